@@ -1,0 +1,119 @@
+import { z } from 'zod';
+
+/**
+ * Everything the editor may ask of its host, and all that crosses: name → input and output. The Electron preload, the loopback
+ * server, the editor's client and the tests' fake are made from this table. All calls are asynchronous; a refusal rejects with
+ * a `HostError` whose diagnostic says why.
+ *
+ * The host reads and writes files; it does not understand documents. Texts cross as they stand on disk.
+ */
+
+const diagnostic = z.object({
+  code: z.string().regex(/^SCR\d{3}$/),
+  severity: z.enum(['error', 'warning', 'info']),
+  message: z.string(),
+  nodeId: z.string().optional(),
+  port: z.string().optional(),
+  file: z.string().optional(),
+  line: z.number().optional(),
+  column: z.number().optional(),
+  fix: z.string().optional(),
+});
+
+/** Names one open project for as long as it is open; never a path. */
+const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
+
+/** Relative to the project folder, `/` between parts; the host refuses what leaves the folder. */
+const projectPath = z.string().min(1).max(512);
+
+const projectFiles = z.object({
+  /** Text of `project.scrim.json`. */
+  project: z.string().max(64 * 2 ** 20),
+  /** Text of `project.layout.json`; null where there is none. */
+  layout: z
+    .string()
+    .max(64 * 2 ** 20)
+    .nullable(),
+  /** Texts below `shaders/`, by file name. */
+  sources: z.record(z.string(), z.string().max(4 * 2 ** 20)),
+});
+
+const openProject = z.object({
+  handle,
+  /** For the title bar; never sent back. */
+  displayPath: z.string(),
+  files: projectFiles,
+  /** Hash over the files as read; a save names the one it started from. */
+  revision: z.string(),
+  /** Files below `assets/`, with their sizes. */
+  assetFiles: z.array(z.object({ path: projectPath, bytes: z.number() })),
+  /** Unsaved work found after a crash, newer than the files. */
+  recovery: projectFiles.nullable(),
+});
+
+const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
+
+export const HOST_CONTRACT = {
+  'app.info': {
+    input: z.object({}),
+    output: z.object({
+      shell: z.enum(['electron', 'server']),
+      version: z.string(),
+      /** Address of the preview page, on an origin of its own. */
+      previewUrl: z.string(),
+      /** What to open at start. */
+      startPath: z.string().nullable(),
+      examples: z.array(z.object({ title: z.string(), path: z.string() })),
+      canPickFolders: z.boolean(),
+    }),
+  },
+  /** Asks the person for a folder; null when they cancel or the shell has no dialog. */
+  'folder.pick': { input: z.object({ purpose: z.enum(['open', 'save-as', 'export']) }), output: z.object({ path: z.string().nullable() }) },
+  'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
+  /** Atomic: all files or none. Rejects with SCR063 when the files changed since `revision`, unless `overwrite`. */
+  'project.save': {
+    input: z.object({ handle, files: projectFiles, revision: z.string(), overwrite: z.boolean() }),
+    output: z.object({ revision: z.string() }),
+  },
+  /** A copy, assets included, in an empty or new folder; it becomes an open project of its own. */
+  'project.save-as': { input: z.object({ handle, path: z.string().min(1).max(4096), files: projectFiles }), output: openProject },
+  /** Keeps unsaved work for recovery; null forgets it. */
+  'project.autosave': { input: z.object({ handle, files: projectFiles.nullable() }), output: z.object({}) },
+  'project.close': { input: z.object({ handle }), output: z.object({}) },
+  /** Copies bytes into `assets/` under a free name made from `name`. */
+  'asset.import': {
+    input: z.object({ handle, name: z.string().min(1).max(255), bytes: z.instanceof(Uint8Array) }),
+    output: z.object({ path: projectPath }),
+  },
+  /** Recorded sessions and emulated rooms that the preview can play. */
+  'session.list': { input: z.object({ handle }), output: z.array(sessionSource) },
+  /** Exports the files as given, saved or not. `out` is absolute. */
+  'export.run': {
+    input: z.object({ handle, files: projectFiles, out: z.string().min(1).max(4096) }),
+    output: z.object({ ok: z.boolean(), out: z.string(), diagnostics: z.array(diagnostic), bytes: z.number() }),
+  },
+} as const;
+
+export type HostMethod = keyof typeof HOST_CONTRACT;
+export type HostInput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]['input']>;
+export type HostOutput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]['output']>;
+
+/** What the host tells the editor unasked. */
+export const hostEvent = z.discriminatedUnion('kind', [
+  z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
+  z.object({ kind: z.literal('menu'), command: z.string() }),
+  /** The window wants to close: answer by closing, or by asking about unsaved work first. */
+  z.object({ kind: z.literal('close-requested') }),
+]);
+export type HostEvent = z.infer<typeof hostEvent>;
+
+export interface Host {
+  call<M extends HostMethod>(method: M, input: HostInput<M>): Promise<HostOutput<M>>;
+  /** Returns the function that stops listening. */
+  subscribe(listener: (event: HostEvent) => void): () => void;
+}
+
+export type ProjectFiles = z.infer<typeof projectFiles>;
+export type OpenProject = z.infer<typeof openProject>;
+export type SessionSource = z.infer<typeof sessionSource>;
+export type HostDiagnostic = z.infer<typeof diagnostic>;

@@ -1,0 +1,270 @@
+/**
+ * The program: what the compiler prints and the only thing the runtime plays. Plain JSON, versioned, and free of everything
+ * that belongs to the editor. This folder imports nothing, so the format can be read on its own.
+ *
+ * Order of a frame: operations run in list order. Those with `view: 'once'` come first (values, sources, objects, shadow maps,
+ * image-domain passes), then those with `view: 'each'` run as a block once per view, so that views share their targets.
+ */
+export const PROGRAM_VERSION = 1;
+
+export interface Program {
+  readonly format: 'scrim-program';
+  readonly version: typeof PROGRAM_VERSION;
+  readonly title: string;
+  readonly slots: SlotTable;
+  readonly resources: readonly Resource[];
+  readonly operations: readonly Operation[];
+  readonly shaders: readonly LinkedShader[];
+  readonly assets: readonly ProgramAsset[];
+  readonly presentation: Presentation;
+  readonly needs: readonly ProgramNeed[];
+  readonly tiers: readonly Tier[];
+  /** Layers kept for looking at, `node.port` → resource. Empty in an export. */
+  readonly taps: Readonly<Record<string, LayerRef>>;
+}
+
+/** Numbers live in one flat Float64Array, texts in one table; operations name them by slot index. */
+export interface SlotTable {
+  readonly numbers: readonly number[];
+  readonly texts: readonly string[];
+  readonly slots: readonly Slot[];
+  /** `node.param` → slot index, for every value that may be set while running. */
+  readonly params: Readonly<Record<string, number>>;
+}
+
+export type SlotType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text';
+
+export interface Slot {
+  readonly type: SlotType;
+  /** First index in `numbers`, or the index in `texts` for a text. */
+  readonly offset: number;
+}
+
+export type ResourceId = string;
+
+/** Something operations read and write. Ids are readable: `blur-p3ma.out`, `blur-p3ma.pass0`. */
+export type Resource =
+  /** A texture of the runtime's own, drawn into. */
+  | {
+      readonly id: ResourceId;
+      readonly kind: 'target';
+      readonly domain: 'view' | 'image';
+      readonly size: TargetSize;
+      readonly format: TargetFormat;
+      /** `window`: a depth buffer to draw and to read. `none`: colour alone. */
+      readonly depth: 'none' | 'window';
+      readonly samples: 1 | 4;
+      /** `persistent` keeps last frame's picture: reading it while writing it gives the earlier one. */
+      readonly lifetime: 'frame' | 'persistent';
+    }
+  /** A texture that a source brings: picture, video, camera. */
+  | { readonly id: ResourceId; readonly kind: 'external'; readonly domain: 'view' | 'image' }
+  /** Real-world depth, per view. */
+  | { readonly id: ResourceId; readonly kind: 'room-depth' }
+  | { readonly id: ResourceId; readonly kind: 'objects' }
+  | { readonly id: ResourceId; readonly kind: 'lights' }
+  /** Depth from every shadow-casting light over one set of casters. */
+  | { readonly id: ResourceId; readonly kind: 'shadow-maps' };
+
+/** `rgba8`: a layer. `rgba16f`: unclamped. `r32f`: depth in metres, 0 where there is none. */
+export type TargetFormat = 'rgba8' | 'rgba16f' | 'r32f';
+
+/** Pixels: the view's, or another resource's; each side times `scale`, or an ISF size expression over slots. */
+export interface TargetSize {
+  readonly base: 'view' | ResourceId;
+  readonly width: SizeExpression;
+  readonly height: SizeExpression;
+}
+
+/** Postfix over the base's `$WIDTH` and `$HEIGHT`, constants and slots, so that no parser is needed at run time. */
+export type SizeExpression = readonly (number | SizeToken)[];
+export type SizeToken =
+  | { readonly slot: number }
+  | {
+      readonly op:
+        | 'width'
+        | 'height'
+        | '+'
+        | '-'
+        | '*'
+        | '/'
+        | '%'
+        | 'negate'
+        | 'floor'
+        | 'ceil'
+        | 'min'
+        | 'max'
+        | 'abs'
+        | 'round'
+        | 'sqrt';
+    };
+
+/** A layer is a colour resource and, where it has one, a depth resource: two ids, because filters keep the depth they get. */
+export interface LayerRef {
+  readonly color: ResourceId;
+  readonly depth: LayerDepthRef | null;
+}
+
+/** `window`: the resource's depth buffer, decoded with the view's projection. `metres`: red channel of an `r32f` target. */
+export interface LayerDepthRef {
+  readonly resource: ResourceId;
+  readonly encoding: 'window' | 'metres';
+}
+
+interface OperationBase {
+  /** Unique and readable; stable while the graph around it changes, so that the runtime keeps what it can. */
+  readonly id: string;
+  /** The node it came from, or the node that caused it. Inlined subgraphs give `outer/inner`. */
+  readonly node: string;
+  readonly reads: readonly ResourceId[];
+  readonly writes: readonly ResourceId[];
+  readonly view: 'each' | 'once';
+}
+
+/** Played by the node type's `runtime.ts`. */
+export interface NodeOperation extends OperationBase {
+  readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw';
+  readonly type: string;
+  readonly inputs: Readonly<Record<string, readonly InputRef[]>>;
+  readonly outputs: Readonly<Record<string, OutputRef>>;
+  /** Uniform params → slot. */
+  readonly params: Readonly<Record<string, number>>;
+  /** Structure params → value. */
+  readonly config: Readonly<Record<string, string | number | boolean>>;
+  /** Asset params → asset id, or null where none is chosen. */
+  readonly assets: Readonly<Record<string, string | null>>;
+}
+
+export type InputRef =
+  | { readonly kind: 'resource'; readonly resource: ResourceId }
+  | { readonly kind: 'layer'; readonly layer: LayerRef }
+  | { readonly kind: 'slot'; readonly slot: number };
+
+export type OutputRef = InputRef;
+
+/** Draws objects: into a target, or straight into the session's framebuffer. */
+export interface DrawOperation extends NodeOperation {
+  readonly kind: 'draw';
+  readonly view: 'each';
+  readonly target: ResourceId | 'screen';
+  readonly shadowMaps: ResourceId | null;
+  /** Fragments behind the room are discarded while drawing; the params are those of the occlusion node. */
+  readonly occlusion: DrawOcclusion | null;
+}
+
+export interface DrawOcclusion {
+  readonly node: string;
+  readonly roomDepth: ResourceId;
+  readonly params: Readonly<Record<string, number>>;
+}
+
+/** Renders the casters of one or more lights into depth textures. */
+export interface ShadowMapOperation extends OperationBase {
+  readonly kind: 'shadow-maps';
+  readonly view: 'once';
+  readonly casters: readonly ResourceId[];
+  readonly lights: ResourceId;
+}
+
+/** One full-screen triangle. */
+export interface PassOperation extends OperationBase {
+  readonly kind: 'pass';
+  /** Index into `shaders`. */
+  readonly shader: number;
+  readonly target: ResourceId | 'screen';
+  /** `over`: premultiplied source over what is there. Only with `screen`. */
+  readonly blend: 'replace' | 'over';
+  readonly samplers: readonly PassSampler[];
+  readonly uniforms: readonly PassUniform[];
+  /** ISF `PASSINDEX`. */
+  readonly passIndex: number;
+}
+
+export interface PassSampler {
+  /** Uniform name in the linked shader; `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels) come with it when declared. */
+  readonly name: string;
+  readonly source:
+    | { readonly kind: 'color'; readonly resource: ResourceId }
+    /** Layer depth, or room depth; with it `NAME_decode` (vec4) as `export/glsl` documents. */
+    | { readonly kind: 'depth'; readonly depth: LayerDepthRef }
+    | { readonly kind: 'room-depth'; readonly resource: ResourceId };
+  /** How an image-domain layer is laid onto a view; `none` where the domains agree. */
+  readonly fit: 'none' | 'cover' | 'contain' | 'stretch';
+}
+
+export interface PassUniform {
+  readonly name: string;
+  readonly type: 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4';
+  readonly source: { readonly slot: number } | { readonly builtin: BuiltinUniform };
+}
+
+/** ISF's automatic uniforms (docs.isf.video, "Automatically Created Uniforms"). */
+export type BuiltinUniform = 'TIME' | 'TIMEDELTA' | 'FRAMEINDEX' | 'DATE' | 'RENDERSIZE' | 'PASSINDEX';
+
+export type Operation = NodeOperation | DrawOperation | ShadowMapOperation | PassOperation;
+
+/** GLSL ES 3.00, complete. Equal sources are stored once. */
+export interface LinkedShader {
+  /** Hash of both texts. */
+  readonly id: string;
+  readonly vertex: string;
+  readonly fragment: string;
+  /** Printed line (from 0) → where the author wrote it. Left out of an export. */
+  readonly sourceMap?: SourceMap;
+}
+
+export interface SourceMap {
+  /** Source names, such as `filters/sepia.fs`. */
+  readonly sources: readonly string[];
+  /** Node that the text belongs to, per source. */
+  readonly nodes: readonly string[];
+  /** Per printed fragment line: `[source, line, column]`, lines and columns from 1, or null for text of the linker's own. */
+  readonly lines: readonly (readonly [source: number, line: number, column: number] | null)[];
+}
+
+export interface ProgramAsset {
+  readonly id: string;
+  readonly kind: 'image' | 'model';
+  /** Relative to the project folder in a preview, to the page in an export. */
+  readonly path: string;
+}
+
+/** Fixed before a session starts: WebXR framebuffers cannot change afterwards. */
+export interface Presentation {
+  /** `forward`: draws straight into the session's framebuffer. `composed`: at least one layer is needed as an image. */
+  readonly mode: 'forward' | 'composed';
+  readonly antialias: boolean;
+  /** `world`: passthrough or the session's camera image. A colour is display-referred sRGB, straight alpha. */
+  readonly background: 'world' | readonly [number, number, number, number];
+  readonly blend: 'alpha';
+}
+
+export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands';
+
+export interface ProgramNeed {
+  readonly capability: Capability;
+  readonly required: boolean;
+  /** Nodes that need it. */
+  readonly nodes: readonly string[];
+  readonly why: string;
+  readonly without: string;
+}
+
+/** What one kind of session gives of this program, best first. */
+export interface Tier {
+  readonly id: 'ar-camera' | 'ar' | 'camera' | 'authored-vr' | 'orbit';
+  /** Needs that this tier cannot meet, with what the picture does then. */
+  readonly without: readonly { readonly capability: Capability; readonly effect: string }[];
+}
+
+/** Throws where `json` is not a program this runtime can play; a page and its program are built together, so this is a fault. */
+export function readProgram(json: unknown): Program {
+  const header = json as { format?: unknown; version?: unknown } | null;
+  if (header?.format !== 'scrim-program') throw new Error('Not a Scrim program: the key "format" is missing or wrong.');
+  if (header.version !== PROGRAM_VERSION) {
+    throw new Error(
+      `Program version ${String(header.version)} cannot be played: this runtime plays version ${PROGRAM_VERSION}. Export again.`,
+    );
+  }
+  return json as Program;
+}

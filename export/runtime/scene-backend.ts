@@ -1,0 +1,46 @@
+import type { LightList, ModelAsset, NumberView, ObjectList, RoomDepthOutput, SceneService } from '../../nodes/kit/runtime.ts';
+
+/**
+ * What the player asks of three.js. Types only: the player never imports three, so that a page without objects carries none of
+ * it; `scenes/create-scenes.ts` implements this and is handed in by pages whose program draws objects.
+ *
+ * GL state: passes set all state they depend on and assume nothing; the backend resets three's idea of the state before its
+ * first draw after any pass. Framebuffers are the player's: three draws into them as XR targets (ADR 7).
+ */
+export type CreateSceneBackend = (host: SceneHost) => SceneBackend;
+
+export interface SceneHost {
+  readonly gl: WebGL2RenderingContext;
+  readonly canvas: HTMLCanvasElement | OffscreenCanvas;
+}
+
+export interface SceneBackend {
+  /** The service that one drawing operation sees as `ctx.scenes`. */
+  serviceFor(binding: DrawBinding): SceneService;
+  createShadowMaps(casters: readonly ObjectList[], lights: LightList): ShadowMaps;
+  /** Rejects with an `Error` that says what is wrong with the file. */
+  loadModel(bytes: ArrayBuffer, path: string): Promise<ModelAsset>;
+  /** Called when passes have drawn since three last did. */
+  invalidateState(): void;
+  /** GPU objects alive, for leak tests. */
+  counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
+  dispose(): void;
+}
+
+/** Bound before the first draw and read in every draw. */
+export interface DrawBinding {
+  readonly shadowMaps: ShadowMaps | null;
+  readonly occlusion: OcclusionBinding | null;
+}
+
+export interface ShadowMaps {
+  /** Renders all maps of this frame. */
+  update(): void;
+  dispose(): void;
+}
+
+/** Params of `layer/depth-occlusion`, live. */
+export interface OcclusionBinding {
+  readonly roomDepth: RoomDepthOutput;
+  readonly params: Readonly<Record<string, NumberView>>;
+}

@@ -1,0 +1,27 @@
+// Jest runs ES modules as they are (three's CommonJS entry cannot be loaded on Node 20), so every script that starts it sets
+// NODE_OPTIONS=--experimental-vm-modules; see tools/test.mjs.
+const base = {
+  testEnvironment: 'node',
+  transform: { '\\.(ts|tsx|fs|vs|glsl)$': '<rootDir>/tests/support/transform.mjs' },
+  extensionsToTreatAsEsm: ['.ts', '.tsx', '.fs', '.vs', '.glsl'],
+  modulePathIgnorePatterns: ['<rootDir>/dist', '<rootDir>/tests/output'],
+};
+
+/** Each project is one row of the test pyramid; `npm run test:one NAME` runs one. */
+function project(displayName, testMatch, more = {}) {
+  return { ...base, displayName, testMatch: testMatch.map((glob) => `<rootDir>/${glob}`), ...more };
+}
+
+export default {
+  projects: [
+    project('unit', [
+      '{app,export,nodes,renderer,tools,shader-library}/**/*.test.ts',
+      'tests/unit/**/*.test.ts',
+      'tests/compile/**/*.test.ts',
+    ]),
+    project('browser', ['tests/browser/**/*.test.ts']),
+    project('xr', ['tests/xr/**/*.test.ts']),
+    project('electron', ['tests/electron/**/*.test.ts']),
+    project('slow', ['tests/slow/**/*.test.ts']),
+  ],
+};

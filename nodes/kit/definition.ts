@@ -1,0 +1,193 @@
+import type { ValueType, WireType } from './wire-types.ts';
+
+/**
+ * What a node type is, as data: ports, params, how it lowers and what it needs. Nothing here runs.
+ *
+ * A definition is shared by the editor (canvas, inspector), the compiler (checks, lowering) and the docs; the behaviour is in
+ * `runtime.ts` beside it, which only the runtime loads.
+ */
+export interface NodeDefinition {
+  /** `category/name`, the folder below `nodes/`, or `filter|operator|generator/NAME` for an ISF file. */
+  readonly type: string;
+  /** Raised by one whenever saved params would mean something else; each raise ships a migration. */
+  readonly version: number;
+  readonly title: string;
+  /** First sentence: what it makes. Then how designers use it. Markdown without headings. */
+  readonly doc: string;
+  /** Other words people search for. */
+  readonly keywords?: readonly string[];
+  /** Ports that only a wire can fill. Names are unique over inputs and params together. */
+  readonly inputs: Readonly<Record<string, InputPort>>;
+  readonly outputs: Readonly<Record<string, OutputPort>>;
+  /** Values edited in the inspector. A `uniform` param of a value type is also an input port: a wire to it binds it. */
+  readonly params: Readonly<Record<string, ParamDefinition>>;
+  readonly lowering: Lowering;
+  readonly needs?: readonly Need[];
+  /** Step `i` lifts saved params from version `i + 1` to `i + 2`. */
+  readonly migrations?: readonly Migration[];
+  /** Who made it and under which terms, shown in the docs and in the exported page's credits. */
+  readonly credit?: string;
+}
+
+export interface InputPort {
+  readonly type: WireType;
+  readonly label: string;
+  readonly doc: string;
+  /** A required port without a wire is an error; an optional one has a stated meaning in `doc`. */
+  readonly required: boolean;
+  /** Takes several wires, in the document's order. */
+  readonly multiple?: boolean;
+}
+
+export interface OutputPort {
+  readonly type: WireType;
+  readonly label: string;
+  readonly doc: string;
+  /** For layers; `same` means that of the first layer input. */
+  readonly domain?: LayerDomain | 'same';
+  /** For layers: whether it has depth; `same` means that of the first layer input. */
+  readonly depth?: boolean | 'same';
+}
+
+/** `view`: pixel-aligned, one texture per view. `image`: its own size, one texture for all views. */
+export type LayerDomain = 'view' | 'image';
+
+/** `uniform`: set while running. `structure`: needs a recompile. `asset`: names an entry of the project's asset table. */
+export type ParamStage = 'uniform' | 'structure' | 'asset';
+
+/** The unit of the stored value. The inspector shows `rad` in degrees; everything else as stored. */
+export type Unit = 'm' | 's' | 'rad' | 'px' | 'K' | 'Hz' | 'ratio' | 'none';
+
+interface ParamBase {
+  readonly label: string;
+  readonly doc: string;
+}
+
+export interface NumberParam extends ParamBase {
+  readonly type: 'number';
+  readonly stage: 'uniform' | 'structure';
+  readonly default: number;
+  readonly min?: number;
+  readonly max?: number;
+  readonly step?: number;
+  readonly unit?: Unit;
+}
+
+export interface VectorParam extends ParamBase {
+  readonly type: 'vector2' | 'vector3' | 'vector4';
+  readonly stage: 'uniform';
+  readonly default: readonly number[];
+  readonly min?: readonly number[];
+  readonly max?: readonly number[];
+  readonly unit?: Unit;
+}
+
+/** Display-referred sRGB, straight alpha, `[r, g, b, a]` in [0, 1]. */
+export interface ColorParam extends ParamBase {
+  readonly type: 'color';
+  readonly stage: 'uniform';
+  readonly default: readonly [number, number, number, number];
+}
+
+export interface ToggleParam extends ParamBase {
+  readonly type: 'toggle';
+  readonly stage: 'uniform' | 'structure';
+  readonly default: boolean;
+}
+
+export interface TextParam extends ParamBase {
+  readonly type: 'text';
+  readonly stage: 'uniform' | 'structure';
+  readonly default: string;
+}
+
+/** One of a list. A `uniform` choice holds numbers (ISF `long`), a `structure` choice holds words. */
+export interface ChoiceParam extends ParamBase {
+  readonly type: 'choice';
+  readonly stage: 'uniform' | 'structure';
+  readonly default: string | number;
+  readonly options: readonly { readonly value: string | number; readonly label: string }[];
+}
+
+/** The id of an entry in the project's asset table; the empty string means none chosen. */
+export interface AssetParam extends ParamBase {
+  readonly type: 'asset';
+  readonly stage: 'asset';
+  readonly default: '';
+  readonly accept: AssetKind;
+}
+
+export type AssetKind = 'image' | 'model';
+
+export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | AssetParam;
+
+/**
+ * What an image operation reads of its inputs, from the cheapest: `pointwise` the pixel itself; `displaced` one other pixel;
+ * `neighbourhood` several; `persistent` its own earlier output; `resize` inputs or targets of another size.
+ */
+export type Access = 'pointwise' | 'displaced' | 'neighbourhood' | 'persistent' | 'resize';
+
+export type Lowering =
+  /** One or more full-screen passes of an ISF shader; needs no three.js. `shader` names it in the library or the project. */
+  | {
+      readonly kind: 'image';
+      readonly shader: string;
+      readonly access: Access;
+      /** The same result can be had by discarding fragments while a scene is drawn, when that scene feeds only this node. */
+      readonly early?: 'occlusion';
+    }
+  /** Makes, arranges or draws objects and lights (three.js). Draws when it has a layer output. */
+  | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse }
+  /** A function of values, evaluated on the CPU once a frame. */
+  | { readonly kind: 'value' }
+  /** Brings something in from outside: files, camera, room. */
+  | { readonly kind: 'source'; readonly background?: 'world' }
+  /** Reads and writes over time: physics, placing, logic. */
+  | { readonly kind: 'behaviour' }
+  /** What the visitor sees; one per graph. */
+  | { readonly kind: 'present' };
+
+/** Which of a node's ports decide its shadow maps; equal wires share one map. */
+export interface ShadowMapUse {
+  readonly casters: readonly string[];
+  readonly lights: string;
+  /** A structure toggle that turns the maps off. */
+  readonly enabledBy?: string;
+}
+
+/** What a session may offer beyond drawing. */
+export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands';
+
+export interface Need {
+  readonly capability: Capability;
+  /** A required need refuses the session; an optional one degrades as `without` says. */
+  readonly required: boolean;
+  /** `sampled`: only when some node reads the layer as an image, not when it is merely the background. */
+  readonly when: 'always' | 'sampled';
+  /** Shown to the visitor before the browser asks, in the form "to …". */
+  readonly why: string;
+  /** What the picture does without it. */
+  readonly without: string;
+}
+
+export type SavedParams = Record<string, unknown>;
+export type Migration = (params: SavedParams) => SavedParams;
+
+/** Where definitions and shader texts come from: the generated library, with a project's own shaders before it. */
+export interface NodeLibrary {
+  definition(type: string): NodeDefinition | undefined;
+  /** ISF source of an `image` lowering. */
+  shader(name: string): string | undefined;
+  types(): Iterable<string>;
+}
+
+/** Keeps the literal types, so that a runtime can be typed from its definition; adds nothing. */
+export function defineNode<const D extends NodeDefinition>(definition: D): D {
+  return definition;
+}
+
+/** The value type under which a param can be wired, or undefined where it cannot. */
+export function paramWireType(param: ParamDefinition): ValueType | undefined {
+  if (param.stage !== 'uniform') return undefined;
+  return param.type === 'choice' ? 'number' : param.type;
+}

@@ -1,0 +1,88 @@
+/**
+ * Mistakes a user can make, as values. The message says what, where and what to do; the code finds its page in
+ * `docs/diagnostics.md`, which is made from this table. Programmers' mistakes throw instead.
+ */
+export interface Diagnostic {
+  readonly code: DiagnosticCode;
+  readonly severity: 'error' | 'warning' | 'info';
+  readonly message: string;
+  readonly nodeId?: string;
+  readonly port?: string;
+  /** Which file, for diagnostics in text: `project.scrim.json`, `shaders/edge.fs`. */
+  readonly file?: string;
+  /** From 1. */
+  readonly line?: number;
+  /** From 1. */
+  readonly column?: number;
+  readonly fix?: string;
+}
+
+export const DIAGNOSTICS = {
+  // Documents
+  SCR001: 'The file is not valid JSON',
+  SCR002: 'The document does not have the shape that its version asks for',
+  SCR003: 'The document was saved by a newer Scrim',
+  SCR004: 'The project cannot be read',
+  SCR005: 'The file is too large',
+  SCR006: 'A number is not finite',
+  // Graphs
+  SCR010: 'The node type is unknown',
+  SCR011: 'The node was saved by a newer version of its type',
+  SCR012: 'The wire names a node or port that does not exist',
+  SCR013: 'The two ports carry different types',
+  SCR014: 'The wires form a cycle',
+  SCR015: 'A required port has no wire',
+  SCR016: 'A port that takes one wire has several',
+  SCR017: 'The graph needs exactly one screen',
+  SCR018: 'The param is unknown or its value does not fit',
+  SCR019: 'The param cannot be bound this way',
+  SCR020: 'The subgraph does not exist or contains itself',
+  SCR021: 'The node does nothing: nothing on screen depends on it',
+  // Assets
+  SCR030: 'The asset is not in the project',
+  SCR031: 'The asset lies outside the project folder',
+  SCR032: 'The asset cannot be decoded',
+  SCR033: 'The asset is of another kind',
+  // Shaders
+  SCR040: 'The shader header is broken',
+  SCR041: 'The shader has a syntax error',
+  SCR042: 'The shader does not compile',
+  SCR043: 'The shader uses something that Scrim cannot give it',
+  // Sessions
+  SCR050: 'This browser has no WebXR',
+  SCR051: 'The device or the visitor refused',
+  SCR052: 'The session ended',
+  SCR053: 'The graphics context was lost',
+  SCR054: 'The session folder is broken',
+  SCR055: 'A capability is missing: the picture does without it',
+  // Files and export
+  SCR060: 'The folder cannot be written',
+  SCR061: 'The folder holds files that Scrim did not write',
+  SCR062: 'The disk is full',
+  SCR063: 'The file changed outside Scrim',
+  SCR064: 'The page could not be bundled',
+  // Command line
+  SCR070: 'The command line is not understood',
+  SCR071: 'No browser was found to render with',
+} as const;
+
+export type DiagnosticCode = keyof typeof DIAGNOSTICS;
+
+export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
+  return diagnostics.some((d) => d.severity === 'error');
+}
+
+/** `file:line:column: error SCR042: message`, leaving out what is not known. */
+export function formatDiagnostic(d: Diagnostic): string {
+  const place = [d.file, d.line, d.column].filter((part) => part !== undefined).join(':');
+  const node = d.nodeId === undefined ? '' : `${d.nodeId}${d.port === undefined ? '' : `.${d.port}`}`;
+  const where = [place, node].filter((part) => part !== '').join(' ');
+  const fix = d.fix === undefined ? '' : ` ${d.fix}`;
+  return `${where === '' ? '' : `${where}: `}${d.severity} ${d.code}: ${d.message}${fix}`;
+}
+
+/** How every phase answers: what it could make, or null, and what it has to say. */
+export interface Result<T> {
+  readonly output: T | null;
+  readonly diagnostics: readonly Diagnostic[];
+}

@@ -1,0 +1,240 @@
+import type { AnimationClip, Matrix4, Object3D } from 'three';
+import type { AssetKind, NodeDefinition, ParamDefinition } from './definition.ts';
+import type { Diagnostic } from './diagnostics.ts';
+import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
+
+/**
+ * The contract between a node's `runtime.ts` and the player. Types only.
+ *
+ * @example
+ * export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+ *   return { update: () => { ctx.outputs.result.value = ctx.params.a.value + ctx.params.b.value; }, dispose: () => {} };
+ * }
+ */
+export interface NodeModule {
+  create(ctx: NodeContext<NodeDefinition>): NodeRuntime;
+}
+
+export interface NodeRuntime {
+  /** Once per frame, in program order, before anything is drawn. Allocates nothing. */
+  update(frame: SessionFrame): void;
+  /** For nodes that draw: once per view, with the target bound and cleared. */
+  draw?(view: DrawView): void;
+  /** Back to the first frame: the transport's reset, or poses became void. */
+  reset?(): void;
+  dispose(): void;
+}
+
+export interface NodeContext<D extends NodeDefinition> {
+  /** Id of the node in the graph, for messages. */
+  readonly node: string;
+  readonly inputs: { readonly [K in keyof D['inputs']]: InputView<D['inputs'][K]> };
+  readonly outputs: { readonly [K in keyof D['outputs']]: OutputView<D['outputs'][K]['type']> };
+  readonly params: {
+    readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'uniform' ? K : never]: ParamView<D['params'][K]>;
+  };
+  readonly config: {
+    readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'structure' ? K : never]: ConfigValue<D['params'][K]>;
+  };
+  readonly assetIds: { readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'asset' ? K : never]: string | null };
+  readonly gl: WebGL2RenderingContext;
+  readonly clock: Clock;
+  /** Uniform in [0, 1), seeded per node, so that a render repeats. */
+  readonly random: () => number;
+  readonly assets: AssetService;
+  readonly scenes: SceneService;
+  readonly session: SessionService;
+  /** A problem the user can mend, shown at the node; the frame goes on without the node's work. */
+  report(diagnostic: Omit<Diagnostic, 'nodeId'>): void;
+}
+
+// --- Values -----------------------------------------------------------------------------------------------------------
+
+/** A live value: read it every frame. */
+export interface NumberView {
+  readonly value: number;
+}
+export interface ToggleView {
+  readonly value: boolean;
+}
+export interface TextView {
+  readonly value: string;
+}
+/** Components of a vector or colour; the same array every frame. */
+export interface VectorView {
+  readonly value: Readonly<Float64Array>;
+}
+
+export type Writable<T> = { -readonly [K in keyof T]: T[K] };
+
+export interface ValueViews {
+  number: NumberView;
+  vector2: VectorView;
+  vector3: VectorView;
+  vector4: VectorView;
+  color: VectorView;
+  toggle: ToggleView;
+  text: TextView;
+}
+
+// --- What other wires carry -------------------------------------------------------------------------------------------
+
+/**
+ * Placed objects. A list is owned and changed by the node whose output it is; its readers rebuild what they derived from it
+ * when `version` has changed, and read the matrices anew every frame.
+ */
+export interface ObjectList {
+  version: number;
+  readonly items: ObjectItem[];
+}
+
+export interface ObjectItem {
+  /** Unique within the list and stable over frames. */
+  key: string;
+  /**
+   * The subtree in object space, with up-to-date world matrices as if it stood at the origin. It is never put into a drawn
+   * scene: those that draw make flat proxies sharing its geometries and materials (ADR 6).
+   */
+  root: Object3D;
+  readonly worldFromObject: Matrix4;
+  role: 'virtual' | 'phantom';
+  castsShadow: boolean;
+  receivesShadow: boolean;
+}
+
+export interface LightList {
+  version: number;
+  readonly items: LightItem[];
+}
+
+export interface LightItem {
+  key: string;
+  kind: 'directional';
+  /** Linear-sRGB, times intensity in lux-like three.js units. */
+  readonly radiance: Float32Array;
+  /** Unit vector from the scene towards the light, world space. */
+  readonly towardsLightWorld: Float32Array;
+  shadow: LightShadow | null;
+}
+
+export interface LightShadow {
+  /** Side of the square that the map covers around the casters, metres. */
+  areaM: number;
+  mapSizePx: number;
+  /** Normalised depth added against acne, and metres along the normal. */
+  bias: number;
+  normalBiasM: number;
+}
+
+/** A layer brought in from outside. View domain: one entry per view; image domain: entry 0 serves all. */
+export interface LayerOutput {
+  readonly views: readonly Writable<LayerTexture>[];
+}
+
+export interface LayerTexture {
+  /** Premultiplied display-referred sRGB, RGBA8; null stands for transparent. */
+  readonly texture: WebGLTexture | null;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Column-major 3×3: texture UV from view UV (view domain) or from image UV (image domain). */
+  readonly uvFromViewUv: Float32Array;
+}
+
+export interface RoomDepthOutput {
+  readonly views: (RoomDepth | null)[];
+}
+
+export interface WireViews extends ValueViews {
+  layer: LayerOutput;
+  depth: RoomDepthOutput;
+  objects: ObjectList;
+  lights: LightList;
+}
+
+type WireView<T> = T extends keyof WireViews ? WireViews[T] : never;
+type InputView<P extends { type: string; multiple?: boolean }> = P extends { readonly multiple: true }
+  ? readonly WireView<P['type']>[]
+  : WireView<P['type']> | null;
+type OutputView<T> = T extends keyof ValueViews ? Writable<ValueViews[T]> : WireView<T>;
+type ParamView<P extends ParamDefinition> = P extends { type: 'choice' }
+  ? NumberView
+  : P extends { type: infer T }
+    ? T extends keyof ValueViews
+      ? ValueViews[T]
+      : never
+    : never;
+type ConfigValue<P extends ParamDefinition> = P extends { type: 'choice'; options: readonly { value: infer V }[] }
+  ? V
+  : P['default'] extends boolean
+    ? boolean
+    : P['default'] extends number
+      ? number
+      : string;
+
+// --- Services ---------------------------------------------------------------------------------------------------------
+
+export interface Clock {
+  readonly timeS: number;
+  readonly deltaS: number;
+  readonly frame: number;
+}
+
+export interface SessionService {
+  readonly frame: SessionFrame;
+  readonly light: LightEstimate | null;
+}
+
+/** Loads each asset once and shares it; handles are counted, and the last release frees it. */
+export interface AssetService {
+  image(id: string): AssetHandle<ImageAsset>;
+  model(id: string): AssetHandle<ModelAsset>;
+}
+
+export interface AssetHandle<T> {
+  readonly kind: AssetKind;
+  /** Null until loaded, and for ever when it failed: the failure is reported once, at the node. */
+  readonly value: T | null;
+  /** Resolves when loading ended, well or badly; never rejects. */
+  readonly settled: Promise<void>;
+  release(): void;
+}
+
+export interface ImageAsset {
+  readonly texture: WebGLTexture;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+export interface ModelAsset {
+  /** Each call makes a new subtree with bones of its own, sharing geometries, materials and textures. */
+  instantiate(): Object3D;
+  readonly clips: readonly AnimationClip[];
+}
+
+/** Where `draw` draws. */
+export interface DrawView {
+  readonly view: ViewFrame;
+  readonly viewIndex: number;
+  readonly framebuffer: WebGLFramebuffer | null;
+  readonly viewport: { readonly x: number; readonly y: number; readonly widthPx: number; readonly heightPx: number };
+}
+
+/** three.js, for nodes that draw objects; one renderer serves all. */
+export interface SceneService {
+  /** A scene of flat proxies for the given lists. `look` decides what each object is drawn with. */
+  createScene(look: SceneLook): DrawnScene;
+}
+
+export type SceneLook =
+  /** Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. */
+  | { readonly kind: 'shaded' }
+  /** Phantoms as shadow catchers: black, with alpha where light is blocked; virtual objects not drawn. */
+  | { readonly kind: 'shadow-catcher'; readonly strength: NumberView; readonly color: VectorView };
+
+export interface DrawnScene {
+  /** Takes over changed lists and this frame's matrices. */
+  update(objects: readonly ObjectList[], lights: readonly LightList[]): void;
+  /** Draws into the bound target; shadow maps and occlusion come from the operation. */
+  draw(view: DrawView): void;
+  dispose(): void;
+}

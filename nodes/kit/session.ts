@@ -1,0 +1,94 @@
+import type { Capability } from './definition.ts';
+
+/**
+ * What a session tells the runtime each frame (design §9). Types only: sessions live in `export/runtime/sessions` and
+ * `export/emulator`. Objects are reused from frame to frame: read them during the frame, keep none.
+ *
+ * Spaces: world is right-handed, y up, metres, gravity-aligned, floor at y = 0 where the session knows it. View space looks
+ * down -z. Matrices are column-major. View UV has its origin at the bottom left, as GL and ISF have it.
+ */
+export interface Session {
+  readonly kind: 'webxr' | 'recorded' | 'camera' | 'orbit';
+  readonly capabilities: ReadonlySet<Capability>;
+  /** `device`: the display shows the world behind transparent pixels. `image`: the runtime draws each view's camera image. */
+  readonly world: 'device' | 'image' | 'none';
+  /** `additive` displays cannot darken: black is transparent. */
+  readonly blend: 'opaque' | 'alpha' | 'additive';
+  /** Begins delivering frames to `onFrame`, and events to `onEvent`, until `end`. */
+  start(onFrame: (frame: SessionFrame) => void, onEvent: (event: SessionEvent) => void): void;
+  /** Ends the session and frees what it made; safe to call twice. */
+  end(): Promise<void>;
+}
+
+export type SessionEvent =
+  | { readonly kind: 'ended'; readonly by: 'user' | 'system' | 'page' }
+  | { readonly kind: 'visibility'; readonly visible: boolean }
+  | { readonly kind: 'tracking'; readonly tracked: boolean }
+  /** World space was re-centred or the recording started over: state that depends on poses is void. */
+  | { readonly kind: 'reset' }
+  | { readonly kind: 'problem'; readonly message: string };
+
+export interface SessionFrame {
+  readonly index: number;
+  readonly timeS: number;
+  readonly deltaS: number;
+  /** One or two; only the first `viewCount` entries of `views` are valid. */
+  readonly viewCount: number;
+  readonly views: readonly ViewFrame[];
+  /** The final target; null is the canvas. */
+  readonly framebuffer: WebGLFramebuffer | null;
+  readonly framebufferWidthPx: number;
+  readonly framebufferHeightPx: number;
+  readonly light: LightEstimate | null;
+}
+
+export interface ViewFrame {
+  readonly eye: 'none' | 'left' | 'right';
+  /** Column-major 4×4. */
+  readonly clipFromView: Float32Array;
+  readonly worldFromView: Float32Array;
+  readonly viewFromWorld: Float32Array;
+  readonly nearM: number;
+  readonly farM: number;
+  /** In the framebuffer, pixels, origin bottom left. */
+  readonly viewport: Viewport;
+  readonly cameraImage: CameraImage | null;
+  readonly depth: RoomDepth | null;
+}
+
+export interface Viewport {
+  readonly x: number;
+  readonly y: number;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/** Display-referred sRGB in RGBA8, opaque, valid during the frame. */
+export interface CameraImage {
+  readonly texture: WebGLTexture;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Column-major 3×3, homogeneous: texture UV from view UV. */
+  readonly uvFromViewUv: Float32Array;
+}
+
+/** Metres along the depth camera's axis in the red channel (R32F, nearest), 0 where unknown. */
+export interface RoomDepth {
+  readonly texture: WebGLTexture;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Column-major 3×3, homogeneous: texture UV from view UV; any rotation, flip or crop. */
+  readonly uvFromViewUv: Float32Array;
+  /** Pose of the depth camera; the view's own where the session matches them. */
+  readonly worldFromDepth: Float32Array;
+}
+
+/** Light around the viewer. Spherical harmonics as WebXR Lighting Estimation §3.2 orders them. */
+export interface LightEstimate {
+  /** 9 coefficients × RGB, linear-sRGB radiance. */
+  readonly sphericalHarmonics: Float32Array;
+  /** Unit vector in world space, from the scene towards the light. */
+  readonly primaryDirectionWorld: Float32Array;
+  /** Linear-sRGB, not normalised. */
+  readonly primaryIntensity: Float32Array;
+}

@@ -1,0 +1,99 @@
+/**
+ * The types a wire can carry, and how the canvas draws each.
+ *
+ * Every type has its own colour and its own port shape, so that ports can be told apart without colour vision.
+ * Shapes repeat only between types that convert into each other.
+ */
+export type PortShape = 'circle' | 'square' | 'diamond' | 'triangle' | 'hexagon' | 'star' | 'cross' | 'pill' | 'ring' | 'half';
+
+export interface WireTypeInfo {
+  readonly label: string;
+  /** What travels on the wire, with units and spaces. */
+  readonly doc: string;
+  /** sRGB hex, chosen for a contrast of at least 3:1 on the canvas in both themes. */
+  readonly color: `#${string}`;
+  readonly shape: PortShape;
+}
+
+export const WIRE_TYPES = {
+  layer: {
+    label: 'Layer',
+    doc: 'A rendered image, premultiplied display-referred sRGB, with optional depth in positive view-space metres.',
+    color: '#4f9dde',
+    shape: 'square',
+  },
+  depth: {
+    label: 'Room depth',
+    doc: 'Distance to the real world along the view axis, metres, per view, with its own pose and UV transform.',
+    color: '#7c8db5',
+    shape: 'half',
+  },
+  objects: { label: 'Objects', doc: 'Placed 3D objects and phantoms, in world space, metres.', color: '#d9822b', shape: 'hexagon' },
+  technique: { label: 'Technique', doc: 'A geometry-space effect to draw objects with.', color: '#c2569b', shape: 'star' },
+  lights: { label: 'Lights', doc: 'Virtual lights in world space; colours linear-sRGB.', color: '#c9a400', shape: 'triangle' },
+  environment: {
+    label: 'Environment',
+    doc: 'A panorama or cube map that lights the scene, linear-sRGB radiance.',
+    color: '#3fa796',
+    shape: 'ring',
+  },
+  surfaces: {
+    label: 'Surfaces',
+    doc: 'Planes and meshes that the session detected, world space, metres.',
+    color: '#8a7a5c',
+    shape: 'cross',
+  },
+  pose: { label: 'Pose', doc: 'A rigid transform in world space, metres and unit quaternion.', color: '#9a6dd7', shape: 'diamond' },
+  body: { label: 'Body', doc: 'A physics body, metres, kilograms, seconds.', color: '#a0522d', shape: 'pill' },
+  capture: { label: 'Capture', doc: 'Calibrated photographs and their geometry.', color: '#5f7f3f', shape: 'cross' },
+  audio: { label: 'Audio', doc: 'Waveform and spectrum of a sound.', color: '#2f8f5b', shape: 'ring' },
+  number: { label: 'Number', doc: 'One real number; its unit is named at the port.', color: '#8f98a3', shape: 'circle' },
+  vector2: { label: 'Vector 2', doc: 'Two real numbers.', color: '#6f7fd1', shape: 'circle' },
+  vector3: { label: 'Vector 3', doc: 'Three real numbers.', color: '#6a5fcb', shape: 'circle' },
+  vector4: { label: 'Vector 4', doc: 'Four real numbers.', color: '#5a49b8', shape: 'circle' },
+  color: { label: 'Colour', doc: 'Display-referred sRGB with straight alpha, each channel in [0, 1].', color: '#d1567a', shape: 'circle' },
+  toggle: { label: 'Toggle', doc: 'On or off.', color: '#4aa564', shape: 'pill' },
+  text: { label: 'Text', doc: 'A string.', color: '#b08d57', shape: 'half' },
+  pulse: { label: 'Pulse', doc: 'Events of this frame, each with a payload.', color: '#e0533d', shape: 'diamond' },
+} as const satisfies Record<string, WireTypeInfo>;
+
+export type WireType = keyof typeof WIRE_TYPES;
+
+/** Wire types that are plain values: they live in value slots and can be bound to params. */
+export type ValueType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text';
+
+/** How many numbers a value of the type takes in the program's slots; a text takes one entry of the text table. */
+export const VALUE_SIZES = {
+  number: 1,
+  vector2: 2,
+  vector3: 3,
+  vector4: 4,
+  color: 4,
+  toggle: 1,
+  text: 1,
+} as const satisfies Record<ValueType, number>;
+
+/**
+ * Implicit conversions: only where nothing is lost. A toggle is 0 or 1; a colour and a vector4 hold the same four numbers.
+ * The canvas draws a converting wire as a blend of both colours.
+ */
+const LOSSLESS: Readonly<Partial<Record<WireType, readonly WireType[]>>> = {
+  toggle: ['number'],
+  color: ['vector4'],
+  vector4: ['color'],
+};
+
+export type Conversion = 'same' | 'lossless' | 'none';
+
+export function conversion(from: WireType, to: WireType): Conversion {
+  if (from === to) return 'same';
+  return LOSSLESS[from]?.includes(to) ? 'lossless' : 'none';
+}
+
+export function isWireType(name: string): name is WireType {
+  return Object.hasOwn(WIRE_TYPES, name);
+}
+
+export function isValueType(type: WireType): type is ValueType {
+  return Object.hasOwn(VALUE_SIZES, type);
+}

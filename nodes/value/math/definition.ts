@@ -1,0 +1,35 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'value/math',
+  version: 1,
+  title: 'Math',
+  doc: 'Computes one number from two. Division and remainder by zero give 0, so that a picture never becomes NaN.',
+  keywords: ['add', 'subtract', 'multiply', 'divide', 'plus', 'minus', 'sine', 'cosine', 'power'],
+  inputs: {},
+  outputs: { result: { type: 'number', label: 'Result', doc: 'The computed number.' } },
+  params: {
+    operation: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Operation',
+      doc: 'What to compute.',
+      default: 'add',
+      options: [
+        { value: 'add', label: 'A + B' },
+        { value: 'subtract', label: 'A − B' },
+        { value: 'multiply', label: 'A × B' },
+        { value: 'divide', label: 'A ÷ B' },
+        { value: 'remainder', label: 'Remainder of A ÷ B' },
+        { value: 'power', label: 'A to the power B' },
+        { value: 'minimum', label: 'Smaller of A, B' },
+        { value: 'maximum', label: 'Larger of A, B' },
+        { value: 'sine', label: 'Sine of A × B' },
+        { value: 'cosine', label: 'Cosine of A × B' },
+      ],
+    },
+    a: { type: 'number', stage: 'uniform', label: 'A', doc: 'First number.', default: 0 },
+    b: { type: 'number', stage: 'uniform', label: 'B', doc: 'Second number.', default: 1 },
+  },
+  lowering: { kind: 'value' },
+});

@@ -1,0 +1,41 @@
+import type { Program } from '../export/program/program.ts';
+import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
+
+/**
+ * Messages between the editor and its preview page, over one MessagePort that the editor hands to the preview's origin once it
+ * has loaded. The preview has no host API: all it can do is play what it is sent.
+ */
+export type ToPreview =
+  /** Play this program; the last good one runs on until the new one has linked. */
+  | { readonly kind: 'program'; readonly revision: number; readonly program: Program }
+  /** Set a uniform param without a compile. */
+  | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: number | boolean | string | readonly number[] }
+  | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
+  | { readonly kind: 'session'; readonly source: PreviewSource }
+  /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
+  | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
+
+/** Addresses are on the preview's own origin. */
+export type PreviewSource =
+  | { readonly kind: 'recorded'; readonly url: string; readonly assetBaseUrl: string }
+  | { readonly kind: 'room'; readonly name: string; readonly views: 1 | 2; readonly assetBaseUrl: string };
+
+export type FromPreview =
+  | { readonly kind: 'ready' }
+  /** The program of this revision is now the one on screen. */
+  | { readonly kind: 'playing'; readonly revision: number }
+  /** Everything wrong with the running program, or with the one of `revision` that could not be taken over. */
+  | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
+  /** At most ten times a second. */
+  | { readonly kind: 'status'; readonly status: PreviewStatus }
+  | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap };
+
+export interface PreviewStatus {
+  readonly state: 'loading' | 'playing' | 'paused' | 'lost';
+  readonly frame: number;
+  readonly timeS: number;
+  /** Mean time of the last frames on the CPU. */
+  readonly frameMs: number;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}

@@ -1,0 +1,99 @@
+import { afterAll, beforeAll } from '@jest/globals';
+import { build } from 'esbuild';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { findChromium } from '../../app/services/chromium.ts';
+import { type StaticServer, serveStatic } from './serve.ts';
+
+/** Starts the pinned Chromium once per test file. Goldens and pixel facts are only ever taken from it. */
+export function useBrowser(): { readonly browser: Browser } {
+  let browser: Browser | undefined;
+  beforeAll(async () => {
+    const found = await findChromium({ pinnedOnly: true });
+    if (!found) throw new Error('The pinned Chromium (@sparticuz/chromium) is missing: run `npm ci` on Linux x64.');
+    browser = await chromium.launch({
+      executablePath: found.executablePath,
+      args: [...found.args],
+      env: { ...process.env, ...found.env } as Record<string, string>,
+    });
+  }, 60_000);
+  afterAll(async () => {
+    await browser?.close();
+  });
+  return {
+    get browser() {
+      if (!browser) throw new Error('The browser is only there inside tests.');
+      return browser;
+    },
+  };
+}
+
+/** Everything a page printed as an error, uncaught exceptions included. */
+export function collectErrors(page: Page): string[] {
+  const errors: string[] = [];
+  page.on('pageerror', (error) => errors.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') errors.push(message.text());
+  });
+  return errors;
+}
+
+export interface PageModule {
+  readonly page: Page;
+  readonly errors: readonly string[];
+  /** Calls an exported function of the bundled module in the page; arguments and result cross as JSON. */
+  call<T>(name: string, ...args: readonly unknown[]): Promise<T>;
+  close(): Promise<void>;
+}
+
+export interface PageOptions {
+  readonly width?: number;
+  readonly height?: number;
+  /** Folders to serve beside the page: URL prefix → absolute folder. */
+  readonly mounts?: Readonly<Record<string, string>>;
+}
+
+/** Bundles a `*.page.ts` file, serves it and opens it; its exports are what `call` can reach. */
+export async function openModule(browser: Browser, entry: string, options: PageOptions = {}): Promise<PageModule> {
+  const code = await bundleForPage(entry);
+  const server: StaticServer = await serveStatic({
+    ...options.mounts,
+    '/': { text: '<!doctype html><meta charset="utf-8"><title>test</title><body style="margin:0"><script src="/module.js"></script>' },
+    '/module.js': { text: code },
+  });
+  const page = await browser.newPage({ viewport: { width: options.width ?? 640, height: options.height ?? 360 } });
+  const errors = collectErrors(page);
+  await page.goto(server.origin);
+  return {
+    page,
+    errors,
+    call: (name, ...args) =>
+      page.evaluate(
+        ([n, a]) =>
+          (globalThis as unknown as { testModule: Record<string, (...x: unknown[]) => never> }).testModule[n as string]?.(
+            ...(a as unknown[]),
+          ),
+        [name, args] as const,
+      ) as Promise<never>,
+    close: async () => {
+      await page.close();
+      await server.close();
+    },
+  };
+}
+
+async function bundleForPage(entry: string): Promise<string> {
+  const result = await build({
+    entryPoints: [entry],
+    bundle: true,
+    write: false,
+    format: 'iife',
+    globalName: 'testModule',
+    target: 'chrome108',
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    sourcemap: 'inline',
+    logLevel: 'silent',
+  });
+  const [file] = result.outputFiles;
+  if (!file) throw new Error(`esbuild made nothing of ${entry}`);
+  return file.text;
+}
