@@ -1,0 +1,60 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { listFiles } from '../lib/files.ts';
+
+/** A folder `nodes/CATEGORY/NAME`. */
+export interface NodeFolder {
+  /** `CATEGORY/NAME`, which is also the node's type. */
+  readonly type: string;
+  readonly hasRuntime: boolean;
+}
+
+/** A shader text with the name that `lowering.shader` knows it by. */
+export interface ShaderFile {
+  /** `filters/sepia.fs` from the library, `layer/depth-occlusion/occlusion.fs` from a node's folder. */
+  readonly name: string;
+  readonly text: string;
+}
+
+export interface Found {
+  readonly nodes: readonly NodeFolder[];
+  /** ISF files that are nodes by themselves. */
+  readonly library: readonly ShaderFile[];
+  /** Shaders that a node's definition names. */
+  readonly nodeShaders: readonly ShaderFile[];
+}
+
+const ISF_FOLDERS = ['filters', 'operators', 'generators'] as const;
+
+/** What the folders hold; a folder counts as a node once it has a definition. Sorted, so that the answer is the same everywhere. */
+export async function findNodes(root: string): Promise<Found> {
+  const paths = await listFiles(join(root, 'nodes'), (path) => path === 'generated' || path.endsWith('/example'));
+  const inFolders = paths.filter((path) => path.split('/').length === 3);
+  const present = new Set(inFolders);
+  const nodes = inFolders
+    .filter((path) => path.endsWith('/definition.ts'))
+    .map((path) => path.slice(0, -'/definition.ts'.length))
+    .map((type) => ({ type, hasRuntime: present.has(`${type}/runtime.ts`) }));
+  return {
+    nodes,
+    library: await readLibrary(root),
+    nodeShaders: await readShaders(join(root, 'nodes'), inFolders.filter(isShader)),
+  };
+}
+
+async function readLibrary(root: string): Promise<ShaderFile[]> {
+  const base = join(root, 'shader-library');
+  const perFolder = await Promise.all(
+    ISF_FOLDERS.map(async (kind) => (await listFiles(join(base, kind))).map((name) => `${kind}/${name}`)),
+  );
+  return readShaders(base, perFolder.flat().filter(isShader));
+}
+
+function readShaders(base: string, names: readonly string[]): Promise<ShaderFile[]> {
+  return Promise.all(names.map(async (name) => ({ name, text: await readFile(join(base, name), 'utf8') })));
+}
+
+/** `.vs` is the vertex shader that ISF lets stand beside a `.fs` of the same name. */
+function isShader(path: string): boolean {
+  return path.endsWith('.fs') || path.endsWith('.vs');
+}

@@ -1,0 +1,56 @@
+import type { NodeDefinition } from '../../nodes/kit/definition.ts';
+import type { Found, NodeFolder } from './find-nodes.ts';
+
+const HEADER = '// Made by `npm run gen` from nodes/ and shader-library/; not committed. Change the folders, not this file.\n';
+
+/** `definitions.gen.ts`: what every node type is, and the shader texts, as data: nothing is parsed when it is imported. */
+export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefinition[]): string {
+  const imports = found.nodes.map(({ type }) => `import { definition as ${identifier(type)} } from '../${type}/definition.ts';\n`);
+  const entries = [
+    ...found.nodes.map(({ type }) => `  ${identifier(type)},\n`),
+    ...isfDefinitions.map((definition) => `  ${JSON.stringify(definition)},\n`),
+  ];
+  const shaders = [...found.library, ...found.nodeShaders].map(({ name, text }) => `  ${JSON.stringify(name)}: ${JSON.stringify(text)},\n`);
+  return [
+    HEADER,
+    "import type { NodeDefinition } from '../kit/definition.ts';\n",
+    ...imports,
+    '\nexport const DEFINITIONS: readonly NodeDefinition[] = [\n',
+    ...entries,
+    '];\n\n/** ISF sources by the name that `lowering.shader` gives. */\n',
+    'export const SHADERS: Readonly<Record<string, string>> = {\n',
+    ...shaders,
+    '};\n',
+  ].join('');
+}
+
+/** `runtimes.gen.ts`: the behaviour of every node type, for pages that play any project. */
+export function printRuntimes(nodes: readonly NodeFolder[]): string {
+  const withRuntime = nodes.filter((node) => node.hasRuntime);
+  return [
+    HEADER,
+    "import type { NodeModule } from '../kit/runtime.ts';\n",
+    ...withRuntime.map(({ type }) => `import * as ${identifier(type)} from '../${type}/runtime.ts';\n`),
+    '\n/** Node type → its behaviour. Nodes that are only a shader, or only a sink, have none. */\n',
+    'export const RUNTIMES: Readonly<Record<string, NodeModule>> = {\n',
+    ...withRuntime.map(({ type }) => `  ${JSON.stringify(type)}: ${identifier(type)},\n`),
+    '};\n',
+  ].join('');
+}
+
+/** `runtime-files.gen.ts`: where the behaviours are, so that an exported page can be given the used ones only. */
+export function printRuntimeFiles(nodes: readonly NodeFolder[]): string {
+  const withRuntime = nodes.filter((node) => node.hasRuntime);
+  return [
+    HEADER,
+    '\n/** Node type → path of its runtime, relative to the repository. */\n',
+    'export const RUNTIME_FILES: Readonly<Record<string, string>> = {\n',
+    ...withRuntime.map(({ type }) => `  ${JSON.stringify(type)}: ${JSON.stringify(`nodes/${type}/runtime.ts`)},\n`),
+    '};\n',
+  ].join('');
+}
+
+/** `layer/depth-occlusion` → `layerDepthOcclusion`. */
+function identifier(type: string): string {
+  return type.replace(/[^a-z0-9]+(.)/gi, (_, letter: string) => letter.toUpperCase());
+}

@@ -1,0 +1,50 @@
+import { createHash } from 'node:crypto';
+import { mkdir, rename, rm, writeFile } from 'node:fs/promises';
+import { join, resolve } from 'node:path';
+import process from 'node:process';
+import { pathToFileURL } from 'node:url';
+import { build } from 'esbuild';
+
+const root = resolve(import.meta.dirname, '..');
+const cache = join(root, 'node_modules', '.cache', 'scrim', 'tools');
+
+/**
+ * Starts a tool written in TypeScript, which Node 20 cannot run: bundles it (some 20 ms) into `node_modules/.cache`, from where
+ * it finds the npm packages, and calls its `main(args, { root, version })`. The version is a hash of the tool's own code, for
+ * caches of what it makes.
+ *
+ * @param {string} entry Relative to this folder.
+ */
+export async function runTool(entry) {
+  process.setSourceMapsEnabled(true);
+  const { main, version } = await loadTool(entry);
+  process.exitCode = await main(process.argv.slice(2), { root, version });
+}
+
+async function loadTool(entry) {
+  const result = await build({
+    entryPoints: [join(import.meta.dirname, entry)],
+    absWorkingDir: root,
+    bundle: true,
+    write: false,
+    platform: 'node',
+    format: 'esm',
+    target: 'node20',
+    packages: 'external',
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    sourcemap: 'inline',
+  });
+  const [file] = result.outputFiles;
+  const version = createHash('sha256').update(file.contents).digest('hex').slice(0, 16);
+  const path = join(cache, `${entry.replaceAll('/', '-')}.${version}.mjs`);
+  await mkdir(cache, { recursive: true });
+  // Through a rename, because two runs may write the same file at once.
+  const temporary = `${path}.${process.pid}`;
+  await writeFile(temporary, file.contents);
+  await rename(temporary, path);
+  try {
+    return { main: (await import(pathToFileURL(path).href)).main, version };
+  } finally {
+    await rm(path, { force: true });
+  }
+}
