@@ -19,11 +19,16 @@ export interface SceneBackend {
   serviceFor(binding: DrawBinding): SceneService;
   createShadowMaps(casters: readonly ObjectList[], lights: LightList): ShadowMaps;
   /** Rejects with an `Error` that says what is wrong with the file. */
-  loadModel(bytes: ArrayBuffer, path: string): Promise<ModelAsset>;
+  loadModel(bytes: ArrayBuffer, path: string): Promise<LoadedModel>;
   /** Called when passes have drawn since three last did. */
   invalidateState(): void;
   /** GPU objects alive, for leak tests. */
   counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
+  dispose(): void;
+}
+
+/** A model as the asset service holds it: freed when the last handle is released. */
+export interface LoadedModel extends ModelAsset {
   dispose(): void;
 }
 
