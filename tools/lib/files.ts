@@ -2,8 +2,8 @@ import { mkdir, readdir, readFile, rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import process from 'node:process';
 
-/** Folders that hold nothing written by hand, at any depth. */
-const SKIPPED_NAMES = new Set(['node_modules', '.git', 'dist', 'coverage']);
+/** Folders that hold nothing written by hand, at any depth, beside those whose name starts with a dot. */
+const SKIPPED_NAMES = new Set(['node_modules', 'dist', 'coverage']);
 
 /**
  * Paths of all files below `folder`, relative to it, `/` between parts, sorted. `skip` leaves out whole folders by their
@@ -20,7 +20,7 @@ async function walk(folder: string, prefix: string, skip: (path: string) => bool
   for (const entry of entries) {
     const path = prefix === '' ? entry.name : `${prefix}/${entry.name}`;
     if (entry.isFile()) found.push(path);
-    else if (entry.isDirectory() && !SKIPPED_NAMES.has(entry.name) && !skip(path)) await walk(folder, path, skip, found);
+    else if (entry.isDirectory() && !isSkipped(entry.name) && !skip(path)) await walk(folder, path, skip, found);
   }
 }
 
@@ -40,4 +40,8 @@ export async function writeIfChanged(path: string, text: string): Promise<boolea
   await writeFile(temporary, text);
   await rename(temporary, path);
   return true;
+}
+
+function isSkipped(folder: string): boolean {
+  return folder.startsWith('.') || SKIPPED_NAMES.has(folder);
 }

@@ -1,0 +1,128 @@
+/**
+ * Who may import whom (design §5), and which npm packages each folder may use. Closed: a file in no layer fails, and so does an
+ * import that no row allows. There is no list of exemptions; a change here is a change of the architecture.
+ *
+ * Paths are relative to the repository. `*` is any part of a name, `**` any folders, `{a,b}` either. A file belongs to the first
+ * layer that matches it.
+ */
+export interface Layer {
+  readonly name: string;
+  readonly files: readonly string[];
+  /** Layers whose files it may import, beside its own. */
+  readonly imports?: readonly string[];
+  /** Layers and packages of which it may import types and nothing else. */
+  readonly types?: readonly string[];
+  /** npm packages, by name without subpath; `node:*` stands for all of Node's modules. */
+  readonly packages?: readonly string[];
+  /** Which of its own files it may import: all (when absent), those of the same folder, or none. */
+  readonly own?: 'folder' | 'none';
+  /** Holds no code at all. */
+  readonly noCode?: true;
+}
+
+const TEST_FILES = ['**/*.test.{ts,tsx}', 'tests/**'];
+const SHELLS = 'app/{services,electron,server,cli}/**';
+const PAGES = '{export/runtime,export/page,export/emulator,renderer}/**';
+const EXPORT_KIT = ['kit', 'kit runtime'];
+const HOST = ['kit', 'contract', 'graph', 'glsl', 'compiler', 'program', 'bundle', 'registry of definitions', 'manifest'];
+
+export const LAYERS: readonly Layer[] = [
+  // Whatever proves something may look everywhere; nothing but tests may import them (see `check.ts`).
+  { name: 'tests', files: TEST_FILES },
+  // Build configurations may stand in the folder that they build; they belong to no layer of it.
+  { name: 'configuration', files: ['**/*.config.{mjs,ts}', '*.d.ts'], packages: ['vite', '@vitejs/plugin-react', 'node:*'] },
+
+  { name: 'kit', files: ['nodes/kit/{definition,diagnostics,wire-types}.ts'] },
+  { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['program', 'three'] },
+  { name: 'registry of definitions', files: ['nodes/generated/definitions.gen.ts'], imports: ['kit', 'node definition'] },
+  { name: 'registry of runtimes', files: ['nodes/generated/runtimes.gen.ts'], imports: ['kit runtime', 'node'] },
+  { name: 'registry of runtime files', files: ['nodes/generated/runtime-files.gen.ts'] },
+  { name: 'node definition', files: ['nodes/*/*/definition.ts'], imports: ['kit'], own: 'none' },
+  { name: 'node', files: ['nodes/*/*/**'], imports: EXPORT_KIT, packages: ['three', 'cannon-es'], own: 'folder' },
+  { name: 'shader library', files: ['shader-library/**'], noCode: true },
+
+  { name: 'program', files: ['export/program/**'] },
+  { name: 'graph', files: ['export/graph/**'], imports: ['kit'], packages: ['immer', 'jsonc-parser'] },
+  { name: 'glsl', files: ['export/glsl/**'], imports: ['kit'], packages: ['@shaderfrog/glsl-parser', 'jsonc-parser'] },
+  { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
+  // Image passes need no three.js: only the scenes load it, and a page without objects leaves them out.
+  { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'runtime'], packages: ['three', 'cannon-es'] },
+  { name: 'runtime', files: ['export/runtime/**'], imports: [...EXPORT_KIT, 'program'], types: ['three'] },
+  {
+    name: 'emulator',
+    files: ['export/emulator/**'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes'],
+    packages: ['iwer', '@iwer/sem', 'three'],
+  },
+  { name: 'page', files: ['export/page/**'], imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes'] },
+  {
+    name: 'bundle',
+    files: ['export/bundle/**'],
+    imports: ['kit', 'compiler', 'program', 'page', 'registry of runtime files'],
+    packages: ['esbuild', 'node:*'],
+  },
+
+  { name: 'contract', files: ['app/contract/**'], imports: ['kit'], packages: ['zod'] },
+  {
+    name: 'services',
+    files: ['app/services/**'],
+    imports: HOST,
+    packages: ['node:*', 'zod', 'esbuild', 'playwright-core', '@sparticuz/chromium', 'fast-png'],
+  },
+  { name: 'electron shell', files: ['app/electron/**'], imports: [...HOST, 'services'], packages: ['electron', 'node:*', 'zod'] },
+  { name: 'server shell', files: ['app/server/**'], imports: [...HOST, 'services'], packages: ['node:*', 'zod'] },
+  {
+    name: 'command line page',
+    files: ['app/cli/**/*.page.ts'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'emulator', 'registry of runtimes'],
+    packages: ['three'],
+  },
+  {
+    name: 'command line',
+    files: ['app/cli/**'],
+    imports: [...HOST, 'services', 'server shell', 'command line page'],
+    packages: ['node:*', 'zod', 'playwright-core', 'fast-png'],
+  },
+
+  // The preview is a page of its own, without the editor's host: messages are all they share.
+  { name: 'preview protocol', files: ['renderer/preview-protocol.ts'], imports: ['kit', 'program'] },
+  {
+    name: 'preview',
+    files: ['renderer/preview/**'],
+    imports: [...EXPORT_KIT, 'program', 'preview protocol', 'runtime', 'scenes', 'emulator', 'registry of runtimes'],
+    packages: ['three'],
+  },
+  {
+    name: 'editor',
+    files: ['renderer/**'],
+    imports: ['kit', 'graph', 'glsl', 'compiler', 'program', 'preview protocol', 'registry of definitions'],
+    types: ['contract'],
+    packages: ['react', 'react-dom', '@xyflow/react', 'monaco-editor', 'zustand', 'immer'],
+  },
+
+  {
+    name: 'tools',
+    files: ['tools/**'],
+    imports: [...HOST, 'services'],
+    packages: ['node:*', 'esbuild', 'oxc-parser', 'fast-png', 'playwright-core'],
+  },
+  { name: 'start script', files: ['bin/**'], imports: ['build output'], packages: ['node:*'] },
+  { name: 'build output', files: ['dist/**'] },
+  { name: 'manifest', files: ['package.json'] },
+];
+
+/**
+ * What comes from outside and makes a run unrepeatable is injected: the raw thing may stand in few files, named after it.
+ * Tests wait and measure, but chance they seed.
+ */
+export const RAW_GLOBALS = {
+  clock: {
+    names: ['Date.now', 'new Date', 'performance.now', 'setTimeout', 'setInterval', 'requestAnimationFrame'],
+    files: [SHELLS, `${PAGES}/clock.ts`, 'tools/**', ...TEST_FILES],
+  },
+  network: { names: ['fetch'], files: [SHELLS, `${PAGES}/network.ts`, ...TEST_FILES] },
+  chance: { names: ['Math.random'], files: [`${PAGES}/random.ts`] },
+} as const satisfies Record<string, { names: readonly string[]; files: readonly string[] }>;
+
+/** Design §12. */
+export const MAX_LINES = 400;
