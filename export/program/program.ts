@@ -126,6 +126,8 @@ export interface NodeOperation extends OperationBase {
   readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw';
   readonly type: string;
   readonly inputs: Readonly<Record<string, readonly InputRef[]>>;
+  /** Input ports that take several wires: the node's runtime sees an array for these, else one view or null. */
+  readonly multiple: readonly string[];
   readonly outputs: Readonly<Record<string, OutputRef>>;
   /** Uniform params → slot. */
   readonly params: Readonly<Record<string, number>>;
