@@ -45,13 +45,28 @@ const openProject = z.object({
   files: projectFiles,
   /** Hash over the files as read; a save names the one it started from. */
   revision: z.string(),
+  /** Ends in `/`, on the preview's origin: a path of the project's after it reads that file. */
+  assetBaseUrl: z.string(),
   /** Files below `assets/`, with their sizes. */
   assetFiles: z.array(z.object({ path: projectPath, bytes: z.number() })),
   /** Unsaved work found after a crash, newer than the files. */
   recovery: projectFiles.nullable(),
 });
 
+/** `url` is on the preview's origin: a folder, ending in `/`, with `session.json` for a recording; null for a room, which has a name only. */
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
+
+/** What the window's own menu can ask of the editor. */
+export const MENU_COMMANDS = [
+  'file.open',
+  'file.save',
+  'file.save-as',
+  'file.export',
+  'edit.undo',
+  'edit.redo',
+  'edit.delete',
+  'edit.select-all',
+] as const;
 
 export const HOST_CONTRACT = {
   'app.info': {
@@ -67,6 +82,8 @@ export const HOST_CONTRACT = {
       canPickFolders: z.boolean(),
     }),
   },
+  /** Closes the window without asking again: the answer to `close-requested`. Does nothing where the shell has no window. */
+  'app.close': { input: z.object({}), output: z.object({}) },
   /** Asks the person for a folder; null when they cancel or the shell has no dialog. */
   'folder.pick': { input: z.object({ purpose: z.enum(['open', 'save-as', 'export']) }), output: z.object({ path: z.string().nullable() }) },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
@@ -101,8 +118,8 @@ export type HostOutput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]
 /** What the host tells the editor unasked. */
 export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
-  z.object({ kind: z.literal('menu'), command: z.string() }),
-  /** The window wants to close: answer by closing, or by asking about unsaved work first. */
+  z.object({ kind: z.literal('menu'), command: z.enum(MENU_COMMANDS) }),
+  /** The window wants to close: answer with `app.close`, or ask about unsaved work first. */
   z.object({ kind: z.literal('close-requested') }),
 ]);
 export type HostEvent = z.infer<typeof hostEvent>;
@@ -117,3 +134,4 @@ export type ProjectFiles = z.infer<typeof projectFiles>;
 export type OpenProject = z.infer<typeof openProject>;
 export type SessionSource = z.infer<typeof sessionSource>;
 export type HostDiagnostic = z.infer<typeof diagnostic>;
+export type MenuCommand = (typeof MENU_COMMANDS)[number];

@@ -64,6 +64,8 @@ export const DIAGNOSTICS = {
   // Command line
   SCR070: 'The command line is not understood',
   SCR071: 'No browser was found to render with',
+  SCR072: 'Scrim does not answer',
+  SCR073: 'The request was refused',
 } as const;
 
 export type DiagnosticCode = keyof typeof DIAGNOSTICS;

@@ -1,0 +1,19 @@
+import type { Host, HostEvent, HostInput, HostMethod, HostOutput } from './contract.ts';
+import { type Answer, outputOf } from './host-error.ts';
+
+/** What Electron's preload puts on the window, under `HOST_BRIDGE_NAME`: forwards, and knows nothing. */
+export interface HostBridge {
+  call(method: string, input: unknown): Promise<Answer<unknown>>;
+  subscribe(listener: (event: HostEvent) => void): () => void;
+}
+
+export const HOST_BRIDGE_NAME = 'scrimHost';
+
+/** The host behind Electron's preload. */
+export function createIpcHost(bridge: HostBridge): Host {
+  return {
+    call: async <M extends HostMethod>(method: M, input: HostInput<M>) =>
+      outputOf((await bridge.call(method, input)) as Answer<HostOutput<M>>),
+    subscribe: (listener) => bridge.subscribe(listener),
+  };
+}
