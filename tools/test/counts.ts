@@ -1,0 +1,46 @@
+import { readFile } from 'node:fs/promises';
+
+/** What Jest's `--json` says, as far as the summary reads it. */
+interface JestReport {
+  readonly numPassedTests: number;
+  readonly numFailedTests: number;
+  readonly numPendingTests: number;
+  /** Files that broke before their tests could run. */
+  readonly numRuntimeErrorTestSuites: number;
+  readonly testResults: readonly { readonly name: string; readonly assertionResults: readonly { readonly status: string }[] }[];
+}
+
+export interface Counts {
+  readonly passed: number;
+  readonly failed: number;
+  readonly skipped: number;
+  /** One line per project, such as `unit: 89 passed, 0 failed`. */
+  readonly lines: readonly string[];
+}
+
+/** Null where Jest wrote nothing. A test file that could not run counts as one failed test. */
+export async function readCounts(file: string): Promise<Counts | null> {
+  const text = await readFile(file, 'utf8').catch(() => null);
+  if (text === null) return null;
+  const report = JSON.parse(text) as JestReport;
+  return {
+    passed: report.numPassedTests,
+    failed: report.numFailedTests + report.numRuntimeErrorTestSuites,
+    skipped: report.numPendingTests,
+    lines: perProject(report),
+  };
+}
+
+function perProject(report: JestReport): string[] {
+  const statuses = new Map<string, string[]>();
+  for (const { name, assertionResults } of report.testResults) {
+    const project = /\/tests\/(browser|xr|electron|slow)\//.exec(name)?.[1] ?? 'unit';
+    const found = assertionResults.length === 0 ? ['failed'] : assertionResults.map((result) => result.status);
+    statuses.set(project, [...(statuses.get(project) ?? []), ...found]);
+  }
+  return [...statuses].map(([project, all]) => {
+    const count = (status: string) => all.filter((s) => s === status).length;
+    const skipped = count('pending');
+    return `${project}: ${count('passed')} passed, ${count('failed')} failed${skipped > 0 ? `, ${skipped} skipped` : ''}`;
+  });
+}

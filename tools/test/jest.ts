@@ -1,0 +1,38 @@
+import { mkdir, rm } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
+import process from 'node:process';
+import { runCommand } from '../lib/run-command.ts';
+
+/** In the order of the pyramid; `slow` is a run of its own. */
+export const PROJECTS = ['unit', 'browser', 'xr', 'electron'] as const;
+
+export interface JestRun {
+  readonly root: string;
+  readonly projects: readonly string[];
+  /** Parts of paths; none means all. */
+  readonly paths: readonly string[];
+  /** Where Jest writes its counts. */
+  readonly countsFile: string;
+}
+
+/** Runs Jest on ES modules as they are, without its daily remark that this is an experiment. */
+export async function runJest({ root, projects, paths, countsFile }: JestRun): Promise<number> {
+  await mkdir(dirname(countsFile), { recursive: true });
+  await rm(countsFile, { force: true });
+  return runCommand(
+    process.execPath,
+    [
+      join(root, 'node_modules/jest/bin/jest.js'),
+      ...paths,
+      // Two files at a time, also where more cores are: what runs on SwiftShader takes all it gets.
+      '--maxWorkers=2',
+      '--passWithNoTests',
+      '--json',
+      `--outputFile=${countsFile}`,
+      // Last, because it takes every word that follows.
+      '--selectProjects',
+      ...projects,
+    ],
+    { cwd: root, env: { NODE_OPTIONS: '--experimental-vm-modules --disable-warning=ExperimentalWarning' } },
+  );
+}

@@ -1,0 +1,69 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import process from 'node:process';
+import { runCommand } from '../lib/run-command.ts';
+import type { ToolContext } from '../lib/tool.ts';
+import { readCounts } from './counts.ts';
+import { PROJECTS, runJest } from './jest.ts';
+
+interface Phase {
+  readonly name: string;
+  readonly run: () => Promise<number>;
+}
+
+const USAGE = `Usage: npm test
+       npm run test:one PROJECT [PATH…]   PROJECT: ${PROJECTS.join(', ')} or slow; PATH: part of a test file's path
+       npm run test:slow`;
+
+/**
+ * `npm test`: registry, types, lint, build, then every test project in one run of Jest. A failed phase does not stop the next,
+ * so that one run tells everything. Jest's own counts go to `tests/output/`.
+ */
+export async function main(args: readonly string[], { root }: ToolContext): Promise<number> {
+  const [mode = 'all', project, ...paths] = args;
+  const jest = (projects: readonly string[], name: string, some: readonly string[] = []): Phase => ({
+    name: 'tests',
+    run: () => runJest({ root, projects, paths: some, countsFile: countsFile(root, name) }),
+  });
+  const prepare = [npm(root, 'gen'), ...((await hasScript(root, 'build')) ? [npm(root, 'build')] : [])];
+  if (mode === 'all') {
+    const checks = [npm(root, 'typecheck'), npm(root, 'lint')];
+    return runPhases(root, [...prepare, ...checks, jest(PROJECTS, 'test')], 'test');
+  }
+  if (mode === 'slow') return runPhases(root, [...prepare, jest(['slow'], 'slow')], 'slow');
+  if (mode !== 'one' || project === undefined || ![...PROJECTS, 'slow'].includes(project)) {
+    console.error(USAGE);
+    return 1;
+  }
+  return runPhases(root, [...(project === 'unit' ? [npm(root, 'gen')] : prepare), jest([project], 'one', paths)], 'one');
+}
+
+async function runPhases(root: string, phases: readonly Phase[], name: string): Promise<number> {
+  const failed: string[] = [];
+  const times: string[] = [];
+  for (const phase of phases) {
+    console.log(`\n── ${phase.name}`);
+    const startMs = performance.now();
+    if ((await phase.run()) !== 0) failed.push(phase.name);
+    times.push(`${phase.name} ${((performance.now() - startMs) / 1000).toFixed(1)} s`);
+  }
+  const counts = await readCounts(countsFile(root, name));
+  console.log(`\n── summary\n${times.join(', ')}`);
+  for (const line of counts?.lines ?? ['No test ran.']) console.log(line);
+  console.log(failed.length === 0 ? 'All is well.' : `Failed: ${failed.join(', ')}.`);
+  return failed.length === 0 ? 0 : 1;
+}
+
+function countsFile(root: string, name: string): string {
+  return join(root, 'tests', 'output', `${name}.json`);
+}
+
+function npm(root: string, script: string): Phase {
+  const command = process.platform === 'win32' ? 'npm.cmd' : 'npm';
+  return { name: script, run: () => runCommand(command, ['run', '--silent', script], { cwd: root }) };
+}
+
+async function hasScript(root: string, name: string): Promise<boolean> {
+  const manifest = JSON.parse(await readFile(join(root, 'package.json'), 'utf8')) as { scripts?: Record<string, string> };
+  return manifest.scripts?.[name] !== undefined;
+}
