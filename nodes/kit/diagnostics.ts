@@ -66,6 +66,7 @@ export const DIAGNOSTICS = {
   SCR071: 'No browser was found to render with',
   SCR072: 'Scrim does not answer',
   SCR073: 'The request was refused',
+  SCR074: 'Scrim made a mistake of its own',
 } as const;
 
 export type DiagnosticCode = keyof typeof DIAGNOSTICS;

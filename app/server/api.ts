@@ -1,0 +1,92 @@
+import type { IncomingMessage, ServerResponse } from 'node:http';
+import type { HostDiagnostic } from '../contract/contract.ts';
+import { decodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
+import type { HostService } from '../services/host.ts';
+import { apiRefusal } from './checks.ts';
+import { readBody } from './read-body.ts';
+
+export interface Api {
+  answer(request: IncomingMessage, response: ServerResponse): Promise<void>;
+  /** Ends the event streams. */
+  dispose(): void;
+}
+
+export interface ApiOptions {
+  readonly host: HostService;
+  readonly token: string;
+  /** The editor's, the only one that may call. */
+  readonly origin: string;
+  readonly maxMessageBytes: number;
+}
+
+/** Proxies and browsers give up on streams that say nothing. */
+const SIGN_OF_LIFE_MS = 15_000;
+
+const CALL = '/api/call/';
+
+/** `POST /api/call/METHOD` and `GET /api/events`, as `app/contract/http-client.ts` asks. */
+export function createApi({ host, token, origin, maxMessageBytes }: ApiOptions): Api {
+  const streams = new Set<ServerResponse>();
+
+  const call = async (method: string, request: IncomingMessage, response: ServerResponse) => {
+    if (request.headers['content-type'] !== MESSAGE_TYPE) return refuse(response, 415, 'The message is of the wrong type.');
+    const body = await readBody(request, maxMessageBytes);
+    if (body === null) {
+      // Browsers look at the answer only once their message is gone: the rest is read, and kept nowhere.
+      request.resume();
+      return refuse(response, 413, `The message is larger than ${Math.floor(maxMessageBytes / 2 ** 20)} MB.`, 'SCR005');
+    }
+    let input: Record<string, unknown>;
+    try {
+      input = decodeMessage(body);
+    } catch {
+      return refuse(response, 400, 'The message is damaged.');
+    }
+    const answer = await host.dispatch(method, input);
+    send(response, 'output' in answer ? 200 : 422, answer);
+  };
+
+  const stream = (response: ServerResponse) => {
+    response.writeHead(200, { 'content-type': 'application/x-ndjson', 'cache-control': 'no-store', 'x-content-type-options': 'nosniff' });
+    response.write('\n');
+    const stop = host.subscribe((event) => response.write(`${JSON.stringify(event)}\n`));
+    const timer = setInterval(() => response.write('\n'), SIGN_OF_LIFE_MS);
+    streams.add(response);
+    response.on('close', () => {
+      clearInterval(timer);
+      stop();
+      streams.delete(response);
+    });
+  };
+
+  return {
+    answer: async (request, response) => {
+      const refusal = apiRefusal(request, origin, token);
+      if (refusal !== null) return refuse(response, 403, refusal);
+      const path = request.url ?? '';
+      if (request.method === 'GET' && path === '/api/events') return stream(response);
+      if (request.method === 'POST' && path.startsWith(CALL)) {
+        return call(path.slice(CALL.length), request, response).catch(() => void response.destroy());
+      }
+      return refuse(response, 404, 'There is nothing here.');
+    },
+    dispose: () => {
+      for (const response of streams) response.end();
+    },
+  };
+}
+
+function refuse(response: ServerResponse, status: number, message: string, code = 'SCR073'): void {
+  const diagnostic: HostDiagnostic = { code, severity: 'error', message };
+  send(response, status, { diagnostic });
+}
+
+function send(response: ServerResponse, status: number, value: unknown): void {
+  response.writeHead(status, {
+    'content-type': 'application/json',
+    'cache-control': 'no-store',
+    'x-content-type-options': 'nosniff',
+    'cross-origin-resource-policy': 'same-origin',
+  });
+  response.end(JSON.stringify(value));
+}

@@ -1,0 +1,118 @@
+import { constants } from 'node:fs';
+import { open } from 'node:fs/promises';
+import { join } from 'node:path';
+import { Readable } from 'node:stream';
+import { realFolder, resolveInside } from './confine.ts';
+import { dataHeaders, editorHeaders, type Origins, previewHeaders } from './content-policy.ts';
+import { mediaTypeOf, passiveMediaTypeOf } from './media-types.ts';
+
+export interface ContentAnswer {
+  readonly status: number;
+  readonly headers: Readonly<Record<string, string>>;
+  readonly body: Readable;
+}
+
+/** Files of the two origins, by address; the shells bring the addresses and carry the answers. */
+export interface Content {
+  /** `path` as it stands in the request, still percent-encoded; a query is ignored. */
+  answer(origin: keyof Origins, method: string, path: string): Promise<ContentAnswer>;
+  /** Shows a folder on the preview's origin, below `/NAME/`; returns the function that ends it. */
+  show(name: string, folder: string): () => void;
+}
+
+export interface ContentOptions {
+  readonly origins: Origins;
+  /** The built editor: `index.html`, `preview/index.html`, `assets/`. */
+  readonly rendererDir: string;
+}
+
+interface Found {
+  readonly root: string;
+  readonly path: string;
+  readonly type: (path: string) => string;
+  readonly headers: Record<string, string>;
+}
+
+/** Names in `assets/` hold a hash of what is in them. */
+const FOR_EVER = 'public, max-age=31536000, immutable';
+
+export function createContent({ origins, rendererDir }: ContentOptions): Content {
+  const shown = new Map<string, string>();
+
+  const find = (origin: keyof Origins, parts: readonly string[]): Found | null => {
+    const path = parts.join('/');
+    const headers = origin === 'editor' ? editorHeaders(origins) : previewHeaders(origins);
+    const own = (file: string, caching: string): Found => ({
+      root: rendererDir,
+      path: file,
+      type: mediaTypeOf,
+      headers: { ...headers, 'cache-control': caching },
+    });
+    if (parts[0] === 'assets') return own(path, FOR_EVER);
+    if (origin === 'editor') return parts.length === 1 ? own(path === '' ? 'index.html' : path, 'no-cache') : null;
+    if (parts[0] === 'preview') return own(path === 'preview/' ? 'preview/index.html' : path, 'no-cache');
+    const mount = mountOf(shown, parts);
+    if (!mount || mount.rest.some((part) => part.startsWith('.'))) return null;
+    return { root: mount.folder, path: mount.rest.join('/'), type: passiveMediaTypeOf, headers: dataHeaders() };
+  };
+
+  return {
+    answer: async (origin, method, path) => {
+      if (method !== 'GET' && method !== 'HEAD') return plain(405, 'Only GET and HEAD are answered here.');
+      const parts = decodeParts(path);
+      const found = parts && find(origin, parts);
+      return found ? readFound(found, method === 'HEAD') : plain(404, 'There is nothing here.');
+    },
+    show: (name, folder) => {
+      shown.set(name, folder);
+      return () => shown.delete(name);
+    },
+  };
+}
+
+/** `/a/b%20c?d` → `['a', 'b c']`; null where the encoding is broken. Nothing is normalised: `..` stays and is refused later. */
+function decodeParts(path: string): string[] | null {
+  const bare = path.replace(/[?#].*$/s, '');
+  try {
+    return bare.slice(1).split('/').map(decodeURIComponent);
+  } catch {
+    return null;
+  }
+}
+
+/** Mounts have names of two parts: `projects/KEY`, `sessions/NAME`. */
+function mountOf(shown: ReadonlyMap<string, string>, parts: readonly string[]): { folder: string; rest: readonly string[] } | null {
+  const folder = shown.get(parts.slice(0, 2).join('/'));
+  return folder === undefined ? null : { folder, rest: parts.slice(2) };
+}
+
+async function readFound({ root, path, type, headers }: Found, headOnly: boolean): Promise<ContentAnswer> {
+  try {
+    const absolute = await resolveInside(await realFolder(root), path);
+    const file = await open(absolute, constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
+    const stat = await file.stat();
+    if (!stat.isFile()) {
+      await file.close();
+      return plain(404, 'There is nothing here.');
+    }
+    const answer = { ...headers, 'content-type': type(path), 'content-length': String(stat.size) };
+    if (!headOnly) return { status: 200, headers: answer, body: file.createReadStream() };
+    await file.close();
+    return { status: 200, headers: answer, body: Readable.from([]) };
+  } catch {
+    return plain(
+      404,
+      path === 'index.html' ? `The editor is not built: ${join(root, path)} is missing. Run: npm run build` : 'There is nothing here.',
+    );
+  }
+}
+
+/** Refusals say as little as possible, and can do nothing. */
+export function plain(status: number, text: string): ContentAnswer {
+  const bytes = new TextEncoder().encode(`${text}\n`);
+  return {
+    status,
+    headers: { ...dataHeaders(), 'content-type': 'text/plain; charset=utf-8', 'content-length': String(bytes.length) },
+    body: Readable.from([bytes]),
+  };
+}

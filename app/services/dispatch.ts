@@ -1,0 +1,36 @@
+import { HOST_CONTRACT, type HostInput, type HostMethod, type HostOutput } from '../contract/contract.ts';
+import { type Answer, HostError } from '../contract/host-error.ts';
+import { refusal } from './file-errors.ts';
+
+export type Handlers = { readonly [M in HostMethod]: (input: HostInput<M>) => Promise<HostOutput<M>> };
+
+/** Checks the method and its input against the contract, and calls. Never rejects: what went wrong is the answer. */
+export async function dispatch(
+  handlers: Handlers,
+  method: string,
+  input: unknown,
+  log: (message: string) => void,
+): Promise<Answer<unknown>> {
+  try {
+    if (!isMethod(method)) throw refusal('SCR073', `There is no method ${JSON.stringify(method)}.`);
+    return { output: await call(handlers, method, input) };
+  } catch (error) {
+    if (error instanceof HostError) return { diagnostic: error.diagnostic };
+    log(error instanceof Error ? (error.stack ?? error.message) : String(error));
+    const message = `Scrim made a mistake of its own in ${method}: ${error instanceof Error ? error.message : String(error)}`;
+    return { diagnostic: { code: 'SCR074', severity: 'error', message } };
+  }
+}
+
+function isMethod(name: string): name is HostMethod {
+  return Object.hasOwn(HOST_CONTRACT, name);
+}
+
+function call<M extends HostMethod>(handlers: Handlers, method: M, input: unknown): Promise<HostOutput<M>> {
+  const checked = HOST_CONTRACT[method].input.safeParse(input);
+  if (!checked.success) {
+    const [issue] = checked.error.issues;
+    throw refusal('SCR073', `${method} was called wrongly: ${issue?.path.join('.') || 'the input'}: ${issue?.message ?? 'not understood'}`);
+  }
+  return handlers[method](checked.data as HostInput<M>);
+}

@@ -1,0 +1,35 @@
+import { HostError } from '../contract/host-error.ts';
+
+/** The refusal for an error of the file system while `path` was read. */
+export function readRefusal(error: unknown, path: string): HostError {
+  const code = errorCode(error);
+  if (code === 'ENOENT' || code === 'ENOTDIR') return refusal('SCR004', `${path} does not exist.`);
+  if (code === 'EACCES' || code === 'EPERM') return refusal('SCR004', `${path} cannot be read: the system does not allow it.`);
+  return refusal('SCR004', `${path} cannot be read: ${messageOf(error)}`);
+}
+
+/** The refusal for an error of the file system while something was written below `path`. */
+export function writeRefusal(error: unknown, path: string): HostError {
+  if (error instanceof HostError) return error;
+  const code = errorCode(error);
+  if (code === 'ENOSPC' || code === 'EDQUOT') {
+    return refusal('SCR062', `There is no space left for ${path}. Nothing was changed.`, 'Free some space and try again.');
+  }
+  if (code === 'EACCES' || code === 'EPERM' || code === 'EROFS' || code === 'ENOTDIR' || code === 'ENOENT') {
+    return refusal('SCR060', `${path} cannot be written. Nothing was changed.`, 'Choose a folder that you may write to.');
+  }
+  return refusal('SCR060', `${path} cannot be written: ${messageOf(error)} Nothing was changed.`);
+}
+
+export function refusal(code: string, message: string, fix?: string): HostError {
+  return new HostError({ code, severity: 'error', message, ...(fix === undefined ? {} : { fix }) });
+}
+
+/** The system's name for what went wrong: `ENOENT`. */
+export function errorCode(error: unknown): string | undefined {
+  return typeof error === 'object' && error !== null && 'code' in error && typeof error.code === 'string' ? error.code : undefined;
+}
+
+function messageOf(error: unknown): string {
+  return typeof error === 'object' && error !== null && 'message' in error ? String(error.message) : String(error);
+}

@@ -1,0 +1,116 @@
+import { join } from 'node:path';
+import type { HostEvent, HostInput } from '../contract/contract.ts';
+import type { Answer } from '../contract/host-error.ts';
+import { type Content, createContent } from './content.ts';
+import type { Origins } from './content-policy.ts';
+import { dispatch, type Handlers } from './dispatch.ts';
+import { exportProject } from './export-project.ts';
+import { type FileLayer, NODE_FILES } from './file-layer.ts';
+import { findExamples } from './find-examples.ts';
+import { importAsset } from './import-asset.ts';
+import type { Installation } from './installation.ts';
+import { createOpenProjects } from './open-projects.ts';
+import { ROOMS } from './rooms.ts';
+import { findSessions } from './session-list.ts';
+
+/** What a shell (window or loopback server) puts around the host. */
+export interface Shell {
+  readonly kind: 'electron' | 'server';
+  readonly origins: Origins;
+  /** Asks the person for a folder; null where the shell has no dialog. */
+  readonly pickFolder: ((purpose: HostInput<'folder.pick'>['purpose']) => Promise<string | null>) | null;
+  readonly closeWindow: () => void;
+}
+
+export interface HostOptions {
+  readonly shell: Shell;
+  readonly installation: Installation;
+  /** What to open at start. */
+  readonly startPath: string | null;
+  readonly files?: FileLayer;
+  /** Told of faults of our own, which the editor sees as SCR074. */
+  readonly log: (message: string) => void;
+}
+
+export interface HostService {
+  readonly content: Content;
+  /** Checks the input against the contract, calls, and never rejects. */
+  dispatch(method: string, input: unknown): Promise<Answer<unknown>>;
+  subscribe(listener: (event: HostEvent) => void): () => void;
+  emit(event: HostEvent): void;
+  dispose(): void;
+}
+
+/** The host of both shells: the contract's methods over the files of this machine. */
+export function createHost({ shell, installation, startPath, files = NODE_FILES, log }: HostOptions): HostService {
+  const content = createContent({ origins: shell.origins, rendererDir: installation.rendererDir });
+  const listeners = new Set<(event: HostEvent) => void>();
+  const emit = (event: HostEvent) => {
+    for (const listener of listeners) listener(event);
+  };
+  const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit });
+
+  const handlers: Handlers = {
+    'app.info': async () => ({
+      shell: shell.kind,
+      version: installation.version,
+      previewUrl: `${shell.origins.preview}/preview/index.html`,
+      startPath,
+      examples: await findExamples(installation.examplesDir),
+      canPickFolders: shell.pickFolder !== null,
+    }),
+    'app.close': async () => {
+      shell.closeWindow();
+      return {};
+    },
+    'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),
+    'project.open': ({ path }) => projects.open(path),
+    'project.save': (input) => projects.save(input.handle, input.files, input.revision, input.overwrite),
+    'project.save-as': (input) => projects.saveAs(input.handle, input.path, input.files),
+    'project.autosave': async (input) => {
+      await projects.autosave(input.handle, input.files);
+      return {};
+    },
+    'project.close': async ({ handle }) => {
+      projects.close(handle);
+      return {};
+    },
+    'asset.import': async ({ handle, name, bytes }) => ({ path: await importAsset(projects.rootOf(handle), name, bytes, files) }),
+    'session.list': async ({ handle }) => {
+      const own = await findSessions(join(projects.rootOf(handle), 'sessions'));
+      const shipped = await findSessions(installation.sessionsDir);
+      for (const { name, folder } of shipped) content.show(`sessions/${name}`, folder);
+      return [
+        ...own.map(({ name, title }) => ({
+          id: `project/${name}`,
+          title,
+          kind: 'recorded' as const,
+          url: `${projects.baseUrlOf(handle)}sessions/${encodeURIComponent(name)}/`,
+        })),
+        ...shipped.map(({ name, title }) => ({
+          id: `example/${name}`,
+          title,
+          kind: 'recorded' as const,
+          url: `${shell.origins.preview}/sessions/${encodeURIComponent(name)}/`,
+        })),
+        ...ROOMS.map(({ name, title }) => ({ id: `room/${name}`, title, kind: 'room' as const, url: null })),
+      ];
+    },
+    'export.run': ({ handle, files: projectFiles, out }) =>
+      exportProject({ root: projects.rootOf(handle), files: projectFiles, out, installation }),
+  };
+
+  return {
+    content,
+    dispatch: (method, input) => dispatch(handlers, method, input, log),
+    subscribe: (listener) => {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+    emit,
+    dispose: () => {
+      listeners.clear();
+      projects.dispose();
+    },
+  };
+}

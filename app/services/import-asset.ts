@@ -1,0 +1,66 @@
+import { readFile } from 'node:fs/promises';
+import { extname } from 'node:path';
+import { resolveInside } from './confine.ts';
+import { errorCode, writeRefusal } from './file-errors.ts';
+import type { FileLayer } from './file-layer.ts';
+import { ASSETS_FOLDER } from './project-files.ts';
+import { ensureScrimFolder, temporaryIn } from './scrim-folder.ts';
+
+const MAX_STEM = 80;
+
+/** Names that Windows keeps for devices, with any extension. */
+const DEVICE_NAME = /^(con|prn|aux|nul|com\d|lpt\d)$/i;
+
+/**
+ * Copies bytes into `assets/` and returns the project path. A taken name gets a number, unless the file there holds the same
+ * bytes: then it is used as it is.
+ */
+export async function importAsset(root: string, name: string, bytes: Uint8Array, files: FileLayer): Promise<string> {
+  const { stem, extension } = plainName(name);
+  try {
+    await files.makeFolder(await resolveInside(root, ASSETS_FOLDER));
+    await ensureScrimFolder(root, files);
+    const temporary = temporaryIn(root, 'asset');
+    try {
+      await files.writeNew(temporary, bytes);
+      for (let number = 1; ; number++) {
+        const path = `${ASSETS_FOLDER}/${stem}${number === 1 ? '' : `-${number}`}${extension}`;
+        if (await place(temporary, await resolveInside(root, path), bytes, files)) return path;
+      }
+    } finally {
+      await files.remove(temporary);
+    }
+  } catch (error) {
+    throw writeRefusal(error, `${root}/${ASSETS_FOLDER}`);
+  }
+}
+
+/** False where the name is taken by other bytes. */
+async function place(temporary: string, target: string, bytes: Uint8Array, files: FileLayer): Promise<boolean> {
+  try {
+    await files.link(temporary, target).catch(async (error: unknown) => {
+      if (errorCode(error) === 'EEXIST') throw error;
+      // FAT has no links.
+      await files.writeNew(target, bytes);
+    });
+    return true;
+  } catch (error) {
+    if (errorCode(error) !== 'EEXIST') throw error;
+    return Buffer.from(bytes).equals(await readFile(target).catch(() => Buffer.alloc(0)));
+  }
+}
+
+/** A file name that every system and every URL carries unchanged. */
+function plainName(name: string): { stem: string; extension: string } {
+  const base = name.split(/[\\/]/).pop() ?? '';
+  const extension = extname(base).replace(/[^A-Za-z0-9.]/g, '');
+  const stem = base
+    .slice(0, base.length - extname(base).length)
+    .normalize('NFKD')
+    .replace(/\p{M}/gu, '')
+    .replace(/[^A-Za-z0-9_-]+/g, '-')
+    .replace(/^-+|-+$/g, '')
+    .slice(0, MAX_STEM);
+  const safe = stem === '' || DEVICE_NAME.test(stem) ? `asset-${stem}`.replace(/-$/, '') : stem;
+  return { stem: safe, extension: extension.toLowerCase() };
+}

@@ -1,0 +1,18 @@
+import { join } from 'node:path';
+
+/** Where this Scrim lies. */
+export interface Installation {
+  readonly version: string;
+  /** Holds the sources and `node_modules` that exported pages are bundled from. */
+  readonly root: string;
+  /** The built editor. */
+  readonly rendererDir: string;
+  readonly examplesDir: string;
+  /** Recorded sessions that come with Scrim. */
+  readonly sessionsDir: string;
+}
+
+export function installationAt(root: string, version: string): Installation {
+  const examplesDir = join(root, 'examples');
+  return { version, root, rendererDir: join(root, 'dist', 'renderer'), examplesDir, sessionsDir: join(examplesDir, 'sessions') };
+}

@@ -1,0 +1,35 @@
+import { extname } from 'node:path';
+
+const MEDIA_TYPES: Readonly<Record<string, string>> = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.jpeg': 'image/jpeg',
+  '.webp': 'image/webp',
+  '.avif': 'image/avif',
+  '.gif': 'image/gif',
+  '.ico': 'image/x-icon',
+  '.glb': 'model/gltf-binary',
+  '.gltf': 'model/gltf+json',
+  '.ttf': 'font/ttf',
+  '.woff2': 'font/woff2',
+  '.wasm': 'application/wasm',
+};
+
+/** Types that a browser would run or draw as a page; a project's files never get one of them. */
+const ACTIVE = new Set(['.html', '.js', '.css', '.svg', '.wasm']);
+
+const UNKNOWN = 'application/octet-stream';
+
+export function mediaTypeOf(path: string): string {
+  return MEDIA_TYPES[extname(path).toLowerCase()] ?? UNKNOWN;
+}
+
+/** For files that come with a project. */
+export function passiveMediaTypeOf(path: string): string {
+  return ACTIVE.has(extname(path).toLowerCase()) ? UNKNOWN : mediaTypeOf(path);
+}

@@ -1,0 +1,127 @@
+import { createHash } from 'node:crypto';
+import { constants } from 'node:fs';
+import { lstat, open, readdir } from 'node:fs/promises';
+import { dirname, join, resolve } from 'node:path';
+import type { OpenProject, ProjectFiles } from '../contract/contract.ts';
+import { realFolder, resolveInside } from './confine.ts';
+import { errorCode, readRefusal, refusal } from './file-errors.ts';
+
+export const PROJECT_FILE = 'project.scrim.json';
+export const LAYOUT_FILE = 'project.layout.json';
+export const SHADERS_FOLDER = 'shaders';
+export const ASSETS_FOLDER = 'assets';
+
+/** What the contract lets cross. */
+const MAX_DOCUMENT_BYTES = 64 * 2 ** 20;
+const MAX_SHADER_BYTES = 4 * 2 ** 20;
+
+const SHADER_NAME = /^[A-Za-z0-9_][A-Za-z0-9_. -]{0,99}\.(fs|vs|glsl)$/;
+
+/** The folder that `path` means, which may name the folder or the project file in it. Throws SCR004. */
+export async function findProject(path: string): Promise<string> {
+  const absolute = resolve(path);
+  const found = await lstat(absolute).catch((error: unknown) => {
+    throw readRefusal(error, path);
+  });
+  const root = await realFolder(found.isFile() ? dirname(absolute) : absolute);
+  const project = await lstat(join(root, PROJECT_FILE)).catch(() => null);
+  if (project) return root;
+  throw refusal('SCR004', `${path} is no Scrim project: it has no ${PROJECT_FILE}.`, 'Choose the folder that holds it.');
+}
+
+/** Texts as they stand. Throws SCR004 and SCR005. */
+export async function readProjectFiles(root: string): Promise<ProjectFiles> {
+  const project = await readText(root, PROJECT_FILE, MAX_DOCUMENT_BYTES);
+  if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is gone from ${root}.`);
+  const sources: Record<string, string> = {};
+  for (const name of await listNames(root, SHADERS_FOLDER)) {
+    if (!isShaderName(name)) continue;
+    const text = await readText(root, `${SHADERS_FOLDER}/${name}`, MAX_SHADER_BYTES);
+    if (text !== null) sources[name] = text;
+  }
+  return { project, layout: await readText(root, LAYOUT_FILE, MAX_DOCUMENT_BYTES), sources };
+}
+
+export function isShaderName(name: string): boolean {
+  return SHADER_NAME.test(name);
+}
+
+/** Equal exactly when all texts are equal. */
+export function revisionOf({ project, layout, sources }: ProjectFiles): string {
+  const shaders = Object.entries(sources).sort(([a], [b]) => (a < b ? -1 : 1));
+  return createHash('sha256')
+    .update(JSON.stringify([project, layout, shaders]))
+    .digest('hex');
+}
+
+/** What has to be written, project path → bytes, or null to remove it, so that the folder holds `next` where it held `current`. */
+export function changesBetween(current: ProjectFiles | null, next: ProjectFiles): Map<string, Uint8Array | null> {
+  const before = current ? texts(current) : new Map<string, string>();
+  const after = texts(next);
+  const changes = new Map<string, Uint8Array | null>();
+  for (const [path, text] of after) if (before.get(path) !== text) changes.set(path, new TextEncoder().encode(text));
+  for (const path of before.keys()) if (!after.has(path)) changes.set(path, null);
+  return changes;
+}
+
+function texts({ project, layout, sources }: ProjectFiles): Map<string, string> {
+  const all = new Map([[PROJECT_FILE, project]]);
+  if (layout !== null) all.set(LAYOUT_FILE, layout);
+  for (const [name, text] of Object.entries(sources)) {
+    if (!isShaderName(name)) throw refusal('SCR031', `${JSON.stringify(name)} is no name for a shader file.`);
+    all.set(`${SHADERS_FOLDER}/${name}`, text);
+  }
+  return all;
+}
+
+/** Files below `assets/`, sorted; links and hidden files are left out. */
+export async function listAssets(root: string): Promise<OpenProject['assetFiles']> {
+  const found: OpenProject['assetFiles'] = [];
+  const walk = async (folder: string) => {
+    for (const entry of await readdir(await resolveInside(root, folder), { withFileTypes: true })) {
+      if (entry.name.startsWith('.')) continue;
+      const path = `${folder}/${entry.name}`;
+      if (entry.isDirectory()) await walk(path);
+      else if (entry.isFile()) found.push({ path, bytes: (await lstat(join(root, path))).size });
+    }
+  };
+  // A folder that is missing, or a link, has no assets; the project opens, and whatever names them is told so.
+  if (await isRealFolder(join(root, ASSETS_FOLDER))) await walk(ASSETS_FOLDER);
+  return found.sort((a, b) => (a.path < b.path ? -1 : 1));
+}
+
+async function isRealFolder(path: string): Promise<boolean> {
+  return lstat(path).then(
+    (found) => found.isDirectory(),
+    () => false,
+  );
+}
+
+async function listNames(root: string, folder: string): Promise<string[]> {
+  try {
+    const entries = await readdir(await resolveInside(root, folder), { withFileTypes: true });
+    return entries.filter((entry) => entry.isFile()).map((entry) => entry.name);
+  } catch (error) {
+    if (errorCode(error) === 'ENOENT') return [];
+    throw errorCode(error) === undefined ? error : readRefusal(error, join(root, folder));
+  }
+}
+
+/** Null where there is no such file. The size is asked before a byte is read. */
+async function readText(root: string, path: string, maxBytes: number): Promise<string | null> {
+  const absolute = await resolveInside(root, path);
+  try {
+    const file = await open(absolute, constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
+    try {
+      const { size } = await file.stat();
+      if (size > maxBytes)
+        throw refusal('SCR005', `${path} has ${Math.round(size / 2 ** 20)} MB; at most ${maxBytes / 2 ** 20} MB can be read.`);
+      return await file.readFile('utf8');
+    } finally {
+      await file.close();
+    }
+  } catch (error) {
+    if (errorCode(error) === 'ENOENT') return null;
+    throw errorCode(error) === undefined ? error : readRefusal(error, absolute);
+  }
+}

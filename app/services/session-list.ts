@@ -1,0 +1,33 @@
+import { readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { resolveInside } from './confine.ts';
+
+/** A recorded session: a folder with `session.json`. */
+export interface RecordedSession {
+  /** The folder's name. */
+  readonly name: string;
+  readonly title: string;
+  readonly folder: string;
+}
+
+/** The recorded sessions in the folders of `parent`, by name. A missing `parent` has none; broken ones are listed too, so that playing them says what is wrong. */
+export async function findSessions(parent: string): Promise<RecordedSession[]> {
+  const entries = await readdir(parent, { withFileTypes: true }).catch(() => []);
+  const names = entries.filter((entry) => entry.isDirectory() && !entry.name.startsWith('.')).map((entry) => entry.name);
+  const found = await Promise.all(names.sort().map((name) => readSession(parent, name)));
+  return found.filter((session) => session !== null);
+}
+
+async function readSession(parent: string, name: string): Promise<RecordedSession | null> {
+  const text = await readFile(await resolveInside(parent, `${name}/session.json`), 'utf8').catch(() => null);
+  return text === null ? null : { name, title: titleOf(text) ?? name, folder: join(parent, name) };
+}
+
+function titleOf(text: string): string | null {
+  try {
+    const { title } = JSON.parse(text) as { title?: unknown };
+    return typeof title === 'string' && title !== '' ? title : null;
+  } catch {
+    return null;
+  }
+}
