@@ -1,0 +1,154 @@
+import type { AssetKind } from '../../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { AssetHandle, AssetService, ImageAsset, ModelAsset } from '../../../nodes/kit/runtime.ts';
+import type { ProgramAsset } from '../../program/program.ts';
+import type { GlObjects } from '../gl/gl-objects.ts';
+import type { SceneBackend } from '../scene-backend.ts';
+import type { AssetSource } from './asset-source.ts';
+import { loadImage } from './load-image.ts';
+
+/** All assets of a player: each file is loaded once, shared by all who use it, and freed with its last user. */
+export interface AssetStore {
+  /** Keeps assets loaded, from before the nodes that use them are made until the program is gone. */
+  hold(assets: readonly ProgramAsset[]): AssetHold;
+  /** What one node sees; it finds assets by their id in `assets`. */
+  serviceFor(assets: readonly ProgramAsset[], report: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void): AssetService;
+  dispose(): void;
+}
+
+export interface AssetHold {
+  /** Resolves when all have loaded or failed; never rejects. */
+  readonly settled: Promise<void>;
+  release(): void;
+}
+
+type Loaded = (ImageAsset | ModelAsset) & { dispose(): void };
+
+interface Entry {
+  readonly asset: ProgramAsset;
+  users: number;
+  value: Loaded | null;
+  failure: Omit<Diagnostic, 'nodeId'> | null;
+  readonly settled: Promise<void>;
+}
+
+export function createAssetStore(objects: GlObjects, source: AssetSource, scenes: () => SceneBackend): AssetStore {
+  const entries = new Map<string, Entry>();
+
+  const acquire = (asset: ProgramAsset): Entry => {
+    const key = `${asset.kind} ${asset.path}`;
+    let entry = entries.get(key);
+    if (!entry) {
+      entry = start(asset);
+      entries.set(key, entry);
+    }
+    entry.users++;
+    return entry;
+  };
+  const release = (entry: Entry): void => {
+    if (--entry.users > 0) return;
+    entries.delete(`${entry.asset.kind} ${entry.asset.path}`);
+    entry.value?.dispose();
+    entry.value = null;
+  };
+  const start = (asset: ProgramAsset): Entry => {
+    const entry: Entry = { asset, users: 0, value: null, failure: null, settled: load(asset, objects, source, scenes).then(finish) };
+    function finish(result: LoadResult): void {
+      if (result.kind === 'failed') entry.failure = result.failure;
+      // All users may be gone before the file is here.
+      else if (entry.users > 0) entry.value = result.value;
+      else result.value.dispose();
+    }
+    return entry;
+  };
+  const handle = <T>(kind: AssetKind, asset: ProgramAsset, report: (d: Omit<Diagnostic, 'nodeId'>) => void): AssetHandle<T> => {
+    const entry = acquire(asset);
+    let released = false;
+    return {
+      kind,
+      get value() {
+        return released ? null : (entry.value as T | null);
+      },
+      settled: entry.settled.then(() => {
+        if (entry.failure && !released) report(entry.failure);
+      }),
+      release: () => {
+        if (!released) release(entry);
+        released = true;
+      },
+    };
+  };
+  return {
+    hold: (assets) => {
+      const held = assets.map(acquire);
+      return {
+        settled: Promise.all(held.map((entry) => entry.settled)).then(() => {}),
+        release: () => {
+          for (const entry of held.splice(0)) release(entry);
+        },
+      };
+    },
+    serviceFor: (assets, report) => {
+      const find = <T>(kind: AssetKind, id: string): AssetHandle<T> => {
+        const asset = assets.find((a) => a.id === id);
+        if (asset?.kind === kind) return handle<T>(kind, asset, report);
+        report(asset ? wrongKind(asset, kind) : missing(id));
+        return { kind, value: null, settled: Promise.resolve(), release: () => {} };
+      };
+      return { image: (id) => find<ImageAsset>('image', id), model: (id) => find<ModelAsset>('model', id) };
+    },
+    dispose: () => {
+      for (const entry of entries.values()) {
+        entry.users = 0;
+        entry.value?.dispose();
+        entry.value = null;
+      }
+      entries.clear();
+    },
+  };
+}
+
+type LoadResult =
+  | { readonly kind: 'loaded'; readonly value: Loaded }
+  | { readonly kind: 'failed'; readonly failure: Omit<Diagnostic, 'nodeId'> };
+
+async function load(asset: ProgramAsset, objects: GlObjects, source: AssetSource, scenes: () => SceneBackend): Promise<LoadResult> {
+  let bytes: ArrayBuffer;
+  try {
+    bytes = await source.load(asset.path);
+  } catch (error) {
+    return { kind: 'failed', failure: unreadable(asset, error) };
+  }
+  try {
+    const value = asset.kind === 'image' ? await loadImage(objects, bytes) : await scenes().loadModel(bytes, asset.path);
+    return { kind: 'loaded', value };
+  } catch (error) {
+    return { kind: 'failed', failure: undecodable(asset, error) };
+  }
+}
+
+const NAMES: Readonly<Record<AssetKind, string>> = { image: 'picture', model: 'model' };
+
+function missing(id: string): Omit<Diagnostic, 'nodeId'> {
+  return { code: 'SCR030', severity: 'error', message: `The asset "${id}" is not in the project.`, fix: 'Choose another one.' };
+}
+
+function wrongKind(asset: ProgramAsset, wanted: AssetKind): Omit<Diagnostic, 'nodeId'> {
+  const message = `"${asset.path}" is a ${NAMES[asset.kind]}, and the node needs a ${NAMES[wanted]}.`;
+  return { code: 'SCR033', severity: 'error', message, fix: 'Choose another asset.' };
+}
+
+function unreadable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
+  const message = `The ${NAMES[asset.kind]} "${asset.path}" cannot be read: ${reason(error)}.`;
+  return { code: 'SCR030', severity: 'error', message, fix: 'Check that the file is in the project folder, or choose another one.' };
+}
+
+function undecodable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
+  const message = `The ${NAMES[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
+  return { code: 'SCR032', severity: 'error', message, fix: 'Check that the file opens in another program, or save it anew.' };
+}
+
+function reason(error: unknown): string {
+  const text = error instanceof Error ? error.message : String(error);
+  return text.replace(/\.$/, '');
+}

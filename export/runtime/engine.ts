@@ -1,0 +1,104 @@
+import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { AssetSource } from './assets/asset-source.ts';
+import { type AssetStore, createAssetStore } from './assets/asset-store.ts';
+import type { FrameClock } from './clock.ts';
+import type { DiagnosticsBoard } from './diagnostics-board.ts';
+import { COPY_SHADER } from './gl/copy-shader.ts';
+import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
+import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
+import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
+import type { NodeHost } from './operations/node-instance.ts';
+import type { PlayState } from './play-state.ts';
+import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
+
+/** Everything that lives as long as the graphics context does, whatever program is played. */
+export interface Engine {
+  readonly objects: GlObjects;
+  readonly programs: ProgramCache;
+  readonly drawer: PassDrawer;
+  readonly copy: GlProgram;
+  readonly assets: AssetStore;
+  readonly clock: FrameClock;
+  readonly state: PlayState;
+  readonly host: NodeHost;
+  /** Null until something drew objects or loaded a model. */
+  scenesIfMade(): SceneBackend | null;
+  counts(): PlayerCounts;
+  dispose(): void;
+}
+
+/** GPU objects alive: the player's own by kind, and three.js's. */
+export interface PlayerCounts extends GlCounts {
+  readonly scenes: ReturnType<SceneBackend['counts']> | null;
+}
+
+export interface EngineOptions {
+  readonly gl: WebGL2RenderingContext;
+  readonly canvas: HTMLCanvasElement | OffscreenCanvas;
+  readonly modules: Readonly<Record<string, NodeModule>>;
+  readonly createScenes: CreateSceneBackend | null;
+  readonly assets: AssetSource;
+  readonly seed: number;
+  readonly clock: FrameClock;
+  readonly board: DiagnosticsBoard;
+  readonly state: PlayState;
+}
+
+export function createEngine(options: EngineOptions): Engine {
+  const { gl, canvas, state, clock } = options;
+  const objects = createGlObjects(gl);
+  const programs = createProgramCache(objects);
+  const drawer = createPassDrawer(objects);
+  const copy = programs.acquire(COPY_SHADER);
+  let backend: SceneBackend | null = null;
+  const scenes = (): SceneBackend => {
+    if (!options.createScenes) throw new Error('The program draws objects, but the page was made without three.js.');
+    backend ??= options.createScenes({ gl, canvas });
+    return backend;
+  };
+  const assets = createAssetStore(objects, options.assets, scenes);
+  return {
+    objects,
+    programs,
+    drawer,
+    copy,
+    assets,
+    clock,
+    state,
+    host: {
+      gl,
+      modules: options.modules,
+      seed: options.seed,
+      clock: {
+        get timeS() {
+          return state.frame.timeS;
+        },
+        get deltaS() {
+          return state.frame.deltaS;
+        },
+        get frame() {
+          return state.frame.index;
+        },
+      },
+      session: {
+        get frame() {
+          return state.frame;
+        },
+        get light() {
+          return state.frame.light;
+        },
+      },
+      assets,
+      board: options.board,
+      scenes,
+    },
+    scenesIfMade: () => backend,
+    counts: () => ({ ...objects.counts(), scenes: backend?.counts() ?? null }),
+    dispose: () => {
+      assets.dispose();
+      backend?.dispose();
+      drawer.dispose();
+      programs.dispose();
+    },
+  };
+}

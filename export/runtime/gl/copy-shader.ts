@@ -1,0 +1,30 @@
+import type { LinkedShader } from '../../program/program.ts';
+
+/**
+ * Copies a picture through its UV matrix: the camera's picture behind everything, what a pass draws while its own shader does
+ * not compile, and layers that are read back.
+ */
+export const COPY_SHADER: LinkedShader = {
+  id: 'scrim:copy',
+  vertex: `#version 300 es
+out vec2 viewUv;
+void main() {
+  viewUv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+  gl_Position = vec4(viewUv * 2.0 - 1.0, 0.0, 1.0);
+}
+`,
+  fragment: `#version 300 es
+precision highp float;
+uniform highp sampler2D picture;
+uniform mat3 picture_uvFromViewUv;
+in vec2 viewUv;
+out vec4 color;
+void main() {
+  vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
+  color = texture(picture, uv.xy / uv.z);
+}
+`,
+};
+
+export const COPY_SAMPLER = 'picture';
+export const COPY_UV = 'picture_uvFromViewUv';

@@ -1,0 +1,98 @@
+/** GPU objects alive that were made through one `GlObjects`. */
+export interface GlCounts {
+  readonly textures: number;
+  readonly framebuffers: number;
+  readonly renderbuffers: number;
+  readonly programs: number;
+  readonly shaders: number;
+  readonly samplers: number;
+  readonly vertexArrays: number;
+}
+
+/** Makes and frees GPU objects, and knows how many live: every object of the player goes through here. */
+export interface GlObjects {
+  readonly gl: WebGL2RenderingContext;
+  readonly limits: GlLimits;
+  createTexture(): WebGLTexture;
+  deleteTexture(texture: WebGLTexture): void;
+  createFramebuffer(): WebGLFramebuffer;
+  deleteFramebuffer(framebuffer: WebGLFramebuffer): void;
+  createRenderbuffer(): WebGLRenderbuffer;
+  deleteRenderbuffer(renderbuffer: WebGLRenderbuffer): void;
+  createProgram(): WebGLProgram;
+  deleteProgram(program: WebGLProgram): void;
+  createShader(type: GLenum): WebGLShader | null;
+  deleteShader(shader: WebGLShader): void;
+  createSampler(): WebGLSampler;
+  deleteSampler(sampler: WebGLSampler): void;
+  createVertexArray(): WebGLVertexArrayObject;
+  deleteVertexArray(vertexArray: WebGLVertexArrayObject): void;
+  counts(): GlCounts;
+}
+
+/** What the context can do, asked once: each question is a round trip to the GPU process. */
+export interface GlLimits {
+  readonly maxTextureSizePx: number;
+  readonly maxSamples: number;
+  /** Renders to 32-bit and 16-bit float. */
+  readonly floatTargets: boolean;
+  /** Renders to 16-bit float at least. */
+  readonly halfFloatTargets: boolean;
+  /** `KHR_parallel_shader_compile`, or null. */
+  readonly parallelCompile: KHR_parallel_shader_compile | null;
+}
+
+export function createGlObjects(gl: WebGL2RenderingContext): GlObjects {
+  const counts = { textures: 0, framebuffers: 0, renderbuffers: 0, programs: 0, shaders: 0, samplers: 0, vertexArrays: 0 };
+  const count = <T>(kind: keyof GlCounts, object: T): T => {
+    if (object !== null) counts[kind]++;
+    return object;
+  };
+  const floatTargets = gl.getExtension('EXT_color_buffer_float') !== null;
+  return {
+    gl,
+    limits: {
+      maxTextureSizePx: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
+      maxSamples: gl.getParameter(gl.MAX_SAMPLES) as number,
+      floatTargets,
+      halfFloatTargets: floatTargets || gl.getExtension('EXT_color_buffer_half_float') !== null,
+      parallelCompile: gl.getExtension('KHR_parallel_shader_compile'),
+    },
+    createTexture: () => count('textures', gl.createTexture()),
+    deleteTexture: (texture) => {
+      counts.textures--;
+      gl.deleteTexture(texture);
+    },
+    createFramebuffer: () => count('framebuffers', gl.createFramebuffer()),
+    deleteFramebuffer: (framebuffer) => {
+      counts.framebuffers--;
+      gl.deleteFramebuffer(framebuffer);
+    },
+    createRenderbuffer: () => count('renderbuffers', gl.createRenderbuffer()),
+    deleteRenderbuffer: (renderbuffer) => {
+      counts.renderbuffers--;
+      gl.deleteRenderbuffer(renderbuffer);
+    },
+    createProgram: () => count('programs', gl.createProgram()),
+    deleteProgram: (program) => {
+      counts.programs--;
+      gl.deleteProgram(program);
+    },
+    createShader: (type) => count('shaders', gl.createShader(type)),
+    deleteShader: (shader) => {
+      counts.shaders--;
+      gl.deleteShader(shader);
+    },
+    createSampler: () => count('samplers', gl.createSampler()),
+    deleteSampler: (sampler) => {
+      counts.samplers--;
+      gl.deleteSampler(sampler);
+    },
+    createVertexArray: () => count('vertexArrays', gl.createVertexArray()),
+    deleteVertexArray: (vertexArray) => {
+      counts.vertexArrays--;
+      gl.deleteVertexArray(vertexArray);
+    },
+    counts: () => ({ ...counts }),
+  };
+}

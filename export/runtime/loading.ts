@@ -1,0 +1,54 @@
+import type { Program } from '../program/program.ts';
+import type { AssetHold } from './assets/asset-store.ts';
+import type { Engine } from './engine.ts';
+import type { GlProgram, ShaderError } from './gl/program-cache.ts';
+
+/** What a program needs before its first frame: linked GL programs in the order of its shaders, and its assets. */
+export interface LoadedProgram {
+  readonly program: Program;
+  readonly glPrograms: readonly GlProgram[];
+  readonly errors: readonly ShaderError[];
+  release(): void;
+}
+
+export interface Loading {
+  /** Null where it was cancelled. */
+  readonly done: Promise<LoadedProgram | null>;
+  cancel(): void;
+}
+
+/** How often drivers are asked whether they have finished, seconds: about the shortest that browsers' timers keep. */
+const POLL_S = 0.004;
+
+/** Loads beside whatever is playing: frames go on between the questions to the driver. */
+export function loadProgram(engine: Engine, program: Program): Loading {
+  const glPrograms = program.shaders.map((shader) => engine.programs.acquire(shader));
+  const assets = engine.assets.hold(program.assets);
+  let cancelled = false;
+  const release = (): void => {
+    for (const glProgram of glPrograms.splice(0)) engine.programs.release(glProgram);
+    assets.release();
+  };
+  return {
+    done: wait(engine, glPrograms, assets, () => cancelled).then((ready) => {
+      if (!ready) return null;
+      return { program, glPrograms: [...glPrograms], errors: glPrograms.flatMap((p) => p.errors), release };
+    }),
+    cancel: () => {
+      if (cancelled) return;
+      cancelled = true;
+      release();
+    },
+  };
+}
+
+async function wait(engine: Engine, glPrograms: readonly GlProgram[], assets: AssetHold, cancelled: () => boolean): Promise<boolean> {
+  for (;;) {
+    engine.programs.poll();
+    const linking = engine.copy.state === 'linking' || glPrograms.some((p) => p.state === 'linking');
+    if (cancelled() || !linking) break;
+    await engine.clock.delay(POLL_S);
+  }
+  await assets.settled;
+  return !cancelled();
+}

@@ -1,0 +1,122 @@
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import type { Clock, NodeContext, NodeModule, NodeRuntime, SceneService, SessionService } from '../../../nodes/kit/runtime.ts';
+import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
+import type { AssetStore } from '../assets/asset-store.ts';
+import type { DiagnosticsBoard } from '../diagnostics-board.ts';
+import { createRandom } from '../random.ts';
+import { type LiveResources, liveResource } from '../resources/resources.ts';
+import type { DrawBinding, SceneBackend, ShadowMaps } from '../scene-backend.ts';
+import { createSlotView, type Slots } from '../values/slots.ts';
+import { isDraw } from './node-key.ts';
+import { createNodePorts } from './node-ports.ts';
+
+/** A node of the running program. */
+export interface NodeInstance {
+  readonly key: string;
+  readonly operation: NodeOperation;
+  readonly runtime: NodeRuntime;
+  /** Maps that a drawing node was bound to when it was made. */
+  readonly shadowMaps: ShadowMaps | null;
+  /** Lives on in a recompiled program with the same key. */
+  point(operation: NodeOperation, slots: Slots): NodeInstance;
+  /** Back to the first frame. */
+  reset(): void;
+  dispose(): void;
+}
+
+/** What all nodes of a player share. */
+export interface NodeHost {
+  readonly gl: WebGL2RenderingContext;
+  readonly modules: Readonly<Record<string, NodeModule>>;
+  readonly seed: number;
+  readonly clock: Clock;
+  readonly session: SessionService;
+  readonly assets: AssetStore;
+  readonly board: DiagnosticsBoard;
+  /** Makes the backend when the first node asks. */
+  scenes(): SceneBackend;
+}
+
+export function createNodeInstance(
+  host: NodeHost,
+  key: string,
+  operation: NodeOperation,
+  resources: LiveResources,
+  slots: Slots,
+  assets: readonly ProgramAsset[],
+  shadowMaps: ShadowMaps | null,
+): NodeInstance {
+  const module = Object.hasOwn(host.modules, operation.type) ? host.modules[operation.type] : undefined;
+  if (!module) throw new Error(`The page has no runtime for the node type ${operation.type}.`);
+  const { node } = operation;
+  const ports = createNodePorts(operation, resources, slots);
+  const random = createRandom(host.seed, node);
+  const occlusion = createOcclusion(operation, resources, slots);
+  const report: NodeContext<NodeDefinition>['report'] = (diagnostic) => host.board.report(node, diagnostic);
+  let scenes: SceneService | null = null;
+  const context = {
+    node,
+    inputs: ports.inputs,
+    outputs: ports.outputs,
+    params: ports.params,
+    config: operation.config,
+    assetIds: operation.assets,
+    gl: host.gl,
+    clock: host.clock,
+    random: random.next,
+    assets: host.assets.serviceFor(assets, report),
+    // Nodes that draw nothing never ask, so that a page without objects needs no three.js.
+    get scenes() {
+      scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null });
+      return scenes;
+    },
+    session: host.session,
+    report,
+  } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;
+  const runtime = module.create(context as unknown as NodeContext<NodeDefinition>);
+
+  const instance = (current: NodeOperation): NodeInstance => ({
+    key,
+    operation: current,
+    runtime,
+    shadowMaps,
+    point: (next, nextSlots) => {
+      ports.point(next, nextSlots);
+      occlusion?.point(next, nextSlots);
+      return instance(next);
+    },
+    reset: () => {
+      random.reset();
+      runtime.reset?.();
+    },
+    dispose: () => {
+      runtime.dispose();
+      host.board.clear(node);
+    },
+  });
+  return instance(operation);
+}
+
+interface Occlusion {
+  readonly binding: NonNullable<DrawBinding['occlusion']>;
+  point(operation: NodeOperation, slots: Slots): void;
+}
+
+function createOcclusion(operation: NodeOperation, resources: LiveResources, slots: Slots): Occlusion | null {
+  const occlusion = occlusionOf(operation);
+  if (!occlusion) return null;
+  const views = Object.entries(occlusion.params).map(([name, slot]) => ({ name, view: createSlotView(slots, slot) }));
+  return {
+    binding: {
+      roomDepth: liveResource(resources, occlusion.roomDepth, 'room-depth').depth,
+      params: Object.fromEntries(views.map(({ name, view }) => [name, view])) as NonNullable<DrawBinding['occlusion']>['params'],
+    },
+    point: (next, nextSlots) => {
+      for (const { name, view } of views) view.point(nextSlots, occlusionOf(next)?.params[name] ?? -1);
+    },
+  };
+}
+
+function occlusionOf(operation: NodeOperation): DrawOperation['occlusion'] {
+  return isDraw(operation) ? operation.occlusion : null;
+}

@@ -1,0 +1,43 @@
+import type { DrawOperation, InputRef, NodeOperation, ShadowMapOperation } from '../../program/program.ts';
+
+/**
+ * Equal keys: the node behind the operation can live on over a recompile, with its state. Slot numbers are left out, because
+ * views are pointed anew, and so is the target of a draw, because every draw is told where to go.
+ */
+export function nodeKey(
+  operation: NodeOperation,
+  slotType: (slot: number) => string,
+  assetPath: (asset: string | null) => string | null,
+): string {
+  const ref = (input: InputRef): unknown => (input.kind === 'slot' ? ['slot', slotType(input.slot)] : input);
+  return JSON.stringify([
+    operation.kind,
+    operation.node,
+    operation.type,
+    sorted(operation.inputs, (refs) => refs.map(ref)),
+    sorted(operation.outputs, ref),
+    sorted(operation.params, slotType),
+    sorted(operation.config, (value) => value),
+    sorted(operation.assets, (asset) => [asset, assetPath(asset)]),
+    isDraw(operation) ? [operation.shadowMaps, drawOcclusion(operation, slotType)] : null,
+  ]);
+}
+
+export function shadowMapsKey(operation: ShadowMapOperation): string {
+  return JSON.stringify([operation.casters, operation.lights]);
+}
+
+export function isDraw(operation: NodeOperation): operation is DrawOperation {
+  return operation.kind === 'draw';
+}
+
+function drawOcclusion(operation: DrawOperation, slotType: (slot: number) => string): unknown {
+  const { occlusion } = operation;
+  return occlusion && [occlusion.roomDepth, sorted(occlusion.params, slotType)];
+}
+
+function sorted<T>(record: Readonly<Record<string, T>>, value: (entry: T) => unknown): unknown {
+  return Object.keys(record)
+    .sort()
+    .map((key) => [key, value(record[key] as T)]);
+}

@@ -1,0 +1,69 @@
+import type { InputRef, NodeOperation } from '../../program/program.ts';
+import { type LiveResources, liveResource } from '../resources/resources.ts';
+import { type AnySlotView, createSlotView, type Slots } from '../values/slots.ts';
+
+/** What a node sees behind its ports: live views, one object each for as long as the node lives. */
+export interface NodePorts {
+  readonly inputs: Readonly<Record<string, unknown>>;
+  readonly outputs: Readonly<Record<string, unknown>>;
+  readonly params: Readonly<Record<string, unknown>>;
+  /** After a recompile: the same values in other slots. The operation differs in slot numbers only. */
+  point(operation: NodeOperation, slots: Slots): void;
+}
+
+export function createNodePorts(operation: NodeOperation, resources: LiveResources, slots: Slots): NodePorts {
+  /** Views of slots with the way to find the slot's number in a later version of the operation. */
+  const slotViews: { readonly view: AnySlotView; readonly slotIn: (operation: NodeOperation) => number }[] = [];
+  const slotView = (slotIn: (operation: NodeOperation) => number): AnySlotView => {
+    const view = createSlotView(slots, slotIn(operation));
+    slotViews.push({ view, slotIn });
+    return view;
+  };
+  const carried = (ref: InputRef, refIn: (operation: NodeOperation) => InputRef | undefined): unknown => {
+    switch (ref.kind) {
+      case 'slot':
+        return slotView((op) => slotOf(refIn(op)));
+      case 'layer':
+        return layerOf(ref.layer.color, resources);
+      case 'resource':
+        return listOf(ref.resource, resources);
+    }
+  };
+  const input = (port: string, refs: readonly InputRef[]): unknown => {
+    const views = refs.map((ref, i) => carried(ref, (op) => op.inputs[port]?.[i]));
+    return operation.multiple.includes(port) ? views : (views[0] ?? null);
+  };
+  return {
+    inputs: Object.fromEntries(Object.entries(operation.inputs).map(([port, refs]) => [port, input(port, refs)])),
+    outputs: Object.fromEntries(Object.entries(operation.outputs).map(([port, ref]) => [port, carried(ref, (op) => op.outputs[port])])),
+    params: Object.fromEntries(Object.keys(operation.params).map((name) => [name, slotView((op) => op.params[name] ?? -1)])),
+    point: (next, nextSlots) => {
+      for (const { view, slotIn } of slotViews) view.point(nextSlots, slotIn(next));
+    },
+  };
+}
+
+function slotOf(ref: InputRef | undefined): number {
+  return ref?.kind === 'slot' ? ref.slot : -1;
+}
+
+/** Null for a target: the runtime itself draws into it and reads it, nodes do not. */
+function layerOf(id: string, resources: LiveResources): unknown {
+  const resource = resources.get(id);
+  return resource?.kind === 'external' ? resource.layer : null;
+}
+
+function listOf(id: string, resources: LiveResources): unknown {
+  const resource = resources.get(id);
+  switch (resource?.kind) {
+    case 'objects':
+    case 'lights':
+      return resource.list;
+    case 'room-depth':
+      return resource.depth;
+    case 'external':
+      return resource.layer;
+    default:
+      return liveResource(resources, id, 'objects').list;
+  }
+}

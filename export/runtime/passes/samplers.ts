@@ -1,0 +1,161 @@
+import type { LayerOutput, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
+import type { LayerDepthRef, PassOperation, PassSampler } from '../../program/program.ts';
+import type { PassDrawer } from '../gl/pass-drawer.ts';
+import type { GlProgram } from '../gl/program-cache.ts';
+import type { PlayState } from '../play-state.ts';
+import { IDENTITY, type LiveResources, liveResource } from '../resources/resources.ts';
+import type { Target } from '../targets/target.ts';
+import { setDecode } from './depth-decode.ts';
+import { fitted } from './fit.ts';
+
+/** One texture that a pass reads. */
+export interface Sampler {
+  /** Before the pass's framebuffer is bound: carries multisampled pictures into their textures. */
+  prepare(state: PlayState): void;
+  /** Sets texture, UV matrix, size and depth decoding of the program in use. */
+  bind(state: PlayState): void;
+}
+
+interface Locations {
+  readonly texture: WebGLUniformLocation;
+  readonly uv: WebGLUniformLocation | null;
+  readonly size: WebGLUniformLocation | null;
+  readonly decode: WebGLUniformLocation | null;
+}
+
+/** Samplers that the driver threw out are left out here. */
+export function createSamplers(
+  gl: WebGL2RenderingContext,
+  drawer: PassDrawer,
+  program: GlProgram,
+  operation: PassOperation,
+  resources: LiveResources,
+): Sampler[] {
+  const samplers: Sampler[] = [];
+  for (const spec of operation.samplers) {
+    const texture = program.uniform(spec.name);
+    if (!texture) continue;
+    const locations: Locations = {
+      texture,
+      uv: program.uniform(`${spec.name}_uvFromViewUv`),
+      size: program.uniform(`${spec.name}_size`),
+      decode: program.uniform(`${spec.name}_decode`),
+    };
+    samplers.push(createSampler(gl, drawer, samplers.length, locations, spec, resources));
+  }
+  return samplers;
+}
+
+function createSampler(
+  gl: WebGL2RenderingContext,
+  drawer: PassDrawer,
+  unit: number,
+  locations: Locations,
+  spec: PassSampler,
+  resources: LiveResources,
+): Sampler {
+  const { source, fit } = spec;
+  if (source.kind === 'room-depth') {
+    return roomDepth(gl, drawer, unit, locations, liveResource(resources, source.resource, 'room-depth').depth);
+  }
+  if (source.kind === 'depth') {
+    const room = resources.get(source.depth.resource);
+    if (room?.kind === 'room-depth') return roomDepth(gl, drawer, unit, locations, room.depth);
+    const { target, domain } = liveResource(resources, source.depth.resource, 'target');
+    return layerDepth(gl, drawer, unit, locations, target, domain, source.depth.encoding);
+  }
+  const resource = resources.get(source.resource);
+  if (resource?.kind === 'external') return external(gl, drawer, unit, locations, resource.layer, resource.domain, fit);
+  const { target, domain } = liveResource(resources, source.resource, 'target');
+  return color(gl, drawer, unit, locations, target, domain, fit);
+}
+
+function color(
+  gl: WebGL2RenderingContext,
+  drawer: PassDrawer,
+  unit: number,
+  locations: Locations,
+  target: Target,
+  domain: 'view' | 'image',
+  fit: PassSampler['fit'],
+): Sampler {
+  const filter = target.resource.format === 'r32f' ? 'nearest' : 'linear';
+  return {
+    prepare: (state) => target.front(domain === 'view' ? state.viewIndex : 0),
+    bind: (state) => {
+      const { color: texture, widthPx, heightPx } = target.front(domain === 'view' ? state.viewIndex : 0);
+      drawer.texture(unit, locations.texture, texture, filter);
+      setPlacement(gl, locations, IDENTITY, widthPx, heightPx, fit, state);
+    },
+  };
+}
+
+function external(
+  gl: WebGL2RenderingContext,
+  drawer: PassDrawer,
+  unit: number,
+  locations: Locations,
+  layer: LayerOutput,
+  domain: 'view' | 'image',
+  fit: PassSampler['fit'],
+): Sampler {
+  return {
+    prepare: () => {},
+    bind: (state) => {
+      const view = layer.views[domain === 'view' ? state.viewIndex : 0];
+      drawer.texture(unit, locations.texture, view?.texture ?? null, 'linear');
+      // A layer of the view domain is pixel-aligned with the view, whatever the size of the camera's picture.
+      const widthPx = domain === 'view' ? state.widthPx : (view?.widthPx ?? 0);
+      const heightPx = domain === 'view' ? state.heightPx : (view?.heightPx ?? 0);
+      setPlacement(gl, locations, view?.uvFromViewUv ?? IDENTITY, widthPx, heightPx, fit, state);
+    },
+  };
+}
+
+function layerDepth(
+  gl: WebGL2RenderingContext,
+  drawer: PassDrawer,
+  unit: number,
+  locations: Locations,
+  target: Target,
+  domain: 'view' | 'image',
+  encoding: LayerDepthRef['encoding'],
+): Sampler {
+  return {
+    prepare: (state) => target.front(domain === 'view' ? state.viewIndex : 0),
+    bind: (state) => {
+      const buffer = target.front(domain === 'view' ? state.viewIndex : 0);
+      drawer.texture(unit, locations.texture, encoding === 'window' ? buffer.depth : buffer.color, 'nearest');
+      setPlacement(gl, locations, IDENTITY, buffer.widthPx, buffer.heightPx, 'none', state);
+      if (locations.decode) setDecode(gl, locations.decode, encoding, state.view?.clipFromView);
+    },
+  };
+}
+
+function roomDepth(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, output: RoomDepthOutput): Sampler {
+  return {
+    prepare: () => {},
+    bind: (state) => {
+      const depth = output.views[state.viewIndex] ?? null;
+      drawer.texture(unit, locations.texture, depth?.texture ?? null, 'nearest');
+      setPlacement(gl, locations, depth?.uvFromViewUv ?? IDENTITY, depth?.widthPx ?? 1, depth?.heightPx ?? 1, 'none', state);
+      if (locations.decode) setDecode(gl, locations.decode, 'metres', undefined);
+    },
+  };
+}
+
+/** A fitted picture is a layer of the view from here on, and has its size. */
+function setPlacement(
+  gl: WebGL2RenderingContext,
+  locations: Locations,
+  uv: Float32Array,
+  widthPx: number,
+  heightPx: number,
+  fit: PassSampler['fit'],
+  state: PlayState,
+): void {
+  if (locations.uv) gl.uniformMatrix3fv(locations.uv, false, fitted(uv, fit, widthPx, heightPx, state.widthPx, state.heightPx));
+  if (!locations.size) return;
+  if (fit === 'none') gl.uniform2f(locations.size, widthPx, heightPx);
+  else gl.uniform2f(locations.size, state.widthPx, state.heightPx);
+}

@@ -1,0 +1,36 @@
+import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
+
+/** Where the player is within a frame; one object, changed as it goes on. */
+export interface PlayState {
+  frame: SessionFrame;
+  /** During the once-operations: the first view. */
+  viewIndex: number;
+  view: ViewFrame | null;
+  /** Size of the view, pixels. */
+  widthPx: number;
+  heightPx: number;
+}
+
+export const EMPTY_FRAME: SessionFrame = {
+  index: 0,
+  timeS: 0,
+  deltaS: 0,
+  viewCount: 0,
+  views: [],
+  framebuffer: null,
+  framebufferWidthPx: 0,
+  framebufferHeightPx: 0,
+  light: null,
+};
+
+export function createPlayState(): PlayState {
+  return { frame: EMPTY_FRAME, viewIndex: 0, view: null, widthPx: 0, heightPx: 0 };
+}
+
+export function enterView(state: PlayState, viewIndex: number): void {
+  const view = state.frame.views[viewIndex] ?? null;
+  state.viewIndex = viewIndex;
+  state.view = view;
+  state.widthPx = view?.viewport.widthPx ?? 0;
+  state.heightPx = view?.viewport.heightPx ?? 0;
+}

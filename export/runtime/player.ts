@@ -1,0 +1,170 @@
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { SessionFrame } from '../../nodes/kit/session.ts';
+import type { Program } from '../program/program.ts';
+import type { AssetSource } from './assets/asset-source.ts';
+import { createBrowserClock, type FrameClock } from './clock.ts';
+import { createDiagnosticsBoard } from './diagnostics-board.ts';
+import { createEngine, type Engine, type PlayerCounts } from './engine.ts';
+import type { ShaderError } from './gl/program-cache.ts';
+import { type Loading, loadProgram } from './loading.ts';
+import { createPlayState } from './play-state.ts';
+import type { SessionTraits } from './present/background.ts';
+import { type LayerDepth, type LayerPixels, readColor, readDepth } from './readback.ts';
+import type { CreateSceneBackend } from './scene-backend.ts';
+import { createStage, type Stage } from './stage/stage.ts';
+import type { SlotValue } from './values/slots.ts';
+
+export interface PlayerOptions {
+  readonly gl: WebGL2RenderingContext;
+  readonly canvas: HTMLCanvasElement | OffscreenCanvas;
+  readonly program: Program;
+  /** Runtimes of the node types that the program names. */
+  readonly modules: Readonly<Record<string, NodeModule>>;
+  /** Null for pages whose program neither draws objects nor loads models. */
+  readonly createScenes: CreateSceneBackend | null;
+  readonly assets: AssetSource;
+  /** Equal seeds give equal pictures. */
+  readonly seed: number;
+  /** Everything wrong with the running program, whenever that changes. Shader errors come with `PlayResult`. */
+  readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
+  readonly clock?: FrameClock;
+}
+
+/** How a program was received. */
+export interface PlayResult {
+  /**
+   * `playing`: it is the one drawn from the next frame on. `kept`: it is broken, and the last good one runs on. `superseded`:
+   * another one, a lost context or the end of the player came before it was ready.
+   */
+  readonly outcome: 'playing' | 'kept' | 'superseded';
+  /** `playing` with errors: no good one was there before; passes with broken shaders hand their first picture on. */
+  readonly shaderErrors: readonly ShaderError[];
+}
+
+/** Plays a program on a WebGL 2 context that it may share with others: it assumes nothing about the GL state. */
+export interface Player {
+  /** Settles when the first program is set up, its assets loaded or failed. Nothing is drawn before. */
+  readonly ready: Promise<PlayResult>;
+  /** What the frames to come are drawn for; null before there is a session. */
+  setSession(session: SessionTraits | null): void;
+  /** Draws all views of a frame into its framebuffer. */
+  draw(frame: SessionFrame): void;
+  /** False where the running program has no such param or the value does not fit it. */
+  setParam(node: string, param: string, value: SlotValue): boolean;
+  /**
+   * Links the new program beside the running one and swaps between two frames. What is the same in both is kept: GL programs,
+   * targets, assets, and nodes with their state.
+   */
+  replaceProgram(program: Program): Promise<PlayResult>;
+  /** State of nodes and pictures back to the first frame. */
+  reset(): void;
+  /**
+   * A tapped layer (`node.port`) of the last frame, or null where it is not tapped or not drawn; `heightPx` scales it. Camera
+   * pictures of WebXR can only be read before the frame's callback ends.
+   */
+  readLayer(tap: string, viewIndex: number, heightPx?: number): LayerPixels | null;
+  /** Depth of a tapped layer. Throws where the GPU cannot draw 32-bit floats. */
+  readLayerDepth(tap: string, viewIndex: number): LayerDepth | null;
+  counts(): PlayerCounts;
+  /** Stops drawing; to be called on `webglcontextlost`, whose default the caller prevents. */
+  contextLost(): void;
+  /** Sets everything up anew, with the params as they were; to be called on `webglcontextrestored`. */
+  restore(): Promise<PlayResult>;
+  dispose(): void;
+}
+
+export function createPlayer(options: PlayerOptions): Player {
+  const clock = options.clock ?? createBrowserClock();
+  const board = createDiagnosticsBoard(options.onDiagnostics);
+  const state = createPlayState();
+  const setUp = (): Engine => createEngine({ ...options, clock, board, state });
+  let engine = setUp();
+  let stage: Stage | null = null;
+  let stageIsGood = false;
+  let loading: Loading | null = null;
+  let session: SessionTraits | null = null;
+  /** Neither lost nor disposed. */
+  let live = true;
+  /** What to set up again when the context comes back: the newest program that is not known to be broken. */
+  let wanted = options.program;
+  /** Values set since the newest program came, which may have been made before them. */
+  const values = new Map<string, SlotValue>();
+
+  const setValue = (target: Stage, name: string, value: SlotValue): boolean => {
+    const slot = target.slots.find(name);
+    return slot !== undefined && target.slots.set(slot, value);
+  };
+  const play = async (program: Program): Promise<PlayResult> => {
+    loading?.cancel();
+    const mine = loadProgram(engine, program);
+    loading = mine;
+    const loaded = await mine.done;
+    if (!loaded || loading !== mine) return { outcome: 'superseded', shaderErrors: [] };
+    loading = null;
+    const good = loaded.errors.length === 0;
+    if (!good && stage && stageIsGood) {
+      wanted = stage.program;
+      loaded.release();
+      return { outcome: 'kept', shaderErrors: loaded.errors };
+    }
+    const before = stage;
+    const next = createStage(engine, loaded, before);
+    stage = next;
+    stageIsGood = good;
+    before?.release(next);
+    for (const [name, value] of values) setValue(next, name, value);
+    return { outcome: 'playing', shaderErrors: loaded.errors };
+  };
+  const tearDown = (): void => {
+    live = false;
+    loading?.cancel();
+    loading = null;
+    stage?.release(null);
+    stage = null;
+    stageIsGood = false;
+    engine.dispose();
+  };
+  return {
+    ready: play(wanted),
+    setSession: (next) => {
+      session = next;
+    },
+    draw: (frame) => {
+      if (!live || !stage) return;
+      state.frame = frame;
+      stage.draw(session);
+    },
+    setParam: (node, param, value) => {
+      const name = `${node}.${param}`;
+      values.set(name, value);
+      return stage !== null && setValue(stage, name, value);
+    },
+    replaceProgram: (program) => {
+      wanted = program;
+      values.clear();
+      return live ? play(program) : Promise.resolve({ outcome: 'superseded', shaderErrors: [] });
+    },
+    reset: () => stage?.reset(),
+    readLayer: (tap, viewIndex, heightPx) => {
+      const layer = stage?.program.taps[tap];
+      return live && stage && layer ? readColor(engine, stage.resources, layer, viewIndex, heightPx) : null;
+    },
+    readLayerDepth: (tap, viewIndex) => {
+      const layer = stage?.program.taps[tap];
+      return live && stage && layer ? readDepth(engine, stage.resources, layer, viewIndex) : null;
+    },
+    counts: () => engine.counts(),
+    contextLost: () => {
+      if (live) tearDown();
+    },
+    restore: () => {
+      engine = setUp();
+      live = true;
+      return play(wanted);
+    },
+    dispose: () => {
+      if (live) tearDown();
+    },
+  };
+}

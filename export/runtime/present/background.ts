@@ -1,0 +1,59 @@
+import type { Session } from '../../../nodes/kit/session.ts';
+import type { Presentation } from '../../program/program.ts';
+import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
+import type { PassDrawer } from '../gl/pass-drawer.ts';
+import type { GlProgram } from '../gl/program-cache.ts';
+import type { PlayState } from '../play-state.ts';
+
+/** What the player has to know of the session it draws for. */
+export type SessionTraits = Pick<Session, 'world' | 'blend'>;
+
+/** What lies behind everything in a view. */
+export interface Background {
+  /** Clears the view's part of the screen, depth included. */
+  draw(state: PlayState, session: SessionTraits | null): void;
+}
+
+const FARTHEST = new Float32Array([1]);
+
+/**
+ * A colour; or the camera's picture, where the session shows the world as one; else transparent, through which a device shows
+ * the world and a page its own background.
+ */
+export function createBackground(
+  gl: WebGL2RenderingContext,
+  drawer: PassDrawer,
+  copy: GlProgram,
+  background: Presentation['background'],
+): Background {
+  const [r, g, b, a] = background === 'world' ? [0, 0, 0, 0] : background;
+  const premultiplied = new Float32Array([r * a, g * a, b * a, a]);
+  return {
+    draw: (state, session) => {
+      const { view } = state;
+      if (!view) return;
+      const { x, y, widthPx, heightPx } = view.viewport;
+      gl.bindFramebuffer(gl.FRAMEBUFFER, state.frame.framebuffer);
+      clearDepth(gl, x, y, widthPx, heightPx);
+      gl.colorMask(true, true, true, true);
+      gl.clearBufferfv(gl.COLOR, 0, premultiplied);
+      const picture = background === 'world' && session?.world === 'image' ? view.cameraImage : null;
+      const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
+      if (!picture || !location) return;
+      drawer.begin(state.frame.framebuffer, x, y, widthPx, heightPx, 'replace');
+      drawer.use(copy);
+      drawer.texture(0, location, picture.texture, 'linear');
+      gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, picture.uvFromViewUv);
+      drawer.draw();
+      drawer.end();
+    },
+  };
+}
+
+/** Of the bound framebuffer, inside the rectangle only. Leaves the scissor on. */
+export function clearDepth(gl: WebGL2RenderingContext, x: number, y: number, widthPx: number, heightPx: number): void {
+  gl.enable(gl.SCISSOR_TEST);
+  gl.scissor(x, y, widthPx, heightPx);
+  gl.depthMask(true);
+  gl.clearBufferfv(gl.DEPTH, 0, FARTHEST);
+}

@@ -1,0 +1,168 @@
+import type { LayerRef, LinkedShader, ResourceId } from '../program/program.ts';
+import type { Engine } from './engine.ts';
+import { COPY_SAMPLER, COPY_SHADER, COPY_UV } from './gl/copy-shader.ts';
+import type { GlProgram } from './gl/program-cache.ts';
+import { prepareReadback } from './gl/upload.ts';
+import { setDecode } from './passes/depth-decode.ts';
+import { IDENTITY, type LiveResources } from './resources/resources.ts';
+import { createTargetBuffer, type TargetResource } from './targets/target-buffer.ts';
+
+/** Premultiplied display-referred sRGB, RGBA, rows from the top. */
+export interface LayerPixels {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly pixels: Uint8Array<ArrayBuffer>;
+}
+
+/** Positive view-space metres, 0 where there is nothing, rows from the top. */
+export interface LayerDepth {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly metres: Float32Array<ArrayBuffer>;
+}
+
+const DEPTH_SHADER: LinkedShader = {
+  id: 'scrim:read-depth',
+  vertex: COPY_SHADER.vertex,
+  fragment: `#version 300 es
+precision highp float;
+uniform highp sampler2D depth;
+uniform vec4 depth_decode;
+in vec2 viewUv;
+out vec4 metres;
+void main() {
+  float d = texture(depth, viewUv).r;
+  float m = depth_decode.w == 0.0 ? d : d < 1.0 ? depth_decode.y / (2.0 * d - 1.0 + depth_decode.x) : 0.0;
+  metres = vec4(m, 0.0, 0.0, 1.0);
+}
+`,
+};
+
+/** What a layer shows now; null where it has not been drawn. `heightPx` scales it, keeping its shape. */
+export function readColor(
+  engine: Engine,
+  resources: LiveResources,
+  layer: LayerRef,
+  viewIndex: number,
+  heightPx?: number,
+): LayerPixels | null {
+  const picture = findPicture(engine, resources, layer.color, viewIndex);
+  if (!picture) return null;
+  const scale = heightPx === undefined ? 1 : heightPx / picture.heightPx;
+  const width = Math.max(1, Math.round(picture.widthPx * scale));
+  const height = Math.max(1, Math.round(picture.heightPx * scale));
+  const read = (framebuffer: WebGLFramebuffer): LayerPixels => {
+    const pixels = new Uint8Array(width * height * 4);
+    readRows(engine.objects.gl, framebuffer, width, height, pixels);
+    return { widthPx: width, heightPx: height, pixels };
+  };
+  // As it is, where it can be read as it is: sampling could round differently.
+  if (picture.framebuffer && scale === 1) return read(picture.framebuffer);
+  return drawn(engine, COPY_SHADER, 'rgba8', width, height, read, (program) => {
+    const { gl } = engine.objects;
+    const location = program.uniform(COPY_SAMPLER);
+    if (location) engine.drawer.texture(0, location, picture.texture, 'linear');
+    gl.uniformMatrix3fv(program.uniform(COPY_UV), false, picture.uvFromViewUv);
+  });
+}
+
+/** How far what a layer shows is away; null where it has no depth or has not been drawn. */
+export function readDepth(engine: Engine, resources: LiveResources, layer: LayerRef, viewIndex: number): LayerDepth | null {
+  const { gl, limits } = engine.objects;
+  if (!limits.floatTargets) throw new Error('This GPU cannot draw 32-bit floats, so depth cannot be read back.');
+  const { depth } = layer;
+  const resource = depth ? resources.get(depth.resource) : undefined;
+  const buffer = resource?.kind === 'target' ? resource.target.peek(resource.domain === 'view' ? viewIndex : 0) : null;
+  const texture = depth?.encoding === 'window' ? buffer?.depth : buffer?.color;
+  if (!depth || !buffer || !texture) return null;
+  const { widthPx, heightPx } = buffer;
+  const read = (framebuffer: WebGLFramebuffer): LayerDepth => {
+    // Red alone may not be readable; RGBA float always is.
+    const rgba = new Float32Array(widthPx * heightPx * 4);
+    readRows(gl, framebuffer, widthPx, heightPx, rgba);
+    return { widthPx, heightPx, metres: Float32Array.from({ length: widthPx * heightPx }, (_, i) => rgba[i * 4] ?? 0) };
+  };
+  return drawn(engine, DEPTH_SHADER, 'r32f', widthPx, heightPx, read, (program) => {
+    const location = program.uniform('depth');
+    const decode = program.uniform('depth_decode');
+    if (location) engine.drawer.texture(0, location, texture, 'nearest');
+    if (decode) setDecode(gl, decode, depth.encoding, engine.state.frame.views[viewIndex]?.clipFromView);
+  });
+}
+
+interface Picture {
+  readonly texture: WebGLTexture;
+  /** Where its bytes can be read without drawing. */
+  readonly framebuffer: WebGLFramebuffer | null;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly uvFromViewUv: Float32Array;
+}
+
+function findPicture(engine: Engine, resources: LiveResources, id: ResourceId, viewIndex: number): Picture | null {
+  const resource = resources.get(id);
+  if (resource?.kind === 'target') {
+    const buffer = resource.target.peek(resource.domain === 'view' ? viewIndex : 0);
+    if (!buffer) return null;
+    const { color: texture, widthPx, heightPx, resolvedFramebuffer } = buffer;
+    const framebuffer = resource.target.resource.format === 'rgba8' ? resolvedFramebuffer : null;
+    return { texture, framebuffer, widthPx, heightPx, uvFromViewUv: IDENTITY };
+  }
+  if (resource?.kind !== 'external') return null;
+  const view = resource.layer.views[resource.domain === 'view' ? viewIndex : 0];
+  if (!view?.texture) return null;
+  // A layer of the view domain has the view's size, whatever that of its texture.
+  const viewport = resource.domain === 'view' ? engine.state.frame.views[viewIndex]?.viewport : undefined;
+  const { widthPx, heightPx } = viewport ?? view;
+  return { texture: view.texture, framebuffer: null, widthPx, heightPx, uvFromViewUv: view.uvFromViewUv };
+}
+
+/** Draws into a target that lives as long as `read` takes. */
+function drawn<T>(
+  engine: Engine,
+  shader: LinkedShader,
+  format: TargetResource['format'],
+  widthPx: number,
+  heightPx: number,
+  read: (framebuffer: WebGLFramebuffer) => T,
+  setUp: (program: GlProgram) => void,
+): T {
+  const { drawer, programs } = engine;
+  const program = programs.acquire(shader);
+  programs.finish(program);
+  const buffer = createTargetBuffer(engine.objects, scratchTarget(format), widthPx, heightPx);
+  drawer.begin(buffer.framebuffer, 0, 0, widthPx, heightPx, 'replace');
+  drawer.use(program);
+  setUp(program);
+  drawer.draw();
+  drawer.end();
+  const result = read(buffer.framebuffer);
+  buffer.dispose();
+  programs.release(program);
+  return result;
+}
+
+function scratchTarget(format: TargetResource['format']): TargetResource {
+  const size = { base: 'view', width: [{ op: 'width' }], height: [{ op: 'height' }] } as const;
+  return { id: 'scrim:read', kind: 'target', domain: 'image', size, format, depth: 'none', samples: 1, lifetime: 'frame' };
+}
+
+/** RGBA rows into `out`, the top one first. */
+function readRows<T extends Uint8Array | Float32Array>(
+  gl: WebGL2RenderingContext,
+  framebuffer: WebGLFramebuffer,
+  widthPx: number,
+  heightPx: number,
+  out: T,
+): void {
+  prepareReadback(gl);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, out instanceof Uint8Array ? gl.UNSIGNED_BYTE : gl.FLOAT, out);
+  const stride = widthPx * 4;
+  const row = out.slice(0, stride);
+  for (let top = 0, bottom = heightPx - 1; top < bottom; top++, bottom--) {
+    row.set(out.subarray(top * stride, (top + 1) * stride));
+    out.copyWithin(top * stride, bottom * stride, (bottom + 1) * stride);
+    out.set(row, bottom * stride);
+  }
+}

@@ -1,0 +1,111 @@
+import type { LayerOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
+import type { Program, Resource, ResourceId } from '../../program/program.ts';
+import type { GlObjects } from '../gl/gl-objects.ts';
+import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
+
+/** What stands behind a resource of the program while it is played. */
+export type LiveResource =
+  | { readonly kind: 'target'; readonly domain: 'view' | 'image'; readonly target: Target; readonly tapped: boolean }
+  | { readonly kind: 'external'; readonly domain: 'view' | 'image'; readonly layer: LayerOutput }
+  | { readonly kind: 'room-depth'; readonly depth: RoomDepthOutput }
+  | { readonly kind: 'objects'; readonly list: ObjectList }
+  | { readonly kind: 'lights'; readonly list: LightList }
+  /** Made by its operation. */
+  | { readonly kind: 'shadow-maps' };
+
+export type LiveResources = ReadonlyMap<ResourceId, LiveResource>;
+
+/** Takes over from `before` whatever is still the same. The caller disposes what is left of it with `disposeUnused`. */
+export function createResources(program: Program, objects: GlObjects, before: LiveResources | null): LiveResources {
+  const tapped = new Set(Object.values(program.taps).flatMap((layer) => [layer.color, layer.depth?.resource ?? layer.color]));
+  const live = new Map<ResourceId, LiveResource>();
+  for (const resource of program.resources) {
+    const old = before?.get(resource.id);
+    const kept = old && isSame(old, resource, tapped.has(resource.id));
+    live.set(resource.id, kept ? old : create(resource, objects, tapped.has(resource.id)));
+  }
+  return live;
+}
+
+export function disposeUnused(before: LiveResources, after: LiveResources | null): void {
+  for (const [id, resource] of before) {
+    if (resource.kind === 'target' && after?.get(id) !== resource) resource.target.dispose();
+  }
+}
+
+/** Empties what a node had put there, when that node is gone; readers see a new version. */
+export function clearOutput(resource: LiveResource): void {
+  switch (resource.kind) {
+    case 'objects':
+    case 'lights':
+      resource.list.items.length = 0;
+      resource.list.version++;
+      break;
+    case 'external':
+      for (const view of resource.layer.views) {
+        view.texture = null;
+        view.widthPx = 0;
+        view.heightPx = 0;
+        view.uvFromViewUv.set(IDENTITY);
+      }
+      break;
+    case 'room-depth':
+      resource.depth.views.fill(null);
+      break;
+    case 'target':
+    case 'shadow-maps':
+      break;
+  }
+}
+
+export const IDENTITY: Float32Array = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveResource {
+  switch (resource.kind) {
+    case 'target':
+      return { kind: 'target', domain: resource.domain, target: createTarget(objects, resource, tapped), tapped };
+    case 'external':
+      return { kind: 'external', domain: resource.domain, layer: createExternalLayer(resource.domain === 'view' ? MAX_VIEWS : 1) };
+    case 'room-depth':
+      return { kind: 'room-depth', depth: { views: Array.from({ length: MAX_VIEWS }, () => null) } };
+    case 'objects':
+      return { kind: 'objects', list: { version: 0, items: [] } };
+    case 'lights':
+      return { kind: 'lights', list: { version: 0, items: [] } };
+    case 'shadow-maps':
+      return { kind: 'shadow-maps' };
+  }
+}
+
+function createExternalLayer(count: number): LayerOutput {
+  return {
+    views: Array.from({ length: count }, () => ({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: IDENTITY.slice() })),
+  };
+}
+
+function isSame(old: LiveResource, resource: Resource, tapped: boolean): boolean {
+  if (old.kind !== resource.kind) return false;
+  if (old.kind === 'external' && resource.kind === 'external') return old.domain === resource.domain;
+  if (old.kind !== 'target' || resource.kind !== 'target') return true;
+  const was = old.target.resource;
+  // The size is not compared: a target takes on any size.
+  return (
+    old.tapped === tapped &&
+    was.domain === resource.domain &&
+    was.format === resource.format &&
+    was.depth === resource.depth &&
+    was.samples === resource.samples &&
+    was.lifetime === resource.lifetime
+  );
+}
+
+/** The resource of that kind; a program that names another is broken. */
+export function liveResource<K extends LiveResource['kind']>(
+  resources: LiveResources,
+  id: ResourceId,
+  kind: K,
+): Extract<LiveResource, { kind: K }> {
+  const resource = resources.get(id);
+  if (resource?.kind !== kind) throw new Error(`The program has no resource ${id} of kind ${kind}.`);
+  return resource as Extract<LiveResource, { kind: K }>;
+}

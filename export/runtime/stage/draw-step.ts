@@ -1,0 +1,59 @@
+import type { DrawView } from '../../../nodes/kit/runtime.ts';
+import type { ViewFrame } from '../../../nodes/kit/session.ts';
+import type { DrawOperation } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
+import type { NodeInstance } from '../operations/node-instance.ts';
+import { clearDepth } from '../present/background.ts';
+import { type LiveResources, liveResource } from '../resources/resources.ts';
+import { clearForDrawing } from '../targets/target.ts';
+import type { Step } from './step.ts';
+
+/** Lets a node draw one view, into its target or over what the screen already shows. */
+export function createDrawStep(engine: Engine, operation: DrawOperation, instance: NodeInstance, resources: LiveResources): Step {
+  const { gl } = engine.objects;
+  const { runtime } = instance;
+  const destination = operation.target === 'screen' ? null : liveResource(resources, operation.target, 'target');
+  if (!runtime.draw) throw new Error(`The node type ${operation.type} has a drawing operation and no draw().`);
+  const viewport = { x: 0, y: 0, widthPx: 0, heightPx: 0 };
+  const drawView: { -readonly [K in keyof DrawView]: DrawView[K] | null } & { viewport: typeof viewport } = {
+    view: null,
+    viewIndex: 0,
+    framebuffer: null,
+    viewport,
+  };
+  const draw = (view: ViewFrame, viewIndex: number, framebuffer: WebGLFramebuffer | null): void => {
+    // Clearing went past three.js, and whoever draws expects the target bound.
+    engine.scenesIfMade()?.invalidateState();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.viewport(viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
+    drawView.view = view;
+    drawView.viewIndex = viewIndex;
+    drawView.framebuffer = framebuffer;
+    runtime.draw?.(drawView as DrawView);
+  };
+  return {
+    run: (state) => {
+      const { view, viewIndex } = state;
+      if (!view) return;
+      if (destination) {
+        const buffer = destination.target.back(viewIndex);
+        clearForDrawing(gl, buffer);
+        viewport.x = 0;
+        viewport.y = 0;
+        viewport.widthPx = buffer.widthPx;
+        viewport.heightPx = buffer.heightPx;
+        draw(view, viewIndex, buffer.framebuffer);
+        destination.target.finish(viewIndex);
+      } else {
+        viewport.x = view.viewport.x;
+        viewport.y = view.viewport.y;
+        viewport.widthPx = view.viewport.widthPx;
+        viewport.heightPx = view.viewport.heightPx;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, state.frame.framebuffer);
+        clearDepth(gl, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
+        gl.disable(gl.SCISSOR_TEST);
+        draw(view, viewIndex, state.frame.framebuffer);
+      }
+    },
+  };
+}

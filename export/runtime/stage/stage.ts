@@ -1,0 +1,108 @@
+import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
+import type { Program } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
+import type { LoadedProgram } from '../loading.ts';
+import { isDraw } from '../operations/node-key.ts';
+import { createPass, type PassParts } from '../passes/pass.ts';
+import { enterView } from '../play-state.ts';
+import { createBackground, type SessionTraits } from '../present/background.ts';
+import { createResources, disposeUnused, type LiveResources } from '../resources/resources.ts';
+import { createTargetSizes } from '../targets/target-sizes.ts';
+import { createSlots, type Slots } from '../values/slots.ts';
+import { type Cast, createCast, isShadowMaps, releaseCast } from './cast.ts';
+import { createDrawStep } from './draw-step.ts';
+import type { Step } from './step.ts';
+
+/** A program set up on the GPU and ready to be drawn. */
+export interface Stage {
+  readonly program: Program;
+  readonly slots: Slots;
+  readonly resources: LiveResources;
+  readonly cast: Cast;
+  /** Draws the frame of the engine's play state, all views. */
+  draw(session: SessionTraits | null): void;
+  /** State of nodes and persistent pictures back to the first frame. */
+  reset(): void;
+  /** Frees GL programs, assets and targets that the stage after this one did not take over. */
+  release(next: Stage | null): void;
+}
+
+/** Takes over from `before` what is the same, and disposes the nodes of it that are not; call `before.release` afterwards. */
+export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage | null): Stage {
+  const { program } = loaded;
+  const { state } = engine;
+  const slots = createSlots(program.slots);
+  const resources = createResources(program, engine.objects, before?.resources ?? null);
+  const cast = createCast(engine, program, slots, resources, before?.cast ?? null);
+  const runtimes: readonly NodeRuntime[] = [...cast.nodes.values()].map((node) => node.runtime);
+  const once = createSteps(engine, loaded, slots, cast, 'once');
+  const each = createSteps(engine, loaded, slots, cast, 'each');
+  const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
+  const background = createBackground(engine.objects.gl, engine.drawer, engine.copy, program.presentation.background);
+  let viewCount = 0;
+
+  const run = (steps: readonly Step[]): void => {
+    for (let i = 0; i < steps.length; i++) steps[i]?.run(state);
+  };
+  return {
+    program,
+    slots,
+    resources,
+    cast,
+    draw: (session) => {
+      const { frame } = state;
+      if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
+      viewCount = frame.viewCount;
+      enterView(state, 0);
+      for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
+      sizes.resizeImages(state);
+      run(once);
+      for (let i = 0; i < frame.viewCount; i++) {
+        enterView(state, i);
+        // The emulator gives a monoscopic device a second view of no width.
+        if (state.widthPx < 1 || state.heightPx < 1) continue;
+        sizes.resizeViews(state);
+        background.draw(state, session);
+        run(each);
+      }
+    },
+    reset: () => {
+      for (const node of cast.nodes.values()) node.reset();
+      for (const resource of resources.values()) {
+        if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
+      }
+    },
+    release: (next) => {
+      if (!next) releaseCast(cast, new Map(), new Map());
+      disposeUnused(resources, next?.resources ?? null);
+      loaded.release();
+    },
+  };
+}
+
+/** What draws, in order; nodes that draw nothing have done their work in `update`. */
+function createSteps(engine: Engine, loaded: LoadedProgram, slots: Slots, cast: Cast, view: 'once' | 'each'): Step[] {
+  const { resources } = cast;
+  const parts: PassParts = { gl: engine.objects.gl, drawer: engine.drawer, clock: engine.clock, resources, slots, copy: engine.copy };
+  const steps: Step[] = [];
+  for (const operation of loaded.program.operations) {
+    if (operation.view !== view) continue;
+    if (operation.kind === 'pass') {
+      const glProgram = loaded.glPrograms[operation.shader];
+      if (!glProgram) throw new Error(`The program has no shader ${operation.shader}.`);
+      steps.push(createPass(operation, glProgram, parts));
+    } else if (isShadowMaps(operation)) {
+      const maps = cast.shadowMaps.get(operation.id)?.maps;
+      steps.push({
+        run: () => {
+          engine.scenesIfMade()?.invalidateState();
+          maps?.update();
+        },
+      });
+    } else if (isDraw(operation)) {
+      const instance = cast.nodes.get(operation.id);
+      if (instance) steps.push(createDrawStep(engine, operation, instance, resources));
+    }
+  }
+  return steps;
+}

@@ -1,0 +1,121 @@
+import type { Resource } from '../../program/program.ts';
+import type { GlLimits, GlObjects } from '../gl/gl-objects.ts';
+
+export type TargetResource = Extract<Resource, { kind: 'target' }>;
+
+/** What a target is drawn into: textures of one size, and renderbuffers before them where it is multisampled. */
+export interface TargetBuffer {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly color: WebGLTexture;
+  /** Window depth, or null where the target has none. */
+  readonly depth: WebGLTexture | null;
+  /** Where to draw. */
+  readonly framebuffer: WebGLFramebuffer;
+  /** With `color` and `depth` attached; the same as `framebuffer` without multisampling. */
+  readonly resolvedFramebuffer: WebGLFramebuffer;
+  /** Carries the multisampled picture into the textures; does nothing without multisampling. */
+  resolve(): void;
+  dispose(): void;
+}
+
+/** Transparent until drawn. Leaves its framebuffer bound. */
+export function createTargetBuffer(objects: GlObjects, resource: TargetResource, widthPx: number, heightPx: number): TargetBuffer {
+  const { gl, limits } = objects;
+  const format = colorFormat(gl, resource, limits);
+  const color = createStorage(objects, format.internal, format.filter, widthPx, heightPx);
+  const depth = resource.depth === 'window' ? createStorage(objects, gl.DEPTH_COMPONENT24, gl.NEAREST, widthPx, heightPx) : null;
+  const resolvedFramebuffer = objects.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, resolvedFramebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, color, 0);
+  if (depth) gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth, 0);
+
+  const samples = Math.min(resource.samples, limits.maxSamples);
+  const multisampled = samples > 1 ? createMultisampled(objects, format.internal, depth !== null, samples, widthPx, heightPx) : null;
+  const mask = gl.COLOR_BUFFER_BIT | (depth ? gl.DEPTH_BUFFER_BIT : 0);
+  return {
+    widthPx,
+    heightPx,
+    color,
+    depth,
+    framebuffer: multisampled?.framebuffer ?? resolvedFramebuffer,
+    resolvedFramebuffer,
+    resolve: () => {
+      if (!multisampled) return;
+      // A blit is cut by the scissor, so that has to be off.
+      gl.disable(gl.SCISSOR_TEST);
+      gl.bindFramebuffer(gl.READ_FRAMEBUFFER, multisampled.framebuffer);
+      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, resolvedFramebuffer);
+      gl.blitFramebuffer(0, 0, widthPx, heightPx, 0, 0, widthPx, heightPx, mask, gl.NEAREST);
+    },
+    dispose: () => {
+      multisampled?.dispose();
+      objects.deleteFramebuffer(resolvedFramebuffer);
+      objects.deleteTexture(color);
+      if (depth) objects.deleteTexture(depth);
+    },
+  };
+}
+
+/**
+ * Without 32-bit float targets, depth in metres is kept in 16 bits (1 mm at 1 m); without any float targets colour is clamped,
+ * and depth too. Every WebGL 2 device seen since 2020 renders to 16-bit float.
+ */
+function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limits: GlLimits): { internal: GLenum; filter: GLenum } {
+  switch (resource.format) {
+    case 'rgba8':
+      return { internal: gl.RGBA8, filter: gl.LINEAR };
+    case 'rgba16f':
+      return { internal: limits.halfFloatTargets ? gl.RGBA16F : gl.RGBA8, filter: gl.LINEAR };
+    case 'r32f':
+      return { internal: limits.floatTargets ? gl.R32F : limits.halfFloatTargets ? gl.R16F : gl.R8, filter: gl.NEAREST };
+  }
+}
+
+function createStorage(objects: GlObjects, internal: GLenum, filter: GLenum, widthPx: number, heightPx: number): WebGLTexture {
+  const { gl } = objects;
+  const texture = objects.createTexture();
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, internal, widthPx, heightPx);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  return texture;
+}
+
+interface Multisampled {
+  readonly framebuffer: WebGLFramebuffer;
+  dispose(): void;
+}
+
+function createMultisampled(
+  objects: GlObjects,
+  internal: GLenum,
+  withDepth: boolean,
+  samples: number,
+  widthPx: number,
+  heightPx: number,
+): Multisampled {
+  const { gl } = objects;
+  const framebuffer = objects.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  const attach = (attachment: GLenum, format: GLenum): WebGLRenderbuffer => {
+    const renderbuffer = objects.createRenderbuffer();
+    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
+    gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, widthPx, heightPx);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, renderbuffer);
+    return renderbuffer;
+  };
+  const color = attach(gl.COLOR_ATTACHMENT0, internal);
+  const depth = withDepth ? attach(gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24) : null;
+  return {
+    framebuffer,
+    dispose: () => {
+      objects.deleteFramebuffer(framebuffer);
+      objects.deleteRenderbuffer(color);
+      if (depth) objects.deleteRenderbuffer(depth);
+    },
+  };
+}

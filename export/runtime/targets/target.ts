@@ -1,0 +1,139 @@
+import type { GlObjects } from '../gl/gl-objects.ts';
+import { createTargetBuffer, type TargetBuffer, type TargetResource } from './target-buffer.ts';
+
+/**
+ * A target of the program with the buffers behind it. The views of a frame are drawn one after the other, so they share one
+ * buffer where their sizes agree; a persistent target has two per view, because its last picture is read while the next is
+ * drawn, and a target that is looked at has one per view.
+ */
+export interface Target {
+  readonly resource: TargetResource;
+  /** Before the first use in a view. A persistent picture is scaled to the new size; others start transparent. */
+  resize(viewIndex: number, widthPx: number, heightPx: number): void;
+  /** What to draw into; what `front` gave so far stays readable until `finish`. */
+  back(viewIndex: number): TargetBuffer;
+  /** What was drawn last, ready to be read. May bind framebuffers and turn the scissor off. */
+  front(viewIndex: number): TargetBuffer;
+  /** As `front`, or null while nothing has a size. */
+  peek(viewIndex: number): TargetBuffer | null;
+  /** The picture in `back` is complete. */
+  finish(viewIndex: number): void;
+  /** Forgets the pictures. */
+  clear(): void;
+  /** Frees what views from `viewCount` on had for themselves. */
+  trim(viewCount: number): void;
+  dispose(): void;
+}
+
+/** All views of a session. */
+export const MAX_VIEWS = 2;
+
+interface ViewState {
+  front: TargetBuffer | null;
+  /** Only for a persistent target; otherwise front and back are the same buffer. */
+  back: TargetBuffer | null;
+  unresolved: boolean;
+}
+
+const TRANSPARENT = new Float32Array(4);
+const FARTHEST = new Float32Array([1]);
+
+export function createTarget(objects: GlObjects, resource: TargetResource, ownPerView: boolean): Target {
+  const { gl } = objects;
+  const persistent = resource.lifetime === 'persistent';
+  const separate = persistent || ownPerView;
+  const states: ViewState[] = Array.from({ length: MAX_VIEWS }, () => ({ front: null, back: null, unresolved: false }));
+  const [first] = states as [ViewState];
+  /** Which state each view draws into at present. */
+  const stateOf: ViewState[] = states.map(() => first);
+
+  const at = (viewIndex: number): ViewState => stateOf[viewIndex] ?? first;
+  const free = (state: ViewState): void => {
+    state.front?.dispose();
+    state.back?.dispose();
+    state.front = null;
+    state.back = null;
+    state.unresolved = false;
+  };
+  const clearBuffer = (buffer: TargetBuffer): void => {
+    gl.disable(gl.SCISSOR_TEST);
+    gl.colorMask(true, true, true, true);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer.resolvedFramebuffer);
+    gl.clearBufferfv(gl.COLOR, 0, TRANSPARENT);
+  };
+  return {
+    resource,
+    resize: (viewIndex, widthPx, heightPx) => {
+      const own = states[viewIndex] ?? first;
+      const shared = !separate && own !== first && hasSize(first.front, widthPx, heightPx);
+      if (shared && own.front) free(own);
+      const state = shared ? first : own;
+      stateOf[viewIndex] = state;
+      if (hasSize(state.front, widthPx, heightPx)) return;
+      const before = state.front;
+      const front = createTargetBuffer(objects, resource, widthPx, heightPx);
+      if (persistent && before) copyScaled(gl, before, front, resource.format === 'r32f' ? gl.NEAREST : gl.LINEAR);
+      before?.dispose();
+      state.back?.dispose();
+      state.front = front;
+      state.back = persistent ? createTargetBuffer(objects, resource, widthPx, heightPx) : null;
+      state.unresolved = false;
+    },
+    back: (viewIndex) => present(at(viewIndex).back ?? at(viewIndex).front, resource),
+    front: (viewIndex) => present(resolved(at(viewIndex)), resource),
+    peek: (viewIndex) => resolved(at(viewIndex)),
+    finish: (viewIndex) => {
+      const state = at(viewIndex);
+      if (state.back) {
+        const drawn = state.back;
+        state.back = state.front;
+        state.front = drawn;
+      }
+      state.unresolved = true;
+    },
+    clear: () => {
+      for (const { front } of states) if (front) clearBuffer(front);
+    },
+    trim: (viewCount) => {
+      for (let i = viewCount; i < states.length; i++) {
+        const state = states[i];
+        if (state) free(state);
+      }
+    },
+    dispose: () => {
+      for (const state of states) free(state);
+    },
+  };
+}
+
+/** Colour transparent, depth as far as it goes. Leaves the framebuffer bound and the scissor off. */
+export function clearForDrawing(gl: WebGL2RenderingContext, buffer: TargetBuffer): void {
+  gl.disable(gl.SCISSOR_TEST);
+  gl.colorMask(true, true, true, true);
+  gl.depthMask(true);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, buffer.framebuffer);
+  gl.clearBufferfv(gl.COLOR, 0, TRANSPARENT);
+  if (buffer.depth) gl.clearBufferfv(gl.DEPTH, 0, FARTHEST);
+}
+
+function resolved(state: ViewState): TargetBuffer | null {
+  if (state.unresolved) state.front?.resolve();
+  state.unresolved = false;
+  return state.front;
+}
+
+function hasSize(buffer: TargetBuffer | null, widthPx: number, heightPx: number): boolean {
+  return buffer !== null && buffer.widthPx === widthPx && buffer.heightPx === heightPx;
+}
+
+function present(buffer: TargetBuffer | null, resource: TargetResource): TargetBuffer {
+  if (!buffer) throw new Error(`The target ${resource.id} is used before it has a size.`);
+  return buffer;
+}
+
+function copyScaled(gl: WebGL2RenderingContext, from: TargetBuffer, to: TargetBuffer, filter: GLenum): void {
+  gl.disable(gl.SCISSOR_TEST);
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.resolvedFramebuffer);
+  gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to.resolvedFramebuffer);
+  gl.blitFramebuffer(0, 0, from.widthPx, from.heightPx, 0, 0, to.widthPx, to.heightPx, gl.COLOR_BUFFER_BIT, filter);
+}

@@ -1,0 +1,144 @@
+import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/runtime.ts';
+import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
+
+export type SlotValue = number | boolean | string | readonly number[];
+
+/** The running values of a program: one flat array of numbers and one of texts. */
+export interface Slots {
+  readonly numbers: Float64Array;
+  readonly texts: string[];
+  readonly slots: readonly Slot[];
+  /** Slot of `node.param`, or undefined where the program has no such value. */
+  find(name: string): number | undefined;
+  /** Where a slot's numbers begin, or its text's place. */
+  offset(slot: number): number;
+  /** First number of a slot. */
+  number(slot: number): number;
+  /** False where the value does not fit the slot's type or is not finite; the slot then keeps what it had. */
+  set(slot: number, value: SlotValue): boolean;
+}
+
+export function createSlots(table: SlotTable): Slots {
+  const numbers = Float64Array.from(table.numbers);
+  const texts = [...table.texts];
+  return {
+    numbers,
+    texts,
+    slots: table.slots,
+    find: (name) => (Object.hasOwn(table.params, name) ? table.params[name] : undefined),
+    offset: (index) => slotAt(table.slots, index).offset,
+    number: (index) => numbers[slotAt(table.slots, index).offset] ?? 0,
+    set: (index, value) => {
+      const { type, offset } = slotAt(table.slots, index);
+      if (type === 'text') {
+        if (typeof value !== 'string') return false;
+        texts[offset] = value;
+        return true;
+      }
+      const size = NUMBERS_IN[type];
+      if (typeof value === 'string') return false;
+      if (typeof value === 'object') {
+        if (value.length !== size || !value.every(Number.isFinite)) return false;
+        numbers.set(value, offset);
+        return true;
+      }
+      const number = Number(value);
+      if (size !== 1 || !Number.isFinite(number)) return false;
+      numbers[offset] = type === 'toggle' ? Number(number !== 0) : number;
+      return true;
+    },
+  };
+}
+
+const NUMBERS_IN: Readonly<Record<Exclude<SlotType, 'text'>, number>> = {
+  number: 1,
+  toggle: 1,
+  vector2: 2,
+  vector3: 3,
+  vector4: 4,
+  color: 4,
+};
+
+/**
+ * What a node holds of a slot. A recompile moves values to other slots while the node lives on, so a view can be pointed
+ * anew: the object stays, `value` then reads the new place. Nodes therefore keep views, never a vector's array.
+ */
+export interface SlotView {
+  point(slots: Slots, slot: number): void;
+}
+
+export type AnySlotView = SlotView & Writable<NumberView | ToggleView | TextView | VectorView>;
+
+export function createSlotView(slots: Slots, slot: number): AnySlotView {
+  const { type } = slotAt(slots.slots, slot);
+  const view =
+    type === 'text' ? new TextSlot() : type === 'toggle' ? new ToggleSlot() : type === 'number' ? new NumberSlot() : new VectorSlot();
+  view.point(slots, slot);
+  return view;
+}
+
+class NumberSlot implements SlotView, NumberView {
+  private numbers: Float64Array = new Float64Array(1);
+  private offset = 0;
+  get value(): number {
+    return this.numbers[this.offset] ?? 0;
+  }
+  set value(value: number) {
+    this.numbers[this.offset] = value;
+  }
+  point(slots: Slots, slot: number): void {
+    this.numbers = slots.numbers;
+    this.offset = slotAt(slots.slots, slot).offset;
+  }
+}
+
+class ToggleSlot implements SlotView, ToggleView {
+  private numbers: Float64Array = new Float64Array(1);
+  private offset = 0;
+  get value(): boolean {
+    return this.numbers[this.offset] !== 0;
+  }
+  set value(value: boolean) {
+    this.numbers[this.offset] = value ? 1 : 0;
+  }
+  point(slots: Slots, slot: number): void {
+    this.numbers = slots.numbers;
+    this.offset = slotAt(slots.slots, slot).offset;
+  }
+}
+
+class TextSlot implements SlotView, TextView {
+  private texts: string[] = [];
+  private offset = 0;
+  get value(): string {
+    return this.texts[this.offset] ?? '';
+  }
+  set value(value: string) {
+    this.texts[this.offset] = value;
+  }
+  point(slots: Slots, slot: number): void {
+    this.texts = slots.texts;
+    this.offset = slotAt(slots.slots, slot).offset;
+  }
+}
+
+/** Assigning an array copies its numbers into the slot. */
+class VectorSlot implements SlotView, VectorView {
+  private numbers: Float64Array = new Float64Array(4);
+  get value(): Readonly<Float64Array> {
+    return this.numbers;
+  }
+  set value(value: Readonly<Float64Array>) {
+    this.numbers.set(value);
+  }
+  point(slots: Slots, slot: number): void {
+    const { type, offset } = slotAt(slots.slots, slot);
+    this.numbers = slots.numbers.subarray(offset, offset + (type === 'text' ? 0 : NUMBERS_IN[type]));
+  }
+}
+
+function slotAt(slots: readonly Slot[], index: number): Slot {
+  const slot = slots[index];
+  if (!slot) throw new Error(`The program has no slot ${index}.`);
+  return slot;
+}
