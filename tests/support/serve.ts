@@ -46,6 +46,8 @@ export async function serveStatic(mounts: Readonly<Record<string, string | { tex
     }
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  // A test that fails before it closes the server must not keep the whole run alive.
+  server.unref();
   const { port } = server.address() as AddressInfo;
   return {
     origin: `http://127.0.0.1:${port}`,

@@ -33,6 +33,7 @@ export async function runJest({ root, projects, paths, countsFile }: JestRun): P
       '--selectProjects',
       ...projects,
     ],
-    { cwd: root, env: { NODE_OPTIONS: '--experimental-vm-modules --disable-warning=ExperimentalWarning' } },
+    // Something left open (a server, a browser) keeps Jest alive for ever after its last test.
+    { cwd: root, timeoutS: 45 * 60, env: { NODE_OPTIONS: '--experimental-vm-modules --disable-warning=ExperimentalWarning' } },
   );
 }

@@ -1,15 +1,14 @@
 import { describe, expect, test } from '@jest/globals';
-import type { NodeContext } from '../../kit/runtime.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-type Context = NodeContext<typeof definition>;
+type Operation = (typeof definition.params.operation.options)[number]['value'];
 
-function compute(operation: Context['config']['operation'], a: number, b: number): number {
-  const outputs = { result: { value: Number.NaN } };
-  const ctx = { config: { operation }, params: { a: { value: a }, b: { value: b } }, outputs } as Partial<Context> as Context;
+function compute(operation: Operation, a: number, b: number): number {
+  const { ctx } = fakeContext(definition, { params: { operation, a, b } });
   create(ctx).update({} as never);
-  return outputs.result.value;
+  return ctx.outputs.result.value;
 }
 
 describe('value/math', () => {

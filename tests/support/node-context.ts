@@ -1,0 +1,121 @@
+import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeContext } from '../../nodes/kit/runtime.ts';
+import { VALUE_SIZES, type WireType } from '../../nodes/kit/wire-types.ts';
+
+/** A param as the inspector would set it. */
+export type PlainValue = number | boolean | string | readonly number[];
+
+export interface FakeContextOptions<D extends NodeDefinition> {
+  /** Of any stage; what is left out has the definition's default. */
+  readonly params?: { readonly [K in keyof D['params']]?: PlainValue };
+  /** What stands on the wires; what is left out is not wired. */
+  readonly inputs?: Partial<NodeContext<D>['inputs']>;
+  /** Services that the node uses (`gl`, `scenes`, `assets`, `session`); touching any other throws. */
+  readonly services?: Partial<Pick<NodeContext<D>, 'gl' | 'scenes' | 'assets' | 'session' | 'random'>>;
+}
+
+export interface FakeContext<D extends NodeDefinition> {
+  readonly ctx: NodeContext<D>;
+  /** Everything the node reported. */
+  readonly reports: readonly Omit<Diagnostic, 'nodeId'>[];
+  /** Changes a uniform param, as a wire or the inspector would between two frames. */
+  set(param: keyof D['params'] & string, value: PlainValue): void;
+  /** Moves the clock to the next frame. */
+  tick(deltaS: number): void;
+}
+
+/** A context for a node's runtime outside the player: params from the definition, outputs to read, a clock to move. */
+export function fakeContext<const D extends NodeDefinition>(definition: D, options: FakeContextOptions<D> = {}): FakeContext<D> {
+  const given: Readonly<Record<string, PlainValue | undefined>> = options.params ?? {};
+  const unknown = Object.keys(given).filter((name) => !Object.hasOwn(definition.params, name));
+  if (unknown.length > 0) throw new Error(`${definition.type} has no param ${unknown.join(', ')}.`);
+  const ofStage = <T>(stage: ParamDefinition['stage'], make: (value: PlainValue, param: ParamDefinition) => T): Record<string, T> =>
+    Object.fromEntries(
+      Object.entries(definition.params)
+        .filter(([, param]) => param.stage === stage)
+        .map(([name, param]) => [name, make(given[name] ?? param.default, param)]),
+    );
+
+  const params = ofStage('uniform', (value, param) => ({ value: live(value, param) }));
+  const clock = { timeS: 0, deltaS: 0, frame: 0 };
+  const reports: Omit<Diagnostic, 'nodeId'>[] = [];
+  const context = {
+    node: `${definition.type.split('/')[1]}-test`,
+    inputs: {
+      ...Object.fromEntries(Object.entries(definition.inputs).map(([name, port]) => [name, port.multiple ? [] : null])),
+      ...options.inputs,
+    },
+    outputs: Object.fromEntries(Object.entries(definition.outputs).map(([name, port]) => [name, emptyOutput(port.type)])),
+    params,
+    config: ofStage('structure', (value) => value),
+    assetIds: ofStage('asset', (value) => (value === '' ? null : value)),
+    clock,
+    random: () => 0.5,
+    report: (diagnostic: Omit<Diagnostic, 'nodeId'>) => reports.push(diagnostic),
+    ...services(options.services ?? {}),
+  };
+  return {
+    // Built from the definition by the same rules that the type states; TypeScript cannot follow a loop over keys.
+    ctx: context as unknown as NodeContext<D>,
+    reports,
+    set: (name, value) => {
+      const view = params[name];
+      const param = definition.params[name];
+      if (!view || !param) throw new Error(`${definition.type} has no uniform param ${name}.`);
+      view.value = live(value, param);
+    },
+    tick: (deltaS) => {
+      clock.timeS += deltaS;
+      clock.deltaS = deltaS;
+      clock.frame += 1;
+    },
+  };
+}
+
+/** As the player's value slots hold it: vectors and colours in a `Float64Array`. */
+function live(value: PlainValue, param: ParamDefinition): unknown {
+  return Array.isArray(value) && param.type !== 'choice' ? Float64Array.from(value as readonly number[]) : value;
+}
+
+function emptyOutput(type: WireType): unknown {
+  switch (type) {
+    case 'number':
+      // Not 0, so that a node that forgot to write is seen.
+      return { value: Number.NaN };
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+    case 'color':
+      return { value: new Float64Array(VALUE_SIZES[type]).fill(Number.NaN) };
+    case 'toggle':
+      return { value: false };
+    case 'text':
+      return { value: '' };
+    case 'objects':
+    case 'lights':
+      return { version: 0, items: [] };
+    case 'layer':
+    case 'depth':
+      return { views: [] };
+    default:
+      throw new Error(`No node makes ${type} yet, so there is no empty one.`);
+  }
+}
+
+/** Each service is the given one, or throws with its name when touched. */
+function services(given: Readonly<Record<string, unknown>>): Record<string, unknown> {
+  const all = ['gl', 'scenes', 'assets', 'session'].map((name) => [name, given[name] ?? refusing(name)] as const);
+  return { ...Object.fromEntries(all), ...(given.random === undefined ? {} : { random: given.random }) };
+}
+
+function refusing(name: string): unknown {
+  return new Proxy(
+    {},
+    {
+      get: (_target, key) => {
+        throw new Error(`The node read ctx.${name}.${String(key)}, and the test gave no ${name}.`);
+      },
+    },
+  );
+}

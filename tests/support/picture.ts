@@ -1,0 +1,44 @@
+import { decode, encode } from 'fast-png';
+
+/** RGBA8 as stored, top row first: whether alpha is premultiplied is for the caller to know. */
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  readonly data: Uint8Array;
+}
+
+/** PNG bytes, such as a page's screenshot; grey and palette pictures and 16 bits per channel are refused. */
+export function decodePicture(png: Uint8Array): Picture {
+  const { width, height, depth, channels, data } = decode(png);
+  if (depth !== 8 || (channels !== 3 && channels !== 4) || !(data instanceof Uint8Array)) {
+    throw new Error(`Expected a PNG of 3 or 4 channels with 8 bits, not ${channels} with ${depth}.`);
+  }
+  return { width, height, data: channels === 4 ? data : addAlpha(data) };
+}
+
+export function encodePicture({ width, height, data }: Picture): Uint8Array {
+  return encode({ width, height, data, depth: 8, channels: 4 });
+}
+
+/** What `readPixels` gives starts with the bottom row. `rgba` may come out of a page as plain numbers. */
+export function fromGl(width: number, height: number, rgba: ArrayLike<number>): Picture {
+  const rowBytes = width * 4;
+  if (rgba.length !== rowBytes * height) throw new Error(`${rgba.length} bytes are no picture of ${width}×${height}.`);
+  const source = Uint8Array.from(rgba);
+  const data = new Uint8Array(source.length);
+  for (let y = 0; y < height; y++) data.set(source.subarray(y * rowBytes, (y + 1) * rowBytes), (height - 1 - y) * rowBytes);
+  return { width, height, data };
+}
+
+/** `[r, g, b, a]`, from the top left pixel. */
+export function pixelAt({ width, height, data }: Picture, x: number, y: number): readonly [number, number, number, number] {
+  if (x < 0 || y < 0 || x >= width || y >= height) throw new Error(`(${x}, ${y}) lies outside ${width}×${height}.`);
+  const [r = 0, g = 0, b = 0, a = 0] = data.subarray((y * width + x) * 4, (y * width + x) * 4 + 4);
+  return [r, g, b, a];
+}
+
+function addAlpha(rgb: Uint8Array): Uint8Array {
+  const rgba = new Uint8Array((rgb.length / 3) * 4).fill(255);
+  for (let from = 0, to = 0; from < rgb.length; from += 3, to += 4) rgba.set(rgb.subarray(from, from + 3), to);
+  return rgba;
+}

@@ -1,0 +1,88 @@
+import { mkdir, readFile, writeFile } from 'node:fs/promises';
+import { dirname, join, relative } from 'node:path';
+import pixelmatch from 'pixelmatch';
+import { decodePicture, encodePicture, type Picture } from './picture.ts';
+import { currentTest, OUTPUT_FOLDER, refreshCommand, TESTS_FOLDER, updatesGoldens } from './this-test.ts';
+
+export interface PixelOptions {
+  /** Largest difference in any channel that still counts as equal, in steps of 8 bits. Default 0. */
+  readonly tolerance?: number;
+  /** How many pixels may differ by more. Default 0. */
+  readonly pixels?: number;
+}
+
+/**
+ * Compares with the golden picture `tests/goldens/PROJECT/NAME.png`. With `UPDATE_GOLDENS=1` it is written instead; a missing
+ * one fails, so that a golden is always somebody's decision. Only pictures of the pinned Chromium belong here.
+ */
+export async function expectPixels(name: string, actual: Picture, options: PixelOptions = {}): Promise<void> {
+  const path = join(TESTS_FOLDER, 'goldens', currentTest().project, `${name}.png`);
+  if (updatesGoldens()) {
+    await write(path, actual);
+    return;
+  }
+  const bytes = await readFile(path).catch(() => null);
+  if (bytes === null) {
+    const kept = await write(outputPath(name, 'actual'), actual);
+    throw new Error(`There is no golden picture ${shown(path)} yet.\nactual:   ${kept}\nIf it looks right: ${refreshCommand()}`);
+  }
+  await compare(name, actual, decodePicture(bytes), options, `\nIf the new picture is right: ${refreshCommand()}`);
+}
+
+/** Compares two pictures made by the test itself, such as the preview's and the exported page's. */
+export async function expectSamePixels(name: string, actual: Picture, expected: Picture, options: PixelOptions = {}): Promise<void> {
+  await compare(name, actual, expected, options, '');
+}
+
+/** How many pixels differ by more than `tolerance` in any channel, and by how much at most. */
+export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonly pixels: number; readonly largest: number } {
+  let pixels = 0;
+  let largest = 0;
+  for (let i = 0; i < a.data.length; i += 4) {
+    let difference = 0;
+    for (let channel = i; channel < i + 4; channel++) {
+      difference = Math.max(difference, Math.abs((a.data[channel] ?? 0) - (b.data[channel] ?? 0)));
+    }
+    if (difference > tolerance) pixels++;
+    largest = Math.max(largest, difference);
+  }
+  return { pixels, largest };
+}
+
+async function compare(name: string, actual: Picture, expected: Picture, options: PixelOptions, advice: string): Promise<void> {
+  const { tolerance = 0, pixels = 0 } = options;
+  const sameSize = actual.width === expected.width && actual.height === expected.height;
+  const different = sameSize ? countDifferent(actual, expected, tolerance) : null;
+  if (different !== null && different.pixels <= pixels) return;
+  const lines = [
+    different === null
+      ? `${name}: ${actual.width}×${actual.height} instead of ${expected.width}×${expected.height} pixels.`
+      : `${name}: ${different.pixels} pixels differ by more than ${tolerance} (at most ${different.largest}); ${pixels} may.`,
+    `expected: ${await write(outputPath(name, 'expected'), expected)}`,
+    `actual:   ${await write(outputPath(name, 'actual'), actual)}`,
+  ];
+  if (different !== null) lines.push(`diff:     ${await write(outputPath(name, 'diff'), drawDifference(actual, expected))}`);
+  throw new Error(lines.join('\n') + advice);
+}
+
+/** Every pixel that differs at all, red on the faded picture. */
+function drawDifference(actual: Picture, expected: Picture): Picture {
+  const { width, height } = actual;
+  const data = new Uint8Array(width * height * 4);
+  pixelmatch(actual.data, expected.data, data, width, height, { threshold: 0, includeAA: true });
+  return { width, height, data };
+}
+
+function outputPath(name: string, role: 'expected' | 'actual' | 'diff'): string {
+  return join(OUTPUT_FOLDER, 'pixels', `${name}.${role}.png`);
+}
+
+async function write(path: string, picture: Picture): Promise<string> {
+  await mkdir(dirname(path), { recursive: true });
+  await writeFile(path, encodePicture(picture));
+  return shown(path);
+}
+
+function shown(path: string): string {
+  return relative(process.cwd(), path);
+}
