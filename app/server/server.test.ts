@@ -24,9 +24,11 @@ beforeEach(async () => {
   await writeFile(join(project, 'project.scrim.json'), '{"title":"First"}\n');
   await writeFile(join(project, 'shaders', 'edge.fs'), 'void main() {}\n');
   await writeFile(join(project, 'assets', 'cup.glb'), 'glTF');
-  await mkdir(join(base, 'install', 'dist', 'renderer', 'preview'), { recursive: true });
-  await writeFile(join(base, 'install', 'dist', 'renderer', 'index.html'), '<title>editor</title>');
-  await writeFile(join(base, 'install', 'dist', 'renderer', 'preview', 'index.html'), '<title>preview</title>');
+  for (const page of ['editor', 'preview']) {
+    await mkdir(join(base, 'install', 'dist', page, 'assets'), { recursive: true });
+    await writeFile(join(base, 'install', 'dist', page, 'index.html'), `<title>${page}</title>`);
+    await writeFile(join(base, 'install', 'dist', page, 'assets', `${page}.js`), '1');
+  }
   await mkdir(join(base, 'install', 'examples', 'sessions', 'studio'), { recursive: true });
   await writeFile(join(base, 'install', 'examples', 'sessions', 'studio', 'session.json'), '{"title":"Studio"}');
   faults.length = 0;
@@ -288,11 +290,14 @@ describe('the two origins', () => {
     expect(editor.headers['content-security-policy']).toContain("default-src 'none'");
     expect(editor.headers['content-security-policy']).toContain(`frame-src ${server.previewOrigin};`);
     expect(editor.headers['content-security-policy']).toContain("frame-ancestors 'none'");
-    const preview = await raw(server.previewOrigin, '/preview/index.html');
+    const preview = await raw(server.previewOrigin, '/index.html');
     expect(preview.text).toBe('<title>preview</title>');
     expect(preview.headers['content-security-policy']).toContain(`frame-ancestors ${server.editorOrigin}`);
-    expect(await raw(server.editorOrigin, '/preview/index.html')).toMatchObject({ status: 404 });
-    expect(await raw(server.previewOrigin, '/index.html')).toMatchObject({ status: 404 });
+    expect(await raw(server.editorOrigin, '/assets/editor.js')).toMatchObject({ status: 200 });
+    expect(await raw(server.editorOrigin, '/assets/preview.js')).toMatchObject({ status: 404 });
+    expect(await raw(server.previewOrigin, '/assets/preview.js')).toMatchObject({ status: 200 });
+    expect(await raw(server.previewOrigin, '/assets/editor.js')).toMatchObject({ status: 404 });
+    expect(await raw(server.editorOrigin, '/../preview/index.html')).toMatchObject({ status: 404 });
     expect(await raw(server.previewOrigin, '/', { headers: { host: 'evil.example' } })).toMatchObject({ status: 403 });
   });
 

@@ -22,8 +22,8 @@ export interface Content {
 
 export interface ContentOptions {
   readonly origins: Origins;
-  /** The built editor: `index.html`, `preview/index.html`, `assets/`. */
-  readonly rendererDir: string;
+  /** The built pages: `index.html` and `assets/`, for each origin. */
+  readonly pages: Readonly<Record<keyof Origins, string>>;
 }
 
 interface Found {
@@ -36,24 +36,23 @@ interface Found {
 /** Names in `assets/` hold a hash of what is in them. */
 const FOR_EVER = 'public, max-age=31536000, immutable';
 
-export function createContent({ origins, rendererDir }: ContentOptions): Content {
+export function createContent({ origins, pages }: ContentOptions): Content {
   const shown = new Map<string, string>();
 
   const find = (origin: keyof Origins, parts: readonly string[]): Found | null => {
+    const mount = origin === 'preview' ? mountOf(shown, parts) : null;
+    if (mount) {
+      if (mount.rest.some((part) => part.startsWith('.'))) return null;
+      return { root: mount.folder, path: mount.rest.join('/'), type: passiveMediaTypeOf, headers: dataHeaders() };
+    }
     const path = parts.join('/');
-    const headers = origin === 'editor' ? editorHeaders(origins) : previewHeaders(origins);
-    const own = (file: string, caching: string): Found => ({
-      root: rendererDir,
-      path: file,
+    const policy = origin === 'editor' ? editorHeaders(origins) : previewHeaders(origins);
+    return {
+      root: pages[origin],
+      path: path === '' ? 'index.html' : path,
       type: mediaTypeOf,
-      headers: { ...headers, 'cache-control': caching },
-    });
-    if (parts[0] === 'assets') return own(path, FOR_EVER);
-    if (origin === 'editor') return parts.length === 1 ? own(path === '' ? 'index.html' : path, 'no-cache') : null;
-    if (parts[0] === 'preview') return own(path === 'preview/' ? 'preview/index.html' : path, 'no-cache');
-    const mount = mountOf(shown, parts);
-    if (!mount || mount.rest.some((part) => part.startsWith('.'))) return null;
-    return { root: mount.folder, path: mount.rest.join('/'), type: passiveMediaTypeOf, headers: dataHeaders() };
+      headers: { ...policy, 'cache-control': parts[0] === 'assets' ? FOR_EVER : 'no-cache' },
+    };
   };
 
   return {
@@ -102,7 +101,7 @@ async function readFound({ root, path, type, headers }: Found, headOnly: boolean
   } catch {
     return plain(
       404,
-      path === 'index.html' ? `The editor is not built: ${join(root, path)} is missing. Run: npm run build` : 'There is nothing here.',
+      path === 'index.html' ? `Scrim is not built: ${join(root, path)} is missing. Run: npm run build` : 'There is nothing here.',
     );
   }
 }

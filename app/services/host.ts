@@ -43,7 +43,7 @@ export interface HostService {
 
 /** The host of both shells: the contract's methods over the files of this machine. */
 export function createHost({ shell, installation, startPath, files = NODE_FILES, log }: HostOptions): HostService {
-  const content = createContent({ origins: shell.origins, rendererDir: installation.rendererDir });
+  const content = createContent({ origins: shell.origins, pages: installation.pages });
   const listeners = new Set<(event: HostEvent) => void>();
   const emit = (event: HostEvent) => {
     for (const listener of listeners) listener(event);
@@ -54,7 +54,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     'app.info': async () => ({
       shell: shell.kind,
       version: installation.version,
-      previewUrl: `${shell.origins.preview}/preview/index.html`,
+      previewUrl: `${shell.origins.preview}/index.html`,
       startPath,
       examples: await findExamples(installation.examplesDir),
       canPickFolders: shell.pickFolder !== null,

@@ -5,8 +5,8 @@ export interface Installation {
   readonly version: string;
   /** Holds the sources and `node_modules` that exported pages are bundled from. */
   readonly root: string;
-  /** The built editor. */
-  readonly rendererDir: string;
+  /** The built pages of the editor and of its preview. */
+  readonly pages: { readonly editor: string; readonly preview: string };
   readonly examplesDir: string;
   /** Recorded sessions that come with Scrim. */
   readonly sessionsDir: string;
@@ -14,5 +14,11 @@ export interface Installation {
 
 export function installationAt(root: string, version: string): Installation {
   const examplesDir = join(root, 'examples');
-  return { version, root, rendererDir: join(root, 'dist', 'renderer'), examplesDir, sessionsDir: join(examplesDir, 'sessions') };
+  return {
+    version,
+    root,
+    pages: { editor: join(root, 'dist', 'editor'), preview: join(root, 'dist', 'preview') },
+    examplesDir,
+    sessionsDir: join(examplesDir, 'sessions'),
+  };
 }

@@ -1,0 +1,72 @@
+import { join } from 'node:path';
+import { BrowserWindow, dialog, ipcMain } from 'electron';
+import type { HostService } from '../services/host.ts';
+import { connectEditor } from './ipc.ts';
+import { ORIGINS } from './scheme.ts';
+
+export interface EditorWindow {
+  readonly window: BrowserWindow;
+  /** Closes without asking. */
+  closeNow(): void;
+}
+
+/** The one window. Its close button asks the editor, which may have unsaved work; an editor that cannot answer is not waited for. */
+export function openEditorWindow(host: HostService): EditorWindow {
+  const window = new BrowserWindow({
+    width: 1440,
+    height: 900,
+    minWidth: 800,
+    minHeight: 560,
+    show: false,
+    title: 'Scrim',
+    backgroundColor: '#1b1d21',
+    webPreferences: {
+      preload: join(__dirname, 'preload.cjs'),
+      contextIsolation: true,
+      sandbox: true,
+      nodeIntegration: false,
+      webviewTag: false,
+      spellcheck: false,
+    },
+  });
+  let listening = false;
+  let closing = false;
+  const disconnect = connectEditor(ipcMain, window.webContents, host, () => {
+    listening = true;
+  });
+  const closeNow = () => {
+    closing = true;
+    if (!window.isDestroyed()) window.close();
+  };
+
+  window.once('ready-to-show', () => window.show());
+  window.on('close', (event) => {
+    if (closing || !listening) return;
+    event.preventDefault();
+    host.emit({ kind: 'close-requested' });
+  });
+  window.on('closed', disconnect);
+  window.webContents.on('did-navigate', () => {
+    listening = false;
+  });
+  window.webContents.on('render-process-gone', (_event, { reason }) => {
+    listening = false;
+    dialog.showErrorBox('Scrim', `The editor’s page stopped (${reason}). Unsaved work is found again when the project is opened.`);
+    closeNow();
+  });
+  window.on('unresponsive', () => void askWhetherToWait(window, closeNow));
+  void window.loadURL(`${ORIGINS.editor}/`);
+  return { window, closeNow };
+}
+
+async function askWhetherToWait(window: BrowserWindow, closeNow: () => void): Promise<void> {
+  const { response } = await dialog.showMessageBox(window, {
+    type: 'warning',
+    message: 'Scrim does not react.',
+    detail: 'Unsaved work is kept and found again when the project is opened.',
+    buttons: ['Wait', 'Close'],
+    defaultId: 0,
+    cancelId: 0,
+  });
+  if (response === 1) closeNow();
+}

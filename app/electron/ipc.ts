@@ -1,0 +1,35 @@
+import type { IpcMain, IpcMainEvent, IpcMainInvokeEvent, WebContents } from 'electron';
+import type { Answer } from '../contract/host-error.ts';
+import type { HostService } from '../services/host.ts';
+import { CALL_CHANNEL, EVENT_CHANNEL, LISTENING_CHANNEL } from './channels.ts';
+import { ORIGINS } from './scheme.ts';
+
+/**
+ * Connects the editor's page with the host, and nobody else: a call counts only from the main frame of the window's own page,
+ * while it shows the editor's origin. Returns the function that disconnects.
+ */
+export function connectEditor(ipc: IpcMain, page: WebContents, host: HostService, onListening: () => void): () => void {
+  const call = async (event: IpcMainInvokeEvent, method: unknown, input: unknown): Promise<Answer<unknown>> => {
+    if (!isEditor(event, page) || typeof method !== 'string') {
+      return { diagnostic: { code: 'SCR073', severity: 'error', message: 'Only the editor’s own page may ask this.' } };
+    }
+    return host.dispatch(method, input);
+  };
+  const listening = (event: IpcMainEvent) => {
+    if (isEditor(event, page)) onListening();
+  };
+  ipc.handle(CALL_CHANNEL, call);
+  ipc.on(LISTENING_CHANNEL, listening);
+  const stop = host.subscribe((event) => {
+    if (!page.isDestroyed()) page.send(EVENT_CHANNEL, event);
+  });
+  return () => {
+    stop();
+    ipc.removeHandler(CALL_CHANNEL);
+    ipc.removeListener(LISTENING_CHANNEL, listening);
+  };
+}
+
+function isEditor({ sender, senderFrame }: IpcMainEvent | IpcMainInvokeEvent, page: WebContents): boolean {
+  return sender === page && senderFrame !== null && senderFrame === page.mainFrame && senderFrame.url.startsWith(`${ORIGINS.editor}/`);
+}

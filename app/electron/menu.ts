@@ -1,0 +1,60 @@
+import type { MenuItemConstructorOptions } from 'electron';
+import type { MenuCommand } from '../contract/contract.ts';
+
+/**
+ * The window's menu. Commands of the editor go to its page; their keys are only shown here, because the page handles them
+ * itself, knowing whether a text field has the focus.
+ */
+export function menuTemplate(
+  platform: NodeJS.Platform,
+  packaged: boolean,
+  send: (command: MenuCommand) => void,
+): MenuItemConstructorOptions[] {
+  const item = (label: string, accelerator: string, command: MenuCommand): MenuItemConstructorOptions => ({
+    label,
+    accelerator,
+    registerAccelerator: false,
+    click: () => send(command),
+  });
+  const separator: MenuItemConstructorOptions = { type: 'separator' };
+  return [
+    ...(platform === 'darwin' ? [{ role: 'appMenu' } as const] : []),
+    {
+      label: '&File',
+      submenu: [
+        item('Open Project…', 'CmdOrCtrl+O', 'file.open'),
+        separator,
+        item('Save', 'CmdOrCtrl+S', 'file.save'),
+        item('Save As…', 'CmdOrCtrl+Shift+S', 'file.save-as'),
+        separator,
+        item('Export Page…', 'CmdOrCtrl+E', 'file.export'),
+        separator,
+        { role: platform === 'darwin' ? 'close' : 'quit' },
+      ],
+    },
+    {
+      label: '&Edit',
+      submenu: [
+        item('Undo', 'CmdOrCtrl+Z', 'edit.undo'),
+        item('Redo', 'CmdOrCtrl+Shift+Z', 'edit.redo'),
+        separator,
+        { role: 'cut' },
+        { role: 'copy' },
+        { role: 'paste' },
+        item('Delete', 'Delete', 'edit.delete'),
+        item('Select All', 'CmdOrCtrl+A', 'edit.select-all'),
+      ],
+    },
+    {
+      label: '&View',
+      submenu: [
+        { role: 'zoomIn' },
+        { role: 'zoomOut' },
+        { role: 'resetZoom' },
+        separator,
+        { role: 'togglefullscreen' },
+        ...(packaged ? [] : [separator, { role: 'toggleDevTools' } as const]),
+      ],
+    },
+  ];
+}

@@ -1,0 +1,34 @@
+import { Readable } from 'node:stream';
+import type { Protocol } from 'electron';
+import type { Content } from '../services/content.ts';
+import type { Origins } from '../services/content-policy.ts';
+
+const SCHEME = 'scrim';
+
+/** Both are standard, secure origins: storage, workers and WebXR work in them as on a web server. */
+export const ORIGINS: Origins = { editor: `${SCHEME}://editor`, preview: `${SCHEME}://preview` };
+
+/** Must run before the app is ready. */
+export function registerScheme(protocol: Protocol): void {
+  const privileges = { standard: true, secure: true, supportFetchAPI: true, stream: true };
+  protocol.registerSchemesAsPrivileged([{ scheme: SCHEME, privileges }]);
+}
+
+/** Answers the scheme's addresses. `protocol.handle` came with Electron 25; the earlier way is gone from later ones. */
+export function serveScheme(protocol: Protocol, content: Content): void {
+  if (typeof protocol.handle === 'function') {
+    protocol.handle(SCHEME, async ({ method, url }) => {
+      const { status, headers, body } = await answer(content, method, url);
+      return new Response(Readable.toWeb(body) as ReadableStream<Uint8Array>, { status, headers });
+    });
+    return;
+  }
+  protocol.registerStreamProtocol(SCHEME, ({ method, url }, callback) => {
+    void answer(content, method, url).then(({ status, headers, body }) => callback({ statusCode: status, headers, data: body }));
+  });
+}
+
+function answer(content: Content, method: string, url: string) {
+  const [, host = '', path = '/'] = /^[^:]+:\/\/([^/?#]*)([^?#]*)/.exec(url) ?? [];
+  return content.answer(host === 'preview' ? 'preview' : 'editor', method, path === '' ? '/' : path);
+}

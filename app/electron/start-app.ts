@@ -1,0 +1,46 @@
+import { type App, BrowserWindow, dialog, Menu, protocol, session } from 'electron';
+import { createHost } from '../services/host.ts';
+import type { Installation } from '../services/installation.ts';
+import { type EditorWindow, openEditorWindow } from './editor-window.ts';
+import { guardContents, guardSession } from './guards.ts';
+import { menuTemplate } from './menu.ts';
+import { ORIGINS, registerScheme, serveScheme } from './scheme.ts';
+
+/** What `scrim open` adds to the command line. */
+const OPEN_SWITCH = '--open=';
+
+const PICK_TITLES = { open: 'Open Project', 'save-as': 'Save Project As', export: 'Export Page' } as const;
+
+/** Runs the editor in a window until that is closed. */
+export function startApp(app: App, installation: Installation): void {
+  registerScheme(protocol);
+  guardContents(app);
+  app.on('window-all-closed', () => app.quit());
+  void app.whenReady().then(() => {
+    guardSession(session.defaultSession);
+    let editor: EditorWindow | null = null;
+    const host = createHost({
+      shell: {
+        kind: 'electron',
+        origins: ORIGINS,
+        pickFolder: (purpose) => pickFolder(PICK_TITLES[purpose]),
+        closeWindow: () => editor?.closeNow(),
+      },
+      installation,
+      startPath: process.argv.find((argument) => argument.startsWith(OPEN_SWITCH))?.slice(OPEN_SWITCH.length) ?? null,
+      log: (message) => console.error(message),
+    });
+    serveScheme(protocol, host.content);
+    const template = menuTemplate(process.platform, app.isPackaged, (command) => host.emit({ kind: 'menu', command }));
+    Menu.setApplicationMenu(Menu.buildFromTemplate(template));
+    editor = openEditorWindow(host);
+    app.on('quit', () => host.dispose());
+  });
+}
+
+async function pickFolder(title: string): Promise<string | null> {
+  const options = { title, properties: ['openDirectory', 'createDirectory'] as ('openDirectory' | 'createDirectory')[] };
+  const window = BrowserWindow.getFocusedWindow() ?? BrowserWindow.getAllWindows()[0];
+  const { filePaths } = window ? await dialog.showOpenDialog(window, options) : await dialog.showOpenDialog(options);
+  return filePaths[0] ?? null;
+}

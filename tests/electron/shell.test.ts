@@ -1,0 +1,161 @@
+import { cp, mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import type { ElectronApplication, Page } from 'playwright-core';
+import type { Answer } from '../../app/contract/host-error.ts';
+import type { HostBridge } from '../../app/contract/ipc-client.ts';
+import { describeElectron, findElectron } from '../support/electron.ts';
+
+/** The shell as it is built, with pages of the test's own: what they may do is what is asked here. */
+const SHELL = resolve(import.meta.dirname, '../../dist/electron');
+
+describeElectron('the Electron shell', await findElectron(), (launch) => {
+  let base = '';
+  let project = '';
+  let app: ElectronApplication;
+  let page: Page;
+
+  beforeAll(async () => {
+    base = await mkdtemp(join(tmpdir(), 'scrim-shell-'));
+    project = join(base, 'first');
+    await cp(SHELL, join(base, 'dist', 'electron'), { recursive: true });
+    await put('dist/editor/index.html', '<!doctype html><title>Editor</title><iframe src="scrim://preview/index.html"></iframe>');
+    await put('dist/preview/index.html', '<!doctype html><title>Preview</title>');
+    await put('first/project.scrim.json', '{"title":"First"}\n');
+    await put('first/assets/cup.glb', 'glTF');
+    app = await launch([join(base, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
+    page = await app.firstWindow();
+    await page.waitForURL('scrim://editor/');
+  }, 60_000);
+  afterAll(() => rm(base, { recursive: true, force: true }));
+
+  async function put(path: string, text: string): Promise<void> {
+    await mkdir(join(base, path, '..'), { recursive: true });
+    await writeFile(join(base, path), text);
+  }
+
+  function call<T>(method: string, input: unknown): Promise<Answer<T>> {
+    return page.evaluate(
+      ([m, i]) => (window as unknown as { scrimHost: HostBridge }).scrimHost.call(m as string, i),
+      [method, input],
+    ) as Promise<Answer<T>>;
+  }
+
+  test('answers the editor: what to open, a project, bytes', async () => {
+    expect(await call('app.info', {})).toMatchObject({
+      output: { shell: 'electron', startPath: project, previewUrl: 'scrim://preview/index.html', canPickFolders: true },
+    });
+    const opened = await call<{ handle: string; assetBaseUrl: string }>('project.open', { path: project });
+    if (!('output' in opened)) throw new Error(JSON.stringify(opened));
+    const { handle, assetBaseUrl } = opened.output;
+    const imported = await page.evaluate(
+      (h) =>
+        (window as unknown as { scrimHost: HostBridge }).scrimHost.call('asset.import', {
+          handle: h,
+          name: 'a.png',
+          bytes: new Uint8Array([0, 200]),
+        }),
+      handle,
+    );
+    expect(imported).toEqual({ output: { path: 'assets/a.png' } });
+    expect([...(await readFile(join(project, 'assets', 'a.png')))]).toEqual([0, 200]);
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+    expect(await preview?.evaluate(async (url) => (await fetch(url)).text(), `${assetBaseUrl}assets/cup.glb`)).toBe('glTF');
+  });
+
+  test('refuses what the contract does not know', async () => {
+    for (const [method, input] of [
+      ['nothing', {}],
+      ['__proto__', {}],
+      ['project.open', { path: 7 }],
+      ['project.close', { handle: '../x' }],
+    ]) {
+      expect(await call(method as string, input)).toMatchObject({ diagnostic: { code: 'SCR073' } });
+    }
+    expect(await call('project.open', { path: join(base, 'nowhere') })).toMatchObject({ diagnostic: { code: 'SCR004' } });
+  });
+
+  test('gives the pages nothing of Node or Electron, and the preview nothing at all', async () => {
+    const names = ['require', 'process', 'module', 'Buffer', 'electron', 'ipcRenderer'];
+    const globals = (list: string[]) => list.filter((name) => name in globalThis);
+    expect(await page.evaluate(globals, names)).toEqual([]);
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+    expect(await preview?.evaluate(globals, [...names, 'scrimHost'])).toEqual([]);
+    expect(await page.evaluate(() => Object.keys((window as unknown as { scrimHost: object }).scrimHost))).toEqual(['call', 'subscribe']);
+    expect(await preview?.evaluate(() => window.isSecureContext)).toBe(true);
+    expect(await app.evaluate(({ BrowserWindow }) => BrowserWindow.getAllWindows().length)).toBe(1);
+  });
+
+  test('stays where it is: no navigation, no windows, no network, no files', async () => {
+    await page.evaluate(() => {
+      window.open('https://example.com/');
+      window.location.href = 'https://example.com/';
+    });
+    await page.evaluate(() => {
+      window.location.href = 'scrim://preview/index.html';
+    });
+    expect(await page.evaluate(() => window.location.href)).toBe('scrim://editor/');
+    expect(await app.evaluate(({ BrowserWindow }) => BrowserWindow.getAllWindows().length)).toBe(1);
+    for (const url of ['https://example.com/', 'file:///etc/passwd', 'scrim://preview/index.html', 'http://127.0.0.1:1/']) {
+      const result = await page.evaluate(
+        (u) =>
+          fetch(u).then(
+            () => 'read',
+            () => 'refused',
+          ),
+        url,
+      );
+      expect([url, result]).toEqual([url, 'refused']);
+    }
+  });
+
+  test('runs no script but its own', async () => {
+    const ran = await page.evaluate(async () => {
+      const script = document.createElement('script');
+      script.textContent = 'window.injected = true';
+      document.body.append(script);
+      // In a task of the page's own: what a debugger evaluates is exempt from the policy.
+      const evaluated = await new Promise<boolean>((resolve) => {
+        setTimeout(() => {
+          try {
+            resolve(new Function('return true')());
+          } catch {
+            resolve(false);
+          }
+        });
+      });
+      return { injected: 'injected' in window, evaluated };
+    });
+    expect(ran).toEqual({ injected: false, evaluated: false });
+  });
+
+  test('grants no device', async () => {
+    const states = await page.evaluate(async () => {
+      const names = ['camera', 'microphone', 'geolocation', 'notifications', 'midi'];
+      return Promise.all(names.map(async (name) => (await navigator.permissions.query({ name: name as PermissionName })).state));
+    });
+    expect(new Set(states)).toEqual(new Set(['denied']));
+  });
+
+  test('asks the editor before it closes, and closes when told', async () => {
+    await page.evaluate(() => {
+      const heard: unknown[] = [];
+      Object.assign(window, { heard });
+      (window as unknown as { scrimHost: HostBridge }).scrimHost.subscribe((event) => heard.push(event));
+    });
+    await app.evaluate(({ BrowserWindow, Menu }) => {
+      const file = Menu.getApplicationMenu()?.items.find((item) => item.label === '&File');
+      file?.submenu?.items.find((item) => item.label === 'Save')?.click();
+      BrowserWindow.getAllWindows()[0]?.close();
+    });
+    const heard = await page.waitForFunction(() => {
+      const list = (window as unknown as { heard: unknown[] }).heard;
+      return list.length === 2 ? list : null;
+    });
+    expect(await heard.jsonValue()).toEqual([{ kind: 'menu', command: 'file.save' }, { kind: 'close-requested' }]);
+    const closed = app.waitForEvent('close');
+    await call('app.close', {}).catch(() => {});
+    await closed;
+  });
+});

@@ -1,0 +1,124 @@
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
+import process from 'node:process';
+import { checkStamp, writeStamp } from './build-stamp.mjs';
+
+const root = resolve(import.meta.dirname, '..');
+
+/** What every build depends on: its own tools, and the versions of the npm packages. */
+const ALWAYS = ['package.json', 'package-lock.json', 'tools/build-targets.mjs'];
+
+const SHARED = ['nodes', 'export', 'app/contract'];
+
+/** For everything that runs on Node: what cannot be bundled (a native binary, a browser driver) stays outside. */
+const NODE_BUILD = {
+  bundle: true,
+  platform: 'node',
+  write: false,
+  sourcemap: 'linked',
+  // Packages that offer both: their CommonJS entries find their parts in ways that bundlers cannot follow.
+  mainFields: ['module', 'main'],
+  external: ['electron', 'esbuild', 'playwright-core'],
+  loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+  legalComments: 'none',
+  logLevel: 'warning',
+  absWorkingDir: root,
+};
+
+/** Name → what it is made from, what it makes, and how. In the order in which they are built. */
+export const TARGETS = {
+  registry: {
+    sources: ['nodes', 'shader-library', 'export/glsl', 'tools/gen', 'tools/gen.mjs', 'tools/lib'],
+    // The registry is a source of all others, but none of its own.
+    ignored: 'nodes/generated/',
+    output: 'nodes/generated/definitions.gen.ts',
+    build: async () => {
+      const { status } = spawnSync(process.execPath, [join(root, 'tools', 'gen.mjs')], { stdio: ['ignore', 2, 2] });
+      if (status !== 0) throw new Error('The registry of nodes could not be made.');
+    },
+  },
+  cli: {
+    sources: [...SHARED, 'app'],
+    output: 'dist/cli/main.mjs',
+    build: () =>
+      bundle({
+        entryPoints: ['app/cli/main.ts'],
+        outfile: 'dist/cli/main.mjs',
+        format: 'esm',
+        target: 'node20',
+        // CommonJS packages in the bundle ask for Node's own modules by `require`.
+        banner: { js: "import { createRequire as scrimRequire } from 'node:module'; const require = scrimRequire(import.meta.url);" },
+      }),
+  },
+  electron: {
+    sources: [...SHARED, 'app'],
+    output: 'dist/electron/main.cjs',
+    build: async () => {
+      // Node 16 is what Electron 22, the oldest that the tests run, has inside.
+      const options = { format: 'cjs', target: 'node16' };
+      await bundle({ ...options, entryPoints: ['app/electron/main.ts'], outfile: 'dist/electron/main.cjs' });
+      await bundle({ ...options, entryPoints: ['app/electron/preload.ts'], outfile: 'dist/electron/preload.cjs' });
+    },
+  },
+  editor: {
+    sources: [...SHARED, 'renderer', 'vite.config.ts'],
+    output: 'dist/editor/index.html',
+    build: () => buildPage('editor'),
+  },
+  preview: {
+    sources: [...SHARED, 'renderer', 'vite.config.ts'],
+    output: 'dist/preview/index.html',
+    build: () => buildPage('preview'),
+  },
+};
+
+/**
+ * Builds what is out of date. `say` hears what is being built, before it takes its time.
+ *
+ * @param {readonly (keyof typeof TARGETS)[]} names
+ * @param {(text: string) => void} say
+ * @returns {Promise<number>} How many were built.
+ */
+export async function buildTargets(names, say) {
+  let built = 0;
+  for (const [name, target] of Object.entries(TARGETS)) {
+    if (!names.includes(name)) continue;
+    const stampFile = join(root, 'dist', `${name}.stamp.json`);
+    const { fresh, stamp } = checkStamp(root, stampFile, [...target.sources, ...ALWAYS], target.ignored);
+    if (fresh && existsSync(join(root, target.output))) continue;
+    say(`Building ${name}…`);
+    await target.build();
+    writeStamp(stampFile, stamp);
+    built++;
+  }
+  return built;
+}
+
+/** Through a rename each, because another Scrim may be starting from the same files. */
+async function bundle(options) {
+  const { build } = await import('esbuild');
+  const { outputFiles } = await build({ ...NODE_BUILD, ...options });
+  for (const { path, contents } of outputFiles) {
+    mkdirSync(dirname(path), { recursive: true });
+    const temporary = `${path}.${process.pid}`;
+    writeFileSync(temporary, contents);
+    renameSync(temporary, path);
+  }
+}
+
+/** Built beside the old one, which serves until the new one is whole. */
+async function buildPage(mode) {
+  const { build } = await import('vite');
+  const outDir = join(root, 'dist', `${mode}.${process.pid}`);
+  const old = join(root, 'dist', `${mode}.old.${process.pid}`);
+  const final = join(root, 'dist', mode);
+  try {
+    await build({ configFile: join(root, 'vite.config.ts'), mode, build: { outDir }, logLevel: 'warn' });
+    if (existsSync(final)) renameSync(final, old);
+    renameSync(outDir, final);
+  } finally {
+    rmSync(outDir, { recursive: true, force: true });
+    rmSync(old, { recursive: true, force: true });
+  }
+}
