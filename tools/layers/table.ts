@@ -47,7 +47,13 @@ export const LAYERS: readonly Layer[] = [
   { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
   // Image passes need no three.js: only the scenes load it, and a page without objects leaves them out.
   { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'runtime'], packages: ['three', 'cannon-es'] },
-  { name: 'runtime', files: ['export/runtime/**'], imports: [...EXPORT_KIT, 'program'], types: ['three'] },
+  { name: 'recorded session format', files: ['export/runtime/sessions/format.ts'] },
+  {
+    name: 'runtime',
+    files: ['export/runtime/**'],
+    imports: [...EXPORT_KIT, 'program', 'recorded session format'],
+    types: ['three'],
+  },
   {
     name: 'emulator',
     files: ['export/emulator/**'],
@@ -103,10 +109,16 @@ export const LAYERS: readonly Layer[] = [
   },
 
   {
+    name: 'makers of examples',
+    files: ['tools/{examples,sessions}/**'],
+    imports: ['kit', 'graph', 'recorded session format', 'tools'],
+    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png'],
+  },
+  {
     name: 'tools',
     files: ['tools/**'],
-    imports: [...HOST, 'services'],
-    packages: ['node:*', 'esbuild', 'oxc-parser', 'fast-png', 'playwright-core'],
+    imports: [...HOST, 'services', 'makers of examples'],
+    packages: ['node:*', 'esbuild', 'vite', 'oxc-parser', 'fast-png', 'playwright-core'],
   },
   { name: 'start script', files: ['bin/**'], imports: ['build output', 'tools'], packages: ['node:*'] },
   { name: 'build output', files: ['dist/**'] },

@@ -1,0 +1,52 @@
+/**
+ * One quantity worth remembering from release to release. A file `tools/bench/NAME.bench.ts` exports
+ * `benches(): Promise<readonly Bench[]>`; there is nothing to register.
+ */
+export interface Bench {
+  /** Stable: results are compared by it. Names what is measured and at which size: `compile, 100 nodes`. */
+  readonly name: string;
+  readonly unit: 'ms' | 'kB' | 'count';
+  /** Takes one sample. */
+  sample(): number | Promise<number>;
+  /** How many samples to take after one that is thrown away; 1, without warming up, for what never varies. Default 15. */
+  readonly samples?: number;
+  /** Frees what the samples shared. */
+  dispose?(): void | Promise<void>;
+}
+
+/** What every `*.bench.ts` is. */
+export interface BenchFile {
+  benches(): Promise<readonly Bench[]>;
+}
+
+export interface Measured {
+  readonly name: string;
+  readonly unit: Bench['unit'];
+  readonly median: number;
+  readonly p95: number;
+}
+
+export async function measure(bench: Bench): Promise<Measured> {
+  const count = bench.samples ?? 15;
+  try {
+    if (count > 1) await bench.sample();
+    const samples: number[] = [];
+    for (let i = 0; i < count; i++) samples.push(await bench.sample());
+    samples.sort((a, b) => a - b);
+    return { name: bench.name, unit: bench.unit, median: quantile(samples, 0.5), p95: quantile(samples, 0.95) };
+  } finally {
+    await bench.dispose?.();
+  }
+}
+
+/** How long `work` takes, in milliseconds. */
+export async function timeMs(work: () => unknown): Promise<number> {
+  const startMs = performance.now();
+  await work();
+  return performance.now() - startMs;
+}
+
+/** Of sorted samples: the nearest one, so that every figure was really seen. */
+export function quantile(sorted: readonly number[], q: number): number {
+  return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN;
+}
