@@ -1,0 +1,167 @@
+import type {
+  Declarator,
+  FunctionDeclaration,
+  FunctionSymbol,
+  GlslType,
+  Parameter,
+  ParsedShader,
+  StructSymbol,
+  VariableDeclaration,
+  VariableSymbol,
+} from '../syntax/ast.ts';
+import { GlslError } from '../syntax/token.ts';
+import { arrayType, checkDimensions, resolveType } from './check-expression.ts';
+import { checkDeclarator, checkStatements, inScope } from './check-statement.ts';
+import { isConstant } from './constant.ts';
+import { type CheckContext, createScope } from './scope.ts';
+
+/** A shader whose names are known. */
+export interface CheckedShader {
+  /** In the order of the text. */
+  readonly declarations: ParsedShader['declarations'];
+  readonly main: FunctionDeclaration;
+  readonly structs: ReadonlyMap<GlslType, StructSymbol>;
+}
+
+/**
+ * Resolves every name of a parsed shader and finds out the types, changing the tree in place. `given` are the variables that
+ * the host declares: inputs, images, automatic uniforms. Throws `GlslError` for what cannot be linked at all; plain mistakes
+ * are left to the driver, whose word counts in the end.
+ */
+export function checkShader(shader: ParsedShader, given: ReadonlyMap<string, VariableSymbol>): CheckedShader {
+  const outermost = createScope(null);
+  for (const [name, symbol] of given) outermost.variables.set(name, symbol);
+  const context: CheckContext = { scope: createScope(outermost), functions: new Map(), structs: new Map(), returnType: '' };
+  let main: FunctionDeclaration | null = null;
+  for (const declaration of shader.declarations) {
+    if (declaration.kind === 'variables') {
+      checkGlobals(declaration, given, context);
+    } else {
+      checkFunction(declaration, context);
+      if (declaration.name.text === 'main' && declaration.body !== null && declaration.parameters.length === 0) main = declaration;
+    }
+  }
+  if (main === null) throw new GlslError({ line: 1, column: 1 }, 'The shader has no "void main() { … }".');
+  return { declarations: shader.declarations, main, structs: context.structs };
+}
+
+function checkFunction(declaration: FunctionDeclaration, context: CheckContext): void {
+  const returnType = resolveType(declaration.returnType, context);
+  for (const parameter of declaration.parameters) checkDimensions(parameter.dimensions, context);
+  const parameterTypes = declaration.parameters.map((p) => arrayType(resolveType(p.type, context), p.dimensions));
+  const symbol = declareFunction(declaration, returnType, parameterTypes, context);
+  declaration.symbol = symbol;
+  const { body } = declaration;
+  if (body === null) return;
+  context.returnType = returnType;
+  inScope(context, false, () => {
+    declaration.parameters.forEach((parameter, i) => {
+      declareParameter(parameter, parameterTypes[i] ?? '', context);
+    });
+    inScope(context, true, () => checkStatements(body.statements, context));
+  });
+  context.returnType = '';
+}
+
+/** A prototype and its body, or a body given twice, are one symbol. */
+function declareFunction(
+  declaration: FunctionDeclaration,
+  returnType: GlslType,
+  parameterTypes: readonly GlslType[],
+  context: CheckContext,
+): FunctionSymbol {
+  const name = declaration.name.text;
+  const overloads = context.functions.get(name) ?? [];
+  const known = overloads.find((other) => other.parameterTypes.join() === parameterTypes.join());
+  if (known !== undefined) {
+    if (declaration.body !== null) known.declaration = declaration;
+    return known;
+  }
+  const parameterOut = declaration.parameters.map((p) => p.qualifiers.some((q) => q.text === 'out' || q.text === 'inout'));
+  const symbol: FunctionSymbol = { kind: 'function', name, returnType, parameterTypes, parameterOut, declaration };
+  context.functions.set(name, [...overloads, symbol]);
+  return symbol;
+}
+
+function declareParameter(parameter: Parameter, type: GlslType, context: CheckContext): void {
+  if (parameter.name === null) return;
+  const symbol: VariableSymbol = {
+    kind: 'variable',
+    name: parameter.name.text,
+    type,
+    role: 'parameter',
+    token: parameter.name,
+    constant: false,
+    rename: false,
+    written: false,
+    declaration: null,
+  };
+  context.scope.variables.set(symbol.name, symbol);
+  parameter.symbol = symbol;
+}
+
+function checkGlobals(declaration: VariableDeclaration, given: ReadonlyMap<string, VariableSymbol>, context: CheckContext): void {
+  resolveType(declaration.type, context);
+  const words = new Set(declaration.qualifiers.map((qualifier) => qualifier.text));
+  for (const declarator of declaration.declarators) {
+    const type = checkDeclarator(declarator, declaration.type.type, context);
+    const name = declarator.name.text;
+    const same = given.get(name);
+    if (same !== undefined && ['uniform', 'varying', 'in'].some((word) => words.has(word))) {
+      // What the host declares anyway, declared once more as some hosts want it.
+      declarator.symbol = same;
+    } else if (words.has('out')) {
+      declarator.symbol = outputVariable(declarator, type, given, context);
+    } else {
+      refuse(declarator, words, type);
+      declarator.symbol = declareGlobal(declarator, type, words.has('const'), context);
+    }
+  }
+}
+
+function declareGlobal(declarator: Declarator, type: GlslType, isConst: boolean, context: CheckContext): VariableSymbol {
+  const symbol: VariableSymbol = {
+    kind: 'variable',
+    name: declarator.name.text,
+    type,
+    role: 'global',
+    token: declarator.name,
+    constant: isConst && declarator.initializer !== null && isConstant(declarator.initializer),
+    rename: false,
+    written: false,
+    declaration: declarator,
+  };
+  context.scope.variables.set(symbol.name, symbol);
+  return symbol;
+}
+
+/** `out vec4 color;` of ES 3.00 is the older `gl_FragColor`. */
+function outputVariable(
+  declarator: Declarator,
+  type: GlslType,
+  given: ReadonlyMap<string, VariableSymbol>,
+  context: CheckContext,
+): VariableSymbol {
+  const output = given.get('gl_FragColor');
+  if (output === undefined || type !== 'vec4') throw new GlslError(declarator.name, 'The output of a shader has to be one vec4.', 'SCR043');
+  context.scope.variables.set(declarator.name.text, output);
+  return output;
+}
+
+function refuse(declarator: Declarator, words: ReadonlySet<string>, type: GlslType): void {
+  const name = declarator.name.text;
+  if (words.has('varying') || words.has('in') || words.has('attribute')) {
+    throw new GlslError(
+      declarator.name,
+      `"${name}" comes from a vertex shader (.vs), which Scrim does not run yet. Compute it in the fragment shader instead.`,
+      'SCR043',
+    );
+  }
+  if (type.startsWith('sampler')) {
+    throw new GlslError(
+      declarator.name,
+      `The image "${name}" is not in the header. Add it to INPUTS as { "NAME": "${name}", "TYPE": "image" }.`,
+      'SCR043',
+    );
+  }
+}

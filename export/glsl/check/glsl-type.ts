@@ -1,0 +1,74 @@
+import type { GlslType } from '../syntax/ast.ts';
+
+/** A number type taken apart: `vec3` is three floats in one column, `mat2x3` two columns of three. */
+export interface Numeric {
+  readonly base: 'float' | 'int' | 'uint' | 'bool';
+  readonly rows: number;
+  readonly columns: number;
+}
+
+const PREFIXES = { float: 'vec', int: 'ivec', uint: 'uvec', bool: 'bvec' } as const;
+const BASES = { vec: 'float', ivec: 'int', uvec: 'uint', bvec: 'bool' } as const;
+
+const NUMERICS: ReadonlyMap<GlslType, Numeric> = new Map(allNumerics());
+
+/** Null for structs, samplers, arrays, `void` and what is unknown. */
+export function numericOf(type: GlslType): Numeric | null {
+  return NUMERICS.get(type) ?? null;
+}
+
+export function vectorType(base: Numeric['base'], rows: number): GlslType {
+  return rows === 1 ? base : `${PREFIXES[base]}${rows}`;
+}
+
+/** Type of one element: of an array, of a matrix (a column) or of a vector. */
+export function elementType(type: GlslType): GlslType {
+  if (type.endsWith('[]')) return type.slice(0, -2);
+  const numeric = numericOf(type);
+  if (numeric === null || (numeric.rows === 1 && numeric.columns === 1)) return '';
+  return numeric.columns > 1 ? vectorType('float', numeric.rows) : numeric.base;
+}
+
+/** `v.xzy`; empty where the letters are none of a swizzle. */
+export function swizzleType(type: GlslType, letters: string): GlslType {
+  const numeric = numericOf(type);
+  if (numeric === null || numeric.columns > 1 || !/^(?:[xyzw]{1,4}|[rgba]{1,4}|[stpq]{1,4})$/.test(letters)) return '';
+  return vectorType(numeric.base, letters.length);
+}
+
+/** Whether desktop GLSL converts by itself (GLSL 4.60 §4.1.10): whole numbers to floats, and signed to unsigned ones. */
+export function converts(from: GlslType, to: GlslType): boolean {
+  const a = numericOf(from);
+  const b = numericOf(to);
+  if (a === null || b === null || a.rows !== b.rows || a.columns !== 1 || b.columns !== 1) return false;
+  if (b.base === 'float') return a.base === 'int' || a.base === 'uint';
+  return b.base === 'uint' && a.base === 'int';
+}
+
+/** The same shape, made of floats. */
+export function floatLike(type: GlslType): GlslType {
+  const numeric = numericOf(type);
+  return numeric === null || numeric.columns > 1 ? type : vectorType('float', numeric.rows);
+}
+
+function allNumerics(): [GlslType, Numeric][] {
+  const numerics: [GlslType, Numeric][] = [];
+  for (const base of Object.values(BASES)) {
+    for (const rows of [1, 2, 3, 4]) numerics.push([vectorType(base, rows), { base, rows, columns: 1 }]);
+  }
+  for (const columns of [2, 3, 4]) {
+    for (const rows of [2, 3, 4]) numerics.push([`mat${columns}x${rows}`, { base: 'float', rows, columns }]);
+    numerics.push([`mat${columns}`, { base: 'float', rows: columns, columns }]);
+  }
+  return numerics;
+}
+
+/** `mat2x2` is another name of `mat2`. */
+export function canonicalType(name: string): GlslType {
+  const square = /^mat([234])x\1$/.exec(name);
+  return square === null ? name : `mat${square[1]}`;
+}
+
+export function matrixType(columns: number, rows: number): GlslType {
+  return columns === rows ? `mat${columns}` : `mat${columns}x${rows}`;
+}

@@ -1,0 +1,51 @@
+import type { VariableSymbol } from '../syntax/ast.ts';
+import type { IsfInputType, IsfShader } from './isf-shader.ts';
+
+/** Type under which the GLSL sees an input; images and depth stand only in functions that read them. */
+export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
+  event: 'bool',
+  bool: 'bool',
+  long: 'int',
+  float: 'float',
+  point2D: 'vec2',
+  color: 'vec4',
+  image: 'sampler2D',
+  audio: 'sampler2D',
+  audioFFT: 'sampler2D',
+  depth: 'sampler2D',
+};
+
+/** ISF's automatic variables, the names that version 1 and other hosts have for them, and GLSL's own. */
+const BUILTINS: Readonly<Record<string, string>> = {
+  TIME: 'float',
+  TIMEDELTA: 'float',
+  FRAMEINDEX: 'int',
+  DATE: 'vec4',
+  RENDERSIZE: 'vec2',
+  PASSINDEX: 'int',
+  isf_FragNormCoord: 'vec2',
+  vv_FragNormCoord: 'vec2',
+  isf_FragCoord: 'vec2',
+  vv_FragCoord: 'vec2',
+  gl_FragCoord: 'vec4',
+  gl_FragColor: 'vec4',
+  gl_FragData: 'vec4[]',
+};
+
+/** Every variable that a shader may use without declaring it, made anew because the check writes into them. */
+export function givenSymbols(shader: IsfShader): Map<string, VariableSymbol> {
+  const given = new Map<string, VariableSymbol>();
+
+  function give(name: string, type: string, role: VariableSymbol['role']): void {
+    given.set(name, { kind: 'variable', name, type, role, token: null, constant: false, rename: false, written: false, declaration: null });
+  }
+
+  for (const [name, type] of Object.entries(BUILTINS)) give(name, type, 'builtin');
+  for (const input of shader.inputs) {
+    const type = INPUT_TYPES[input.type];
+    give(input.name, type, type === 'sampler2D' ? 'image' : 'input');
+  }
+  for (const image of shader.imported) give(image.name, image.cube ? 'samplerCube' : 'sampler2D', 'image');
+  for (const pass of shader.passes) if (pass.target !== null) give(pass.target, 'sampler2D', 'image');
+  return given;
+}

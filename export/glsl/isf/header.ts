@@ -1,0 +1,188 @@
+import { type Node, type ParseError, parseTree } from 'jsonc-parser';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { Place } from '../syntax/token.ts';
+
+/** The JSON at the top of a shader, with what is needed to say where in the file something stands. */
+export interface Header {
+  readonly root: Node;
+  place(offset: number): Place;
+  error(at: Node | number, message: string, fix?: string): void;
+  warn(at: Node | number, message: string, fix?: string): void;
+}
+
+export interface HeaderReading {
+  readonly header: Header | null;
+  readonly diagnostics: Diagnostic[];
+}
+
+/** Mistakes that leave no doubt about what was meant: 25 of the 321 public ISF files have one. Keyed by jsonc-parser's codes. */
+const HARMLESS: ReadonlyMap<number, string> = new Map([
+  [3, 'A name is expected here'],
+  [4, 'A value is expected here'],
+  [6, 'A comma is missing here'],
+  [9, 'Something follows the JSON'],
+  [15, 'An escape such as "\\n" is not one that JSON knows'],
+  [16, 'A line break or another control character stands inside a text'],
+]);
+
+const BROKEN: ReadonlyMap<number, string> = new Map([
+  [1, 'This is not a JSON value: text needs double quotes'],
+  [2, 'This is not a number'],
+  [5, 'A ":" is missing here'],
+  [7, 'A "}" is missing here'],
+  [8, 'A "]" is missing here'],
+  [11, 'A comment is not closed'],
+  [12, 'The closing quote of a text is missing'],
+  [13, 'This number is not complete'],
+  [14, 'This "\\u" escape is not complete'],
+]);
+
+const UNCLOSED_TEXT = 12;
+const CONTROL_CHARACTER = 16;
+
+const PARSE_OPTIONS = { allowTrailingComma: true };
+
+const MAX_DEPTH = 100;
+
+const SYNTAX_FIX = 'The header is a JSON object in the first comment of the file: { "ISFVSN": "2", "INPUTS": [ … ] }.';
+
+/** Finds and reads the header. `header` is null where it cannot be read at all; `diagnostics` grows as the header is used. */
+export function readHeader(source: string, file: string): HeaderReading {
+  const diagnostics: Diagnostic[] = [];
+  const place = createPlaces(source);
+
+  function report(severity: 'error' | 'warning', at: Node | number, message: string, fix?: string): void {
+    const { line, column } = place(typeof at === 'number' ? at : at.offset);
+    diagnostics.push({ code: 'SCR040', severity, message, file, line, column, ...(fix === undefined ? {} : { fix }) });
+  }
+
+  const open = source.indexOf('/*');
+  if (open < 0) {
+    report('error', 0, 'The shader has no header.', SYNTAX_FIX);
+    return { header: null, diagnostics };
+  }
+  const close = source.indexOf('*/', open + 2);
+  if (close < 0) {
+    report('error', open, 'The header comment is never closed with "*/".');
+    return { header: null, diagnostics };
+  }
+  const start = open + 2;
+  const text = source.slice(start, close);
+  if (!isShallow(text)) {
+    report('error', start, 'The header is nested too deeply.', SYNTAX_FIX);
+    return { header: null, diagnostics };
+  }
+  const { root, errors } = parseLeniently(text);
+  const broken = errors.find((error) => !HARMLESS.has(error.error));
+  if (root === undefined || root.type !== 'object' || broken !== undefined) {
+    const what =
+      broken === undefined
+        ? 'The first comment of the file is not a JSON object'
+        : (BROKEN.get(broken.error) ?? 'The JSON is not well formed');
+    report('error', start + (broken?.offset ?? Math.max(text.search(/\S/), 0)), `${what}, so the header cannot be read.`, SYNTAX_FIX);
+    return { header: null, diagnostics };
+  }
+  for (const error of errors) {
+    report(
+      'warning',
+      start + error.offset,
+      `${HARMLESS.get(error.error)}. Scrim reads the header all the same; other programs may refuse it.`,
+    );
+  }
+  return {
+    header: {
+      root: shifted(root, start),
+      place,
+      error: (...args) => report('error', ...args),
+      warn: (...args) => report('warning', ...args),
+    },
+    diagnostics,
+  };
+}
+
+/** Value of a key; where a key is written twice, the last, as JSON readers have it. Only own keys can be found. */
+export function property(object: Node | undefined, key: string): Node | undefined {
+  return object?.type === 'object'
+    ? object.children?.filter((child) => child.children?.[0]?.value === key).at(-1)?.children?.[1]
+    : undefined;
+}
+
+export function entries(object: Node): readonly (readonly [key: Node, value: Node])[] {
+  const pairs: (readonly [Node, Node])[] = [];
+  for (const child of object.children ?? []) {
+    const [key, value] = child.children ?? [];
+    if (key !== undefined && value !== undefined) pairs.push([key, value]);
+  }
+  return pairs;
+}
+
+export function items(array: Node | undefined): readonly Node[] {
+  return array?.type === 'array' ? (array.children ?? []) : [];
+}
+
+export function textOf(node: Node | undefined): string | null {
+  return node?.type === 'string' ? (node.value as string) : null;
+}
+
+/** Numbers, numbers in quotes, and truth values as 0 or 1, as headers in the wild have them; all else, and what is not finite, is null. */
+export function numberOf(node: Node | undefined): number | null {
+  if (node?.type === 'boolean') return node.value === true ? 1 : 0;
+  if (node?.type === 'string' && /^\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?\s*$/.test(node.value as string))
+    return finite(Number(node.value));
+  return node?.type === 'number' ? finite(node.value as number) : null;
+}
+
+/** `true`, 1, "true", "YES" and the like. */
+export function flagOf(node: Node | undefined): boolean {
+  if (node?.type === 'string') return /^\s*(true|yes|1)\s*$/i.test(node.value as string);
+  return node?.type === 'boolean' ? node.value === true : (numberOf(node) ?? 0) !== 0;
+}
+
+function finite(value: number): number | null {
+  return Number.isFinite(value) ? value : null;
+}
+
+/** A text that runs over a line break is read on its second try, with the break as a space, so that offsets stay. */
+function parseLeniently(text: string): { root: Node | undefined; errors: readonly ParseError[] } {
+  const errors: ParseError[] = [];
+  const root = parseTree(text, errors, PARSE_OPTIONS);
+  const first = errors.find((error) => !HARMLESS.has(error.error));
+  if (first === undefined || first.error !== UNCLOSED_TEXT) return { root, errors };
+  const joined = text.replace(/"(?:[^"\\]|\\[\s\S])*"/g, (quoted) => quoted.replace(/[\r\n]/g, ' '));
+  if (!isShallow(joined)) return { root, errors };
+  const laterErrors: ParseError[] = [];
+  const laterRoot = parseTree(joined, laterErrors, PARSE_OPTIONS);
+  if (laterErrors.some((error) => !HARMLESS.has(error.error))) return { root, errors };
+  return { root: laterRoot, errors: [{ ...first, error: CONTROL_CHARACTER }, ...laterErrors] };
+}
+
+/** The JSON reader calls itself for each level, so its stack has to be guarded. */
+function isShallow(text: string): boolean {
+  let depth = 0;
+  for (const [piece] of text.matchAll(/"(?:[^"\\\r\n]|\\.)*"?|[[\]{}]/g)) {
+    if (piece === '{' || piece === '[') depth += 1;
+    if (piece === '}' || piece === ']') depth -= 1;
+    if (depth > MAX_DEPTH) return false;
+  }
+  return true;
+}
+
+function shifted(node: Node, by: number): Node {
+  return { ...node, offset: node.offset + by, ...(node.children ? { children: node.children.map((child) => shifted(child, by)) } : {}) };
+}
+
+/** Line and column, from 1, of any offset; line ends are looked for once. */
+function createPlaces(source: string): (offset: number) => Place {
+  const starts = [0];
+  for (const lineBreak of source.matchAll(/\r\n|\r|\n/g)) starts.push(lineBreak.index + lineBreak[0].length);
+  return (offset) => {
+    let low = 0;
+    let high = starts.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if ((starts[middle] ?? 0) <= offset) low = middle;
+      else high = middle - 1;
+    }
+    return { line: low + 1, column: offset - (starts[low] ?? 0) + 1 };
+  };
+}

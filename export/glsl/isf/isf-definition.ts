@@ -1,0 +1,129 @@
+import type { ChoiceParam, InputPort, NodeDefinition, OutputPort, ParamDefinition } from '../../../nodes/kit/definition.ts';
+import { findAccess } from '../access/find-access.ts';
+import { findInput, type IsfInput, type IsfShader, imageInputs } from './isf-shader.ts';
+
+/** How the images of an operator are laid onto each other where their domains differ; added to every operator. */
+export const FIT_PARAM = 'fit';
+
+const FIT: ChoiceParam = {
+  type: 'choice',
+  stage: 'structure',
+  label: 'Fit',
+  doc: 'How a picture of another size is laid onto the view: cut off what does not fit, show all of it, or stretch it.',
+  default: 'cover',
+  options: [
+    { value: 'cover', label: 'Cover' },
+    { value: 'contain', label: 'Contain' },
+    { value: 'stretch', label: 'Stretch' },
+  ],
+};
+
+/**
+ * The node type that an ISF file is. `name` is the last part of its type: `sepia` gives `filter/sepia`. Inputs that Scrim
+ * cannot feed yet (events, audio) have no port; `linkIsf` says so.
+ */
+export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
+  const access = findAccess(shader);
+  const inputs: Record<string, InputPort> = {};
+  const params: Record<string, ParamDefinition> = {};
+  for (const input of shader.inputs) {
+    const port = portOf(input);
+    const param = paramOf(input);
+    if (port !== null) inputs[input.name] = port;
+    if (param !== null) params[input.name] = param;
+  }
+  if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = FIT;
+  const title = shader.title ?? titleFrom(name);
+  return {
+    type: `${shader.kind}/${name}`,
+    version: 1,
+    title,
+    doc: shader.description || `${title}, an ISF shader.`,
+    ...(shader.categories.length > 0 ? { keywords: shader.categories.map((category) => category.toLowerCase()) } : {}),
+    inputs,
+    outputs: { layer: outputOf(shader, access) },
+    params,
+    lowering: { kind: 'image', shader: shader.file, access },
+    ...(shader.credit === '' ? {} : { credit: shader.credit }),
+  };
+}
+
+/** `filters/gaussian-blur.fs` → `gaussian-blur`. */
+export function shaderName(file: string): string {
+  return file.slice(file.lastIndexOf('/') + 1).replace(/\.(fs|frag|glsl)$/, '');
+}
+
+function portOf(input: IsfInput): InputPort | null {
+  const { label, optional } = input;
+  if (input.type === 'image')
+    return { type: 'layer', label, doc: input.doc || (optional ? 'Nothing, where no wire is.' : 'A layer.'), required: !optional };
+  if (input.type === 'depth') {
+    return {
+      type: 'depth',
+      label,
+      doc: input.doc || 'Distance to the real world; unknown everywhere where no wire is.',
+      required: !optional,
+    };
+  }
+  return null;
+}
+
+function paramOf(input: IsfInput): ParamDefinition | null {
+  const base = { label: input.label, doc: input.doc, stage: 'uniform' } as const;
+  const [first = 0] = input.default;
+  switch (input.type) {
+    case 'float':
+      return {
+        ...base,
+        type: 'number',
+        default: first,
+        ...range(input),
+        ...(input.step === null ? {} : { step: input.step }),
+        ...unit(input),
+      };
+    case 'long':
+      if (input.choices.length > 0) return { ...base, type: 'choice', default: first, options: input.choices };
+      return { ...base, type: 'number', default: first, ...range(input), step: 1, ...unit(input) };
+    case 'bool':
+      return { ...base, type: 'toggle', default: first !== 0 };
+    case 'point2D':
+      return {
+        ...base,
+        type: 'vector2',
+        default: input.default,
+        ...(input.min === null ? {} : { min: input.min }),
+        ...(input.max === null ? {} : { max: input.max }),
+        ...unit(input),
+      };
+    case 'color': {
+      const [r = 0, g = 0, b = 0, a = 1] = input.default;
+      return { ...base, type: 'color', default: [r, g, b, a] };
+    }
+    default:
+      return null;
+  }
+}
+
+function range(input: IsfInput): { min?: number; max?: number } {
+  const [min] = input.min ?? [];
+  const [max] = input.max ?? [];
+  return { ...(min === undefined ? {} : { min }), ...(max === undefined ? {} : { max }) };
+}
+
+function unit(input: IsfInput): { unit?: IsfInput['unit'] } {
+  return input.unit === 'none' ? {} : { unit: input.unit };
+}
+
+/** A layer keeps its depth as long as its pixels stay where they are. */
+function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): OutputPort {
+  const port = { type: 'layer', label: 'Layer', doc: 'The finished picture.' } as const;
+  if (imageInputs(shader).length === 0) return { ...port, domain: 'view', depth: false };
+  const stays = access === 'pointwise' || access === 'neighbourhood';
+  const depth = { auto: stays ? ('same' as const) : false, same: 'same' as const, none: false, over: true }[shader.depth];
+  return { ...port, domain: 'same', depth };
+}
+
+function titleFrom(name: string): string {
+  const words = name.replace(/[-_]+/g, ' ').trim();
+  return words === '' ? name : words[0]?.toUpperCase() + words.slice(1);
+}

@@ -1,0 +1,84 @@
+import type { Unit } from '../../../nodes/kit/definition.ts';
+import type { SizeToken } from '../../program/program.ts';
+
+/**
+ * An ISF file as its header describes it (spec: github.com/mrRay/ISF_Spec, "The ISF Specification"). The GLSL below the
+ * header is not read yet: `linkIsf` and `isfDefinition` do that.
+ */
+export interface IsfShader {
+  /** Name in the library or project: `filters/sepia.fs`. */
+  readonly file: string;
+  /** The whole text, header included, so that lines count as the author sees them. */
+  readonly source: string;
+  /** 1 where the header has no `ISFVSN`. */
+  readonly version: 1 | 2;
+  /** `operator` has two or more images, `filter` one, `generator` none. */
+  readonly kind: 'filter' | 'operator' | 'generator';
+  readonly title: string | null;
+  readonly description: string;
+  readonly credit: string;
+  readonly categories: readonly string[];
+  readonly inputs: readonly IsfInput[];
+  /** At least one; the last makes the output. */
+  readonly passes: readonly IsfPass[];
+  readonly imported: readonly IsfImport[];
+  /** `SCRIM_ALPHA`: images are read and written as they are stored, premultiplied. */
+  readonly premultiplied: boolean;
+  /** `SCRIM_DEPTH`: what becomes of the first layer's depth; `auto` goes by the access. */
+  readonly depth: 'auto' | 'same' | 'none' | 'over';
+}
+
+export type IsfInputType = 'event' | 'bool' | 'long' | 'float' | 'point2D' | 'color' | 'image' | 'audio' | 'audioFFT' | 'depth';
+
+export interface IsfInput {
+  readonly name: string;
+  readonly type: IsfInputType;
+  readonly label: string;
+  readonly doc: string;
+  /** One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; empty for all else. */
+  readonly default: readonly number[];
+  readonly min: readonly number[] | null;
+  readonly max: readonly number[] | null;
+  /** Value with which the filter changes nothing. */
+  readonly identity: readonly number[] | null;
+  /** Choices of a `long`. */
+  readonly choices: readonly { readonly value: number; readonly label: string }[];
+  readonly unit: Unit;
+  readonly step: number | null;
+  /** Images and depth: may be left without a wire; reads then give transparent black and 0. */
+  readonly optional: boolean;
+  /** Of the name in the header, from 1. */
+  readonly line: number;
+  readonly column: number;
+}
+
+export interface IsfPass {
+  /** Buffer that the pass draws into; null for the node's output. */
+  readonly target: string | null;
+  readonly persistent: boolean;
+  readonly float: boolean;
+  /** Null for the layer's own. */
+  readonly width: NamedSize | null;
+  readonly height: NamedSize | null;
+}
+
+/** A program's size expression (postfix), with inputs by name where the program has slots. */
+export type NamedSize = readonly (number | Extract<SizeToken, { op: string }> | { readonly param: string })[];
+
+export interface IsfImport {
+  readonly name: string;
+  /** As written: one file, or the six of a cube. */
+  readonly paths: readonly string[];
+  readonly cube: boolean;
+  readonly line: number;
+  readonly column: number;
+}
+
+export function findInput(shader: IsfShader, name: string): IsfInput | undefined {
+  return shader.inputs.find((input) => input.name === name);
+}
+
+/** Inputs that are layers, in order. */
+export function imageInputs(shader: IsfShader): readonly IsfInput[] {
+  return shader.inputs.filter((input) => input.type === 'image');
+}

@@ -1,0 +1,185 @@
+import type { Node } from 'jsonc-parser';
+import type { Unit } from '../../../nodes/kit/definition.ts';
+import { flagOf, type Header, items, numberOf, property, textOf } from './header.ts';
+import type { IsfInput, IsfInputType } from './isf-shader.ts';
+
+/** How many numbers a value of the type has; 0 for what only a wire can bring. */
+const SIZES: Readonly<Record<IsfInputType, number>> = {
+  event: 0,
+  bool: 1,
+  long: 1,
+  float: 1,
+  point2D: 2,
+  color: 4,
+  image: 0,
+  audio: 0,
+  audioFFT: 0,
+  depth: 0,
+};
+
+const UNITS: ReadonlySet<string> = new Set(['m', 's', 'rad', 'px', 'K', 'Hz', 'ratio', 'none'] satisfies Unit[]);
+
+/** Of a `long` without VALUES; more would be no list to choose from. */
+const MAX_CHOICES = 64;
+
+const IDENTIFIER = /^[A-Za-z_][A-Za-z0-9_]*$/;
+
+export function isIdentifier(name: string): boolean {
+  return IDENTIFIER.test(name);
+}
+
+/** Everything under `INPUTS`. An input that makes no sense is reported and left out. */
+export function readInputs(header: Header): IsfInput[] {
+  const list = property(header.root, 'INPUTS');
+  if (list !== undefined && list.type !== 'array') header.error(list, 'INPUTS has to be a list: [ { "NAME": …, "TYPE": … } ].');
+  const inputs: IsfInput[] = [];
+  for (const node of items(list)) {
+    const input = readInput(header, node);
+    if (input === null) continue;
+    if (inputs.some((other) => other.name === input.name)) {
+      header.error(property(node, 'NAME') ?? node, `There are two inputs with the name "${input.name}".`, 'Give one of them another name.');
+    } else {
+      inputs.push(input);
+    }
+  }
+  return inputs;
+}
+
+function readInput(header: Header, node: Node): IsfInput | null {
+  if (node.type !== 'object') {
+    header.error(node, 'An input has to be an object: { "NAME": …, "TYPE": … }.');
+    return null;
+  }
+  const nameNode = property(node, 'NAME');
+  const name = textOf(nameNode)?.trim() ?? '';
+  if (nameNode === undefined || !isIdentifier(name)) {
+    header.error(nameNode ?? node, 'The NAME of an input has to be a word of letters, digits and "_" that does not begin with a digit.');
+    return null;
+  }
+  const typeNode = property(node, 'TYPE');
+  const type = textOf(typeNode)?.trim() ?? '';
+  if (!isInputType(type)) {
+    header.error(
+      typeNode ?? node,
+      `The input "${name}" has the TYPE "${type}", which does not exist.`,
+      `Use one of ${Object.keys(SIZES).join(', ')}.`,
+    );
+    return null;
+  }
+  const { line, column } = header.place(nameNode.offset);
+  const choices = type === 'long' ? readChoices(header, node, name) : [];
+  const min = readValue(header, node, 'MIN', type, name);
+  const max = readValue(header, node, 'MAX', type, name);
+  const ordered = min === null || max === null || min.every((value, i) => value <= (max[i] ?? value));
+  if (!ordered) header.warn(property(node, 'MIN') ?? node, `MIN is greater than MAX at the input "${name}": neither is used.`);
+  const range = ordered && type !== 'audio' && type !== 'audioFFT' ? { min, max } : { min: null, max: null };
+  return {
+    name,
+    type,
+    label: textOf(property(node, 'LABEL'))?.trim() || name,
+    doc: textOf(property(node, 'DOC'))?.trim() ?? '',
+    ...range,
+    default: readDefault(header, node, type, name, range.min, range.max, choices),
+    identity: readValue(header, node, 'IDENTITY', type, name),
+    choices,
+    unit: readUnit(header, node, name),
+    step: numberOf(property(node, 'STEP')),
+    optional: flagOf(property(node, 'OPTIONAL')),
+    line,
+    column,
+  };
+}
+
+/** The default, inside of the range, or what is nearest to zero in it. */
+function readDefault(
+  header: Header,
+  node: Node,
+  type: IsfInputType,
+  name: string,
+  min: readonly number[] | null,
+  max: readonly number[] | null,
+  choices: IsfInput['choices'],
+): readonly number[] {
+  const zero = type === 'color' ? [0, 0, 0, 1] : new Array<number>(SIZES[type]).fill(0);
+  const written = readValue(header, node, 'DEFAULT', type, name);
+  if (choices.length > 0) {
+    const value = written?.[0];
+    if (value !== undefined && choices.some((choice) => choice.value === value)) return [value];
+    if (value !== undefined)
+      header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is not one of its VALUES: the first is used.`);
+    return [choices[0]?.value ?? 0];
+  }
+  const clamped = (written ?? zero).map((value, i) => Math.min(Math.max(value, min?.[i] ?? value), max?.[i] ?? Number.POSITIVE_INFINITY));
+  if (written !== null && clamped.some((value, i) => value !== written[i])) {
+    header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is outside of MIN and MAX: the nearest value is used.`);
+  }
+  return clamped;
+}
+
+function readValue(header: Header, node: Node, key: string, type: IsfInputType, name: string): readonly number[] | null {
+  const size = SIZES[type];
+  const value = property(node, key);
+  if (size === 0 || value === undefined || value.type === 'null') return null;
+  const numbers = (value.type === 'array' ? items(value) : [value]).map(numberOf);
+  if (numbers.every((n) => n !== null)) {
+    const expanded = expand(type, numbers);
+    if (expanded !== null) return expanded;
+  }
+  const wanted =
+    size === 1 ? 'a number' : type === 'color' ? 'a list of four numbers, red, green, blue and alpha' : `a list of ${size} numbers`;
+  header.warn(value, `${key} of the input "${name}" is not ${wanted}, so it is not used.`);
+  return null;
+}
+
+/** A single number stands for all components of a point; a colour may leave out its alpha. */
+function expand(type: IsfInputType, numbers: readonly number[]): readonly number[] | null {
+  const size = SIZES[type];
+  const [first] = numbers;
+  if (first === undefined) return null;
+  if (type === 'bool') return [first === 0 ? 0 : 1];
+  if (type === 'long') return [Math.trunc(first)];
+  if (type === 'color' && numbers.length === 3) return [...numbers, 1].map(unitInterval);
+  if (type === 'color') return numbers.length === 4 ? numbers.map(unitInterval) : null;
+  if (numbers.length === 1) return new Array<number>(size).fill(first);
+  return numbers.length === size ? numbers : null;
+}
+
+function unitInterval(value: number): number {
+  return Math.min(Math.max(value, 0), 1);
+}
+
+function readChoices(header: Header, node: Node, name: string): IsfInput['choices'] {
+  const valuesNode = property(node, 'VALUES');
+  const labels = items(property(node, 'LABELS')).map((label) => textOf(label) ?? String(label.value));
+  if (valuesNode === undefined) return rangeChoices(node, labels);
+  const choices: { value: number; label: string }[] = [];
+  items(valuesNode).forEach((item, i) => {
+    const value = numberOf(item);
+    if (value === null) header.warn(item, `One of the VALUES of "${name}" is not a number: it is left out.`);
+    else choices.push({ value: Math.trunc(value), label: labels[i] ?? String(value) });
+  });
+  if (choices.length === 0) header.warn(valuesNode, `VALUES of the input "${name}" lists no numbers.`);
+  return choices;
+}
+
+/** Hosts offer MIN to MAX where a `long` lists no VALUES. */
+function rangeChoices(node: Node, labels: readonly string[]): IsfInput['choices'] {
+  const min = numberOf(property(node, 'MIN')) ?? 0;
+  const max = numberOf(property(node, 'MAX')) ?? (labels.length > 0 ? min + labels.length - 1 : Number.NaN);
+  if (!(max >= min && max - min < MAX_CHOICES)) return [];
+  return Array.from({ length: Math.trunc(max - min) + 1 }, (_, i) => ({ value: min + i, label: labels[i] ?? String(min + i) }));
+}
+
+/** `UNIT` of the input, else its entry in the header's `SCRIM_UNITS`. */
+function readUnit(header: Header, node: Node, name: string): Unit {
+  const unitNode = property(node, 'UNIT') ?? property(property(header.root, 'SCRIM_UNITS'), name);
+  const unit = textOf(unitNode);
+  if (unit !== null && UNITS.has(unit)) return unit as Unit;
+  if (unitNode !== undefined)
+    header.warn(unitNode, `The unit of "${name}" is not one that Scrim knows.`, `Use one of ${[...UNITS].join(', ')}.`);
+  return 'none';
+}
+
+function isInputType(type: string): type is IsfInputType {
+  return Object.hasOwn(SIZES, type);
+}

@@ -1,0 +1,48 @@
+import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import { type Header, items, property, readHeader, textOf } from './header.ts';
+import type { IsfInput, IsfShader } from './isf-shader.ts';
+import { readInputs } from './read-inputs.ts';
+import { readImported, readPasses } from './read-passes.ts';
+
+/**
+ * Reads the header of an ISF file, versions 1 and 2, as leniently as hosts do: trailing, doubled and missing commas, control
+ * characters and comments are put up with. `file` is its name in the library or project. What is wrong comes as SCR040 with
+ * line and column; `output` is null only where nothing can be done with the file.
+ */
+export function readIsf(source: string, file: string): Result<IsfShader> {
+  const { header, diagnostics } = readHeader(source, file);
+  if (header === null) return { output: null, diagnostics };
+  const inputs = readInputs(header);
+  const shader: IsfShader = {
+    file,
+    source,
+    version: property(header.root, 'ISFVSN') === undefined ? 1 : 2,
+    kind: kindOf(inputs),
+    title: textOf(property(header.root, 'SCRIM_TITLE')),
+    description: textOf(property(header.root, 'DESCRIPTION'))?.trim() ?? '',
+    credit: textOf(property(header.root, 'CREDIT'))?.trim() ?? '',
+    categories: items(property(header.root, 'CATEGORIES'))
+      .map(textOf)
+      .filter((category) => category !== null),
+    inputs,
+    passes: readPasses(header, inputs),
+    imported: readImported(header),
+    premultiplied: readWord(header, 'SCRIM_ALPHA', ['straight', 'premultiplied']) === 'premultiplied',
+    depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
+  };
+  return { output: hasErrors(diagnostics) ? null : shader, diagnostics };
+}
+
+/** ISF's conventions say the same of files that keep to them: `inputImage` is a filter's only image, a transition has two. */
+function kindOf(inputs: readonly IsfInput[]): IsfShader['kind'] {
+  const images = inputs.filter((input) => input.type === 'image').length;
+  return images === 0 ? 'generator' : images === 1 ? 'filter' : 'operator';
+}
+
+/** One of the words of a Scrim key; the first where the key is missing or says something else. */
+function readWord<const W extends string>(header: Header, key: string, words: readonly [W, ...W[]]): W {
+  const node = property(header.root, key);
+  const word = words.find((w) => w === textOf(node));
+  if (node !== undefined && word === undefined) header.warn(node, `${key} has to be one of ${words.map((w) => `"${w}"`).join(', ')}.`);
+  return word ?? words[0];
+}

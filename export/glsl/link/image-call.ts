@@ -1,0 +1,63 @@
+import { TEXTURE_FUNCTIONS } from '../check/builtin-functions.ts';
+import { isImageFunction } from '../check/check-call.ts';
+import type { CallExpression } from '../syntax/ast.ts';
+import { GlslError } from '../syntax/token.ts';
+import type { ImageUse } from './images.ts';
+
+/**
+ * How the position is given: `here` is the pixel that is being drawn; `norm` is (0, 0) to (1, 1); `pixel` is in pixels; the
+ * others are GLSL's own forms.
+ */
+export type ImageCall =
+  | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' }
+  | { readonly use: 'size'; readonly whole: boolean }
+  | { readonly use: 'depth'; readonly room: boolean };
+
+const NORM = /^texture(2D)?(Lod|LodEXT|Grad|GradEXT)?$/;
+const PROJECTED = /^texture(2D)?Proj(Lod|LodEXT|Grad|GradEXT)?$/;
+
+/** What a call reads of an image; null for a call that reads none. Throws for reads that have no meaning on a layer. */
+export function classifyImageCall(call: CallExpression): ImageCall | null {
+  const name = call.token.text;
+  if (call.symbol !== null || !(isImageFunction(name) || TEXTURE_FUNCTIONS.has(name))) return null;
+  switch (name) {
+    case 'IMG_THIS_PIXEL':
+    case 'IMG_THIS_NORM_PIXEL':
+      return { use: 'color', position: 'here' };
+    case 'IMG_NORM_PIXEL':
+      return { use: 'color', position: 'norm' };
+    case 'IMG_PIXEL':
+    case 'texture2DRect':
+      return { use: 'color', position: 'pixel' };
+    case 'IMG_SIZE':
+      return { use: 'size', whole: false };
+    case 'textureSize':
+      return { use: 'size', whole: true };
+    case 'LAYER_DEPTH':
+      return { use: 'depth', room: false };
+    case 'ROOM_DEPTH':
+      return { use: 'depth', room: true };
+    case 'texelFetch':
+      return { use: 'color', position: 'texel' };
+    case 'textureOffset':
+    case 'textureLodOffset':
+      return { use: 'color', position: 'offset' };
+    default:
+      if (NORM.test(name)) return { use: 'color', position: 'norm' };
+      if (PROJECTED.test(name)) return { use: 'color', position: 'projected' };
+      throw new GlslError(call.token, `"${name}" cannot be used on a layer: read it with IMG_NORM_PIXEL or IMG_PIXEL.`, 'SCR043');
+  }
+}
+
+/** A colour given by its position needs the size too where that is in pixels. */
+export function usesOf(call: ImageCall): readonly ImageUse[] {
+  if (call.use !== 'color') return [call.use];
+  return call.position === 'pixel' || call.position === 'texel' || call.position === 'offset' ? ['color', 'size'] : ['color'];
+}
+
+/** How many arguments after the image the call needs. */
+export function positionCount(call: ImageCall): number {
+  if (call.use === 'size') return 0;
+  if (call.use === 'depth') return 1;
+  return call.position === 'here' ? 0 : 1;
+}

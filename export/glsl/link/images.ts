@@ -1,0 +1,147 @@
+import type { LinkedSampler } from './linked-pass.ts';
+
+/** An image that a pass may read, and how. */
+export interface Image {
+  readonly name: string;
+  readonly kind: 'input' | 'room' | 'buffer' | 'absent';
+  /** Room depth, whether it is there or not. */
+  readonly isRoom: boolean;
+  /** For buffers: the version of this pass, see `plan-passes.ts`. */
+  readonly buffer: string;
+  /** Name of its sampler in the printed text. */
+  readonly sampler: string;
+  /** The layer behind an input has depth. */
+  readonly hasDepth: boolean;
+}
+
+/** What is read of an image: its colours, how large it is, its depth. */
+export type ImageUse = 'color' | 'size' | 'depth';
+
+/** What the names below add to that of a sampler. */
+export const IMAGE_SUFFIXES = [
+  '_at',
+  '_size',
+  '_uvFromViewUv',
+  '_depthAt',
+  '_depth',
+  '_depth_uvFromViewUv',
+  '_depth_decode',
+  '_depth_size',
+] as const;
+
+/** The functions that the printed text reads images with. */
+export function colorFunction(image: Image): string {
+  return `${image.sampler}_at`;
+}
+
+export function depthFunction(image: Image): string {
+  return `${image.sampler}_depthAt`;
+}
+
+export function sizeUniform(image: Image): string {
+  return `${image.sampler}_size`;
+}
+
+/** Samplers that a use of the image needs bound. */
+export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
+  if (image.kind === 'absent') return null;
+  if (use === 'depth') {
+    if (image.kind === 'room') return { name: image.sampler, source: { kind: 'room-depth', input: image.name } };
+    if (image.kind === 'input' && image.hasDepth)
+      return { name: `${image.sampler}_depth`, source: { kind: 'input-depth', input: image.name } };
+    return null;
+  }
+  if (image.kind === 'buffer') return { name: image.sampler, source: { kind: 'buffer', target: image.buffer } };
+  return { name: image.sampler, source: { kind: 'input', input: image.name } };
+}
+
+/**
+ * Declarations and functions for one image. All take a position on the image from (0, 0) at the bottom left to (1, 1), and
+ * read the nearest edge beyond it. No mipmaps, so the level is given and no derivative is taken: reading is allowed anywhere.
+ */
+export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultiplied: boolean): string {
+  const parts: string[] = [];
+  if (image.kind === 'absent') {
+    if (uses.has('size')) parts.push(`const vec2 ${sizeUniform(image)} = vec2(1.0);`);
+    if (uses.has('color')) parts.push(`vec4 ${colorFunction(image)}(vec2 uv) { return vec4(0.0); }`);
+    if (uses.has('depth')) parts.push(`float ${depthFunction(image)}(vec2 uv) { return 0.0; }`);
+    return parts.join('\n');
+  }
+  if (uses.has('color') || uses.has('size')) parts.push(`uniform sampler2D ${image.sampler};`);
+  if (uses.has('size')) parts.push(`uniform vec2 ${sizeUniform(image)};`);
+  if (uses.has('color')) parts.push(image.kind === 'buffer' ? bufferColor(image) : inputColor(image, premultiplied));
+  if (uses.has('depth')) parts.push(depthText(image));
+  return parts.join('\n');
+}
+
+/** A node's own buffer: as it was written. */
+function bufferColor(image: Image): string {
+  return `vec4 ${colorFunction(image)}(vec2 uv) { return textureLod(${image.sampler}, uv, 0.0); }`;
+}
+
+/** A layer: laid on the view, transparent outside of itself, with straight alpha unless the file wants it as it is stored. */
+function inputColor(image: Image, premultiplied: boolean): string {
+  const { sampler } = image;
+  return `uniform mat3 ${sampler}_uvFromViewUv;
+vec4 ${colorFunction(image)}(vec2 uv) {
+  vec2 at = scrim_place(${sampler}_uvFromViewUv, uv);
+  vec4 color = scrim_inside(at) ? textureLod(${sampler}, at, 0.0) : vec4(0.0);
+  return ${premultiplied ? 'color' : 'scrim_straight(color)'};
+}`;
+}
+
+function depthText(image: Image): string {
+  if (image.kind === 'room') {
+    const { sampler } = image;
+    return `uniform sampler2D ${sampler};
+uniform mat3 ${sampler}_uvFromViewUv;
+float ${depthFunction(image)}(vec2 uv) {
+  vec2 at = scrim_place(${sampler}_uvFromViewUv, uv);
+  return scrim_inside(at) ? textureLod(${sampler}, at, 0.0).r : 0.0;
+}`;
+  }
+  if (image.kind === 'buffer' || !image.hasDepth) return `float ${depthFunction(image)}(vec2 uv) { return 0.0; }`;
+  const sampler = `${image.sampler}_depth`;
+  return `uniform sampler2D ${sampler};
+uniform mat3 ${sampler}_uvFromViewUv;
+uniform vec4 ${sampler}_decode;
+float ${depthFunction(image)}(vec2 uv) {
+  vec2 at = scrim_place(${sampler}_uvFromViewUv, uv);
+  return scrim_inside(at) ? scrim_metres(${sampler}_decode, textureLod(${sampler}, at, 0.0).r) : 0.0;
+}`;
+}
+
+/**
+ * Shared by all images of a text.
+ *
+ * `scrim_metres` decodes both kinds of layer depth with one formula, `m = (x d + y) / (z d + w)`:
+ * metres in a texture have `decode = (1, 0, 0, 1)`; a depth buffer drawn with projection `P` (column-major, `P[8] = P[9] = 0`
+ * in the rows used) has `decode = (2 P15, -P14 - P15, 2 P11, -P10 - P11)`, from `ndc = 2 d - 1 = (P10 z + P14) / (P11 z + P15)`
+ * and `m = -z`. `x = 1` tells metres: a projection has `x = 0` in perspective and 2 in parallel. Nothing was drawn where a
+ * depth buffer still holds 1, and where metres are 0.
+ */
+export const IMAGE_HELPERS = {
+  scrim_place: `vec2 scrim_place(mat3 uvFromViewUv, vec2 uv) {
+  vec3 at = uvFromViewUv * vec3(clamp(uv, 0.0, 1.0), 1.0);
+  return at.xy / at.z;
+}`,
+  scrim_inside: `bool scrim_inside(vec2 at) {
+  return all(lessThanEqual(abs(at - 0.5), vec2(0.50001)));
+}`,
+  scrim_straight: `vec4 scrim_straight(vec4 color) {
+  return color.a > 0.0 ? vec4(color.rgb / color.a, color.a) : vec4(0.0);
+}`,
+  scrim_metres: `float scrim_metres(vec4 decode, float d) {
+  if (d >= 1.0 && decode.x != 1.0) return 0.0;
+  return (decode.x * d + decode.y) / (decode.z * d + decode.w);
+}`,
+  scrim_project: `vec2 scrim_project(vec3 at) { return at.xy / at.z; }
+vec2 scrim_project(vec4 at) { return at.xy / at.w; }`,
+} as const;
+
+/** The helpers that the images' own text calls, in an order in which each is known before it is used. */
+export function helpersFor(imageTexts: string, projects: boolean): string[] {
+  return Object.entries(IMAGE_HELPERS)
+    .filter(([name]) => imageTexts.includes(`${name}(`) || (projects && name === 'scrim_project'))
+    .map(([, helper]) => helper);
+}

@@ -1,0 +1,81 @@
+import { isBuiltinFunction } from '../check/builtin-functions.ts';
+import type { GlslSymbol } from '../syntax/ast.ts';
+import { KEYWORDS, RESERVED } from '../syntax/words.ts';
+
+/**
+ * How symbols are called in the printed text.
+ *
+ * Everything global gets the prefix `a_`: so it meets neither GLSL ES 3.00's words and functions, nor ours, nor, once several
+ * nodes share a pass, another node's. Locals keep their names, unless those are taken by the language or look like ours; then
+ * they get the prefix too, which keeps hiding what they hid.
+ */
+export interface Names {
+  of(symbol: GlslSymbol): string;
+  /** A new global name, such as that of a sampler; with `suffixes`, the names that continue it are taken with it. */
+  fresh(name: string, suffixes?: readonly string[]): string;
+  member(name: string): string;
+}
+
+/** Names with this look are ours; authors' are moved out of the way. */
+const OURS = /^(?:[a-z]\d*|scrim|gl|webgl|_webgl)_/;
+
+/** Names that the linker itself uses without a prefix. */
+const GLOBALS: ReadonlySet<string> = new Set(['TIME', 'TIMEDELTA', 'FRAMEINDEX', 'DATE', 'RENDERSIZE', 'PASSINDEX', 'main']);
+
+const PREFIX = 'a';
+
+export function createNames(): Names {
+  const names = new Map<GlslSymbol, string>();
+  const taken = new Set<string>();
+  // Overloads share their name.
+  const functionNames = new Map<string, string>();
+
+  function fresh(name: string, suffixes: readonly string[] = []): string {
+    for (let version = 0; ; version += 1) {
+      const candidate = `${PREFIX}${version === 0 ? '' : version}_${name}`;
+      const wanted = [candidate, ...suffixes.map((suffix) => candidate + suffix)];
+      if (wanted.some((one) => taken.has(one))) continue;
+      for (const one of wanted) taken.add(one);
+      return candidate;
+    }
+  }
+
+  function choose(symbol: GlslSymbol): string {
+    if (symbol.kind === 'function') {
+      const known = functionNames.get(symbol.name) ?? fresh(symbol.name);
+      functionNames.set(symbol.name, known);
+      return known;
+    }
+    const isGlobal =
+      symbol.kind === 'struct' ? symbol.global : symbol.role === 'global' || symbol.role === 'input' || symbol.role === 'image';
+    if (isGlobal || (symbol.kind === 'variable' && symbol.rename)) return fresh(symbol.name);
+    return isPlain(symbol.name) ? symbol.name : `${PREFIX}_${symbol.name}`;
+  }
+
+  return {
+    fresh,
+    of: (symbol) => {
+      const known = names.get(symbol);
+      if (known !== undefined) return known;
+      const name = choose(symbol);
+      names.set(symbol, name);
+      return name;
+    },
+    member: (name) => (isWord(name) ? `${PREFIX}_${name}` : name),
+  };
+}
+
+/** The author's name for a printed one, as drivers quote it. */
+export function authorsName(printed: string): string {
+  return printed.replace(OURS_ADDED, '');
+}
+
+const OURS_ADDED = /^[a-z]\d*_/;
+
+function isPlain(name: string): boolean {
+  return !isWord(name) && !isBuiltinFunction(name) && !GLOBALS.has(name) && !OURS.test(name) && !name.includes('__');
+}
+
+function isWord(name: string): boolean {
+  return RESERVED.has(name) || KEYWORDS.has(name);
+}

@@ -1,0 +1,83 @@
+import type { IsfPass, IsfShader } from '../isf/isf-shader.ts';
+import type { PassTarget } from './linked-pass.ts';
+
+/** A pass as it will be drawn, and which version of each buffer it sees. */
+export interface PlannedPass {
+  /** `copy`: shows the buffer `reads` as the output; all else runs the author's `main`. */
+  readonly kind: 'author' | 'copy';
+  readonly passIndex: number;
+  readonly target: PassTarget;
+  /** TARGET name → buffer to read. A name that is missing has nothing in it yet: it reads as transparent black. */
+  readonly readable: ReadonlyMap<string, string>;
+  readonly copyFrom: string | null;
+}
+
+/**
+ * Sorts out who draws where. Buffers that do not persist get a new version with each pass that draws into them, so that no
+ * pass reads what it is drawing into; a name stands for what an earlier pass of the frame drew. A pass without a target that
+ * is not the last is seen by nobody and left out. Where the last pass has a buffer of its own that somebody else could see
+ * (it persists, or has a size of its own), a copy of it makes the output.
+ */
+export function planPasses(shader: IsfShader): PlannedPass[] {
+  const planned: PlannedPass[] = [];
+  const last = shader.passes.length - 1;
+  const readable = new Map<string, string>();
+  const versions = new Map<string, number>();
+  for (const pass of shader.passes) if (pass.target !== null && pass.persistent) readable.set(pass.target, pass.target);
+
+  shader.passes.forEach((written, passIndex) => {
+    const pass = withBufferSettings(written, shader);
+    const sized = pass.width !== null || pass.height !== null;
+    if (pass.target === null && passIndex < last) return;
+    const seen = new Map(readable);
+    if (passIndex === last && !pass.persistent && !sized) {
+      planned.push({ kind: 'author', passIndex, target: { kind: 'output', format: formatOf(pass) }, readable: seen, copyFrom: null });
+      return;
+    }
+    const target = pass.target ?? freeName(shader, 'result');
+    const version = versions.get(target) ?? 0;
+    versions.set(target, version + 1);
+    // "#" cannot stand in an author's name.
+    const buffer = pass.persistent || version === 0 ? target : `${target}#${version}`;
+    planned.push({ kind: 'author', passIndex, target: bufferTarget(pass, buffer), readable: seen, copyFrom: null });
+    readable.set(target, buffer);
+    if (passIndex === last) {
+      planned.push({
+        kind: 'copy',
+        passIndex,
+        target: { kind: 'output', format: formatOf(pass) },
+        readable: new Map(readable),
+        copyFrom: target,
+      });
+    }
+  });
+  return planned;
+}
+
+/** A persistent buffer is one texture, whichever of its passes says how large and how precise it is. */
+function withBufferSettings(pass: IsfPass, shader: IsfShader): IsfPass {
+  if (!pass.persistent) return pass;
+  const same = shader.passes.filter((other) => other.target === pass.target);
+  return {
+    ...pass,
+    float: same.some((other) => other.float),
+    width: same.find((other) => other.width !== null)?.width ?? null,
+    height: same.find((other) => other.height !== null)?.height ?? null,
+  };
+}
+
+function bufferTarget(pass: IsfPass, name: string): PassTarget {
+  return { kind: 'buffer', name, format: formatOf(pass), persistent: pass.persistent, width: pass.width, height: pass.height };
+}
+
+function formatOf(pass: IsfPass): 'rgba8' | 'rgba16f' {
+  return pass.float ? 'rgba16f' : 'rgba8';
+}
+
+function freeName(shader: IsfShader, wanted: string): string {
+  const taken = new Set([...shader.inputs, ...shader.imported].map((item) => item.name));
+  for (const pass of shader.passes) if (pass.target !== null) taken.add(pass.target);
+  let name = wanted;
+  while (taken.has(name)) name += '_';
+  return name;
+}

@@ -1,0 +1,22 @@
+import type { GlslType, StructSymbol } from '../syntax/ast.ts';
+import type { Image } from './images.ts';
+import type { LineWriter } from './line-writer.ts';
+import type { Names } from './names.ts';
+import type { ImageBinding } from './pass-images.ts';
+import type { Reach } from './reach.ts';
+
+/** What the printing functions of one pass share. */
+export interface PrintContext {
+  readonly writer: LineWriter;
+  readonly names: Names;
+  readonly reach: Reach;
+  readonly passIndex: number;
+  readonly images: ReadonlyMap<string, Image>;
+  readonly structs: ReadonlyMap<GlslType, StructSymbol>;
+  readonly loopBudget: boolean;
+  /** Of the function that is being printed. */
+  binding: ImageBinding;
+  returnType: GlslType;
+  /** Found while printing. */
+  readonly found: { discards: boolean; projects: boolean };
+}

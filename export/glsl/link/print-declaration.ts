@@ -1,0 +1,119 @@
+import { isConstant } from '../check/constant.ts';
+import type { Declarator, FunctionDeclaration, Parameter, StructDeclaration, TypeSpecifier, VariableDeclaration } from '../syntax/ast.ts';
+import type { PrintContext } from './print-context.ts';
+import { printDimensions, printExpression, printTypeName } from './print-expression.ts';
+import type { Instance } from './reach.ts';
+
+/** A local declaration, without its semicolon. ES 3.00 wants constants in a `const`: where one is not, the word goes. */
+export function printVariables(declaration: VariableDeclaration, context: PrintContext): void {
+  const { writer } = context;
+  const constant = declaration.declarators.every((declarator) => declarator.symbol?.constant === true);
+  for (const qualifier of declaration.qualifiers) {
+    if (qualifier.text !== 'const' || constant) writer.write(`${qualifier.text} `, qualifier);
+  }
+  printType(declaration.type, context);
+  declaration.declarators.forEach((declarator, i) => {
+    writer.write(i === 0 ? ' ' : ', ');
+    printDeclarator(declarator, context, true);
+  });
+}
+
+/** Global variables, one per statement, and the struct that may be declared with them. */
+export function printGlobals(declaration: VariableDeclaration, context: PrintContext): void {
+  const { writer } = context;
+  const { struct } = declaration.type;
+  if (struct !== null) {
+    printStruct(struct, context);
+    writer.write(';');
+    writer.endLine();
+  }
+  for (const declarator of declaration.declarators) {
+    const { symbol } = declarator;
+    if (symbol?.role !== 'global' || !context.reach.globals.has(symbol)) continue;
+    for (const qualifier of declaration.qualifiers) {
+      if (qualifier.text !== 'const' || symbol.constant) writer.write(`${qualifier.text} `, qualifier);
+    }
+    printTypeName(declaration.type, context);
+    writer.write(' ');
+    printDeclarator(declarator, context, !needsHoisting(declarator));
+    writer.write(';');
+    writer.endLine();
+  }
+}
+
+/** ES 3.00 allows only constants as initialisers of globals; the others are assigned when `main` begins. */
+export function needsHoisting(declarator: Declarator): boolean {
+  return declarator.initializer !== null && !isConstant(declarator.initializer);
+}
+
+export function printHoisted(declarator: Declarator, context: PrintContext): void {
+  const { writer } = context;
+  if (declarator.symbol === null || declarator.initializer === null) return;
+  writer.write(`${context.names.of(declarator.symbol)} = `, declarator.name);
+  printExpression(declarator.initializer, context);
+  writer.write(';');
+  writer.endLine();
+}
+
+/** The head of a function, without what follows it. */
+export function printFunctionHead(declaration: FunctionDeclaration, instance: Instance, context: PrintContext): void {
+  const { writer } = context;
+  printTypeName(declaration.returnType, context);
+  writer.write(' ');
+  writer.write(`${instance.name}(`, declaration.name);
+  // A prototype's parameters have no symbols of their own: those that are images show by their type.
+  const values = declaration.parameters.filter((parameter) => parameter.type.type !== 'sampler2D');
+  values.forEach((parameter, i) => {
+    if (i > 0) writer.write(', ');
+    printParameter(parameter, context);
+  });
+  writer.write(')');
+}
+
+function printParameter(parameter: Parameter, context: PrintContext): void {
+  const { writer } = context;
+  for (const qualifier of parameter.qualifiers) writer.write(`${qualifier.text} `, qualifier);
+  printTypeName(parameter.type, context);
+  if (parameter.name !== null) {
+    const name = parameter.symbol === null ? `a_${parameter.name.text}` : context.names.of(parameter.symbol);
+    writer.write(' ');
+    writer.write(name, parameter.name);
+  }
+  printDimensions(parameter.dimensions, context);
+}
+
+function printType(type: TypeSpecifier, context: PrintContext): void {
+  if (type.struct === null) {
+    printTypeName(type, context);
+    return;
+  }
+  printStruct(type.struct, context);
+  printDimensions(type.dimensions, context);
+}
+
+function printStruct(struct: StructDeclaration, context: PrintContext): void {
+  const { writer, names } = context;
+  writer.write('struct ', struct.name ?? undefined);
+  if (struct.symbol !== null) writer.write(names.of(struct.symbol));
+  writer.write(' {');
+  writer.indent(1);
+  for (const member of struct.members) {
+    printType(member.type, context);
+    writer.write(' ');
+    writer.write(names.member(member.name.text), member.name);
+    printDimensions(member.dimensions, context);
+    writer.write(';');
+    writer.endLine();
+  }
+  writer.indent(-1);
+  writer.write('}');
+}
+
+function printDeclarator(declarator: Declarator, context: PrintContext, withInitializer: boolean): void {
+  const { writer, names } = context;
+  writer.write(declarator.symbol === null ? declarator.name.text : names.of(declarator.symbol), declarator.name);
+  printDimensions(declarator.dimensions, context);
+  if (declarator.initializer === null || !withInitializer) return;
+  writer.write(' = ');
+  printExpression(declarator.initializer, context);
+}

@@ -1,0 +1,164 @@
+import type { Expression, Statement, VariableDeclaration } from '../syntax/ast.ts';
+import type { Token } from '../syntax/token.ts';
+import { decideBranch } from './pass-condition.ts';
+import type { PrintContext } from './print-context.ts';
+import { printVariables } from './print-declaration.ts';
+import { printExpression } from './print-expression.ts';
+import { zeroOf } from './zero.ts';
+
+/** One statement, beginning on a line of its own. */
+export function printStatement(statement: Statement, context: PrintContext): void {
+  const { writer } = context;
+  writer.endLine();
+  switch (statement.kind) {
+    case 'block':
+      printBlock(statement, context);
+      return;
+    case 'variables':
+      printVariables(statement, context);
+      writer.write(';');
+      break;
+    case 'expression':
+      printExpression(statement.expression, context);
+      writer.write(';');
+      break;
+    case 'empty':
+      writer.write(';', statement.start);
+      break;
+    case 'if':
+      printIf(statement, context);
+      return;
+    case 'for':
+      writer.write('for (', statement.start);
+      printHead(statement.initial, context);
+      writer.write('; ');
+      printCondition(statement.condition, context);
+      writer.write('; ');
+      printHead(statement.step, context);
+      writer.write(')');
+      printBody(statement.body, context);
+      return;
+    case 'while':
+      writer.write('while (', statement.start);
+      printCondition(statement.condition, context);
+      writer.write(')');
+      printBody(statement.body, context);
+      return;
+    case 'do':
+      writer.write('do', statement.start);
+      printBody(statement.body, context);
+      writer.write('while (', statement.end);
+      printCondition(statement.condition, context);
+      writer.write(');');
+      break;
+    case 'switch':
+      writer.write('switch (', statement.start);
+      printExpression(statement.value, context);
+      writer.write(')');
+      printBody(statement.body, context);
+      return;
+    case 'case':
+      writer.write(statement.value === null ? 'default' : 'case ', statement.start);
+      if (statement.value !== null) printExpression(statement.value, context);
+      writer.write(':');
+      break;
+    case 'return':
+      writer.write('return', statement.start);
+      if (statement.value !== null) {
+        writer.write(' ');
+        printExpression(statement.value, context);
+      }
+      writer.write(';');
+      break;
+    case 'jump':
+      printJump(statement, context);
+      break;
+  }
+  writer.endLine();
+}
+
+export function printBlock(block: Extract<Statement, { kind: 'block' }>, context: PrintContext): void {
+  const { writer } = context;
+  writer.endLine();
+  writer.write('{', block.start);
+  writer.indent(1);
+  for (const statement of block.statements) printStatement(statement, context);
+  writer.indent(-1);
+  writer.write('}', block.end);
+  writer.endLine();
+}
+
+/** Always in braces: what belongs to an `if` or a loop may take several printed statements. */
+function printBody(body: Statement, context: PrintContext): void {
+  const { writer } = context;
+  if (body.kind === 'block') {
+    printBlock(body, context);
+    return;
+  }
+  writer.endLine();
+  writer.own('{');
+  writer.indent(1);
+  printStatement(body, context);
+  writer.indent(-1);
+  writer.own('}');
+}
+
+function printIf(first: Extract<Statement, { kind: 'if' }>, context: PrintContext): void {
+  const { writer } = context;
+  const branch = decideBranch(first, context.passIndex);
+  if (branch !== undefined) {
+    if (branch !== null) printBody(branch, context);
+    return;
+  }
+  writer.write('if (', first.start);
+  printExpression(first.condition, context);
+  writer.write(')');
+  printBody(first.then, context);
+  if (first.otherwise === null) return;
+  const { start, statement } = first.otherwise;
+  if (statement.kind === 'if' && decideBranch(statement, context.passIndex) === undefined) {
+    writer.write('else ', start);
+    printIf(statement, context);
+  } else {
+    writer.write('else', start);
+    printBody(statement, context);
+  }
+}
+
+function printHead(head: Expression | VariableDeclaration | null, context: PrintContext): void {
+  if (head === null) return;
+  if (head.kind === 'variables') printVariables(head, context);
+  else printExpression(head, context);
+}
+
+/** Under a budget every round of every loop is paid for first; see `prelude.ts`. */
+function printCondition(condition: Expression | VariableDeclaration | null, context: PrintContext): void {
+  if (!context.loopBudget || condition?.kind === 'variables') {
+    printHead(condition, context);
+  } else if (condition === null) {
+    context.writer.write('scrim_spend()');
+  } else {
+    context.writer.write('scrim_spend() && (');
+    printExpression(condition, context);
+    context.writer.write(')');
+  }
+}
+
+/**
+ * `discard` would leave what happens to be in the target. Elsewhere it means "nothing here", so the function returns, the
+ * rest of the invocation runs on without effect, and the pixel becomes transparent.
+ */
+function printJump(statement: { readonly start: Token; readonly word: string }, context: PrintContext): void {
+  const { writer, returnType } = context;
+  if (statement.word !== 'discard') {
+    writer.write(`${statement.word};`, statement.start);
+    return;
+  }
+  const zero = returnType === 'void' ? '' : zeroOf(returnType, context);
+  if (zero === null) {
+    writer.write('discard;', statement.start);
+    return;
+  }
+  context.found.discards = true;
+  writer.write(`{ scrim_discarded = true; return${zero === '' ? '' : ` ${zero}`}; }`, statement.start);
+}

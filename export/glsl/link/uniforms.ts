@@ -1,0 +1,38 @@
+import type { BuiltinUniform, PassUniform } from '../../program/program.ts';
+import { INPUT_TYPES } from '../isf/given-symbols.ts';
+import type { IsfShader } from '../isf/isf-shader.ts';
+import type { VariableSymbol } from '../syntax/ast.ts';
+import type { LinkedUniform } from './linked-pass.ts';
+import type { Names } from './names.ts';
+import type { Reach } from './reach.ts';
+
+export const GLSL_UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['type']>> = {
+  TIME: 'float',
+  TIMEDELTA: 'float',
+  FRAMEINDEX: 'int',
+  DATE: 'vec4',
+  RENDERSIZE: 'vec2',
+  PASSINDEX: 'int',
+};
+
+/** Automatic uniforms that a pass uses, in the table's order; a position in pixels needs the size. */
+export function builtinUniforms(reach: Reach): BuiltinUniform[] {
+  const used = new Set(reach.builtins);
+  if (usesFragCoord(reach)) used.add('RENDERSIZE');
+  return (Object.keys(GLSL_UNIFORM_TYPES) as BuiltinUniform[]).filter((name) => used.has(name));
+}
+
+export function usesFragCoord(reach: Reach): boolean {
+  return ['gl_FragCoord', 'isf_FragCoord', 'vv_FragCoord'].some((name) => reach.builtins.has(name));
+}
+
+/** Inputs that are values, in the header's order. */
+export function paramUniforms(shader: IsfShader, reach: Reach, given: ReadonlyMap<string, VariableSymbol>, names: Names): LinkedUniform[] {
+  const uniforms: LinkedUniform[] = [];
+  for (const { name, type } of shader.inputs) {
+    const symbol = given.get(name);
+    if (symbol === undefined || !reach.params.has(name)) continue;
+    uniforms.push({ name: names.of(symbol), type: INPUT_TYPES[type] as PassUniform['type'], source: { param: name } });
+  }
+  return uniforms;
+}

@@ -1,0 +1,136 @@
+import { GlslError, type Token } from './token.ts';
+
+/** `#define NAME body`, or with parameters `#define NAME(a, b) body`. */
+export interface Macro {
+  readonly name: string;
+  readonly parameters: readonly string[] | null;
+  readonly body: readonly Token[];
+}
+
+export type MacroTable = Map<string, Macro>;
+
+/** A few nested macros can stand for more text than fits in memory; no real shader comes near this. */
+const MAX_EXPANDED_TOKENS = 200_000;
+
+/** Macro uses inside arguments of macro uses inside arguments … */
+const MAX_NESTING = 100;
+
+/** Counts what all expansions of one source have produced, and how deep the running one is. */
+export interface ExpansionBudget {
+  left: number;
+  nesting: number;
+}
+
+export function createExpansionBudget(): ExpansionBudget {
+  return { left: MAX_EXPANDED_TOKENS, nesting: 0 };
+}
+
+/**
+ * Replaces every macro use in `tokens` (Prosser's algorithm, the one that the C standard's wording came from: each token
+ * carries the set of macros that made it, which are not expanded in it again). Text that comes from a macro's body has the
+ * place where the macro was used; arguments keep their own place.
+ */
+export function expandMacros(tokens: readonly Token[], macros: MacroTable, budget: ExpansionBudget): Token[] {
+  const output: Token[] = [];
+  const pending = [...tokens].reverse();
+  for (let token = pending.pop(); token !== undefined; token = pending.pop()) {
+    const replacement = expandOne(token, pending, macros, budget);
+    if (replacement === null) {
+      output.push(token);
+      continue;
+    }
+    budget.left -= replacement.length + 1;
+    if (budget.left < 0) throw new GlslError(token, `The macro "${token.text}" and those inside it expand to too much text.`);
+    for (let i = replacement.length - 1; i >= 0; i -= 1) pending.push(replacement[i] as Token);
+  }
+  return output;
+}
+
+function expandOne(token: Token, pending: Token[], macros: MacroTable, budget: ExpansionBudget): Token[] | null {
+  if (token.kind !== 'word' || token.hidden?.has(token.text)) return null;
+  if (token.text === '__LINE__') return [{ ...token, kind: 'int', text: String(token.line) }];
+  const macro = macros.get(token.text);
+  if (macro === undefined) return null;
+  if (macro.parameters === null) return substitute(macro, token, [], unite(token.hidden, macro.name), macros, budget);
+  if (pending.at(-1)?.text !== '(') return null;
+  const call = takeArguments(token, pending);
+  const args = call.args.length === 1 && call.args[0]?.length === 0 && macro.parameters.length === 0 ? [] : call.args;
+  if (args.length !== macro.parameters.length) {
+    throw new GlslError(
+      token,
+      `The macro "${macro.name}" takes ${count(macro.parameters.length)}, but ${args.length} ${args.length === 1 ? 'is' : 'are'} given.`,
+    );
+  }
+  return substitute(macro, token, args, unite(intersect(token.hidden, call.close.hidden), macro.name), macros, budget);
+}
+
+function substitute(
+  macro: Macro,
+  use: Token,
+  args: readonly (readonly Token[])[],
+  hidden: ReadonlySet<string>,
+  macros: MacroTable,
+  budget: ExpansionBudget,
+): Token[] {
+  const output: Token[] = [];
+  const expandedArgs: (Token[] | undefined)[] = [];
+  for (const token of macro.body) {
+    const index = token.kind === 'word' && macro.parameters !== null ? macro.parameters.indexOf(token.text) : -1;
+    if (index < 0) {
+      output.push({ ...token, line: use.line, column: use.column, hidden: uniteAll(token.hidden, hidden) });
+      continue;
+    }
+    expandedArgs[index] ??= expandArgument(args[index] ?? [], use, macros, budget);
+    for (const part of expandedArgs[index] ?? []) {
+      output.push({ ...part, hidden: uniteAll(part.hidden, hidden) });
+      if (output.length > MAX_EXPANDED_TOKENS) throw new GlslError(use, `The macro "${macro.name}" expands to too much text.`);
+    }
+  }
+  return output;
+}
+
+function expandArgument(argument: readonly Token[], use: Token, macros: MacroTable, budget: ExpansionBudget): Token[] {
+  if (budget.nesting >= MAX_NESTING) throw new GlslError(use, `The uses of the macro "${use.text}" are nested too deeply.`);
+  budget.nesting += 1;
+  const expanded = expandMacros(argument, macros, budget);
+  budget.nesting -= 1;
+  return expanded;
+}
+
+/** Takes `( … )` off `pending`, split at the commas that are not inside inner brackets. */
+function takeArguments(use: Token, pending: Token[]): { args: Token[][]; close: Token } {
+  pending.pop();
+  const args: Token[][] = [[]];
+  let depth = 0;
+  for (let token = pending.pop(); token !== undefined && token.kind !== 'end'; token = pending.pop()) {
+    if (token.text === ')' && depth === 0) return { args, close: token };
+    if (token.text === ',' && depth === 0) {
+      args.push([]);
+      continue;
+    }
+    if (token.text === '(') depth += 1;
+    if (token.text === ')') depth -= 1;
+    args.at(-1)?.push(token);
+  }
+  throw new GlslError(use, `The brackets after the macro "${use.text}" are never closed.`);
+}
+
+function count(parameters: number): string {
+  return parameters === 1 ? '1 argument' : `${parameters} arguments`;
+}
+
+function unite(hidden: ReadonlySet<string> | null, name: string): ReadonlySet<string> {
+  return new Set(hidden ?? []).add(name);
+}
+
+function uniteAll(a: ReadonlySet<string> | null, b: ReadonlySet<string>): ReadonlySet<string> {
+  if (a === null) return b;
+  if (a === b) return a;
+  return new Set([...a, ...b]);
+}
+
+function intersect(a: ReadonlySet<string> | null, b: ReadonlySet<string> | null): ReadonlySet<string> | null {
+  if (a === null || b === null) return null;
+  const both = new Set([...a].filter((name) => b.has(name)));
+  return both.size === 0 ? null : both;
+}

@@ -1,0 +1,91 @@
+import type { Declarator, Expression, Statement, VariableDeclaration } from './ast.ts';
+
+export interface Walk {
+  /** Called for each expression before its parts; gives the parts to go on with, or undefined for all. */
+  expression?(expression: Expression): readonly Expression[] | undefined;
+  /** Called for each statement before its parts; gives the parts to go on with, or undefined for all. */
+  statement?(statement: Statement): readonly (Statement | Expression)[] | undefined;
+  /** Called for each variable, after its initialiser. */
+  declarator?(declarator: Declarator): void;
+}
+
+export function walkStatement(statement: Statement, walk: Walk): void {
+  for (const part of walk.statement?.(statement) ?? partsOf(statement)) walkPart(part, walk);
+  if (statement.kind === 'variables') for (const declarator of statement.declarators) walk.declarator?.(declarator);
+}
+
+export function walkExpression(expression: Expression, walk: Walk): void {
+  for (const part of walk.expression?.(expression) ?? operands(expression)) walkExpression(part, walk);
+}
+
+/** Expressions that stand directly in a declaration, those in its type's sizes included. */
+export function expressionsOf(declaration: VariableDeclaration): Expression[] {
+  const found: (Expression | null)[] = [...declaration.type.dimensions];
+  for (const declarator of declaration.declarators) found.push(...declarator.dimensions, declarator.initializer);
+  return found.filter((expression) => expression !== null);
+}
+
+function walkPart(part: Statement | Expression, walk: Walk): void {
+  if (isStatement(part)) walkStatement(part, walk);
+  else walkExpression(part, walk);
+}
+
+function isStatement(part: Statement | Expression): part is Statement {
+  return !('token' in part);
+}
+
+function partsOf(statement: Statement): readonly (Statement | Expression)[] {
+  switch (statement.kind) {
+    case 'block':
+      return statement.statements;
+    case 'variables':
+      return expressionsOf(statement);
+    case 'expression':
+      return [statement.expression];
+    case 'if':
+      return statement.otherwise === null
+        ? [statement.condition, statement.then]
+        : [statement.condition, statement.then, statement.otherwise.statement];
+    case 'for':
+      return [statement.initial, statement.condition, statement.step, statement.body].filter((part) => part !== null);
+    case 'while':
+      return [statement.condition, statement.body];
+    case 'do':
+      return [statement.body, statement.condition];
+    case 'switch':
+      return [statement.value, statement.body];
+    case 'case':
+    case 'return':
+      return statement.value === null ? [] : [statement.value];
+    case 'empty':
+    case 'jump':
+      return [];
+  }
+}
+
+/** The expressions that one is made of. */
+export function operands(expression: Expression): readonly Expression[] {
+  switch (expression.kind) {
+    case 'name':
+    case 'literal':
+      return [];
+    case 'group':
+      return [expression.inner];
+    case 'prefix':
+    case 'postfix':
+      return [expression.operand];
+    case 'binary':
+      return [expression.left, expression.right];
+    case 'conditional':
+      return [expression.condition, expression.then, expression.otherwise];
+    case 'member':
+    case 'length':
+      return [expression.object];
+    case 'index':
+      return [expression.object, expression.index];
+    case 'array':
+      return [...expression.of.dimensions.filter((dimension) => dimension !== null), ...expression.args];
+    case 'call':
+      return expression.args;
+  }
+}
