@@ -1,0 +1,98 @@
+import { castDraft } from 'immer';
+import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { conversion, type WireType } from '../../../nodes/kit/wire-types.ts';
+import { bindingMisfit } from '../library/binding.ts';
+import { createFaceLookup, inputOf, type NodeFace, takesSeveral } from '../library/faces.ts';
+import { subgraphType } from '../names.ts';
+import { own } from '../own.ts';
+import type { Graph, Project, Wire } from '../project.ts';
+import { sortWires } from '../wires.ts';
+import { type Change, change, draftGraph, graphOf, inTurn, refuse, setWires } from './change.ts';
+import { settle } from './settle.ts';
+
+export interface ChangeType {
+  readonly library: NodeLibrary;
+  readonly graph: string;
+  readonly node: string;
+  readonly type: string;
+}
+
+/**
+ * Makes another kind of node of one, in its place. Wires stay at ports of the same name, and else move to the first free port
+ * of the same type; params stay whose name is there and whose value fits.
+ */
+export function changeType(project: Project, { library, graph: name, node: id, type }: ChangeType): Change {
+  const graph = graphOf(project, name);
+  const node = own(graph.nodes, id);
+  if (!node) return refuse(project, 'SCR012', `There is no node ${id}.`, { nodeId: id });
+  const faceOf = createFaceLookup(project, library);
+  const face = faceOf(type);
+  if (!face) return refuse(project, 'SCR010', `There is no node type ${type}.`, { nodeId: id });
+  const params = Object.entries(node.params).filter(([param, binding]) => {
+    const definition = own(face.params, param);
+    return definition !== undefined && bindingMisfit(definition, binding) === null;
+  });
+  const wires = rewire(graph, id, faceOf(node.type), face);
+  const retype = (before: Project) =>
+    change(before, (draft) => {
+      const { nodes } = draftGraph(draft, name);
+      nodes[id] = castDraft({ ...node, type, version: face.version, params: Object.fromEntries(params) });
+      setWires(draft, name, wires);
+    });
+  // Wires that were wrong before, and ports shown outside.
+  return inTurn(project, retype, (before) => settle(before, library, [type, subgraphType(name)]));
+}
+
+function rewire(graph: Graph, id: string, before: NodeFace | undefined, after: NodeFace): readonly Wire[] {
+  const inputs = movePorts(
+    graph.wires.filter(({ to }) => to.node === id).map(({ to }) => to.port),
+    (port) => before && inputOf(before, port)?.type,
+    [...Object.keys(after.inputs), ...Object.keys(after.params)].map((port) => ({ port, input: inputOf(after, port) })),
+    ({ input }) => input?.type,
+    ({ input }) => input !== undefined && takesSeveral(input),
+  );
+  const outputs = movePorts(
+    graph.wires.filter(({ from }) => from.node === id).map(({ from }) => from.port),
+    (port) => before && own(before.outputs, port)?.type,
+    Object.entries(after.outputs).map(([port, output]) => ({ port, output })),
+    ({ output }) => output.type,
+    () => true,
+  );
+  const moved = graph.wires.flatMap(({ from, to }): Wire[] => {
+    const fromPort = from.node === id ? outputs.get(from.port) : from.port;
+    const toPort = to.node === id ? inputs.get(to.port) : to.port;
+    if (fromPort === undefined || toPort === undefined) return [];
+    return [{ from: { node: from.node, port: fromPort }, to: { node: to.node, port: toPort } }];
+  });
+  return sortWires(moved);
+}
+
+/** Old port → new port, for those that find one. */
+function movePorts<P extends { readonly port: string }>(
+  used: readonly string[],
+  typeBefore: (port: string) => WireType | undefined,
+  available: readonly P[],
+  typeOf: (port: P) => WireType | undefined,
+  hasRoom: (port: P) => boolean,
+): Map<string, string> {
+  const moved = new Map<string, string>();
+  const taken = new Set<string>();
+  const homeless: string[] = [];
+  for (const port of new Set(used)) {
+    const same = available.find((candidate) => candidate.port === port);
+    const type = typeBefore(port);
+    const sameType = same && typeOf(same);
+    if (sameType && (type === undefined || conversion(type, sameType) !== 'none')) {
+      moved.set(port, port);
+      taken.add(port);
+    } else homeless.push(port);
+  }
+  for (const port of homeless) {
+    const type = typeBefore(port);
+    const free = available.find((candidate) => typeOf(candidate) === type && (hasRoom(candidate) || !taken.has(candidate.port)));
+    if (type === undefined || !free) continue;
+    moved.set(port, free.port);
+    taken.add(free.port);
+  }
+  return moved;
+}

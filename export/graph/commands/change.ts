@@ -1,0 +1,82 @@
+import { applyPatches as applyToDraft, castDraft, type Draft, enablePatches, type Patch, produceWithPatches } from 'immer';
+import { type Diagnostic, type DiagnosticCode, hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { own } from '../own.ts';
+import type { Graph, Project, Wire } from '../project.ts';
+
+/** What every command answers. A refused one gives the same project, no patches, and an error that says why. */
+export interface Change {
+  readonly project: Project;
+  /** From the project before to the one after. */
+  readonly patches: readonly Patch[];
+  /** From the project after back to the one before. */
+  readonly inverse: readonly Patch[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export type ProjectDraft = Draft<Project>;
+
+/** Names what a diagnostic is about. */
+export interface Place {
+  readonly nodeId?: string;
+  readonly port?: string;
+  readonly file?: string;
+}
+
+/**
+ * Changes a draft of the project. Lists in it (wires, exposed ports) are replaced as wholes, never spliced: a splice near the
+ * front of ten thousand wires would be ten thousand patches.
+ */
+export function change(project: Project, recipe: (draft: ProjectDraft) => void): Change {
+  enablePatches();
+  const [changed, patches, inverse] = produceWithPatches(project, (draft) => {
+    recipe(draft);
+  });
+  return { project: changed, patches, inverse, diagnostics: [] };
+}
+
+export function refuse(project: Project, code: DiagnosticCode, message: string, place: Place = {}): Change {
+  return { project, patches: [], inverse: [], diagnostics: [{ code, severity: 'error', ...place, message }] };
+}
+
+export function unchanged(project: Project): Change {
+  return { project, patches: [], inverse: [], diagnostics: [] };
+}
+
+/** Several changes as one step, each on what the one before made; refused as a whole when one of them is. */
+export function inTurn(project: Project, ...steps: readonly ((project: Project) => Change)[]): Change {
+  let sum = unchanged(project);
+  for (const step of steps) {
+    const next = step(sum.project);
+    if (hasErrors(next.diagnostics)) return { ...unchanged(project), diagnostics: next.diagnostics };
+    sum = {
+      project: next.project,
+      patches: [...sum.patches, ...next.patches],
+      inverse: [...next.inverse, ...sum.inverse],
+      diagnostics: [...sum.diagnostics, ...next.diagnostics],
+    };
+  }
+  return sum;
+}
+
+export function applyPatches(project: Project, patches: readonly Patch[]): Project {
+  enablePatches();
+  return applyToDraft(project, patches);
+}
+
+/** The graph that the editor shows, so it exists: another name is a programmer's mistake. */
+export function graphOf(project: Project, name: string): Graph {
+  const graph = own(project.graphs, name);
+  if (!graph) throw new Error(`There is no graph "${name}".`);
+  return graph;
+}
+
+export function draftGraph(draft: ProjectDraft, name: string): Draft<Graph> {
+  const graph = draft.graphs[name];
+  if (!graph) throw new Error(`There is no graph "${name}".`);
+  return graph;
+}
+
+/** Replaces the wires, unless they are the ones it has. */
+export function setWires(draft: ProjectDraft, graph: string, wires: readonly Wire[]): void {
+  draftGraph(draft, graph).wires = castDraft(wires);
+}

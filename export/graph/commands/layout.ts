@@ -1,0 +1,96 @@
+import { castDraft } from 'immer';
+import { isEntryId } from '../names.ts';
+import { own } from '../own.ts';
+import type { Frame, Note, Project } from '../project.ts';
+import { type Change, change, graphOf } from './change.ts';
+import { draftLayout } from './nodes.ts';
+
+/** These change `project.layout.json` alone. Canvas units are stored whole, so that diffs stay short. */
+
+export interface MoveNodes {
+  readonly graph: string;
+  readonly positions: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
+}
+
+export function moveNodes(project: Project, { graph, positions }: MoveNodes): Change {
+  const { nodes } = graphOf(project, graph);
+  return change(project, (draft) => {
+    const layout = draftLayout(draft, graph).nodes;
+    for (const [id, { x, y }] of Object.entries(positions)) {
+      if (own(nodes, id)) layout[id] = { ...layout[id], ...rounded({ x, y }) };
+    }
+  });
+}
+
+export interface SetCollapsed {
+  readonly graph: string;
+  readonly nodes: readonly string[];
+  readonly collapsed: boolean;
+}
+
+export function setCollapsed(project: Project, { graph, nodes, collapsed }: SetCollapsed): Change {
+  return change(project, (draft) => {
+    const layout = draftLayout(draft, graph).nodes;
+    for (const id of nodes) {
+      const place = layout[id];
+      if (collapsed) layout[id] = { x: 0, y: 0, ...place, collapsed };
+      else if (place) delete place.collapsed;
+    }
+  });
+}
+
+export interface PutFrame {
+  readonly graph: string;
+  /** From `makeLayoutId`, or of a frame that is there. */
+  readonly id: string;
+  readonly frame: Frame;
+}
+
+export function putFrame(project: Project, { graph, id, frame }: PutFrame): Change {
+  checkId(id);
+  return change(project, (draft) => {
+    draftLayout(draft, graph).frames[id] = castDraft({ ...frame, ...rounded(frame) });
+  });
+}
+
+export interface PutNote {
+  readonly graph: string;
+  readonly id: string;
+  readonly note: Note;
+}
+
+export function putNote(project: Project, { graph, id, note }: PutNote): Change {
+  checkId(id);
+  return change(project, (draft) => {
+    draftLayout(draft, graph).notes[id] = castDraft({ ...note, ...rounded(note) });
+  });
+}
+
+export interface RemoveFromLayout {
+  readonly graph: string;
+  readonly frames?: readonly string[];
+  readonly notes?: readonly string[];
+}
+
+export function removeFromLayout(project: Project, { graph, frames = [], notes = [] }: RemoveFromLayout): Change {
+  return change(project, (draft) => {
+    const layout = draft.layout[graph];
+    for (const id of frames) delete layout?.frames[id];
+    for (const id of notes) delete layout?.notes[id];
+  });
+}
+
+function checkId(id: string): void {
+  if (!isEntryId(id)) throw new Error(`${id} is no id of a frame or note.`);
+}
+
+/** Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero. */
+function rounded<T extends { readonly x: number; readonly y: number; readonly width?: number; readonly height?: number }>(box: T) {
+  const { x, y, width, height } = box;
+  return {
+    x: Math.round(x) + 0,
+    y: Math.round(y) + 0,
+    ...(width === undefined ? {} : { width: Math.round(width) + 0 }),
+    ...(height === undefined ? {} : { height: Math.round(height) + 0 }),
+  };
+}

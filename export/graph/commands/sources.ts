@@ -1,0 +1,133 @@
+import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { createFaceLookup } from '../library/faces.ts';
+import { projectLibrary, type ReadShader } from '../library/project-library.ts';
+import { isShaderFile } from '../names.ts';
+import { own } from '../own.ts';
+import type { Project } from '../project.ts';
+import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, unchanged } from './change.ts';
+import { settle } from './settle.ts';
+
+export interface SetSource {
+  /** Without the project's own shaders. */
+  readonly base: NodeLibrary;
+  /** Every shader of the project is read, so it had better remember (`rememberShaders`). */
+  readonly readShader: ReadShader;
+  /** In `shaders/`. */
+  readonly file: string;
+  readonly text: string;
+}
+
+/**
+ * Sets the text of a project's shader, with all that follows from it, as one step: where the header's inputs have changed, wires
+ * and params stay whose name and type are still there; where they make it another kind of node (a filter that has got a second
+ * image is an operator), its nodes become that. A header that cannot be read changes nothing but the text.
+ */
+export function setSource(project: Project, { base, readShader, file, text }: SetSource): Change {
+  if (!isShaderFile(file)) return refuse(project, 'SCR002', `“${file}” will not do as the name of a shader file.`, { file });
+  if (own(project.sources, file) === text) return unchanged(project);
+  const sources = { ...project.sources, [file]: text };
+  const library = projectLibrary(base, sources, readShader);
+  const after = typeOf(library.files, file);
+  const write = (before: Project) =>
+    change(before, (draft) => {
+      draft.sources[file] = text;
+    });
+  if (after === undefined) return inTurn(project, write);
+  const before = typeOf(projectLibrary(base, project.sources, readShader).files, file);
+  const stale = before === undefined ? orphanedTypes(file, library) : before === after ? [] : [before];
+  const retype = (written: Project) =>
+    stale.length === 0 ? unchanged(written) : change(written, (draft) => retypeNodes(draft, stale, after));
+  return inTurn(project, write, retype, (retyped) => settle(retyped, library, [after]));
+}
+
+export interface RemoveSource extends Omit<SetSource, 'text'> {}
+
+/** Refused while a node needs it: one that the library has no node type of the same name for. */
+export function removeSource(project: Project, { base, readShader, file }: RemoveSource): Change {
+  const { [file]: _, ...sources } = project.sources;
+  const type = typeOf(projectLibrary(base, project.sources, readShader).files, file);
+  const library = projectLibrary(base, sources, readShader);
+  const users = Object.values(project.graphs).flatMap(({ nodes }) => Object.keys(nodes).filter((id) => nodes[id]?.type === type));
+  const [user] = users;
+  if (type !== undefined && user !== undefined && library.definition(type) === undefined) {
+    return refuse(project, 'SCR010', `shaders/${file} is used by ${users.join(', ')}.`, { nodeId: user, file: `shaders/${file}` });
+  }
+  const remove = (before: Project) =>
+    change(before, (draft) => {
+      delete draft.sources[file];
+    });
+  return inTurn(project, remove, (removed) => settle(removed, library, type === undefined ? [] : [type]));
+}
+
+export interface ForkShader {
+  /** With the project's own shaders. */
+  readonly library: NodeLibrary;
+  readonly graph: string;
+  readonly node: string;
+  /** Of the copy, without `.fs`; by default the original's with the next free number. */
+  readonly name?: string;
+}
+
+/** Copies the shader of a node into the project, where it can be edited, and makes the node use the copy. */
+export function forkShader(project: Project, { library, graph, node: id, name }: ForkShader): Change {
+  const node = own(graphOf(project, graph).nodes, id);
+  if (!node) return refuse(project, 'SCR012', `There is no node ${id}.`, { nodeId: id });
+  const definition = createFaceLookup(project, library)(node.type) && library.definition(node.type);
+  const shader = definition && forkableShader(definition, library);
+  if (!definition || !shader) {
+    return refuse(project, 'SCR043', `${id} (${node.type}) is more than a shader: only filters, operators and generators can be copied.`, {
+      nodeId: id,
+    });
+  }
+  const [kind = '', original = ''] = definition.type.split('/');
+  const copy = name ?? freeName(project, library, kind, original);
+  const file = `${copy}.fs`;
+  if (!isShaderFile(file)) return refuse(project, 'SCR002', `“${file}” will not do as the name of a shader file.`, { nodeId: id });
+  if (isTaken(project, library, kind, copy)) return refuse(project, 'SCR002', `There is a shader “${copy}” already.`, { nodeId: id });
+  const vertex = library.shader(shader.name.replace(/\.fs$/, '.vs'));
+  return change(project, (draft) => {
+    draft.sources[file] = shader.text;
+    if (vertex !== undefined) draft.sources[`${copy}.vs`] = vertex;
+    const drafted = draftGraph(draft, graph).nodes[id];
+    if (!drafted) return;
+    drafted.type = `${kind}/${copy}`;
+    drafted.version = 1;
+  });
+}
+
+const SHADER_KINDS = ['filter', 'operator', 'generator'];
+
+function forkableShader({ type, lowering }: NodeDefinition, library: NodeLibrary): { name: string; text: string } | undefined {
+  if (lowering.kind !== 'image' || !SHADER_KINDS.includes(type.slice(0, type.indexOf('/')))) return undefined;
+  const text = library.shader(lowering.shader);
+  return text === undefined ? undefined : { name: lowering.shader, text };
+}
+
+function freeName(project: Project, library: NodeLibrary, kind: string, original: string): string {
+  const stem = original.replace(/-\d+$/, '');
+  for (let number = 2; ; number++) {
+    const name = `${stem}-${number}`;
+    if (!isTaken(project, library, kind, name)) return name;
+  }
+}
+
+function isTaken(project: Project, library: NodeLibrary, kind: string, name: string): boolean {
+  return own(project.sources, `${name}.fs`) !== undefined || library.definition(`${kind}/${name}`) !== undefined;
+}
+
+function typeOf(files: ReadonlyMap<string, string>, file: string): string | undefined {
+  for (const [type, from] of files) if (from === file) return type;
+  return undefined;
+}
+
+/** Types that the file may have given while its header was whole. */
+function orphanedTypes(file: string, library: NodeLibrary): string[] {
+  const stem = file.replace(/\.fs$/, '');
+  return SHADER_KINDS.map((kind) => `${kind}/${stem}`).filter((type) => library.definition(type) === undefined);
+}
+
+function retypeNodes(draft: ProjectDraft, from: readonly string[], to: string): void {
+  for (const graph of Object.values(draft.graphs)) {
+    for (const node of Object.values(graph.nodes)) if (from.includes(node.type)) node.type = to;
+  }
+}

@@ -1,0 +1,47 @@
+import type { JsonPath } from '../json/positions.ts';
+import { isObject, type ShapeReader } from '../json/shape-reader.ts';
+import { own } from '../own.ts';
+import type { Binding, Keyframe, ParamValue, Track } from '../project.ts';
+
+const REPEATS = ['once', 'loop', 'mirror'] as const satisfies readonly Track['repeat'][];
+const EASINGS = ['linear', 'step', 'ease-in', 'ease-out', 'ease-in-out'] as const satisfies readonly Keyframe['easing'][];
+
+/** A bare value stands for itself; what else a param may be bound to is an object with one key that says so. */
+export function readBinding(reader: ShapeReader, json: unknown, path: JsonPath): Binding {
+  if (!isObject(json)) return { value: readValue(reader, json, path) };
+  const fields = reader.fields(json, path, ['track', 'expression', 'port']);
+  const kinds = Object.keys(json);
+  if (kinds.length !== 1) reader.problem(path, 'a param is bound to one thing: a value, a track, an expression or a port.');
+  if (own(json, 'track') !== undefined) return { track: readTrack(reader, fields('track'), [...path, 'track']) };
+  if (own(json, 'expression') !== undefined) return { expression: reader.text(fields('expression'), [...path, 'expression']) };
+  return { port: readValue(reader, fields('port'), [...path, 'port']) };
+}
+
+function readValue(reader: ShapeReader, json: unknown, path: JsonPath): ParamValue {
+  if (typeof json === 'string' || typeof json === 'boolean') return json;
+  if (Array.isArray(json)) return readNumbers(reader, json, path);
+  return reader.number(json, path);
+}
+
+function readNumbers(reader: ShapeReader, json: unknown, path: JsonPath): readonly number[] {
+  return reader.list(json, path, (item, itemPath) => reader.number(item, itemPath));
+}
+
+function readTrack(reader: ShapeReader, json: unknown, path: JsonPath): Track {
+  const fields = reader.fields(json, path, ['keys', 'repeat']);
+  const keys = reader.list(fields('keys'), [...path, 'keys'], (item, itemPath) => readKeyframe(reader, item, itemPath));
+  const repeat = fields('repeat');
+  return { keys, repeat: repeat === undefined ? 'once' : reader.oneOf(repeat, [...path, 'repeat'], REPEATS) };
+}
+
+function readKeyframe(reader: ShapeReader, json: unknown, path: JsonPath): Keyframe {
+  const fields = reader.fields(json, path, ['timeS', 'value', 'easing']);
+  const value = fields('value');
+  const valuePath = [...path, 'value'];
+  const easing = fields('easing');
+  return {
+    timeS: reader.number(fields('timeS'), [...path, 'timeS']),
+    value: Array.isArray(value) ? readNumbers(reader, value, valuePath) : reader.number(value, valuePath),
+    easing: easing === undefined ? 'linear' : reader.oneOf(easing, [...path, 'easing'], EASINGS),
+  };
+}

@@ -1,0 +1,99 @@
+import type { JsonPath } from '../json/positions.ts';
+import { isObject, type ShapeReader } from '../json/shape-reader.ts';
+import { DEFAULT_PAGE } from '../new-project.ts';
+import { own } from '../own.ts';
+import {
+  type Asset,
+  type ExposedPort,
+  type Graph,
+  type GraphNode,
+  MAIN_GRAPH,
+  type PageInfo,
+  type Project,
+  type Wire,
+} from '../project.ts';
+import { parseWire, sortWires } from '../wires.ts';
+import { ENTRY_ID, GRAPH_NAME, NODE_ID, NODE_TYPE, PORT_NAME } from './name-rules.ts';
+import { readBinding } from './read-binding.ts';
+
+/** The logic of a project: all of it that `project.scrim.json` holds. */
+export type ProjectLogic = Pick<Project, 'title' | 'page' | 'graphs' | 'assets'>;
+
+/** Reads the newest version of the document; `format` and `version` have been looked at. */
+export function readProject(reader: ShapeReader, json: unknown): ProjectLogic {
+  const fields = reader.fields(json, [], ['format', 'version', 'title', 'page', 'graphs', 'assets']);
+  const graphs = reader.record(fields('graphs'), ['graphs'], GRAPH_NAME, (item, path) => readGraph(reader, item, path));
+  if (isObject(json) && own(graphs, MAIN_GRAPH) === undefined) reader.problem(['graphs'], `the graph "${MAIN_GRAPH}" is missing.`);
+  return {
+    title: reader.text(fields('title'), ['title']),
+    page: readPage(reader, fields('page')),
+    graphs,
+    assets: reader.record(fields('assets'), ['assets'], ENTRY_ID, (item, path) => readAsset(reader, item, path)),
+  };
+}
+
+function readPage(reader: ShapeReader, json: unknown): PageInfo {
+  if (json === undefined) return DEFAULT_PAGE;
+  const fields = reader.fields(json, ['page'], ['description', 'language']);
+  const text = (key: keyof PageInfo) => (fields(key) === undefined ? DEFAULT_PAGE[key] : reader.text(fields(key), ['page', key]));
+  return { description: text('description'), language: text('language') };
+}
+
+function readGraph(reader: ShapeReader, json: unknown, path: JsonPath): Graph {
+  const fields = reader.fields(json, path, ['nodes', 'wires', 'exposed']);
+  const wires = reader.list(fields('wires'), [...path, 'wires'], (item, itemPath) => readWire(reader, item, itemPath));
+  const exposedPath = [...path, 'exposed'];
+  const exposed = reader.fields(fields('exposed') === undefined ? {} : fields('exposed'), exposedPath, ['inputs', 'outputs']);
+  const ports = (side: 'inputs' | 'outputs') =>
+    reader.list(exposed(side), [...exposedPath, side], (item, itemPath) => readExposedPort(reader, item, itemPath));
+  return {
+    nodes: reader.record(fields('nodes'), [...path, 'nodes'], NODE_ID, (item, itemPath) => readNode(reader, item, itemPath)),
+    wires: sortWires(wires),
+    exposed: { inputs: ports('inputs'), outputs: ports('outputs') },
+  };
+}
+
+function readNode(reader: ShapeReader, json: unknown, path: JsonPath): GraphNode {
+  const fields = reader.fields(json, path, ['type', 'version', 'muted', 'params']);
+  const versionPath = [...path, 'version'];
+  const version = reader.number(fields('version'), versionPath);
+  if (!Number.isInteger(version) || version < 1) reader.problem(versionPath, 'a version is a whole number from 1.');
+  const muted = fields('muted') !== undefined && reader.flag(fields('muted'), [...path, 'muted']);
+  return {
+    type: reader.name(fields('type'), [...path, 'type'], NODE_TYPE),
+    version,
+    params: reader.record(fields('params'), [...path, 'params'], PORT_NAME, (item, itemPath) => readBinding(reader, item, itemPath)),
+    ...(muted ? { muted } : {}),
+  };
+}
+
+const NO_WIRE: Wire = { from: { node: '', port: '' }, to: { node: '', port: '' } };
+
+function readWire(reader: ShapeReader, json: unknown, path: JsonPath): Wire {
+  const text = reader.text(json, path);
+  const wire = parseWire(text);
+  if (wire && NODE_ID.is(wire.from.node) && NODE_ID.is(wire.to.node) && PORT_NAME.is(wire.from.port) && PORT_NAME.is(wire.to.port))
+    return wire;
+  if (typeof json === 'string') reader.problem(path, 'a wire is written "video-a1b2.layer -> sepia-k7q2.inputImage".');
+  return NO_WIRE;
+}
+
+function readExposedPort(reader: ShapeReader, json: unknown, path: JsonPath): ExposedPort {
+  const fields = reader.fields(json, path, ['name', 'node', 'port']);
+  return {
+    name: reader.name(fields('name'), [...path, 'name'], PORT_NAME),
+    node: reader.name(fields('node'), [...path, 'node'], NODE_ID),
+    port: reader.name(fields('port'), [...path, 'port'], PORT_NAME),
+  };
+}
+
+function readAsset(reader: ShapeReader, json: unknown, path: JsonPath): Asset {
+  const fields = reader.fields(json, path, ['path', 'kind', 'credit', 'licence']);
+  const optional = (key: 'credit' | 'licence') => (fields(key) === undefined ? {} : { [key]: reader.text(fields(key), [...path, key]) });
+  return {
+    path: reader.text(fields('path'), [...path, 'path']),
+    kind: reader.oneOf(fields('kind'), [...path, 'kind'], ['image', 'model']),
+    ...optional('credit'),
+    ...optional('licence'),
+  };
+}

@@ -1,0 +1,96 @@
+import { createScanner, type ParseError, parse, printParseErrorCode } from 'jsonc-parser';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { positionOf } from './positions.ts';
+
+/** As much as the host sends in one message, and far more than any graph needs. */
+export const MAX_JSON_CHARACTERS = 64 * 2 ** 20;
+
+export type ParsedJson = { readonly ok: true; readonly value: unknown } | { readonly ok: false; readonly diagnostic: Diagnostic };
+
+/**
+ * Reads strict JSON, whatever the text: SCR001 with line and column where it is broken, SCR005 where it is too large, SCR006
+ * for `NaN` and `Infinity`, SCR002 where a key stands twice, of which JSON would silently drop the first.
+ */
+export function parseJson(text: string, file: string): ParsedJson {
+  if (text.length > MAX_JSON_CHARACTERS) {
+    const mebibytes = (characters: number) => Math.round(characters / 2 ** 20);
+    const message = `${file} has ${mebibytes(text.length)} MiB; Scrim reads up to ${mebibytes(MAX_JSON_CHARACTERS)} MiB.`;
+    return { ok: false, diagnostic: { code: 'SCR005', severity: 'error', file, message } };
+  }
+  // A byte order mark is no part of JSON, but some editors write one.
+  const json = text.startsWith('\uFEFF') ? ` ${text.slice(1)}` : text;
+  let value: unknown;
+  try {
+    value = JSON.parse(json);
+  } catch {
+    return { ok: false, diagnostic: syntaxError(json, file) };
+  }
+  const twice = findDuplicateKey(json);
+  if (twice === null) return { ok: true, value };
+  const message = `The key ${JSON.stringify(twice.key)} stands twice in the same object. Remove one of the two.`;
+  return { ok: false, diagnostic: { code: 'SCR002', severity: 'error', file, ...positionOf(json, twice.offset), message } };
+}
+
+function syntaxError(text: string, file: string): Diagnostic {
+  const error = firstError(text);
+  if (error === null) return { code: 'SCR001', severity: 'error', file, message: 'This is not JSON.' };
+  const place = { severity: 'error', file, ...positionOf(text, error.offset) } as const;
+  const number = /^[-+]?(?:NaN|Infinity)\b/i.exec(text.slice(error.offset, error.offset + 16));
+  if (number) return { code: 'SCR006', ...place, message: `${number[0]} is not a number that a project can hold. Write a finite one.` };
+  return { code: 'SCR001', ...place, message: `${WORDS[printParseErrorCode(error.error)] ?? 'Something unexpected is'} here.` };
+}
+
+/** `JSON.parse` says where it stopped only in words that differ between engines. */
+function firstError(text: string): ParseError | null {
+  const errors: ParseError[] = [];
+  try {
+    parse(text, errors, { disallowComments: true, allowTrailingComma: false });
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+  }
+  return errors[0] ?? null;
+}
+
+const WORDS: Readonly<Record<string, string>> = {
+  InvalidSymbol: 'A word that means nothing in JSON is',
+  InvalidNumberFormat: 'A broken number is',
+  PropertyNameExpected: 'A key in double quotes is missing',
+  ValueExpected: 'A value is missing',
+  ColonExpected: 'A colon is missing',
+  CommaExpected: 'A comma is missing',
+  CloseBraceExpected: 'A closing brace is missing',
+  CloseBracketExpected: 'A closing bracket is missing',
+  EndOfFileExpected: 'The document should have ended',
+  InvalidCommentToken: 'JSON has no comments, but there is one',
+  UnexpectedEndOfComment: 'JSON has no comments, but there is one',
+  UnexpectedEndOfString: 'A text without its closing quote begins',
+  UnexpectedEndOfNumber: 'A broken number is',
+  InvalidUnicode: 'A broken \\u escape is',
+  InvalidEscapeCharacter: 'A text with an unknown escape begins',
+  InvalidCharacter: 'A text with a control character in it begins',
+};
+
+/** Tokens only, with a stack of its own: depth is no limit. */
+function findDuplicateKey(text: string): { readonly key: string; readonly offset: number } | null {
+  const scanner = createScanner(text, true);
+  const open: (Set<string> | null)[] = [];
+  let key = '';
+  let offset = 0;
+  while (true) {
+    scanner.scan();
+    const start = scanner.getTokenOffset();
+    if (start >= text.length) return null;
+    const first = text[start];
+    if (first === '{') open.push(new Set());
+    else if (first === '[') open.push(null);
+    else if (first === '}' || first === ']') open.pop();
+    else if (first === '"') {
+      key = scanner.getTokenValue();
+      offset = start;
+    } else if (first === ':') {
+      const keys = open.at(-1);
+      if (keys?.has(key)) return { key, offset };
+      keys?.add(key);
+    }
+  }
+}

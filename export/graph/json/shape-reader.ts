@@ -1,0 +1,156 @@
+import { own } from '../own.ts';
+import type { JsonPath } from './positions.ts';
+
+/** One thing that has not the shape it should have. */
+export interface ShapeProblem {
+  readonly code: 'SCR002' | 'SCR006';
+  readonly path: JsonPath;
+  /** Whether the key or the value at `path` is wrong. */
+  readonly of: 'key' | 'value';
+  readonly message: string;
+}
+
+/** More would help nobody. */
+const MAX_PROBLEMS = 50;
+
+/** Uniforms are 32-bit floats: what is larger would reach a shader as infinity. */
+export const MAX_NUMBER = 3.4028234663852886e38;
+
+/**
+ * Reads parsed JSON field by field. What is wrong is noted and an empty value returned, so that one pass finds everything; the
+ * caller throws the result away when `problems` is not empty. Recursion is as deep as the schema, never as the file.
+ */
+export interface ShapeReader {
+  readonly problems: readonly ShapeProblem[];
+  problem(path: JsonPath, message: string, of?: 'key' | 'value'): void;
+  /** An object with no other keys than these. */
+  fields(value: unknown, path: JsonPath, keys: readonly string[]): Fields;
+  /** An object whose keys are names of things; `names` says what a name must be like. */
+  record<T>(value: unknown, path: JsonPath, names: NameRule, item: (value: unknown, path: JsonPath) => T): Record<string, T>;
+  list<T>(value: unknown, path: JsonPath, item: (value: unknown, path: JsonPath) => T): T[];
+  text(value: unknown, path: JsonPath): string;
+  number(value: unknown, path: JsonPath): number;
+  flag(value: unknown, path: JsonPath): boolean;
+  oneOf<T extends string>(value: unknown, path: JsonPath, words: readonly [T, ...T[]]): T;
+  name(value: unknown, path: JsonPath, rule: NameRule): string;
+}
+
+export interface NameRule {
+  readonly is: (text: string) => boolean;
+  /** "Node ids are …", for the message. */
+  readonly words: string;
+}
+
+/** Fields by name; undefined where the file has none. */
+export type Fields = (key: string) => unknown;
+
+const NO_FIELDS: Fields = () => undefined;
+
+export function createShapeReader(): ShapeReader {
+  const problems: ShapeProblem[] = [];
+
+  const problem = (path: JsonPath, message: string, of: 'key' | 'value' = 'value', code: ShapeProblem['code'] = 'SCR002') => {
+    if (problems.length < MAX_PROBLEMS) problems.push({ code, path, of, message: `${printPath(path)}: ${message}` });
+  };
+
+  const wrongKind = (value: unknown, path: JsonPath, wanted: string) =>
+    problem(path, value === undefined ? `${wanted} is missing.` : `this must be ${wanted}, but it is ${describe(value)}.`);
+
+  const reader: ShapeReader = {
+    problems,
+    problem: (path, message, of) => problem(path, message, of),
+
+    fields: (value, path, keys) => {
+      if (!isObject(value)) {
+        wrongKind(value, path, 'an object');
+        return NO_FIELDS;
+      }
+      for (const key of Object.keys(value)) {
+        if (!keys.includes(key)) problem([...path, key], `Scrim knows no such key here; it knows ${keys.join(', ')}. Remove it.`, 'key');
+      }
+      return (key) => own(value, key);
+    },
+
+    record: <T>(value: unknown, path: JsonPath, names: NameRule, item: (value: unknown, path: JsonPath) => T) => {
+      const result: Record<string, T> = {};
+      if (value === undefined) return result;
+      if (!isObject(value)) {
+        wrongKind(value, path, 'an object');
+        return result;
+      }
+      for (const [key, entry] of Object.entries(value)) {
+        const entryPath = [...path, key];
+        if (names.is(key)) result[key] = item(entry, entryPath);
+        else problem(entryPath, names.words, 'key');
+      }
+      return result;
+    },
+
+    list: <T>(value: unknown, path: JsonPath, item: (value: unknown, path: JsonPath) => T) => {
+      if (value === undefined) return [];
+      if (!Array.isArray(value)) {
+        wrongKind(value, path, 'a list');
+        return [];
+      }
+      return value.map((entry, index) => item(entry, [...path, index]));
+    },
+
+    text: (value, path) => {
+      if (typeof value === 'string') return value;
+      wrongKind(value, path, 'a text');
+      return '';
+    },
+
+    number: (value, path) => {
+      if (typeof value !== 'number') {
+        wrongKind(value, path, 'a number');
+        return 0;
+      }
+      if (Math.abs(value) <= MAX_NUMBER) return value === 0 ? 0 : value;
+      problem(path, 'this number is too large for a 32-bit float. Write a finite one.', 'value', 'SCR006');
+      return 0;
+    },
+
+    flag: (value, path) => {
+      if (typeof value === 'boolean') return value;
+      wrongKind(value, path, 'true or false');
+      return false;
+    },
+
+    oneOf: <T extends string>(value: unknown, path: JsonPath, words: readonly [T, ...T[]]) => {
+      const found = words.find((word) => word === value);
+      if (found === undefined) problem(path, `this must be one of ${words.join(', ')}.`);
+      return found ?? words[0];
+    },
+
+    name: (value, path, rule) => {
+      const text = reader.text(value, path);
+      if (typeof value === 'string' && !rule.is(text)) problem(path, rule.words);
+      return text;
+    },
+  };
+  return reader;
+}
+
+export function isObject(value: unknown): value is Record<string, unknown> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+/** `graphs.main.nodes["a b"].type`. */
+export function printPath(path: JsonPath): string {
+  if (path.length === 0) return 'The document';
+  return path
+    .map((part, index) => {
+      if (typeof part === 'number') return `[${part}]`;
+      const plain = /^[A-Za-z_][A-Za-z0-9_-]*$/.test(part);
+      return plain ? `${index === 0 ? '' : '.'}${part}` : `[${JSON.stringify(part.slice(0, 80))}]`;
+    })
+    .join('');
+}
+
+function describe(value: unknown): string {
+  if (value === null) return 'null';
+  if (Array.isArray(value)) return 'a list';
+  if (typeof value === 'object') return 'an object';
+  return typeof value === 'string' ? 'a text' : typeof value === 'boolean' ? 'true or false' : 'a number';
+}

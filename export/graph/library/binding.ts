@@ -1,0 +1,47 @@
+import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
+import type { Binding, Track } from '../project.ts';
+import { misfit } from './param-value.ts';
+
+export interface BindingMisfit {
+  readonly code: 'SCR018' | 'SCR019';
+  /** Goes after the param's name: "must be …", "cannot follow …". */
+  readonly message: string;
+}
+
+const MAX_EXPRESSION_CHARACTERS = 10_000;
+
+/** Why the param cannot be bound so, or null where it can. Ranges and asset tables are not looked at. */
+export function bindingMisfit(param: ParamDefinition, binding: Binding): BindingMisfit | null {
+  if ('value' in binding) return valueMisfit(param, binding.value);
+  if (paramWireType(param) === undefined) {
+    return { code: 'SCR019', message: 'is fixed while the project runs: it can only be bound to a value.' };
+  }
+  if ('port' in binding) return valueMisfit(param, binding.port);
+  if ('track' in binding) return trackMisfit(param, binding.track);
+  if (binding.expression.trim() === '') return { code: 'SCR019', message: 'is bound to an empty expression.' };
+  if (binding.expression.length <= MAX_EXPRESSION_CHARACTERS) return null;
+  return { code: 'SCR019', message: `is bound to an expression of more than ${MAX_EXPRESSION_CHARACTERS} characters.` };
+}
+
+function valueMisfit(param: ParamDefinition, value: unknown): BindingMisfit | null {
+  const wanted = misfit(param, value);
+  return wanted === null ? null : { code: 'SCR018', message: `must be ${wanted}, but is ${shorten(JSON.stringify(value))}.` };
+}
+
+function trackMisfit(param: ParamDefinition, { keys }: Track): BindingMisfit | null {
+  if (param.type === 'text' || param.type === 'toggle' || param.type === 'choice') {
+    return { code: 'SCR019', message: 'cannot follow keyframes: there is nothing between two of its values.' };
+  }
+  if (keys.length === 0) return { code: 'SCR019', message: 'is bound to a track without keyframes.' };
+  for (const [i, { timeS, value }] of keys.entries()) {
+    const wanted = misfit(param, value);
+    if (wanted !== null) return { code: 'SCR018', message: `must be ${wanted} in keyframe ${i + 1}.` };
+    const before = keys[i - 1];
+    if (before && before.timeS >= timeS) return { code: 'SCR019', message: `has keyframe ${i + 1} at or before the one before it.` };
+  }
+  return null;
+}
+
+function shorten(text: string): string {
+  return text.length <= 60 ? text : `${text.slice(0, 60)}…`;
+}

@@ -1,0 +1,70 @@
+import type { NodeDefinition, NodeLibrary, SavedParams } from '../../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { PORT_NAME } from '../document/name-rules.ts';
+import { readBinding } from '../document/read-binding.ts';
+import { printJson } from '../json/print-json.ts';
+import { createShapeReader } from '../json/shape-reader.ts';
+import type { Binding, Graph, GraphNode, Project } from '../project.ts';
+import { saveBinding } from '../save.ts';
+
+export interface MigratedProject {
+  readonly project: Project;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/**
+ * Lifts the params of every node to the version of its type that the library has. Nodes that need nothing, and graphs without
+ * nodes that do, stay the same objects. Nodes of unknown types and of newer versions stay as they are; `validateProject` names
+ * them.
+ */
+export function migrateNodes(project: Project, library: NodeLibrary): MigratedProject {
+  const diagnostics: Diagnostic[] = [];
+  let graphs: Record<string, Graph> | null = null;
+  for (const [name, graph] of Object.entries(project.graphs)) {
+    const nodes = migrateGraph(graph, library, diagnostics);
+    if (nodes === null) continue;
+    graphs ??= { ...project.graphs };
+    graphs[name] = { ...graph, nodes };
+  }
+  return { project: graphs === null ? project : { ...project, graphs }, diagnostics };
+}
+
+function migrateGraph(graph: Graph, library: NodeLibrary, diagnostics: Diagnostic[]): Graph['nodes'] | null {
+  let nodes: Record<string, GraphNode> | null = null;
+  for (const [id, node] of Object.entries(graph.nodes)) {
+    const definition = library.definition(node.type);
+    if (definition === undefined || node.version >= definition.version) continue;
+    const migrated = migrateNode(node, definition);
+    if (typeof migrated === 'string') {
+      const message = `The params of ${id} (${node.type}) were saved by version ${node.version} and cannot be read any more: ${migrated}`;
+      diagnostics.push({ code: 'SCR018', severity: 'error', nodeId: id, message });
+      continue;
+    }
+    nodes ??= { ...graph.nodes };
+    nodes[id] = migrated;
+  }
+  return nodes;
+}
+
+/** Steps read what a file holds. */
+function asSaved(binding: Binding): unknown {
+  return JSON.parse(printJson(saveBinding(binding)));
+}
+
+/** The lifted node, or what went wrong: params in a file can be anything, and steps are written for what the editor saves. */
+function migrateNode(node: GraphNode, definition: NodeDefinition): GraphNode | string {
+  let saved: SavedParams = Object.fromEntries(Object.entries(node.params).map(([name, binding]) => [name, asSaved(binding)]));
+  for (let version = node.version; version < definition.version; version++) {
+    const step = definition.migrations?.[version - 1];
+    if (step === undefined) throw new Error(`${definition.type} has no migration from version ${version} to ${version + 1}.`);
+    try {
+      saved = step(saved);
+    } catch (error) {
+      return String(error);
+    }
+  }
+  const reader = createShapeReader();
+  const params = reader.record(saved, ['params'], PORT_NAME, (json, path) => readBinding(reader, json, path));
+  const [problem] = reader.problems;
+  return problem?.message ?? { ...node, version: definition.version, params };
+}

@@ -1,0 +1,76 @@
+import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
+import { MAX_NUMBER } from '../json/shape-reader.ts';
+import type { Binding, ParamValue } from '../project.ts';
+
+/** The value that a binding holds, or undefined for a track or an expression. */
+export function boundValue(binding: Binding): ParamValue | undefined {
+  if ('value' in binding) return binding.value;
+  return 'port' in binding ? binding.port : undefined;
+}
+
+export function sameValue(a: ParamValue, b: ParamValue): boolean {
+  if (typeof a !== 'object' || typeof b !== 'object') return a === b;
+  return a.length === b.length && a.every((number, i) => number === b[i]);
+}
+
+/** What `value` would have to be to fit `param`, in words, or null where it fits. Ranges are another matter: `outOfRange`. */
+export function misfit(param: ParamDefinition, value: unknown): string | null {
+  switch (param.type) {
+    case 'number':
+      return isNumber(value) ? null : 'a finite number';
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+    case 'color': {
+      const size = VALUE_SIZES[param.type];
+      return Array.isArray(value) && value.length === size && value.every(isNumber) ? null : `a list of ${size} finite numbers`;
+    }
+    case 'toggle':
+      return typeof value === 'boolean' ? null : 'true or false';
+    case 'text':
+      return typeof value === 'string' ? null : 'a text';
+    case 'choice':
+      if (param.options.some((option) => option.value === value)) return null;
+      return `one of ${param.options.map((option) => JSON.stringify(option.value)).join(', ')}`;
+    case 'asset':
+      return typeof value === 'string' ? null : 'the id of an asset';
+  }
+}
+
+/** The limits that a fitting value oversteps, in words, or null. */
+export function outOfRange(param: ParamDefinition, value: ParamValue): string | null {
+  if (sameValue(clampToRange(param, value), value)) return null;
+  if (param.type === 'color') return 'from 0 to 1 in each channel';
+  if (param.type !== 'number') return `from ${listOf(param, 'min')} to ${listOf(param, 'max')}`;
+  if (param.min === undefined) return `at most ${param.max}`;
+  return param.max === undefined ? `at least ${param.min}` : `from ${param.min} to ${param.max}`;
+}
+
+/** The nearest value within the param's limits; values without limits as they are. */
+export function clampToRange(param: ParamDefinition, value: ParamValue): ParamValue {
+  if (param.type === 'number' && typeof value === 'number') return clamp(value, param.min, param.max);
+  if (typeof value !== 'object') return value;
+  if (param.type === 'color') return value.map((channel) => clamp(channel, 0, 1));
+  if (param.type !== 'vector2' && param.type !== 'vector3' && param.type !== 'vector4') return value;
+  return value.map((component, i) => clamp(component, param.min?.[i], param.max?.[i]));
+}
+
+/** Zero has one sign in a document: JSON cannot write the other. */
+export function withoutNegativeZero(value: ParamValue): ParamValue {
+  if (typeof value === 'number') return value + 0;
+  return typeof value === 'object' ? value.map((number) => number + 0) : value;
+}
+
+function isNumber(value: unknown): value is number {
+  return typeof value === 'number' && Math.abs(value) <= MAX_NUMBER;
+}
+
+function clamp(value: number, min = Number.NEGATIVE_INFINITY, max = Number.POSITIVE_INFINITY): number {
+  return Math.min(Math.max(value, min), max);
+}
+
+function listOf(param: ParamDefinition, side: 'min' | 'max'): string {
+  const limits = side in param ? (param as { min?: readonly number[]; max?: readonly number[] })[side] : undefined;
+  return limits === undefined ? 'anything' : `[${limits.join(', ')}]`;
+}

@@ -1,0 +1,10 @@
+import { type Graph, type GraphLayout, MAIN_GRAPH, type PageInfo, type Project } from './project.ts';
+
+export const DEFAULT_PAGE: PageInfo = { description: '', language: 'en' };
+export const EMPTY_GRAPH: Graph = { nodes: {}, wires: [], exposed: { inputs: [], outputs: [] } };
+export const EMPTY_LAYOUT: GraphLayout = { nodes: {}, frames: {}, notes: {} };
+
+/** A project with an empty main graph. */
+export function newProject(title: string): Project {
+  return { title, page: DEFAULT_PAGE, graphs: { [MAIN_GRAPH]: EMPTY_GRAPH }, layout: {}, sources: {}, assets: {} };
+}

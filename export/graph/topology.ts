@@ -1,0 +1,65 @@
+/**
+ * Orders the vertices of a directed graph so that each comes after those it depends on; among equals, in the order given.
+ * What lies on a cycle, or behind one, is left over. Iterative and linear: chains of ten thousand nodes are fine.
+ */
+export function topologicalOrder<T>(
+  vertices: Iterable<T>,
+  successors: (vertex: T) => Iterable<T>,
+): { readonly order: T[]; readonly left: Set<T> } {
+  const waitsFor = new Map<T, number>();
+  for (const vertex of vertices) waitsFor.set(vertex, 0);
+  for (const vertex of waitsFor.keys()) {
+    for (const next of successors(vertex)) waitsFor.set(next, (waitsFor.get(next) ?? 0) + 1);
+  }
+  const order = [...waitsFor].filter(([, count]) => count === 0).map(([vertex]) => vertex);
+  // The list grows while it is walked.
+  for (const vertex of order) {
+    for (const next of successors(vertex)) {
+      const count = (waitsFor.get(next) ?? 0) - 1;
+      waitsFor.set(next, count);
+      if (count === 0) order.push(next);
+    }
+  }
+  const left = new Set<T>();
+  if (order.length < waitsFor.size) {
+    for (const [vertex, count] of waitsFor) if (count > 0) left.add(vertex);
+  }
+  return { order, left };
+}
+
+/** Cycles, each as the vertices along it, at least one where there are any; when none is left, there are none. Linear. */
+export function findCycles<T>(vertices: Iterable<T>, successors: (vertex: T) => Iterable<T>): T[][] {
+  const { left } = topologicalOrder(vertices, successors);
+  if (left.size === 0) return [];
+  const cyclic = withoutTails(left, successors);
+  const cycles: T[][] = [];
+  const walked = new Set<T>();
+  for (const start of cyclic) {
+    const path = new Set<T>();
+    let vertex: T | undefined = start;
+    while (vertex !== undefined && !walked.has(vertex)) {
+      walked.add(vertex);
+      path.add(vertex);
+      vertex = firstIn(successors(vertex), cyclic);
+    }
+    if (vertex === undefined || !path.has(vertex)) continue;
+    const along = [...path];
+    cycles.push(along.slice(along.indexOf(vertex)));
+  }
+  return cycles;
+}
+
+/** Takes away what lies behind cycles but leads to none. */
+function withoutTails<T>(left: ReadonlySet<T>, successors: (vertex: T) => Iterable<T>): Set<T> {
+  const predecessors = new Map<T, T[]>();
+  for (const vertex of left) predecessors.set(vertex, []);
+  for (const vertex of left) {
+    for (const next of successors(vertex)) predecessors.get(next)?.push(vertex);
+  }
+  return topologicalOrder(left, (vertex) => predecessors.get(vertex) ?? []).left;
+}
+
+function firstIn<T>(items: Iterable<T>, set: ReadonlySet<T>): T | undefined {
+  for (const item of items) if (set.has(item)) return item;
+  return undefined;
+}

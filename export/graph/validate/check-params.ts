@@ -1,0 +1,71 @@
+import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import { bindingMisfit } from '../library/binding.ts';
+import { boundValue, outOfRange } from '../library/param-value.ts';
+import { own } from '../own.ts';
+import type { Binding } from '../project.ts';
+import { type GraphCheck, inGraph, reportError } from './context.ts';
+
+export function checkParams(check: GraphCheck): void {
+  for (const [nodeId, node] of Object.entries(check.graph.nodes)) {
+    const face = check.faceOf(node.type);
+    // Params of another version cannot be judged; the version itself is told at the node.
+    if (!face || node.version !== face.version) continue;
+    for (const [port, binding] of Object.entries(node.params)) {
+      const param = own(face.params, port);
+      if (param) checkBinding(check, nodeId, port, param, binding);
+      else reportError(check, 'SCR018', { nodeId, port }, `${nodeId} (${face.title}) has no param “${port}”.`, 'Remove it.');
+    }
+    for (const [port, param] of Object.entries(face.params)) {
+      if (param.type === 'asset') checkChosen(check, nodeId, port, param, node.params);
+    }
+  }
+}
+
+function checkBinding(check: GraphCheck, nodeId: string, port: string, param: ParamDefinition, binding: Binding): void {
+  const place = { nodeId, port };
+  const wrong = bindingMisfit(param, binding);
+  if (wrong !== null) {
+    reportError(check, wrong.code, place, `“${param.label}” of ${nodeId} ${wrong.message}`);
+    return;
+  }
+  const value = boundValue(binding);
+  if (value === undefined) return;
+  if (param.type === 'asset') checkAsset(check, nodeId, port, param, String(value));
+  const range = outOfRange(param, value);
+  if (range === null) return;
+  const message = `“${param.label}” of ${nodeId} is ${JSON.stringify(value)}, but goes ${range}: the nearest value is used.${inGraph(check)}`;
+  check.report({ code: 'SCR018', severity: 'warning', ...place, message });
+}
+
+function checkAsset(check: GraphCheck, nodeId: string, port: string, param: ParamDefinition & { type: 'asset' }, id: string): void {
+  if (id === '') return;
+  const asset = own(check.project.assets, id);
+  const place = { nodeId, port };
+  if (!asset) {
+    reportError(
+      check,
+      'SCR030',
+      place,
+      `“${param.label}” of ${nodeId} is the asset ${id}, which is not in the project.`,
+      'Choose another.',
+    );
+  } else if (asset.kind !== param.accept) {
+    const message = `“${param.label}” of ${nodeId} takes a file of the kind “${param.accept}”, but ${id} is of the kind “${asset.kind}”.`;
+    reportError(check, 'SCR033', place, message, 'Choose another.');
+  }
+}
+
+function checkChosen(
+  check: GraphCheck,
+  nodeId: string,
+  port: string,
+  param: ParamDefinition,
+  params: Readonly<Record<string, Binding>>,
+): void {
+  const binding = own(params, port);
+  if ((binding && boundValue(binding)) || !check.live.has(nodeId)) return;
+  const exposed = check.graph.exposed.inputs.some((e) => e.node === nodeId && e.port === port);
+  if (exposed) return;
+  const message = `${nodeId} has no “${param.label}” yet: nothing is shown of it.${inGraph(check)}`;
+  check.report({ code: 'SCR030', severity: 'warning', nodeId, port, message, fix: 'Choose one.' });
+}

@@ -1,0 +1,36 @@
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { assetPathProblem } from '../asset-path.ts';
+import { usesOfGraphs } from '../liveness.ts';
+import { MAIN_GRAPH, type Project } from '../project.ts';
+import { findCycles } from '../topology.ts';
+
+/** Asset paths stay inside the project folder. */
+export function checkAssetPaths(project: Project): Diagnostic[] {
+  return Object.entries(project.assets).flatMap(([id, { path }]): Diagnostic[] => {
+    const problem = assetPathProblem(path);
+    if (problem === null) return [];
+    const shown = JSON.stringify(path.slice(0, 120));
+    const message = `The path ${shown} of the asset ${id} will not do: ${problem}. Assets lie inside the project folder.`;
+    return [{ code: 'SCR031', severity: 'error', message, fix: 'Import the file again.' }];
+  });
+}
+
+/** No subgraph within itself, directly or through others; and nothing is shown outside the main graph. */
+export function checkGraphs(project: Project): Diagnostic[] {
+  const uses = usesOfGraphs(project);
+  const cycles = findCycles(uses.keys(), (name) => uses.get(name) ?? []);
+  const diagnostics = cycles.map((cycle): Diagnostic => {
+    const loop = [...cycle, cycle[0]].join(' → ');
+    return {
+      code: 'SCR020',
+      severity: 'error',
+      message: `A subgraph contains itself: ${loop}.`,
+      fix: 'Delete the node that closes the loop.',
+    };
+  });
+  const { inputs = [], outputs = [] } = project.graphs[MAIN_GRAPH]?.exposed ?? {};
+  if (inputs.length + outputs.length > 0) {
+    diagnostics.push({ code: 'SCR020', severity: 'warning', message: 'The main graph shows ports outside, but nothing is outside of it.' });
+  }
+  return diagnostics;
+}

@@ -1,0 +1,45 @@
+import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import type { Diagnostic, DiagnosticCode } from '../../../nodes/kit/diagnostics.ts';
+import type { FaceLookup } from '../library/faces.ts';
+import { type Graph, MAIN_GRAPH, type Project } from '../project.ts';
+
+/** One graph under examination. */
+export interface GraphCheck {
+  readonly project: Project;
+  readonly library: NodeLibrary;
+  readonly faceOf: FaceLookup;
+  readonly name: string;
+  readonly graph: Graph;
+  /** Nodes on which the screen, or what a subgraph gives, depends. */
+  readonly live: ReadonlySet<string>;
+  report(diagnostic: Diagnostic): void;
+}
+
+export function reportError(
+  check: GraphCheck,
+  code: DiagnosticCode,
+  place: { readonly nodeId?: string; readonly port?: string },
+  message: string,
+  fix?: string,
+): void {
+  check.report({ code, severity: 'error', ...place, message: message + inGraph(check), ...(fix === undefined ? {} : { fix }) });
+}
+
+/**
+ * For work in progress: a node just added has no wires yet, and the picture does not depend on it. So it is an error only where
+ * the picture does.
+ */
+export function reportUnfinished(
+  check: GraphCheck,
+  code: DiagnosticCode,
+  place: { readonly nodeId: string; readonly port: string },
+  message: string,
+  fix: string,
+): void {
+  const severity = check.live.has(place.nodeId) ? 'error' : 'warning';
+  check.report({ code, severity, ...place, message: message + inGraph(check), fix });
+}
+
+export function inGraph({ name }: Pick<GraphCheck, 'name'>): string {
+  return name === MAIN_GRAPH ? '' : ` (in the subgraph “${name}”)`;
+}

@@ -1,0 +1,45 @@
+import { compareText } from './own.ts';
+import type { PortAddress, Wire } from './project.ts';
+
+const ID = '[a-z0-9-]+';
+const PORT = '[A-Za-z0-9_]+';
+const WIRE = new RegExp(`^(${ID})\\.(${PORT}) -> (${ID})\\.(${PORT})$`);
+
+/** `video-a1b2.layer -> sepia-k7q2.inputImage`, or null. */
+export function parseWire(text: string): Wire | null {
+  const [, fromNode, fromPort, toNode, toPort] = WIRE.exec(text) ?? [];
+  if (fromNode === undefined || fromPort === undefined || toNode === undefined || toPort === undefined) return null;
+  return { from: { node: fromNode, port: fromPort }, to: { node: toNode, port: toPort } };
+}
+
+export function printWire({ from, to }: Wire): string {
+  return `${printAddress(from)} -> ${printAddress(to)}`;
+}
+
+export function printAddress({ node, port }: PortAddress): string {
+  return `${node}.${port}`;
+}
+
+export function sameAddress(a: PortAddress, b: PortAddress): boolean {
+  return a.node === b.node && a.port === b.port;
+}
+
+export function sameWire(a: Wire, b: Wire): boolean {
+  return sameAddress(a.from, b.from) && sameAddress(a.to, b.to);
+}
+
+/** The order of the document: by target node and port; within one port as they count. */
+export function sortWires(wires: readonly Wire[]): readonly Wire[] {
+  return [...wires].sort(compareTargets);
+}
+
+/** The wires with one more, which counts last at its port. */
+export function insertWire(wires: readonly Wire[], wire: Wire): readonly Wire[] {
+  let end = wires.length;
+  while (end > 0 && compareTargets(wires[end - 1] as Wire, wire) > 0) end--;
+  return [...wires.slice(0, end), wire, ...wires.slice(end)];
+}
+
+function compareTargets(a: Wire, b: Wire): number {
+  return compareText(a.to.node, b.to.node) || compareText(a.to.port, b.to.port);
+}
