@@ -1,9 +1,55 @@
+import { createHash } from 'node:crypto';
+import { join } from 'node:path';
+import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
+import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
+import { type Diagnostic, formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
+import { readIfThere, writeIfChanged } from '../lib/files.ts';
+import type { ToolContext } from '../lib/tool.ts';
 import type { ShaderFile } from './find-nodes.ts';
 
-/** Definitions of the library's ISF files, in the files' order. */
-export async function isfDefinitions(files: readonly ShaderFile[]): Promise<readonly NodeDefinition[]> {
-  const skipped = files.filter((file) => file.name.endsWith('.fs')).length;
-  if (skipped > 0) console.log(`gen: ${skipped} ISF files have no definition yet, because export/glsl cannot read headers yet.`);
-  return [];
+/** What one file came to; kept from run to run, because finding the access kind parses the whole shader. */
+interface Entry {
+  readonly key: string;
+  readonly definition: NodeDefinition | null;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export interface IsfDefinitions {
+  readonly definitions: readonly NodeDefinition[];
+  /** Formatted, with file and line. */
+  readonly problems: readonly string[];
+}
+
+/** Definitions of the library's ISF files, in the files' order; the kind that a header gives has to be the folder's. */
+export async function isfDefinitions(files: readonly ShaderFile[], { root, version }: ToolContext): Promise<IsfDefinitions> {
+  const path = join(root, 'node_modules', '.cache', 'scrim', 'isf-definitions.json');
+  const known = await readCache(path);
+  const entries = files
+    .filter((file) => file.name.endsWith('.fs'))
+    .map((file) => {
+      const key = createHash('sha256').update(`${version}\0${file.name}\0${file.text}`).digest('hex');
+      return known.get(key) ?? { key, ...read(file) };
+    });
+  await writeIfChanged(path, JSON.stringify(entries));
+  return {
+    definitions: entries.flatMap((entry) => entry.definition ?? []),
+    problems: entries.flatMap((entry) => entry.diagnostics.map(formatDiagnostic)),
+  };
+}
+
+function read({ name, text }: ShaderFile): Omit<Entry, 'key'> {
+  const { output, diagnostics } = readIsf(text, name);
+  if (output === null) return { definition: null, diagnostics };
+  const definition = isfDefinition(output, shaderName(name));
+  const folder = name.slice(0, name.indexOf('/'));
+  if (folder === `${output.kind}s`) return { definition, diagnostics };
+  const message = `This is a ${output.kind} by its inputs, so it belongs into ${output.kind}s/.`;
+  return { definition, diagnostics: [...diagnostics, { code: 'SCR040', severity: 'error', file: name, message }] };
+}
+
+async function readCache(path: string): Promise<ReadonlyMap<string, Entry>> {
+  const text = await readIfThere(path);
+  const entries = text === null ? [] : (JSON.parse(text) as Entry[]);
+  return new Map(entries.map((entry) => [entry.key, entry]));
 }

@@ -5,13 +5,18 @@ import { findNodes } from './find-nodes.ts';
 import { isfDefinitions } from './isf.ts';
 import { printDefinitions, printRuntimeFiles, printRuntimes } from './print.ts';
 
-/** Writes `nodes/generated/`: the registry of node types, made from folders so that nothing registers itself (ADR 4). */
-export async function main(_args: readonly string[], { root }: ToolContext): Promise<number> {
+/**
+ * Writes `nodes/generated/`: the registry of node types, made from folders so that nothing registers itself (ADR 4). A library
+ * file that cannot be read, or reads with a warning, fails the run; the registry is written without it all the same.
+ */
+export async function main(_args: readonly string[], context: ToolContext): Promise<number> {
+  const { root } = context;
   const found = await findNodes(root);
   const folder = join(root, 'nodes', 'generated');
-  const definitions = await isfDefinitions(found.library);
+  const { definitions, problems } = await isfDefinitions(found.library, context);
+  for (const problem of problems) console.error(problem);
   await writeIfChanged(join(folder, 'definitions.gen.ts'), printDefinitions(found, definitions));
   await writeIfChanged(join(folder, 'runtimes.gen.ts'), printRuntimes(found.nodes));
   await writeIfChanged(join(folder, 'runtime-files.gen.ts'), printRuntimeFiles(found.nodes));
-  return 0;
+  return problems.length === 0 ? 0 : 1;
 }

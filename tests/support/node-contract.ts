@@ -1,0 +1,129 @@
+import type { NodeDefinition, ParamDefinition, Unit } from '../../nodes/kit/definition.ts';
+
+/** Endings of names that say a unit (docs/CONVENTIONS.md): `sizeM`, `delayS`, `angleRad`, `radiusPx`. */
+const ENDINGS: readonly (readonly [string, Unit])[] = [
+  ['Rad', 'rad'],
+  ['Px', 'px'],
+  ['Hz', 'Hz'],
+  ['M', 'm'],
+  ['S', 's'],
+  ['K', 'K'],
+];
+
+/**
+ * What every definition owes its users, beyond what its type can say: one line per thing that is wrong. `isShader` tells whether
+ * the library has a shader of that name.
+ */
+export function definitionProblems(definition: NodeDefinition, isShader: (name: string) => boolean): string[] {
+  return [
+    ...wordProblems(definition),
+    ...nameProblems(definition),
+    ...Object.entries(definition.params).flatMap(([name, param]) =>
+      paramProblems(name, param).map((problem) => `param ${name}: ${problem}`),
+    ),
+    ...layerProblems(definition),
+    ...loweringProblems(definition, isShader),
+    ...needProblems(definition),
+  ];
+}
+
+function wordProblems({ title, doc, inputs, outputs, params }: NodeDefinition): string[] {
+  const problems = [...(title.trim() === '' ? ['has no title'] : []), ...(doc.trim() === '' ? ['has no doc'] : [])];
+  const parts = { input: inputs, output: outputs, param: params };
+  for (const [kind, record] of Object.entries(parts)) {
+    for (const [name, { label, doc: words }] of Object.entries(record)) {
+      if (label.trim() === '') problems.push(`${kind} ${name} has no label`);
+      if (words.trim() === '') problems.push(`${kind} ${name} has no doc`);
+    }
+  }
+  return problems;
+}
+
+function nameProblems({ version, migrations, inputs, params }: NodeDefinition): string[] {
+  const shared = Object.keys(inputs).filter((name) => Object.hasOwn(params, name));
+  const steps = migrations?.length ?? 0;
+  return [
+    ...shared.map((name) => `${name} is an input and a param: a wire to it would be ambiguous`),
+    ...(steps === version - 1 ? [] : [`version ${version} needs ${version - 1} migrations, not ${steps}`]),
+  ];
+}
+
+function paramProblems(name: string, param: ParamDefinition): string[] {
+  switch (param.type) {
+    case 'number':
+      return [...unitProblems(name, param.unit), ...rangeProblems([param.default], one(param.min), one(param.max))];
+    case 'vector2':
+    case 'vector3':
+    case 'vector4': {
+      const size = Number(param.type.slice(-1));
+      const lists = [param.default, param.min, param.max].filter((list) => list !== undefined);
+      if (lists.some((list) => list.length !== size)) return [`default, min and max have ${size} numbers each`];
+      return [...unitProblems(name, param.unit), ...rangeProblems(param.default, param.min, param.max)];
+    }
+    case 'color':
+      return rangeProblems(param.default, [0, 0, 0, 0], [1, 1, 1, 1]);
+    case 'choice':
+      return choiceProblems(param);
+    default:
+      return [];
+  }
+}
+
+/** The name says the unit and `unit` tells the inspector: both or neither. */
+function unitProblems(name: string, unit: Unit | undefined): string[] {
+  const said = ENDINGS.find(([ending]) => name.endsWith(ending) && name !== ending)?.[1];
+  return said === undefined || said === unit ? [] : [`its name says ${said}, its unit ${unit ?? 'nothing'}`];
+}
+
+function rangeProblems(value: readonly number[], min?: readonly number[], max?: readonly number[]): string[] {
+  const outside = value.some((v, i) => v < (min?.[i] ?? Number.NEGATIVE_INFINITY) || v > (max?.[i] ?? Number.POSITIVE_INFINITY));
+  const wrong = [...value, ...(min ?? []), ...(max ?? [])].some((v) => !Number.isFinite(v));
+  return [...(outside ? ['its default is out of range'] : []), ...(wrong ? ['not finite'] : [])];
+}
+
+function one(value: number | undefined): readonly number[] | undefined {
+  return value === undefined ? undefined : [value];
+}
+
+function choiceProblems(param: Extract<ParamDefinition, { type: 'choice' }>): string[] {
+  const values = param.options.map((option) => option.value);
+  const kind = param.stage === 'uniform' ? 'number' : 'string';
+  return [
+    ...(values.includes(param.default) ? [] : ['its default is no option']),
+    ...(new Set(values).size === values.length ? [] : ['two options have the same value']),
+    ...(values.every((value) => typeof value === kind) ? [] : [`a ${param.stage} choice holds ${kind}s`]),
+  ];
+}
+
+/** The compiler has to know before it draws. */
+function layerProblems({ inputs, outputs }: NodeDefinition): string[] {
+  const takesLayer = Object.values(inputs).some((port) => port.type === 'layer');
+  return Object.entries(outputs).flatMap(([name, port]) => {
+    if (port.type !== 'layer') return [];
+    const unsaid = port.domain === undefined || port.depth === undefined;
+    const same = (port.domain === 'same' || port.depth === 'same') && !takesLayer;
+    return [
+      ...(unsaid ? [`output ${name} has to say its domain and depth`] : []),
+      ...(same ? [`output ${name} cannot be the same as an input layer: there is none`] : []),
+    ];
+  });
+}
+
+function loweringProblems({ lowering, inputs, params }: NodeDefinition, isShader: (name: string) => boolean): string[] {
+  if (lowering.kind === 'image') return isShader(lowering.shader) ? [] : [`there is no shader ${lowering.shader}`];
+  if (lowering.kind !== 'geometry' || lowering.shadowMap === undefined) return [];
+  const { casters, lights, enabledBy } = lowering.shadowMap;
+  const toggle = enabledBy === undefined ? null : params[enabledBy];
+  return [
+    ...casters.filter((name) => inputs[name]?.type !== 'objects').map((name) => `casters ${name} is no input of objects`),
+    ...(inputs[lights]?.type === 'lights' ? [] : [`lights ${lights} is no input of lights`]),
+    ...(toggle === null || (toggle?.type === 'toggle' && toggle.stage === 'structure') ? [] : [`${enabledBy} is no structure toggle`]),
+  ];
+}
+
+function needProblems({ needs = [] }: NodeDefinition): string[] {
+  return needs.flatMap(({ capability, why, without }) => [
+    ...(why.startsWith('to ') ? [] : [`why it needs ${capability} has to read "to …"`]),
+    ...(without.trim() === '' ? [`says nothing about a session without ${capability}`] : []),
+  ]);
+}
