@@ -226,8 +226,11 @@ export interface SceneService {
 }
 
 export type SceneLook =
-  /** Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. */
-  | { readonly kind: 'shaded' }
+  /**
+   * Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. `ambient` is the brightness of the neutral
+   * surroundings that light them besides their lights: 1, as when absent, makes a white matt surface white by them alone.
+   */
+  | { readonly kind: 'shaded'; readonly ambient?: NumberView }
   /** Phantoms as shadow catchers: black, with alpha where light is blocked; virtual objects not drawn. */
   | { readonly kind: 'shadow-catcher'; readonly strength: NumberView; readonly color: VectorView };
 

@@ -1,0 +1,96 @@
+import { Matrix4, type Sphere, Vector3 } from 'three';
+
+/**
+ * How far behind the casters the map reaches, metres: beyond any room. Depth is linear in it, and its 24 bits still tell apart
+ * 4 µm.
+ */
+const REACH_M = 60;
+
+/** A light's view of the casters. The camera looks from the light; depth 0 is just before the nearest caster. */
+export interface ShadowFit {
+  /** Light view from world: rigid, looking down -z, away from the light. */
+  readonly lightFromWorld: Matrix4;
+  readonly worldFromLight: Matrix4;
+  readonly clipFromLight: Matrix4;
+  /** Map UV and depth, each in [0, 1], from world. */
+  readonly mapFromWorld: Matrix4;
+}
+
+export function createShadowFit(): ShadowFit {
+  return {
+    lightFromWorld: new Matrix4(),
+    worldFromLight: new Matrix4(),
+    clipFromLight: new Matrix4(),
+    mapFromWorld: new Matrix4(),
+  };
+}
+
+// Read by the call that fills them, before anything else can.
+const scratchRight = new Vector3();
+const scratchUp = new Vector3();
+const scratchBack = new Vector3();
+const scratchCenter = new Vector3();
+const UV_FROM_CLIP = new Matrix4().set(0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 1);
+
+/**
+ * Lays a square map of `areaM` metres around the middle of the casters.
+ *
+ * The middle moves in whole texels of the map, so that the shadow's edge does not crawl while an object moves or an animation
+ * plays. Casters outside the square cast no shadow; those before it are kept, however far they stand towards the light.
+ *
+ * @param towardsLightWorld unit vector
+ * @param castersWorld spheres around the casters, world space; without any the map lies around the origin
+ */
+export function fitShadow(
+  fit: ShadowFit,
+  towardsLightWorld: ArrayLike<number>,
+  castersWorld: readonly Sphere[],
+  areaM: number,
+  mapSizePx: number,
+): void {
+  scratchBack.fromArray(towardsLightWorld);
+  // Any horizontal axis will do; near the zenith, x does.
+  scratchRight.set(scratchBack.z, 0, -scratchBack.x);
+  if (scratchRight.lengthSq() < 1e-6) scratchRight.set(1, 0, 0);
+  scratchRight.normalize();
+  scratchUp.crossVectors(scratchBack, scratchRight);
+  // The casters' extent along the light's own axes, seen from the world's origin.
+  let minX = Infinity;
+  let maxX = -Infinity;
+  let minY = Infinity;
+  let maxY = -Infinity;
+  let minZ = Infinity;
+  let maxZ = -Infinity;
+  for (const { center, radius } of castersWorld) {
+    const x = scratchRight.dot(center);
+    const y = scratchUp.dot(center);
+    const z = scratchBack.dot(center);
+    minX = Math.min(minX, x - radius);
+    maxX = Math.max(maxX, x + radius);
+    minY = Math.min(minY, y - radius);
+    maxY = Math.max(maxY, y + radius);
+    minZ = Math.min(minZ, z - radius);
+    maxZ = Math.max(maxZ, z + radius);
+  }
+  if (castersWorld.length === 0) minX = maxX = minY = maxY = minZ = maxZ = 0;
+  const texelM = areaM / mapSizePx;
+  scratchCenter
+    .set(0, 0, 0)
+    .addScaledVector(scratchRight, snap((minX + maxX) / 2, texelM))
+    .addScaledVector(scratchUp, snap((minY + maxY) / 2, texelM))
+    // The camera stands just before the nearest caster.
+    .addScaledVector(scratchBack, maxZ + NEAR_M);
+
+  fit.worldFromLight.makeBasis(scratchRight, scratchUp, scratchBack).setPosition(scratchCenter);
+  fit.lightFromWorld.copy(fit.worldFromLight).invert();
+  const half = areaM / 2;
+  const farM = maxZ - minZ + NEAR_M + REACH_M;
+  fit.clipFromLight.makeOrthographic(-half, half, half, -half, 0, farM);
+  fit.mapFromWorld.multiplyMatrices(UV_FROM_CLIP, fit.clipFromLight).multiply(fit.lightFromWorld);
+}
+
+const NEAR_M = 0.01;
+
+function snap(value: number, step: number): number {
+  return Math.round(value / step) * step;
+}

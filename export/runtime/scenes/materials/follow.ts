@@ -1,0 +1,42 @@
+import type { Color, Euler, Material, Matrix3, Vector2, Vector3 } from 'three';
+
+/** What belongs to one material object and is no value of it, and what depends on the scene: see `layer-blending.ts`. */
+const OWN = new Set([
+  ...['uuid', 'id', 'name', 'type', 'version', 'userData', '_listeners', 'defines', 'onBeforeCompile', 'customProgramCacheKey'],
+  ...['blending', 'blendSrc', 'blendDst', 'blendEquation', 'blendSrcAlpha', 'blendDstAlpha', 'blendEquationAlpha'],
+]);
+
+type Values = Record<string, unknown>;
+type Copyable = { copy(from: Copyable): void };
+
+/**
+ * Makes `material` follow every value of `master`: numbers, switches and textures by reference, colours and vectors by copy.
+ * three's protocol holds: whoever changes what a program is compiled from sets the master's `needsUpdate`, and the returned
+ * function then sets the follower's and answers true. Keys in `fixed` are left alone.
+ *
+ * `Material.copy` would do, but it clones user data, planes and defines at every call.
+ */
+export function follow(material: Material, master: Material, fixed: readonly string[] = []): () => boolean {
+  const from = master as unknown as Values;
+  const to = material as unknown as Values;
+  const keys = Object.keys(from).filter((key) => !OWN.has(key) && !fixed.includes(key) && key in to);
+  let version = master.version;
+  return () => {
+    for (const key of keys) {
+      const value = from[key];
+      if (isCopyable(value)) (to[key] as Copyable).copy(value);
+      else if (to[key] !== value) to[key] = value;
+    }
+    if (master.version === version) return false;
+    version = master.version;
+    material.needsUpdate = true;
+    return true;
+  };
+}
+
+/** Textures have a `copy` too, but are shared. */
+function isCopyable(value: unknown): value is Copyable {
+  if (typeof value !== 'object' || value === null) return false;
+  const kind = value as Partial<Color & Vector2 & Vector3 & Euler & Matrix3>;
+  return Boolean(kind.isColor || kind.isVector2 || kind.isVector3 || kind.isEuler || 'isMatrix3' in value);
+}

@@ -1,0 +1,42 @@
+import type { BackSide, FrontSide, Material } from 'three';
+import { follow } from './follow.ts';
+import { createGlassPatch } from './glass-patch.ts';
+import { applyLayerBlending } from './layer-blending.ts';
+import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
+import type { Twin } from './twins.ts';
+
+export interface LayerTwinOptions {
+  /** Draws only this side of a double-sided master. */
+  readonly side: typeof BackSide | typeof FrontSide | null;
+  /** Fades fragments behind the room, or null. */
+  readonly occlusion: ShaderPatch | null;
+  /** Called when the master began to need another way of drawing, such as having become transparent. */
+  readonly onChange: () => void;
+}
+
+/** The master as it is drawn into a layer: its own shading, premultiplied output (see `layer-blending.ts`). */
+export function createLayerTwin(master: Material, options: LayerTwinOptions): Twin {
+  const material = master.clone();
+  const glass = 'isMeshPhysicalMaterial' in master ? createGlassPatch() : null;
+  const fades = options.occlusion !== null;
+  patchMaterial(
+    material,
+    master,
+    [glass, options.occlusion].filter((patch) => patch !== null),
+  );
+  const sync = follow(material, master, options.side === null ? [] : ['side']);
+  if (options.side !== null) material.side = options.side;
+  applyLayerBlending(material, master, fades);
+  return {
+    material,
+    sync: () => {
+      if (!sync()) return;
+      applyLayerBlending(material, master, fades);
+      options.onChange();
+    },
+    dispose: () => {
+      glass?.dispose();
+      material.dispose();
+    },
+  };
+}

@@ -1,0 +1,76 @@
+import type { Scene } from 'three';
+import type { ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import { type Drawable, isDrawable } from './drawable.ts';
+import { createProxy, type FlatProxy, type ProxyPlan } from './proxy.ts';
+
+export type PlanProxies = (master: Drawable, item: ObjectItem) => readonly ProxyPlan[];
+
+/** The proxies of several lists in one scene: rebuilt when a list's version changed, else only moved. */
+export interface ProxySet {
+  readonly proxies: readonly FlatProxy[];
+  /** Returns whether proxies were built anew. `force` builds them in any case. */
+  update(lists: readonly ObjectList[], force: boolean): boolean;
+  dispose(): void;
+}
+
+export function createProxySet(scene: Scene, plan: PlanProxies): ProxySet {
+  const proxies: FlatProxy[] = [];
+  const watch = createVersionWatch();
+
+  function clear(): void {
+    for (const proxy of proxies) proxy.dispose();
+    proxies.length = 0;
+  }
+
+  function build(lists: readonly ObjectList[]): void {
+    clear();
+    for (const list of lists) {
+      for (const item of list.items) {
+        item.root.traverse((object) => {
+          if (!isDrawable(object)) return;
+          for (const part of plan(object, item)) proxies.push(createProxy(object, item, part));
+        });
+      }
+    }
+    for (const { object } of proxies) scene.add(object);
+  }
+
+  return {
+    proxies,
+    update: (lists, force) => {
+      const changed = watch.changed(lists) || force;
+      if (changed) build(lists);
+      for (const proxy of proxies) proxy.update();
+      return changed;
+    },
+    dispose: clear,
+  };
+}
+
+interface Versioned {
+  readonly version: number;
+}
+
+/** Answers whether the lists, their number or their versions differ from those of the last call. */
+export function createVersionWatch(): { changed(lists: readonly Versioned[]): boolean } {
+  let seen: Versioned[] = [];
+  const versions: number[] = [];
+
+  function isSame(lists: readonly Versioned[]): boolean {
+    if (lists.length !== seen.length) return false;
+    for (let i = 0; i < lists.length; i++) {
+      if (lists[i] !== seen[i] || lists[i]?.version !== versions[i]) return false;
+    }
+    return true;
+  }
+
+  return {
+    changed: (lists) => {
+      if (isSame(lists)) return false;
+      seen = [...lists];
+      versions.length = 0;
+      for (const list of lists) versions.push(list.version);
+      return true;
+    },
+  };
+}

@@ -1,0 +1,100 @@
+import {
+  type Camera,
+  NoToneMapping,
+  PCFShadowMap,
+  type Scene,
+  SRGBColorSpace,
+  type WebGLRenderer as ThreeRenderer,
+  WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import type { DrawView } from '../../../nodes/kit/runtime.ts';
+import type { SceneHost } from '../scene-backend.ts';
+
+/** three.js, tamed: it draws where it is told and clears, encodes and schedules nothing of its own. */
+export interface SceneRenderer {
+  readonly three: ThreeRenderer;
+  /** Draws over what the view's framebuffer holds, and leaves that framebuffer bound. */
+  draw(view: DrawView, scene: Scene, camera: Camera): void;
+  /** Clears the depth of a target of three's own and draws into it; leaves no framebuffer bound. */
+  drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
+  /** To be called before any other work on the GPU: forgets what three believes of the GL state if others have drawn. */
+  restoreState(): void;
+  invalidateState(): void;
+  dispose(): void;
+}
+
+/** Part of three's WebXR path: in `WebGLRenderer.js`, but not in its published types. */
+interface ExternalFramebuffers {
+  setRenderTargetFramebuffer(target: WebGLRenderTarget, framebuffer: WebGLFramebuffer | null): void;
+}
+
+/**
+ * The target through which three draws into framebuffers that the player owns (ADR 7). Two properties of three's WebXR path
+ * carry it: `setRenderTargetFramebuffer` makes `setRenderTarget` bind a framebuffer from outside and take the viewport from the
+ * target; `isXRRenderTarget` makes materials encode into the texture's colour space, as they do for the canvas.
+ * `tests/browser/scenes-three.test.ts` pins both.
+ */
+function createFramebufferTarget(): WebGLRenderTarget {
+  const target = new WebGLRenderTarget(1, 1, { colorSpace: SRGBColorSpace, depthBuffer: true });
+  return Object.assign(target, { isXRRenderTarget: true });
+}
+
+export function createSceneRenderer(host: SceneHost): SceneRenderer {
+  const { gl } = host;
+  const three = new WebGLRenderer({ canvas: host.canvas, context: gl });
+  three.xr.enabled = false;
+  three.autoClear = false;
+  three.outputColorSpace = SRGBColorSpace;
+  three.toneMapping = NoToneMapping;
+  // Receivers sample shadow maps with three's PCF; the maps are rendered by `shadow-maps.ts`, never by three.
+  three.shadowMap.enabled = true;
+  three.shadowMap.type = PCFShadowMap;
+  three.shadowMap.autoUpdate = false;
+  three.shadowMap.needsUpdate = false;
+
+  const target = createFramebufferTarget();
+  const external = three as unknown as ExternalFramebuffers;
+  let stale = true;
+
+  function restoreState(): void {
+    if (!stale) return;
+    stale = false;
+    three.resetState();
+    // What that leaves out: its vertex array is reset only if it was one of three's own.
+    gl.bindVertexArray(null);
+    gl.disable(gl.RASTERIZER_DISCARD);
+    gl.disable(gl.SAMPLE_COVERAGE);
+  }
+
+  return {
+    three,
+    draw: (view, scene, camera) => {
+      restoreState();
+      const { x, y, widthPx, heightPx } = view.viewport;
+      external.setRenderTargetFramebuffer(target, view.framebuffer);
+      target.viewport.set(x, y, widthPx, heightPx);
+      // Wide points and lines may leave the viewport; the neighbouring view is not theirs.
+      target.scissor.set(x, y, widthPx, heightPx);
+      target.scissorTest = true;
+      three.setRenderTarget(target);
+      three.render(scene, camera);
+      three.state.setScissorTest(false);
+    },
+    drawDepth: (depthTarget, scene, camera) => {
+      restoreState();
+      three.setRenderTarget(depthTarget);
+      three.clear(false, true, false);
+      three.render(scene, camera);
+      three.setRenderTarget(null);
+    },
+    restoreState,
+    invalidateState: () => {
+      stale = true;
+    },
+    dispose: () => {
+      target.dispose();
+      three.dispose();
+    },
+  };
+}

@@ -1,0 +1,105 @@
+import { BackSide, DoubleSide, FrontSide, type Material, Scene } from 'three';
+import type { DrawnScene, NumberView, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { NeutralEnvironment } from './lights/environment.ts';
+import { createLightRig } from './lights/light-rig.ts';
+import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
+import { createPhantomTwin } from './materials/depth-twin.ts';
+import { isOpaque } from './materials/layer-blending.ts';
+import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
+import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import { createTwinCache } from './materials/twins.ts';
+import { type Drawable, mapMaterials, programFeatures } from './proxies/drawable.ts';
+import type { ProxyPlan } from './proxies/proxy.ts';
+import { createProxySet } from './proxies/proxy-set.ts';
+import type { SceneRenderer } from './scene-renderer.ts';
+import { createViewCamera } from './view-camera.ts';
+
+export interface ShadedSceneOptions {
+  readonly renderer: SceneRenderer;
+  readonly environment: NeutralEnvironment;
+  /** Brightness of the neutral surroundings; 1 makes a white matt surface white by them alone. */
+  readonly ambient: NumberView;
+  readonly shadowMaps: RenderedShadowMaps | null;
+  readonly occlusion: OcclusionPatch | null;
+}
+
+/** Phantoms before all, so that what they hide costs nothing; then the depth of surfaces that fade at a soft border. */
+const PHANTOMS_FIRST = -2e9;
+const DEPTH_FIRST = -1e9;
+
+type Side = LayerTwinOptions['side'];
+
+/** Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. */
+export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
+  const { renderer, environment, ambient, shadowMaps, occlusion } = options;
+  const scene = new Scene();
+  scene.matrixWorldAutoUpdate = false;
+  const view = createViewCamera();
+  const lights = createLightRig(scene);
+  const twins = createTwinCache();
+  const proxies = createProxySet(scene, plan);
+  let outdated = false;
+  const onChange = (): void => {
+    outdated = true;
+  };
+
+  function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
+    const features = programFeatures(master);
+    const depth = (): Material | Material[] =>
+      mapMaterials(master, (part) => twins.get(part, `${features}|depth`, () => createPhantomTwin(part)));
+    if (item.role === 'phantom') return [{ material: depth(), renderOrder: PHANTOMS_FIRST }];
+    const draw = (side: Side): ProxyPlan => ({
+      material: mapMaterials(master, (part) =>
+        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, occlusion, onChange })),
+      ),
+      renderOrder: master.renderOrder,
+    });
+    if (isTwoPass(master.material)) return [draw(BackSide), draw(FrontSide)];
+    if (!occlusion || !everyMaterial(master, isOpaque)) return [draw(null)];
+    // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
+    return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, draw(null)];
+  }
+
+  return {
+    update: (objects, lightLists) => {
+      twins.sync();
+      if (proxies.update(objects, outdated)) {
+        outdated = false;
+        twins.sweep();
+        if (proxies.proxies.some(({ object }) => someMaterial(object, isLit))) scene.environment ??= environment.texture();
+      }
+      scene.environmentIntensity = ambient.value;
+      lights.update(lightLists);
+    },
+    draw: (drawView) => {
+      view.set(drawView.view);
+      lights.bindShadows(shadowMaps);
+      occlusion?.bind(drawView);
+      renderer.draw(drawView, scene, view.camera);
+    },
+    dispose: () => {
+      proxies.dispose();
+      twins.dispose();
+      lights.dispose();
+    },
+  };
+}
+
+/** three draws these back faces first, then front faces, compiling in between; two proxies do without. */
+function isTwoPass(material: Material | Material[]): boolean {
+  return !Array.isArray(material) && material.transparent && material.side === DoubleSide && !material.forceSinglePass;
+}
+
+function everyMaterial(object: Drawable, holds: (material: Material) => boolean): boolean {
+  return Array.isArray(object.material) ? object.material.every(holds) : holds(object.material);
+}
+
+function someMaterial(object: Drawable, holds: (material: Material) => boolean): boolean {
+  return Array.isArray(object.material) ? object.material.some(holds) : holds(object.material);
+}
+
+const LIT = ['isMeshStandardMaterial', 'isMeshLambertMaterial', 'isMeshPhongMaterial'] as const;
+
+function isLit(material: Material): boolean {
+  return LIT.some((kind) => kind in material);
+}

@@ -1,0 +1,23 @@
+import { Camera } from 'three';
+import type { ViewFrame } from '../../../nodes/kit/session.ts';
+
+/** A camera that takes a view's matrices as they are: off-centre projections stay what the session says. */
+export interface ViewCamera {
+  readonly camera: Camera;
+  set(view: ViewFrame): void;
+}
+
+export function createViewCamera(): ViewCamera {
+  const camera = new Camera();
+  camera.matrixAutoUpdate = false;
+  camera.matrixWorldAutoUpdate = false;
+  return {
+    camera,
+    set: (view) => {
+      camera.projectionMatrix.fromArray(view.clipFromView);
+      camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+      camera.matrixWorld.fromArray(view.worldFromView);
+      camera.matrixWorldInverse.fromArray(view.viewFromWorld);
+    },
+  };
+}
