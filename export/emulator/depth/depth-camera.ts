@@ -1,0 +1,54 @@
+import { DoubleSide, FloatType, NearestFilter, NoBlending, RedFormat, ShaderMaterial, WebGLRenderTarget } from 'three';
+import { aimCamera, createEyeCamera, type Eye } from '../display/eye.ts';
+import type { RoomView } from '../display/room-view.ts';
+import { type Affine, depthClipFromView } from './depth-transform.ts';
+
+/** Measures the room exactly: metres along the view's axis, drawn into a float target at the centres of the buffer's texels. */
+export interface DepthCamera {
+  /** Row-major from the top; 0 where the view's ray meets nothing. The same array every time. */
+  measure(eye: Eye): Float32Array;
+  dispose(): void;
+}
+
+export function createDepthCamera(view: RoomView, widthPx: number, heightPx: number, map: Affine): DepthCamera {
+  const target = new WebGLRenderTarget(widthPx, heightPx, {
+    format: RedFormat,
+    type: FloatType,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+  });
+  // A flip turns front faces into back faces.
+  const material = new ShaderMaterial({
+    side: DoubleSide,
+    blending: NoBlending,
+    vertexShader: `
+varying float viewZM;
+void main() {
+  vec4 inView = modelViewMatrix * vec4(position, 1.0);
+  viewZM = -inView.z;
+  gl_Position = projectionMatrix * inView;
+}`,
+    fragmentShader: 'varying float viewZM; void main() { gl_FragColor = vec4(viewZM, 0.0, 0.0, 1.0); }',
+  });
+  const camera = createEyeCamera();
+  const metres = new Float32Array(widthPx * heightPx);
+  return {
+    measure: (eye) => {
+      const { renderer, scene } = view;
+      aimCamera(camera, depthClipFromView(eye.clipFromView, map), eye.worldFromView);
+      renderer.setRenderTarget(target);
+      renderer.setClearColor(0x000000, 0);
+      renderer.clear();
+      scene.overrideMaterial = material;
+      renderer.render(scene, camera);
+      scene.overrideMaterial = null;
+      renderer.readRenderTargetPixels(target, 0, 0, widthPx, heightPx, metres);
+      renderer.setRenderTarget(null);
+      return metres;
+    },
+    dispose: () => {
+      target.dispose();
+      material.dispose();
+    },
+  };
+}

@@ -1,0 +1,25 @@
+import type { DepthFormat } from '../options.ts';
+
+export interface EncodedDepth {
+  /** Row-major from the top, without padding; 0 is unknown. */
+  readonly data: ArrayBuffer;
+  readonly rawValueToMeters: number;
+}
+
+const METRES_PER_UNIT = 0.001;
+const MAX_UINT16 = 65_535;
+
+/** Metres as a device would store them: 16-bit formats in millimetres, what lies beyond 65.535 m unknown. */
+export function encodeDepth(metres: Float32Array, format: DepthFormat): EncodedDepth {
+  if (format === 'float32') return { data: Float32Array.from(metres).buffer, rawValueToMeters: 1 };
+  const units = new Uint16Array(metres.length);
+  for (let i = 0; i < metres.length; i++) {
+    const unit = Math.round((metres[i] ?? 0) / METRES_PER_UNIT);
+    units[i] = unit <= MAX_UINT16 ? unit : 0;
+  }
+  return { data: units.buffer, rawValueToMeters: METRES_PER_UNIT };
+}
+
+export function readDepth(data: ArrayBuffer, format: DepthFormat, index: number): number {
+  return (format === 'float32' ? new Float32Array(data) : new Uint16Array(data))[index] ?? 0;
+}

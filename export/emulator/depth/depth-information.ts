@@ -1,0 +1,87 @@
+import type { XRRigidTransform } from 'iwer';
+import type { DepthFormat } from '../options.ts';
+import type { EmulatedView } from '../session/emulated-view.ts';
+import { type EncodedDepth, readDepth } from './depth-encoding.ts';
+import { MatrixTransform } from './matrix-transform.ts';
+import type { SessionDepth } from './session-depth.ts';
+
+/** WebXR Depth Sensing §3.1. The depth camera is the view's own: `transform` and `projectionMatrix` are the view's. */
+export class EmulatedDepthInformation {
+  readonly width: number;
+  readonly height: number;
+  readonly normDepthBufferFromNormView: XRRigidTransform;
+  readonly rawValueToMeters: number;
+  readonly #view: EmulatedView;
+
+  constructor(view: EmulatedView, depth: SessionDepth, rawValueToMeters: number) {
+    this.width = depth.widthPx;
+    this.height = depth.heightPx;
+    this.normDepthBufferFromNormView = new MatrixTransform(depth.bufferFromView);
+    this.rawValueToMeters = rawValueToMeters;
+    this.#view = view;
+  }
+
+  get transform(): XRRigidTransform {
+    return this.#view.transform;
+  }
+
+  get projectionMatrix(): Float32Array {
+    return this.#view.projectionMatrix;
+  }
+
+  /** "Attempting to access the depth buffer": only while the frame lasts. */
+  protected checkFrame(): void {
+    this.#view.checkFrame();
+  }
+}
+
+/** WebXR Depth Sensing §3.2. */
+export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
+  readonly #data: ArrayBuffer;
+  readonly #format: DepthFormat;
+
+  constructor(view: EmulatedView, depth: SessionDepth, encoded: EncodedDepth) {
+    super(view, depth, encoded.rawValueToMeters);
+    this.#data = encoded.data;
+    this.#format = depth.format;
+  }
+
+  get data(): ArrayBuffer {
+    this.checkFrame();
+    return this.#data;
+  }
+
+  /** `x` and `y` are normalised view coordinates. */
+  getDepthInMeters(x: number, y: number): number {
+    this.checkFrame();
+    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) throw new RangeError('Normalised view coordinates lie between 0 and 1.');
+    const m = this.normDepthBufferFromNormView.matrix;
+    const at = (i: number): number => m[i] ?? 0;
+    const column = toIndex(at(0) * x + at(4) * y + at(12), this.width);
+    const row = toIndex(at(1) * x + at(5) * y + at(13), this.height);
+    return readDepth(this.#data, this.#format, row * this.width + column) * this.rawValueToMeters;
+  }
+}
+
+function toIndex(normalised: number, count: number): number {
+  return Math.min(Math.max(Math.trunc(normalised * count), 0), count - 1);
+}
+
+/** WebXR Depth Sensing §3.3. */
+export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
+  readonly textureType: 'texture' | 'texture-array';
+  readonly imageIndex: number | null;
+  readonly #texture: WebGLTexture;
+
+  constructor(view: EmulatedView, depth: SessionDepth, rawValueToMeters: number, texture: WebGLTexture, imageIndex: number | null) {
+    super(view, depth, rawValueToMeters);
+    this.#texture = texture;
+    this.imageIndex = imageIndex;
+    this.textureType = imageIndex === null ? 'texture' : 'texture-array';
+  }
+
+  get texture(): WebGLTexture {
+    this.checkFrame();
+    return this.#texture;
+  }
+}

@@ -1,0 +1,19 @@
+import { P_RIGID_TRANSFORM, XRRigidTransform } from 'iwer';
+import { Matrix4 } from 'three';
+import { writeMatrix } from '../write-matrix.ts';
+
+/**
+ * An XRRigidTransform around a matrix as it is. `normDepthBufferFromNormView` is one by name only: real devices put flips and
+ * scales into it, which position and orientation cannot say.
+ */
+export class MatrixTransform extends XRRigidTransform {
+  constructor(matrix: ArrayLike<number>) {
+    super();
+    writeMatrix(this[P_RIGID_TRANSFORM].matrix, matrix);
+  }
+
+  override get inverse(): XRRigidTransform {
+    const inverted = new Matrix4().fromArray(Array.from(this.matrix)).invert();
+    return new MatrixTransform(inverted.elements);
+  }
+}

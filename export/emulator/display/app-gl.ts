@@ -1,0 +1,53 @@
+/**
+ * The page's own context, borrowed for a moment: a real device works behind its back, so whatever we bind is bound back. Only
+ * what uploads and framebuffers depend on; nothing is drawn in it.
+ */
+export function borrowGl<T>(gl: WebGL2RenderingContext, work: () => T): T {
+  const textures = TEXTURE_TARGETS.map(([target, binding]) => [gl[target], gl.getParameter(gl[binding])] as const);
+  const stores = PIXEL_STORES.map(([name, neutral]) => [gl[name], gl.getParameter(gl[name]), neutral] as const);
+  const unpackBuffer = gl.getParameter(gl.PIXEL_UNPACK_BUFFER_BINDING);
+  const packBuffer = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
+  const drawFramebuffer = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING);
+  const readFramebuffer = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+  const renderbuffer = gl.getParameter(gl.RENDERBUFFER_BINDING);
+  const scissored = gl.isEnabled(gl.SCISSOR_TEST);
+  gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  for (const [name, , neutral] of stores) gl.pixelStorei(name, neutral);
+  if (scissored) gl.disable(gl.SCISSOR_TEST);
+  try {
+    return work();
+  } finally {
+    if (scissored) gl.enable(gl.SCISSOR_TEST);
+    for (const [target, texture] of textures) gl.bindTexture(target, texture);
+    for (const [name, value] of stores) gl.pixelStorei(name, value);
+    gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, unpackBuffer);
+    gl.bindBuffer(gl.PIXEL_PACK_BUFFER, packBuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, drawFramebuffer);
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, readFramebuffer);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
+  }
+}
+
+const TEXTURE_TARGETS = [
+  ['TEXTURE_2D', 'TEXTURE_BINDING_2D'],
+  ['TEXTURE_2D_ARRAY', 'TEXTURE_BINDING_2D_ARRAY'],
+  ['TEXTURE_CUBE_MAP', 'TEXTURE_BINDING_CUBE_MAP'],
+] as const;
+
+/** With the value that leaves a plain upload or read as it is; 4-byte rows would not fit 16-bit depth of odd widths. */
+const PIXEL_STORES = [
+  ['UNPACK_FLIP_Y_WEBGL', 0],
+  ['UNPACK_PREMULTIPLY_ALPHA_WEBGL', 0],
+  ['UNPACK_COLORSPACE_CONVERSION_WEBGL', 0],
+  ['UNPACK_ALIGNMENT', 1],
+  ['UNPACK_ROW_LENGTH', 0],
+  ['UNPACK_SKIP_ROWS', 0],
+  ['UNPACK_SKIP_PIXELS', 0],
+  ['UNPACK_IMAGE_HEIGHT', 0],
+  ['UNPACK_SKIP_IMAGES', 0],
+  ['PACK_ALIGNMENT', 1],
+  ['PACK_ROW_LENGTH', 0],
+  ['PACK_SKIP_ROWS', 0],
+  ['PACK_SKIP_PIXELS', 0],
+] as const;

@@ -1,0 +1,55 @@
+/** The device's screen in the page: the picture, letterboxed, over everything but a DOM overlay. */
+export interface Screen {
+  show(canvas: HTMLCanvasElement, overlayRoot: HTMLElement | null): void;
+  hide(): void;
+}
+
+/**
+ * Styles are set one property at a time: pages with a strict `style-src` refuse style attributes and sheets, not the object model.
+ */
+export function createScreen(container: HTMLElement | null): Screen {
+  let shown: { readonly element: HTMLElement; restoreOverlay(): void } | null = null;
+  const hide = (): void => {
+    shown?.restoreOverlay();
+    shown?.element.remove();
+    shown = null;
+  };
+  return {
+    show: (canvas, overlayRoot) => {
+      hide();
+      const element = document.createElement('div');
+      element.dataset.scrimEmulator = '';
+      setStyles(element, container ? { ...FILL, position: 'absolute' } : { ...FILL, position: 'fixed', zIndex: '2147483000' });
+      setStyles(canvas, { width: '100%', height: '100%', objectFit: 'contain', display: 'block' });
+      element.append(canvas);
+      (container ?? document.body).append(element);
+      shown = { element, restoreOverlay: overlayRoot ? setStyles(overlayRoot, OVERLAY) : () => {} };
+    },
+    hide,
+  };
+}
+
+const FILL = { inset: '0', background: '#000', overflow: 'hidden' } as const;
+
+/** WebXR DOM Overlays §4.2, the user agent's style sheet. */
+const OVERLAY = {
+  position: 'fixed',
+  inset: '0',
+  zIndex: '2147483001',
+  width: 'auto',
+  height: 'auto',
+  margin: '0',
+  padding: '0',
+  overflow: 'auto',
+  background: 'transparent',
+} as const;
+
+/** Returns what puts the former values back. */
+function setStyles(element: HTMLElement, styles: Partial<Record<keyof CSSStyleDeclaration & string, string>>): () => void {
+  const style = element.style as unknown as Record<string, string>;
+  const former = Object.keys(styles).map((name) => [name, style[name] ?? ''] as const);
+  for (const [name, value] of Object.entries(styles)) style[name] = value;
+  return () => {
+    for (const [name, value] of former) style[name] = value;
+  };
+}

@@ -1,0 +1,37 @@
+import { metaQuest3, P_DEVICE, XRDevice, type XRDeviceConfig, type XRInputSource } from 'iwer';
+import { createScreenInput, type ScreenInput } from './input/screen-input.ts';
+import { DEVICE_PROFILES, type DeviceName } from './profiles.ts';
+
+/** iwer's device with a screen to touch. */
+export class EmulatedDevice extends XRDevice {
+  readonly screenInput: ScreenInput;
+
+  constructor(name: DeviceName, fovYRad: number, ipdM: number) {
+    const profile = DEVICE_PROFILES[name];
+    super(
+      {
+        ...metaQuest3,
+        name: `Scrim's emulated ${name}`,
+        controllerConfig: profile.controllers ? metaQuest3.controllerConfig : undefined,
+        supportedSessionModes: ['immersive-ar', 'immersive-vr'] as XRDeviceConfig['supportedSessionModes'],
+        supportedFeatures: [...profile.features] as XRDeviceConfig['supportedFeatures'],
+        supportedFrameRates: [60],
+        internalNominalFrameRate: 60,
+        environmentBlendModes: {
+          'immersive-ar': profile.blend,
+          'immersive-vr': 'opaque',
+        } as unknown as XRDeviceConfig['environmentBlendModes'],
+        interactionMode: profile.interaction as string as XRDeviceConfig['interactionMode'],
+        isSystemKeyboardSupported: false,
+        userAgent: navigator.userAgent,
+      },
+      { fovy: fovYRad, ipd: ipdM, visibilityMask: null },
+    );
+    this.screenInput = createScreenInput(this[P_DEVICE].viewerSpace);
+  }
+
+  override get inputSources(): XRInputSource[] {
+    // Absent while the base class is being made.
+    return [...super.inputSources, ...(this.screenInput?.sources() ?? [])];
+  }
+}

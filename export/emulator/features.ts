@@ -1,0 +1,62 @@
+import type { DepthFormat, DepthUsage } from './options.ts';
+import type { DepthProfile } from './profiles.ts';
+
+/** The members of `XRSessionInit` that decide what a session gets. */
+export interface SessionWishes {
+  readonly requiredFeatures?: readonly string[];
+  readonly optionalFeatures?: readonly string[];
+  readonly depthSensing?: DepthWishes;
+  readonly domOverlay?: { readonly root?: Element | null };
+}
+
+export interface DepthWishes {
+  readonly usagePreference?: readonly string[];
+  readonly dataFormatPreference?: readonly string[];
+}
+
+export interface DepthConfiguration {
+  readonly usage: DepthUsage;
+  readonly format: DepthFormat;
+}
+
+export type Grant =
+  | { readonly features: readonly string[]; readonly depth: DepthConfiguration | null }
+  /** A required feature that cannot be had. */
+  | { readonly missing: string };
+
+/** Always there in an immersive session, asked for or not (WebXR Device API, "default features"). */
+const DEFAULT_FEATURES = ['viewer', 'local'];
+
+/** What a session gets of what it asked for: WebXR Device API §5.2 ("resolve the requested features"). */
+export function grantFeatures(wishes: SessionWishes, supported: ReadonlySet<string>, depthProfile: DepthProfile): Grant {
+  const depth = wishes.depthSensing ? chooseDepth(wishes.depthSensing, depthProfile) : null;
+  const canHave = (feature: string): boolean => {
+    if (!supported.has(feature)) return false;
+    if (feature === 'depth-sensing') return depth !== null;
+    if (feature === 'dom-overlay') return wishes.domOverlay?.root instanceof Element;
+    return true;
+  };
+  const required = wishes.requiredFeatures ?? [];
+  const missing = required.find((feature) => !canHave(feature));
+  if (missing !== undefined) return { missing };
+  const optional = (wishes.optionalFeatures ?? []).filter(canHave);
+  const features = [...new Set([...DEFAULT_FEATURES, ...required, ...optional])];
+  return { features, depth: features.includes('depth-sensing') ? depth : null };
+}
+
+/**
+ * WebXR Depth Sensing §2.3, "find supported configuration combination": one wish is taken as it is, of several the first that
+ * fits, of none the device's own choice; null when usage and format do not go together on this device.
+ */
+export function chooseDepth(wishes: DepthWishes, profile: DepthProfile): DepthConfiguration | null {
+  const usage = choose(wishes.usagePreference ?? [], profile.usages);
+  const format = choose(wishes.dataFormatPreference ?? [], profile.formats);
+  return usage && format ? { usage, format } : null;
+}
+
+/** Every usage of a profile goes with every format of it, so the two can be chosen apart. */
+function choose<T extends string>(preferences: readonly string[], supported: readonly T[]): T | undefined {
+  if (preferences.length === 0) return supported[0];
+  const wished = preferences.find((preference) => supported.some((value) => value === preference));
+  return supported.find((value) => value === wished);
+}

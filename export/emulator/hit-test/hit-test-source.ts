@@ -1,0 +1,86 @@
+import type { XRAnchor, XRFrame, XRInputSource, XRPose } from 'iwer';
+import { type GlobalSpace, XRRigidTransform, XRSpace } from 'iwer';
+import { Matrix4, Vector3 } from 'three';
+import type { Room } from '../rooms/room.ts';
+import { castRay, type HitKind, type RayHit } from './cast-ray.ts';
+import { EmulatedRay } from './ray.ts';
+
+export interface HitTestWishes {
+  readonly space?: XRSpace;
+  /** For transient input: the profile of the input sources that it follows. */
+  readonly profile?: string;
+  readonly entityTypes?: readonly HitKind[];
+  readonly offsetRay?: EmulatedRay;
+}
+
+/** A subscription: XRHitTestSource and XRTransientInputHitTestSource of WebXR Hit Test §3. */
+export class EmulatedHitTestSource {
+  readonly #active: Set<EmulatedHitTestSource>;
+
+  constructor(active: Set<EmulatedHitTestSource>) {
+    this.#active = active;
+    active.add(this);
+  }
+
+  cancel(): void {
+    if (!this.#active.delete(this)) throw new DOMException('The hit test source is cancelled already.', 'InvalidStateError');
+  }
+}
+
+export class EmulatedTransientHitTestSource extends EmulatedHitTestSource {}
+
+export class EmulatedHitTestResult {
+  readonly #frame: XRFrame;
+  readonly #space: XRSpace;
+
+  constructor(frame: XRFrame, space: XRSpace) {
+    this.#frame = frame;
+    this.#space = space;
+  }
+
+  getPose(baseSpace: XRSpace): XRPose {
+    return this.#frame.getPose(this.#space, baseSpace);
+  }
+
+  createAnchor(): Promise<XRAnchor> {
+    return this.#frame.createAnchor(new XRRigidTransform(), this.#space);
+  }
+}
+
+export class EmulatedTransientHitTestResult {
+  readonly inputSource: XRInputSource;
+  readonly results: readonly EmulatedHitTestResult[];
+
+  constructor(inputSource: XRInputSource, results: readonly EmulatedHitTestResult[]) {
+    this.inputSource = inputSource;
+    this.results = results;
+  }
+}
+
+/** WebXR Hit Test §6, "compute hit test results": without wishes about entities, planes alone. */
+export function computeHits(
+  frame: XRFrame,
+  room: Room,
+  world: GlobalSpace,
+  space: XRSpace,
+  { entityTypes = ['plane'], offsetRay = new EmulatedRay() }: HitTestWishes,
+): EmulatedHitTestResult[] {
+  const worldFromSpace = new Matrix4().fromArray(frame.getPose(space, world).transform.matrix);
+  const { origin: o, direction: d } = offsetRay;
+  const originWorld = new Vector3(o.x, o.y, o.z).applyMatrix4(worldFromSpace);
+  const directionWorld = new Vector3(d.x, d.y, d.z).transformDirection(worldFromSpace);
+  return castRay(room, originWorld, directionWorld, new Set(entityTypes)).map(
+    (hit) => new EmulatedHitTestResult(frame, new XRSpace(world, worldFromHit(hit, directionWorld))),
+  );
+}
+
+/** Y along the normal; z along the surface, towards where the ray came from. */
+function worldFromHit({ pointWorld, normalWorld }: RayHit, directionWorld: Vector3): Float32Array {
+  const y = normalWorld;
+  const z = directionWorld.clone().negate();
+  z.addScaledVector(y, -z.dot(y));
+  if (z.lengthSq() < 1e-6) z.set(Math.abs(y.z) < 0.9 ? 0 : 1, 0, Math.abs(y.z) < 0.9 ? 1 : 0).addScaledVector(y, -y.z);
+  z.normalize();
+  const x = y.clone().cross(z);
+  return new Float32Array(new Matrix4().makeBasis(x, y, z).setPosition(pointWorld).toArray());
+}

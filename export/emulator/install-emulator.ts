@@ -1,0 +1,179 @@
+import { P_DEVICE, P_REF_SPACE, P_SESSION, P_SPACE, P_SYSTEM, XRReferenceSpaceType } from 'iwer';
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import { createBrowserClock } from '../runtime/clock.ts';
+import { createScreen } from './display/screen.ts';
+import { EmulatedDevice } from './emulated-device.ts';
+import type { Emulator, HeadPose } from './emulator.ts';
+import { createFreeSource, createManualSource } from './frame-source.ts';
+import { castRay } from './hit-test/cast-ray.ts';
+import { installGlobals } from './install-globals.ts';
+import { type DepthOptions, EMULATOR_DEFAULTS, type EmulatorOptions, type SettledDefaults, withDefaults } from './options.ts';
+import { P_EMULATED } from './private.ts';
+import { DEVICE_PROFILES } from './profiles.ts';
+import { createReadback } from './readback.ts';
+import { levelPose, moveOrigin } from './session/emulated-reference-space.ts';
+import type { EmulatedSession } from './session/emulated-session.ts';
+import { grantSession } from './session/grant-session.ts';
+import { createSurroundings, type OwnedSurroundings } from './surroundings.ts';
+import type { World, WorldSettings } from './world.ts';
+
+/**
+ * Puts an emulated WebXR device into this page: `navigator.xr` and the interfaces that go with it, until `uninstall`. The room is
+ * made when a session is first requested.
+ *
+ * @example
+ * const emulator = installEmulator({ device: 'phone', room: 'studio', clock: 'manual' });
+ * emulator.setPose({ position: [0, 1.5, 1] });
+ */
+export function installEmulator(options: EmulatorOptions = {}): Emulator {
+  const said = withDefaults<EmulatorOptions, keyof SettledDefaults>(EMULATOR_DEFAULTS, options);
+  const profile = DEVICE_PROFILES[said.device];
+  const device = new EmulatedDevice(said.device, said.fovYRad ?? profile.fovYRad, said.ipdM);
+  let surroundings: OwnedSurroundings | null = null;
+  const world: World = {
+    device,
+    profile,
+    settings: settle(said),
+    frames: said.clock === 'manual' ? createManualSource() : createFreeSource(said.frameClock ?? createBrowserClock()),
+    screen: createScreen(said.container),
+    screenInput: device.screenInput,
+    surroundings: () => {
+      surroundings ??= createSurroundings(said.room);
+      return surroundings;
+    },
+    tracked: true,
+    session: null,
+  };
+  const uninstallGlobals = installGlobals(device);
+  const system = device[P_DEVICE].xrSystem;
+  if (system) system[P_SYSTEM].grantSession = (request) => grantSession(world, system, request);
+  // The session's framebuffer is ours, and the page's canvas stays where it is.
+  device[P_DEVICE].onBaseLayerSet = () => {};
+  device[P_DEVICE].onSessionEnd = () => endOfSession(world);
+
+  return {
+    device,
+    setPose: (pose) => setPose(device, pose),
+    setFovY: (fovYRad) => {
+      device.fovy = fovYRad;
+    },
+    setTracked: (tracked) => {
+      world.tracked = tracked;
+    },
+    setVisibility: (state) => device.updateVisibilityState(state as Parameters<EmulatedDevice['updateVisibilityState']>[0]),
+    recenter: () => recenter(world),
+    endSession: async () => world.session?.end(),
+    ...createTouch(world),
+    ...createStepping(world),
+    ...createReadback(world),
+    measure: ([ox = 0, oy = 0, oz = 0], [dx = 0, dy = 0, dz = 0]) => {
+      const { room } = world.surroundings();
+      if (!room) return null;
+      const hits = castRay(room, new Vector3(ox, oy, oz), new Vector3(dx, dy, dz).normalize(), new Set(['mesh']));
+      return hits[0]?.distanceM ?? null;
+    },
+    uninstall: async () => {
+      await world.session?.end();
+      uninstallGlobals();
+      surroundings?.dispose();
+      surroundings = null;
+    },
+  };
+}
+
+function settle(said: EmulatorOptions & SettledDefaults): WorldSettings {
+  const { views, depth, features } = DEVICE_PROFILES[said.device];
+  const refused = new Set(said.refuse);
+  return {
+    views: said.views ?? views,
+    features: new Set([...features, ...said.extra].filter((feature) => !refused.has(feature))),
+    sizePx: said.sizePx,
+    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, transform: {} }, said.depth ?? {}),
+    display: said.display,
+    requireGesture: said.requireGesture,
+  };
+}
+
+function endOfSession(world: World): void {
+  const { session } = world;
+  world.frames.stop();
+  world.screenInput.reset();
+  world.screen.hide();
+  if (!session) return;
+  const { depth, disposers } = session[P_EMULATED];
+  depth?.dispose();
+  for (const dispose of disposers.splice(0)) dispose();
+}
+
+const scratchPosition = new Vector3();
+const scratchTurn = new Quaternion();
+const scratchScale = new Vector3();
+
+function setPose(device: EmulatedDevice, pose: HeadPose): void {
+  if ('matrix' in pose) new Matrix4().fromArray(Array.from(pose.matrix)).decompose(scratchPosition, scratchTurn, scratchScale);
+  else {
+    scratchPosition.set(...pose.position);
+    scratchTurn.set(...(pose.quaternion ?? [0, 0, 0, 1])).normalize();
+  }
+  device.position.set(scratchPosition.x, scratchPosition.y, scratchPosition.z);
+  device.quaternion.set(scratchTurn.x, scratchTurn.y, scratchTurn.z, scratchTurn.w);
+}
+
+/** iwer moves the head to the middle of the room instead. */
+function recenter({ device, session }: World): void {
+  const state = device[P_DEVICE];
+  state.updateViews();
+  const origin = levelPose(state.viewerSpace[P_SPACE].offsetMatrix);
+  for (const space of session?.[P_SESSION].referenceSpaces ?? []) {
+    if (space[P_REF_SPACE].type === XRReferenceSpaceType.Local) moveOrigin(space, origin);
+  }
+  if (session) session[P_EMULATED].localOrigin = origin;
+  state.pendingReferenceSpaceReset = true;
+}
+
+function createTouch(world: World): Pick<Emulator, 'press' | 'move' | 'release'> {
+  return {
+    press: (x, y) => {
+      const root = world.session?.[P_EMULATED].overlayRoot;
+      const touched = root ? document.elementFromPoint(x * window.innerWidth, y * window.innerHeight) : null;
+      // WebXR DOM Overlays §3.3: the overlay may keep a touch for itself.
+      const event = new Event('beforexrselect', { bubbles: true, cancelable: true, composed: true });
+      world.screenInput.press(x, y, touched !== null && (root?.contains(touched) ?? false) && !touched.dispatchEvent(event));
+    },
+    move: world.screenInput.move,
+    release: world.screenInput.release,
+  };
+}
+
+function createStepping(world: World): Pick<Emulator, 'frameRequested' | 'stepFrame'> {
+  return {
+    frameRequested: async () => {
+      while (!(world.session && isWaiting(world.session))) await nextTask();
+    },
+    stepFrame: async (count = 1) => {
+      for (let i = 0; i < count; i++) {
+        if (!world.session) throw new Error('There is no session: nothing can be stepped.');
+        if (!isWaiting(world.session)) throw new Error('The page waits for no frame. Await frameRequested() first.');
+        world.frames.step();
+        await nextTask();
+      }
+    },
+  };
+}
+
+function isWaiting(session: EmulatedSession): boolean {
+  const { ended, frameCallbacks, pendingRenderState, renderState } = session[P_SESSION];
+  return !ended && frameCallbacks.length > 0 && (pendingRenderState ?? renderState).baseLayer !== null;
+}
+
+/** A turn of the event loop, so that promises and messages of the page get theirs; not throttled as timers are. */
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}

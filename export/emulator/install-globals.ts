@@ -1,0 +1,66 @@
+import { P_DEVICE, XRAnchor, XRAnchorSet, type XRDevice, XRMesh, XRMeshSet, XRPlane, XRPlaneSet } from 'iwer';
+import { EmulatedCpuDepthInformation, EmulatedDepthInformation, EmulatedWebGlDepthInformation } from './depth/depth-information.ts';
+import {
+  EmulatedHitTestResult,
+  EmulatedHitTestSource,
+  EmulatedTransientHitTestResult,
+  EmulatedTransientHitTestSource,
+} from './hit-test/hit-test-source.ts';
+import { EmulatedRay } from './hit-test/ray.ts';
+import { EmulatedLightEstimate, EmulatedLightProbe } from './light/light-probe.ts';
+import { EmulatedBinding } from './session/emulated-binding.ts';
+import { EmulatedFrame } from './session/emulated-frame.ts';
+import { EmulatedLayer } from './session/emulated-layer.ts';
+import { EmulatedReferenceSpace } from './session/emulated-reference-space.ts';
+import { EmulatedSession } from './session/emulated-session.ts';
+import { EmulatedCamera, EmulatedView } from './session/emulated-view.ts';
+import { makeXrCompatible, watchContexts } from './xr-compatible.ts';
+
+/** The interfaces of the specifications that iwer leaves out, or whose implementation here is another. */
+const GLOBALS: Readonly<Record<string, unknown>> = {
+  XRSession: EmulatedSession,
+  XRFrame: EmulatedFrame,
+  XRView: EmulatedView,
+  XRReferenceSpace: EmulatedReferenceSpace,
+  XRWebGLLayer: EmulatedLayer,
+  XRWebGLBinding: EmulatedBinding,
+  XRDepthInformation: EmulatedDepthInformation,
+  XRCPUDepthInformation: EmulatedCpuDepthInformation,
+  XRWebGLDepthInformation: EmulatedWebGlDepthInformation,
+  XRLightProbe: EmulatedLightProbe,
+  XRLightEstimate: EmulatedLightEstimate,
+  XRCamera: EmulatedCamera,
+  XRRay: EmulatedRay,
+  XRHitTestSource: EmulatedHitTestSource,
+  XRHitTestResult: EmulatedHitTestResult,
+  XRTransientInputHitTestSource: EmulatedTransientHitTestSource,
+  XRTransientInputHitTestResult: EmulatedTransientHitTestResult,
+  XRAnchor,
+  XRAnchorSet,
+  XRPlane,
+  XRPlaneSet,
+  XRMesh,
+  XRMeshSet,
+};
+
+/** Puts the device in the page's way; what it returns takes everything back. */
+export function installGlobals(device: XRDevice): () => void {
+  // Chromium has a `navigator.xr` of its own even without a device.
+  device.installRuntime({ forceInstall: true });
+  const state = device[P_DEVICE];
+  const globals = globalThis as unknown as Record<string, unknown>;
+  for (const [name, value] of Object.entries(GLOBALS)) {
+    if (!state.previousGlobals?.has(name)) state.previousGlobals?.set(name, { existed: name in globals, value: globals[name] });
+    globals[name] = value;
+  }
+  for (const prototype of state.previousMakeXRCompatible?.keys() ?? []) {
+    Object.defineProperty(prototype, 'makeXRCompatible', { configurable: true, value: makeXrCompatible });
+  }
+  // iwer covers the browser's name with that of a headset; pages that look at it would take other ways than on a phone.
+  if (state.previousUserAgentDescriptor === null) Reflect.deleteProperty(navigator, 'userAgent');
+  const unwatch = watchContexts();
+  return () => {
+    unwatch();
+    device.uninstallRuntime();
+  };
+}

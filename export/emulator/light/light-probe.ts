@@ -1,0 +1,58 @@
+import type { XRSpace } from 'iwer';
+import type { RoomLight } from './room-light.ts';
+
+export type ReflectionFormat = 'srgba8' | 'rgba16f';
+
+/** WebXR Lighting Estimation §2.1. */
+export class EmulatedLightProbe extends EventTarget {
+  readonly probeSpace: XRSpace;
+  #onreflectionchange: ((event: Event) => void) | null = null;
+
+  constructor(probeSpace: XRSpace) {
+    super();
+    this.probeSpace = probeSpace;
+  }
+
+  get onreflectionchange(): ((event: Event) => void) | null {
+    return this.#onreflectionchange;
+  }
+
+  set onreflectionchange(listener: ((event: Event) => void) | null) {
+    if (this.#onreflectionchange) this.removeEventListener('reflectionchange', this.#onreflectionchange);
+    this.#onreflectionchange = listener;
+    if (listener) this.addEventListener('reflectionchange', listener);
+  }
+}
+
+/** WebXR Lighting Estimation §2.3; in the probe's space, which is turned as the world is. */
+export class EmulatedLightEstimate {
+  readonly sphericalHarmonicsCoefficients: Float32Array;
+  readonly primaryLightDirection: DOMPointReadOnly;
+  readonly primaryLightIntensity: DOMPointReadOnly;
+
+  constructor({ sphericalHarmonics, directionWorld: [x, y, z], intensity: [r, g, b] }: RoomLight) {
+    this.sphericalHarmonicsCoefficients = Float32Array.from(sphericalHarmonics);
+    this.primaryLightDirection = new DOMPointReadOnly(x, y, z, 0);
+    this.primaryLightIntensity = new DOMPointReadOnly(r, g, b, 1);
+  }
+}
+
+/** What a probe was asked for and by whom; kept apart, because pages see the probe itself. */
+export interface ProbeState {
+  readonly session: EventTarget;
+  readonly format: ReflectionFormat;
+  /** The cube map is there, and the page has not been told yet. */
+  changed: boolean;
+}
+
+const states = new WeakMap<EmulatedLightProbe, ProbeState>();
+
+export function createLightProbe(session: EventTarget, space: XRSpace, format: ReflectionFormat): EmulatedLightProbe {
+  const probe = new EmulatedLightProbe(space);
+  states.set(probe, { session, format, changed: true });
+  return probe;
+}
+
+export function probeState(probe: EmulatedLightProbe): ProbeState | undefined {
+  return states.get(probe);
+}

@@ -1,0 +1,68 @@
+import type { FrameClock } from '../runtime/clock.ts';
+import type { DepthTransform } from './depth/depth-transform.ts';
+import type { DeviceName } from './profiles.ts';
+import type { RoomSource } from './rooms/room-source.ts';
+
+/** What `installEmulator` takes. Plain data but for `container` and `frameClock`, so that a test can send it into a page. */
+export interface EmulatorOptions {
+  readonly device?: DeviceName;
+  /** One view covers the framebuffer; two stand side by side. Default: what the device has. */
+  readonly views?: 1 | 2;
+  /** What the device sees; null is an endless void without depth or surfaces. */
+  readonly room?: RoomSource | null;
+  /** `manual`: frames come from `stepFrame` alone, frame N at N/60 s. `free`: with the display. */
+  readonly clock?: 'free' | 'manual';
+  /** Framebuffer, both views together; default: the window's size when the session starts. */
+  readonly sizePx?: readonly [width: number, height: number] | null;
+  /** Vertical field of view. Default: the device's. */
+  readonly fovYRad?: number;
+  readonly ipdM?: number;
+  /** Feature descriptors that this device does not grant, as if the user or the hardware had refused. */
+  readonly refuse?: readonly string[];
+  /** Feature descriptors granted beyond what the device's profile has: camera access on a headset, say. */
+  readonly extra?: readonly string[];
+  readonly depth?: DepthOptions;
+  /** `requestSession` needs a user gesture, as in browsers. */
+  readonly requireGesture?: boolean;
+  /** Copy the picture to the screen; off, frames are drawn for reading back alone. */
+  readonly display?: boolean;
+  /** Where the picture is shown; default: over the whole window while a session runs. */
+  readonly container?: HTMLElement | null;
+  /** Default: the browser's. */
+  readonly frameClock?: FrameClock | null;
+}
+
+/** What is left out is as the device's profile has it. */
+export interface DepthOptions {
+  readonly usages?: readonly DepthUsage[];
+  readonly formats?: readonly DepthFormat[];
+  /** Columns and rows of the depth buffer, which is that of the turned sensor: see `transform`. */
+  readonly sizePx?: readonly [width: number, height: number];
+  /** How the depth buffer lies against the view; default: upright, covering it exactly. */
+  readonly transform?: DepthTransform;
+}
+
+export type DepthUsage = 'cpu-optimized' | 'gpu-optimized';
+export type DepthFormat = 'luminance-alpha' | 'unsigned-short' | 'float32';
+
+export type SettledDefaults = Required<Omit<EmulatorOptions, 'views' | 'fovYRad' | 'depth'>>;
+
+export const EMULATOR_DEFAULTS: SettledDefaults = {
+  device: 'phone',
+  room: null,
+  clock: 'free',
+  sizePx: null,
+  ipdM: 0.063,
+  refuse: [],
+  extra: [],
+  requireGesture: false,
+  display: true,
+  container: null,
+  frameClock: null,
+};
+
+/** `defaults` overlaid with what `options` really says: `undefined` says nothing. */
+export function withDefaults<O extends object, K extends keyof O>(defaults: Required<Pick<O, K>>, options: O): O & Required<Pick<O, K>> {
+  const said = Object.entries(options).filter(([, value]) => value !== undefined);
+  return { ...defaults, ...Object.fromEntries(said) } as O & Required<Pick<O, K>>;
+}

@@ -1,0 +1,82 @@
+import type { DepthFormat, DepthUsage } from './options.ts';
+
+export type DeviceName = 'phone' | 'headset' | 'glasses';
+
+/** What one kind of device has, as far as pages can tell. Sources: the table "Devices, 2026" in docs/EMULATOR.md. */
+export interface DeviceProfile {
+  readonly views: 1 | 2;
+  readonly blend: 'alpha-blend' | 'additive';
+  readonly interaction: 'screen-space' | 'world-space';
+  readonly fovYRad: number;
+  readonly controllers: boolean;
+  readonly features: readonly string[];
+  readonly depth: DepthProfile;
+}
+
+export interface DepthProfile {
+  /** In the device's own order of preference. */
+  readonly usages: readonly DepthUsage[];
+  readonly formats: readonly DepthFormat[];
+  readonly sizePx: readonly [width: number, height: number];
+}
+
+export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
+  // Chrome on Android, held upright or across.
+  phone: {
+    views: 1,
+    blend: 'alpha-blend',
+    interaction: 'screen-space',
+    fovYRad: 1.05,
+    controllers: false,
+    features: [
+      'viewer',
+      'local',
+      'local-floor',
+      'unbounded',
+      'hit-test',
+      'anchors',
+      'plane-detection',
+      'light-estimation',
+      'depth-sensing',
+      'camera-access',
+      'dom-overlay',
+    ],
+    depth: { usages: ['cpu-optimized', 'gpu-optimized'], formats: ['luminance-alpha'], sizePx: [160, 120] },
+  },
+  // A standalone passthrough headset.
+  headset: {
+    views: 2,
+    blend: 'alpha-blend',
+    interaction: 'world-space',
+    fovYRad: 1.4,
+    controllers: true,
+    features: [
+      'viewer',
+      'local',
+      'local-floor',
+      'bounded-floor',
+      'unbounded',
+      'hit-test',
+      'anchors',
+      'plane-detection',
+      'mesh-detection',
+      'hand-tracking',
+      'depth-sensing',
+    ],
+    depth: {
+      usages: ['gpu-optimized', 'cpu-optimized'],
+      formats: ['unsigned-short', 'float32', 'luminance-alpha'],
+      sizePx: [160, 160],
+    },
+  },
+  // A see-through display: it adds light and cannot darken.
+  glasses: {
+    views: 2,
+    blend: 'additive',
+    interaction: 'world-space',
+    fovYRad: 0.5,
+    controllers: false,
+    features: ['viewer', 'local', 'local-floor', 'unbounded', 'hit-test', 'anchors', 'hand-tracking'],
+    depth: { usages: [], formats: [], sizePx: [1, 1] },
+  },
+};

@@ -1,0 +1,58 @@
+import { BoxGeometry, Group, Mesh } from 'three';
+import { type PrimaryLight, type Room, type RoomMesh, type RoomPlane, rectanglePlane } from './room.ts';
+import { createScanMaterial } from './scan-material.ts';
+
+/** Plain data: a solid block standing about the y axis. */
+export interface RoomBox {
+  /** A semantic label of WebXR; `floor`, `table` and the like also make a plane of its top. */
+  readonly label: string;
+  readonly centerWorld: readonly [number, number, number];
+  readonly sizeM: readonly [number, number, number];
+  readonly yawRad?: number;
+  /** Linear-sRGB. */
+  readonly albedo?: readonly [number, number, number];
+}
+
+const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.25, 1.2, 1.1] };
+const TOP_IS_PLANE = new Set(['floor', 'table', 'desk', 'couch', 'shelf', 'bed']);
+
+/** A room of blocks, for tests that work out by hand what is where. */
+export function createBoxRoom(boxes: readonly RoomBox[]): Room {
+  const solids = new Group();
+  for (const box of boxes) {
+    const mesh = new Mesh(new BoxGeometry(...box.sizeM), createScanMaterial(box.albedo ?? [0.6, 0.6, 0.6], LAMP));
+    mesh.position.set(...box.centerWorld);
+    mesh.rotation.y = box.yawRad ?? 0;
+    mesh.name = box.label;
+    solids.add(mesh);
+  }
+  solids.updateMatrixWorld(true);
+  const meshes = solids.children as Mesh<BoxGeometry>[];
+  return {
+    solids,
+    planes: boxes.filter(({ label }) => TOP_IS_PLANE.has(label)).map(topOf),
+    meshes: meshes.map(toRoomMesh),
+    primaryLight: LAMP,
+    probeWorld: [0, 1.4, 0],
+    dispose: () => {
+      for (const mesh of meshes) {
+        mesh.geometry.dispose();
+        if (!Array.isArray(mesh.material)) mesh.material.dispose();
+      }
+    },
+  };
+}
+
+function topOf({ label, centerWorld: [x, y, z], sizeM, yawRad = 0 }: RoomBox): RoomPlane {
+  const across = [Math.cos(yawRad), 0, -Math.sin(yawRad)] as const;
+  return rectanglePlane(label, [x, y + sizeM[1] / 2, z], across, [0, 1, 0], [sizeM[0], sizeM[2]]);
+}
+
+function toRoomMesh(mesh: Mesh<BoxGeometry>): RoomMesh {
+  return {
+    label: mesh.name,
+    worldFromMesh: mesh.matrixWorld.toArray(),
+    vertices: Float32Array.from(mesh.geometry.getAttribute('position').array),
+    indices: Uint32Array.from(mesh.geometry.index?.array ?? []),
+  };
+}

@@ -1,0 +1,83 @@
+import { SpatialEntity, SpatialEntityType } from '@iwer/sem';
+import { NativePlane } from 'iwer';
+import { Group, type Material, type Mesh } from 'three';
+import type { PrimaryLight, Room, RoomMesh, RoomPlane } from './room.ts';
+import { createScanMaterial } from './scan-material.ts';
+
+type EntityJson = Parameters<typeof SpatialEntity.fromPBJSON>[0];
+
+const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.25, 1.2, 1.1] };
+/** Eye height: captures say nothing about where their light is. */
+const PROBE_WORLD = [0, 1.4, 0] as const;
+const ALBEDO = [0.62, 0.6, 0.57] as const;
+
+/**
+ * A room scanned by a headset, from the JSON in `@iwer/sem/captures`: one mesh of everything, planes and boxes with labels. The
+ * mesh is what is seen and measured; the boxes are bounds around furniture that is in the mesh already, and are only detected.
+ *
+ * @throws Error when `capture` is no such JSON.
+ */
+export function createCaptureRoom(capture: unknown): Room {
+  const solids = new Group();
+  const planes: RoomPlane[] = [];
+  const meshes: RoomMesh[] = [];
+  const material = createScanMaterial(ALBEDO, LAMP);
+  for (const json of readEntities(capture)) {
+    const entity = SpatialEntity.fromPBJSON(json);
+    if (!entity) continue;
+    entity.updateMatrixWorld(true);
+    if (entity.entityType === SpatialEntityType.Plane) {
+      planes.push(toPlane(entity));
+      entity.geometry.dispose();
+    } else {
+      meshes.push(toMesh(entity));
+      if (entity.entityType === SpatialEntityType.Mesh) solids.add(entity);
+      else entity.geometry.dispose();
+    }
+    (entity.material as Material).dispose();
+    entity.material = material;
+  }
+  solids.updateMatrixWorld(true);
+  return {
+    solids,
+    planes,
+    meshes,
+    primaryLight: LAMP,
+    probeWorld: PROBE_WORLD,
+    dispose: () => {
+      for (const solid of solids.children) (solid as Mesh).geometry.dispose();
+      material.dispose();
+    },
+  };
+}
+
+function readEntities(capture: unknown): EntityJson[] {
+  const entities = (capture as { spatialEntities?: unknown } | null)?.spatialEntities;
+  if (!Array.isArray(entities)) throw new Error('This is no room capture: "spatialEntities" is missing.');
+  return entities as EntityJson[];
+}
+
+function toPlane(entity: SpatialEntity): RoomPlane {
+  const native = entity.nativeEntity;
+  if (!(native instanceof NativePlane)) throw new Error(`The plane ${entity.spatialUUID} of the capture has no polygon.`);
+  const worldFromPlane = entity.matrixWorld.toArray();
+  // The file repeats the first corner at the end.
+  const corners = native.polygon.slice(0, -1);
+  return {
+    label: native.semanticLabel,
+    orientation: Math.abs(worldFromPlane[5] ?? 0) > Math.SQRT1_2 ? 'horizontal' : 'vertical',
+    worldFromPlane,
+    polygonXZ: corners.map(({ x, z }) => [x, z] as const),
+  };
+}
+
+function toMesh(entity: SpatialEntity): RoomMesh {
+  const index = entity.geometry.index;
+  if (!index) throw new Error(`The mesh ${entity.spatialUUID} of the capture has no triangles.`);
+  return {
+    label: entity.nativeEntity?.semanticLabel ?? 'other',
+    worldFromMesh: entity.matrixWorld.toArray(),
+    vertices: Float32Array.from(entity.geometry.getAttribute('position').array),
+    indices: Uint32Array.from(index.array),
+  };
+}

@@ -1,0 +1,69 @@
+import type { Object3D, WebGLRenderer } from 'three';
+
+/**
+ * A room for the emulated device: world space, metres, y up, floor at y = 0. What one sees is what is measured and hit: the
+ * solids and nothing else.
+ */
+export interface Room {
+  /** Meshes with opaque materials that write display-referred sRGB to the screen and linear light into other targets. */
+  readonly solids: Object3D;
+  /** What plane detection finds. */
+  readonly planes: readonly RoomPlane[];
+  /** What mesh detection finds. */
+  readonly meshes: readonly RoomMesh[];
+  /** The strongest light; the rest of the light estimate is measured from the solids at `probeWorld`. */
+  readonly primaryLight: PrimaryLight;
+  readonly probeWorld: readonly [number, number, number];
+  /** Draws what the solids' materials need first, such as shadow maps; called once with the renderer that will draw them. */
+  prepare?(renderer: WebGLRenderer): void;
+  dispose(): void;
+}
+
+export interface PrimaryLight {
+  /** Unit vector from the scene towards the light. */
+  readonly directionWorld: readonly [number, number, number];
+  /** Linear-sRGB irradiance on a surface that faces it. */
+  readonly intensity: readonly [number, number, number];
+}
+
+/** A plane: its y axis is the normal; the polygon lies in its x–z plane. */
+export interface RoomPlane {
+  /** A semantic label of WebXR: `floor`, `wall`, `table`, … */
+  readonly label: string;
+  readonly orientation: 'horizontal' | 'vertical';
+  /** Column-major 4×4. */
+  readonly worldFromPlane: readonly number[];
+  readonly polygonXZ: readonly (readonly [x: number, z: number])[];
+}
+
+export interface RoomMesh {
+  readonly label: string;
+  readonly worldFromMesh: readonly number[];
+  /** Three numbers each. */
+  readonly vertices: Float32Array;
+  readonly indices: Uint32Array;
+}
+
+/** A plane from its axes: normal `y`, and `x` within it; the polygon is the rectangle of the given size around the origin. */
+export function rectanglePlane(
+  label: string,
+  originWorld: readonly [number, number, number],
+  xWorld: readonly [number, number, number],
+  yWorld: readonly [number, number, number],
+  sizeXZ: readonly [number, number],
+): RoomPlane {
+  const [x, y] = [xWorld, yWorld];
+  const z = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]] as const;
+  const [halfX, halfZ] = [sizeXZ[0] / 2, sizeXZ[1] / 2];
+  return {
+    label,
+    orientation: Math.abs(y[1]) > Math.SQRT1_2 ? 'horizontal' : 'vertical',
+    worldFromPlane: [...x, 0, ...y, 0, ...z, 0, ...originWorld, 1],
+    polygonXZ: [
+      [-halfX, -halfZ],
+      [halfX, -halfZ],
+      [halfX, halfZ],
+      [-halfX, halfZ],
+    ],
+  };
+}

@@ -1,0 +1,52 @@
+import { DoubleSide, ShaderMaterial, Vector3 } from 'three';
+import type { PrimaryLight } from './room.ts';
+
+const VERTEX = `
+varying vec3 positionWorld;
+void main() {
+  vec4 world = modelMatrix * vec4(position, 1.0);
+  positionWorld = world.xyz;
+  gl_Position = projectionMatrix * viewMatrix * world;
+}`;
+
+/**
+ * Flat shading from screen-space derivatives, so that a scan of triangles without normals reads as a room, and a faint grid
+ * every 25 cm, so that moving through it can be seen.
+ */
+const FRAGMENT = `
+uniform vec3 albedo;
+uniform vec3 towardsLightWorld;
+uniform vec3 lightIntensity;
+varying vec3 positionWorld;
+
+float gridLine(float metres) {
+  float cells = metres * 4.0;
+  float width = fwidth(cells);
+  return (1.0 - smoothstep(0.0, max(1.5 * width, 0.02), abs(fract(cells + 0.5) - 0.5))) * smoothstep(0.5, 0.1, width);
+}
+
+void main() {
+  vec3 normal = normalize(cross(dFdx(positionWorld), dFdy(positionWorld)));
+  if (dot(normal, cameraPosition - positionWorld) < 0.0) normal = -normal;
+  vec3 across = 1.0 - smoothstep(0.6, 0.9, abs(normal));
+  float grid = max(max(gridLine(positionWorld.x) * across.x, gridLine(positionWorld.y) * across.y), gridLine(positionWorld.z) * across.z);
+  vec3 ambient = mix(vec3(0.30, 0.28, 0.26), vec3(0.55, 0.57, 0.60), normal.y * 0.5 + 0.5);
+  vec3 light = ambient + lightIntensity / PI * max(dot(normal, towardsLightWorld), 0.0);
+  gl_FragColor = vec4(albedo * light * (1.0 - 0.18 * grid), 1.0);
+  #include <colorspace_fragment>
+}`;
+
+/** For rooms that bring geometry and no pictures. `albedo` is linear-sRGB. */
+export function createScanMaterial(albedo: readonly [number, number, number], light: PrimaryLight): ShaderMaterial {
+  return new ShaderMaterial({
+    side: DoubleSide,
+    defines: { PI: Math.PI },
+    uniforms: {
+      albedo: { value: new Vector3(...albedo) },
+      towardsLightWorld: { value: new Vector3(...light.directionWorld) },
+      lightIntensity: { value: new Vector3(...light.intensity) },
+    },
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+  });
+}

@@ -1,0 +1,48 @@
+import { P_EYE } from '../private.ts';
+import type { EmulatedView } from './emulated-view.ts';
+
+/** Camera images in a page's context, one texture per view, filled once per frame from the room's canvas. */
+export class CameraImages {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #textures = new Map<
+    number,
+    { readonly texture: WebGLTexture; readonly widthPx: number; readonly heightPx: number; of: object }
+  >();
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+  }
+
+  update(canvas: HTMLCanvasElement, view: EmulatedView): WebGLTexture {
+    const gl = this.#gl;
+    const { eye, index, frame } = view[P_EYE];
+    const { x, widthPx, heightPx } = eye.viewport;
+    const known = this.#textures.get(index);
+    if (known?.of === frame) return known.texture;
+    const fits = known && known.widthPx === widthPx && known.heightPx === heightPx;
+    if (known && !fits) gl.deleteTexture(known.texture);
+    const texture = fits ? known.texture : this.#create(widthPx, heightPx);
+    this.#textures.set(index, { texture, widthPx, heightPx, of: frame });
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, 1);
+    // Views stand side by side and are as high as the canvas: only the columns are to be cut out.
+    gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, x);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+    return texture;
+  }
+
+  dispose(): void {
+    for (const { texture } of this.#textures.values()) this.#gl.deleteTexture(texture);
+    this.#textures.clear();
+  }
+
+  #create(widthPx: number, heightPx: number): WebGLTexture {
+    const gl = this.#gl;
+    const texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, widthPx, heightPx);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
+    for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+    return texture;
+  }
+}

@@ -1,0 +1,111 @@
+import type { XRReferenceSpace } from 'iwer';
+import { P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRViewerPose } from 'iwer';
+import type { EncodedDepth } from '../depth/depth-encoding.ts';
+import { EmulatedCpuDepthInformation } from '../depth/depth-information.ts';
+import {
+  computeHits,
+  type EmulatedHitTestResult,
+  type EmulatedHitTestSource,
+  EmulatedTransientHitTestResult,
+  type EmulatedTransientHitTestSource,
+} from '../hit-test/hit-test-source.ts';
+import { EmulatedLightEstimate, type EmulatedLightProbe, probeState } from '../light/light-probe.ts';
+import { P_EMULATED, P_EYE } from '../private.ts';
+import type { EmulatedSession } from './emulated-session.ts';
+import { EmulatedView } from './emulated-view.ts';
+
+/** A frame whose answers are this frame's: depth and hits are worked out when asked for, from this frame's poses. */
+export class EmulatedFrame extends XRFrame {
+  readonly #session: EmulatedSession;
+  readonly #depths = new Map<number, EncodedDepth>();
+
+  constructor(session: EmulatedSession, id: number, timeMs: number) {
+    super(session, id, true, true, timeMs);
+    this.#session = session;
+  }
+
+  override get session(): EmulatedSession {
+    return this.#session;
+  }
+
+  /** Null while tracking is lost (WebXR Device API §8.1). */
+  override getViewerPose(referenceSpace: XRReferenceSpace): XRViewerPose {
+    this.#check();
+    const { world, eyes } = this.#session[P_EMULATED];
+    const { device } = world;
+    // The type of iwer leaves out what the specification allows.
+    if (!world.tracked) return null as unknown as XRViewerPose;
+    const views = eyes.map((eye, index) => {
+      const space = device.viewSpaces[eye.name];
+      return new EmulatedView(eye, index, this.getPose(space, referenceSpace).transform, this.#session, this);
+    });
+    return new XRViewerPose(this.getPose(device.viewerSpace, referenceSpace).transform, views, false);
+  }
+
+  // iwer promises its own classes; pages see the interfaces of the specification.
+  // --- Depth: WebXR Depth Sensing §3.2 ---
+
+  override getDepthInformation(view: object): never {
+    const depth = this.#session.requireDepth();
+    this.#check();
+    if (!(view instanceof EmulatedView) || view[P_EYE].frame !== this) throw foreign('view');
+    if (depth.usage !== 'cpu-optimized') throw new DOMException('Depth was granted for the GPU.', 'InvalidStateError');
+    if (!this.#session[P_EMULATED].world.tracked) return null as never;
+    return new EmulatedCpuDepthInformation(view, depth, this.measureDepth(view)) as never;
+  }
+
+  /** Measured once per view, whoever asks. */
+  measureDepth(view: EmulatedView): EncodedDepth {
+    const { eye, index } = view[P_EYE];
+    const known = this.#depths.get(index);
+    if (known) return known;
+    const measured = this.#session.requireDepth().measure(eye);
+    this.#depths.set(index, measured);
+    return measured;
+  }
+
+  // --- Light: WebXR Lighting Estimation §4.3 ---
+
+  getLightEstimate(probe: EmulatedLightProbe): EmulatedLightEstimate | null {
+    this.#check();
+    if (probeState(probe)?.session !== this.#session) throw foreign('light probe');
+    const light = this.#session[P_EMULATED].surroundings.light();
+    return light ? new EmulatedLightEstimate(light) : null;
+  }
+
+  // --- Hits: WebXR Hit Test §5 ---
+
+  override getHitTestResults(source: object): never {
+    this.#check();
+    const { hitTests } = this.#session[P_EMULATED];
+    const wishes = hitTests.wishes.get(source as EmulatedHitTestSource);
+    if (!wishes?.space || !hitTests.active.has(source as EmulatedHitTestSource)) throw foreign('hit test source');
+    return this.#hits(wishes.space, wishes) as never;
+  }
+
+  getHitTestResultsForTransientInput(source: EmulatedTransientHitTestSource): readonly EmulatedTransientHitTestResult[] {
+    this.#check();
+    const { hitTests } = this.#session[P_EMULATED];
+    const wishes = hitTests.wishes.get(source);
+    if (!wishes || !hitTests.active.has(source)) throw foreign('hit test source');
+    return this.#session[P_SESSION].activeInputSources
+      .filter((input) => input.profiles.some((profile) => profile === wishes.profile))
+      .map((input) => new EmulatedTransientHitTestResult(input, this.#hits(input.targetRaySpace, wishes)));
+  }
+
+  #hits(space: Parameters<typeof computeHits>[3], wishes: Parameters<typeof computeHits>[4]): EmulatedHitTestResult[] {
+    const { world, surroundings } = this.#session[P_EMULATED];
+    if (!surroundings.room || !world.tracked) return [];
+    return computeHits(this, surroundings.room, world.device[P_DEVICE].globalSpace, space, wishes);
+  }
+
+  #check(): void {
+    if (!this[P_FRAME].active) {
+      throw new DOMException('The frame is over: it can only be asked during its own callback.', 'InvalidStateError');
+    }
+  }
+}
+
+function foreign(what: string): DOMException {
+  return new DOMException(`The ${what} belongs to another frame or session, or is cancelled.`, 'InvalidStateError');
+}

@@ -1,0 +1,187 @@
+import type { XRReferenceSpace } from 'iwer';
+import { P_DEVICE, P_SESSION, P_SPACE, XRReferenceSpaceType, XRSession } from 'iwer';
+import { createSessionDepth, type SessionDepth } from '../depth/session-depth.ts';
+import type { Eye } from '../display/eye.ts';
+import type { DepthConfiguration } from '../features.ts';
+import { EmulatedHitTestSource, EmulatedTransientHitTestSource, type HitTestWishes } from '../hit-test/hit-test-source.ts';
+import { createLightProbe, type EmulatedLightProbe, probeState, type ReflectionFormat } from '../light/light-probe.ts';
+import type { DepthFormat, DepthUsage } from '../options.ts';
+import { P_EMULATED } from '../private.ts';
+import type { Surroundings, World } from '../world.ts';
+import { EmulatedReferenceSpace, levelPose } from './emulated-reference-space.ts';
+import { runFrame } from './run-frame.ts';
+import { createSurfaces, type Surfaces } from './surfaces.ts';
+
+export interface EmulatedSessionState {
+  readonly world: World;
+  readonly surroundings: Surroundings;
+  readonly depth: SessionDepth | null;
+  readonly overlayRoot: HTMLElement | null;
+  readonly surfaces: Surfaces;
+  readonly hitTests: { readonly active: Set<EmulatedHitTestSource>; readonly wishes: WeakMap<EmulatedHitTestSource, HitTestWishes> };
+  readonly probes: EmulatedLightProbe[];
+  /** Frees what was made in the page's contexts. */
+  readonly disposers: (() => void)[];
+  /** Of the frame that runs or ran last. */
+  eyes: readonly Eye[];
+  /** Where `local` spaces begin: the viewer's place when the session began, or was re-centred. */
+  localOrigin: Float32Array;
+}
+
+export interface SessionGrant {
+  readonly mode: 'immersive-ar' | 'immersive-vr';
+  readonly features: readonly string[];
+  readonly depth: DepthConfiguration | null;
+  readonly overlayRoot: HTMLElement | null;
+}
+
+/** iwer's session with a frame loop of ours, and with the modules that iwer lacks. */
+export class EmulatedSession extends XRSession {
+  readonly [P_EMULATED]: EmulatedSessionState;
+
+  constructor(world: World, grant: SessionGrant) {
+    super(world.device, grant.mode, [...grant.features]);
+    const surroundings = world.surroundings();
+    world.device[P_DEVICE].updateViews();
+    this[P_EMULATED] = {
+      world,
+      surroundings,
+      depth: grant.depth ? createSessionDepth(surroundings.view, grant.depth, world.settings.depth) : null,
+      overlayRoot: grant.overlayRoot,
+      surfaces: createSurfaces(surroundings.room, world.device[P_DEVICE].globalSpace),
+      hitTests: { active: new Set(), wishes: new WeakMap() },
+      probes: [],
+      disposers: [],
+      eyes: [],
+      localOrigin: levelPose(world.device[P_DEVICE].viewerSpace[P_SPACE].offsetMatrix),
+    };
+    // The base class has started iwer's own loop, which computes depth and hits from the poses of the frame before.
+    const state = this[P_SESSION];
+    if (state.deviceFrameHandle !== undefined) globalThis.cancelAnimationFrame(state.deviceFrameHandle);
+    delete state.deviceFrameHandle;
+    state.onDeviceFrame = () => {};
+    world.frames.start((timeS) => runFrame(this, timeS));
+  }
+
+  // --- Frames ---
+
+  /** iwer fires `select` with `selectstart`, when the button goes down; it belongs before `selectend` (WebXR Device API §10.2). */
+  override dispatchEvent(event: Event): boolean {
+    const action = /^(select|squeeze)(end)?$/.exec(event.type);
+    if (!action || !this[P_EMULATED].world.profile.controllers) return super.dispatchEvent(event);
+    if (!action[2]) return true;
+    const { frame, inputSource } = event as Event & { frame: unknown; inputSource: unknown };
+    const EventClass = event.constructor as new (type: string, init: object) => Event;
+    super.dispatchEvent(new EventClass(action[1] ?? '', { frame, inputSource }));
+    return super.dispatchEvent(event);
+  }
+
+  // --- Spaces ---
+
+  override async requestReferenceSpace(type: XRReferenceSpaceType): Promise<XRReferenceSpace> {
+    const state = this[P_SESSION];
+    if (state.ended || !state.referenceSpaceIsSupported(type)) {
+      throw new DOMException(`The reference space "${type}" is not supported by this session.`, 'NotSupportedError');
+    }
+    const { globalSpace, viewerSpace } = state.device[P_DEVICE];
+    const parent = type === XRReferenceSpaceType.Viewer ? viewerSpace : globalSpace;
+    const origin = type === XRReferenceSpaceType.Local ? this[P_EMULATED].localOrigin : undefined;
+    const space = new EmulatedReferenceSpace(type, parent, origin);
+    state.referenceSpaces.push(space);
+    return space;
+  }
+
+  // --- Depth: WebXR Depth Sensing §2.3 ---
+
+  override get depthUsage(): DepthUsage {
+    return this.#depthConfiguration().usage;
+  }
+
+  override get depthDataFormat(): never {
+    return this.#depthConfiguration().format as DepthFormat as never;
+  }
+
+  get depthType(): null {
+    this.#depthConfiguration();
+    return null;
+  }
+
+  get depthActive(): boolean {
+    this.#depthConfiguration();
+    return true;
+  }
+
+  /** @throws DOMException NotSupportedError when the session was not granted depth. */
+  requireDepth(): SessionDepth {
+    const { depth } = this[P_EMULATED];
+    if (!depth) throw new DOMException('The session has no depth sensing.', 'NotSupportedError');
+    return depth;
+  }
+
+  #depthConfiguration(): SessionDepth {
+    const { depth } = this[P_EMULATED];
+    if (!depth) throw new DOMException('The session has no depth sensing.', 'InvalidStateError');
+    return depth;
+  }
+
+  // --- Light: WebXR Lighting Estimation §4.2 ---
+
+  get preferredReflectionFormat(): ReflectionFormat {
+    return 'rgba16f';
+  }
+
+  async requestLightProbe({ reflectionFormat = 'srgba8' }: { reflectionFormat?: ReflectionFormat } = {}): Promise<EmulatedLightProbe> {
+    this.#requireFeature('light-estimation');
+    if (reflectionFormat !== 'srgba8' && reflectionFormat !== this.preferredReflectionFormat) {
+      throw new DOMException(`The reflection format "${reflectionFormat}" is not supported.`, 'NotSupportedError');
+    }
+    const { world, probes } = this[P_EMULATED];
+    const probe = createLightProbe(this, world.device[P_DEVICE].globalSpace, reflectionFormat);
+    probes.push(probe);
+    return probe;
+  }
+
+  /** Once per probe: the light in our rooms does not change. */
+  announceReflections(): void {
+    for (const probe of this[P_EMULATED].probes) {
+      const state = probeState(probe);
+      if (!state?.changed) continue;
+      state.changed = false;
+      probe.dispatchEvent(new Event('reflectionchange'));
+    }
+  }
+
+  // --- Hits: WebXR Hit Test §5 ---
+
+  override async requestHitTestSource(wishes: object): Promise<never> {
+    this.#requireFeature('hit-test');
+    if (!(wishes as HitTestWishes).space) throw new TypeError('A hit test needs a space.');
+    return this.#addHitTest(EmulatedHitTestSource, wishes as HitTestWishes) as never;
+  }
+
+  async requestHitTestSourceForTransientInput(wishes: HitTestWishes): Promise<EmulatedTransientHitTestSource> {
+    this.#requireFeature('hit-test');
+    if (!wishes.profile) throw new TypeError('A hit test for transient input needs a profile.');
+    return this.#addHitTest(EmulatedTransientHitTestSource, wishes);
+  }
+
+  #addHitTest<T extends EmulatedHitTestSource>(Source: new (active: Set<EmulatedHitTestSource>) => T, wishes: HitTestWishes): T {
+    const { active, wishes: all } = this[P_EMULATED].hitTests;
+    const source = new Source(active);
+    all.set(source, wishes);
+    return source;
+  }
+
+  // --- DOM overlay: WebXR DOM Overlays §3.2 ---
+
+  get domOverlayState(): { readonly type: 'screen' } | null {
+    return this[P_EMULATED].overlayRoot ? { type: 'screen' } : null;
+  }
+
+  #requireFeature(feature: string): void {
+    if (this[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
+    if (!this.enabledFeatures.includes(feature)) {
+      throw new DOMException(`The session was not granted "${feature}".`, 'NotSupportedError');
+    }
+  }
+}

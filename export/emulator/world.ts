@@ -1,0 +1,40 @@
+import type { XRDevice } from 'iwer';
+import type { RoomView } from './display/room-view.ts';
+import type { Screen } from './display/screen.ts';
+import type { FrameSource } from './frame-source.ts';
+import type { ScreenInput } from './input/screen-input.ts';
+import type { RoomLight } from './light/room-light.ts';
+import type { DepthOptions } from './options.ts';
+import type { DeviceProfile } from './profiles.ts';
+import type { Room } from './rooms/room.ts';
+import type { EmulatedSession } from './session/emulated-session.ts';
+
+/** The emulated device and what is around it; sessions come and go in it. */
+export interface World {
+  readonly device: XRDevice;
+  readonly profile: DeviceProfile;
+  readonly settings: WorldSettings;
+  readonly frames: FrameSource;
+  readonly screen: Screen;
+  readonly screenInput: ScreenInput;
+  /** The room, its picture and its light; made when first needed. */
+  readonly surroundings: () => Surroundings;
+  /** Whether the device knows where it is. */
+  tracked: boolean;
+  session: EmulatedSession | null;
+}
+
+export interface WorldSettings {
+  readonly views: 1 | 2;
+  readonly features: ReadonlySet<string>;
+  readonly sizePx: readonly [width: number, height: number] | null;
+  readonly depth: Required<DepthOptions>;
+  readonly display: boolean;
+  readonly requireGesture: boolean;
+}
+
+export interface Surroundings {
+  readonly room: Room | null;
+  readonly view: RoomView;
+  readonly light: () => RoomLight | null;
+}
