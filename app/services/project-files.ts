@@ -2,6 +2,7 @@ import { createHash } from 'node:crypto';
 import { constants } from 'node:fs';
 import { lstat, open, readdir } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
+import { isShaderFile } from '../../export/graph/names.ts';
 import type { OpenProject, ProjectFiles } from '../contract/contract.ts';
 import { realFolder, resolveInside } from './confine.ts';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';
@@ -14,8 +15,6 @@ export const ASSETS_FOLDER = 'assets';
 /** What the contract lets cross. */
 const MAX_DOCUMENT_BYTES = 64 * 2 ** 20;
 const MAX_SHADER_BYTES = 4 * 2 ** 20;
-
-const SHADER_NAME = /^[A-Za-z0-9_][A-Za-z0-9_. -]{0,99}\.(fs|vs|glsl)$/;
 
 /** The folder that `path` means, which may name the folder or the project file in it. Throws SCR004. */
 export async function findProject(path: string): Promise<string> {
@@ -35,15 +34,11 @@ export async function readProjectFiles(root: string): Promise<ProjectFiles> {
   if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is gone from ${root}.`);
   const sources: Record<string, string> = {};
   for (const name of await listNames(root, SHADERS_FOLDER)) {
-    if (!isShaderName(name)) continue;
+    if (!isShaderFile(name)) continue;
     const text = await readText(root, `${SHADERS_FOLDER}/${name}`, MAX_SHADER_BYTES);
     if (text !== null) sources[name] = text;
   }
   return { project, layout: await readText(root, LAYOUT_FILE, MAX_DOCUMENT_BYTES), sources };
-}
-
-export function isShaderName(name: string): boolean {
-  return SHADER_NAME.test(name);
 }
 
 /** Equal exactly when all texts are equal. */
@@ -68,7 +63,7 @@ function texts({ project, layout, sources }: ProjectFiles): Map<string, string> 
   const all = new Map([[PROJECT_FILE, project]]);
   if (layout !== null) all.set(LAYOUT_FILE, layout);
   for (const [name, text] of Object.entries(sources)) {
-    if (!isShaderName(name)) throw refusal('SCR031', `${JSON.stringify(name)} is no name for a shader file.`);
+    if (!isShaderFile(name)) throw refusal('SCR031', `${JSON.stringify(name)} is no name for a shader file.`);
     all.set(`${SHADERS_FOLDER}/${name}`, text);
   }
   return all;

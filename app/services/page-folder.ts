@@ -1,0 +1,115 @@
+import { randomBytes } from 'node:crypto';
+import { lstat, mkdir, readdir, readFile, realpath, rm } from 'node:fs/promises';
+import { dirname, join, resolve } from 'node:path';
+import type { FileSink } from '../../export/bundle/file-sink.ts';
+import { REPORT_FILE } from '../../export/bundle/report.ts';
+import { errorCode, refusal, writeRefusal } from './file-errors.ts';
+import type { FileLayer } from './file-layer.ts';
+
+/**
+ * Writes a page into the folder `out` in one step: into a new folder beside it, which then takes its place. `out` may be
+ * missing, empty, or hold what an earlier export wrote, by its `report.json`; anything else there is SCR061. When `write`
+ * answers null or throws, or the disk does, `out` is as it was. Throws SCR060, SCR061 and SCR062.
+ */
+export async function writePageFolder<T>(out: string, files: FileLayer, write: (sink: FileSink) => Promise<T | null>): Promise<T | null> {
+  const target = await realTarget(out);
+  await refuseForeignFiles(target, out);
+  let firstMade: string | undefined;
+  const suffix = randomBytes(6).toString('hex');
+  const fresh = `${target}.new-${suffix}`;
+  const old = `${target}.old-${suffix}`;
+  try {
+    firstMade = await mkdir(dirname(target), { recursive: true });
+    await files.makeFolder(fresh);
+    const result = await write(createFolderSink(fresh, files));
+    if (result === null) {
+      await discard(fresh, firstMade);
+      return null;
+    }
+    await files.syncFolder(fresh);
+    await takePlace(fresh, target, old, files);
+    return result;
+  } catch (error) {
+    await discard(fresh, firstMade);
+    throw errorCode(error) === undefined ? error : writeRefusal(error, out);
+  }
+}
+
+/** Behind a link stands the folder that is meant; a missing one is where it was asked for. */
+async function realTarget(out: string): Promise<string> {
+  const absolute = resolve(out);
+  return realpath(absolute).catch(() => absolute);
+}
+
+async function refuseForeignFiles(target: string, out: string): Promise<void> {
+  const found = await lstat(target).catch(() => null);
+  if (found === null) return;
+  if (!found.isDirectory()) throw refusal('SCR061', `${out} is a file. Nothing was written.`, 'Choose a folder.');
+  const present = await listAll(target).catch((error: unknown) => {
+    throw writeRefusal(error, out);
+  });
+  const own = await filesOfReport(target);
+  const foreign = present.filter((path) => !own.has(path));
+  if (foreign.length === 0) return;
+  const others = foreign.length === 1 ? '' : ` and ${foreign.length - 1} more`;
+  throw refusal(
+    'SCR061',
+    `${out} holds files that Scrim did not write: ${foreign[0]}${others}. Nothing was written.`,
+    'Choose a new or an empty folder, or one that holds an earlier export.',
+  );
+}
+
+async function listAll(folder: string): Promise<string[]> {
+  const paths: string[] = [];
+  const walk = async (prefix: string) => {
+    for (const entry of await readdir(join(folder, prefix), { withFileTypes: true })) {
+      const path = prefix === '' ? entry.name : `${prefix}/${entry.name}`;
+      if (entry.isDirectory()) await walk(path);
+      else paths.push(path);
+    }
+  };
+  await walk('');
+  return paths.sort();
+}
+
+/** What an earlier export says that it wrote. */
+async function filesOfReport(target: string): Promise<ReadonlySet<string>> {
+  try {
+    const report = JSON.parse(await readFile(join(target, REPORT_FILE), 'utf8')) as { format?: unknown; files?: { path: string }[] };
+    if (report.format !== 'scrim-export' || !report.files) return new Set();
+    return new Set([REPORT_FILE, ...report.files.map(({ path }) => path)]);
+  } catch {
+    return new Set();
+  }
+}
+
+function createFolderSink(folder: string, files: FileLayer): FileSink {
+  return {
+    write: async (path, bytes) => {
+      const target = join(folder, path);
+      await files.makeFolder(dirname(target));
+      await files.writeNew(target, bytes);
+    },
+  };
+}
+
+/** Two renames; when the second fails, the first is taken back. */
+async function takePlace(fresh: string, target: string, old: string, files: FileLayer): Promise<void> {
+  const replaces = (await lstat(target).catch(() => null)) !== null;
+  if (replaces) await files.rename(target, old);
+  try {
+    await files.rename(fresh, target);
+  } catch (error) {
+    if (replaces) await files.rename(old, target);
+    throw error;
+  }
+  await files.syncFolder(dirname(target)).catch(() => {});
+  if (replaces) await files.remove(old).catch(() => {});
+}
+
+/** What cannot be tidied away must not hide why there was something to tidy. */
+async function discard(fresh: string, firstMade: string | undefined): Promise<void> {
+  for (const path of [fresh, ...(firstMade === undefined ? [] : [firstMade])]) {
+    await rm(path, { recursive: true, force: true }).catch(() => {});
+  }
+}

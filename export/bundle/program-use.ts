@@ -1,0 +1,23 @@
+import type { Program } from '../program/program.ts';
+
+/** What of Scrim a program needs beside it. */
+export interface ProgramUse {
+  /** Node types whose behaviour is played, sorted. */
+  readonly nodeTypes: readonly string[];
+  /** Whether three.js is needed. */
+  readonly scenes: boolean;
+  /** Ids of the assets that some operation names. */
+  readonly assets: ReadonlySet<string>;
+}
+
+export function programUse(program: Program): ProgramUse {
+  const nodes = program.operations.filter((operation) => 'type' in operation);
+  const assets = new Set(nodes.flatMap((node) => Object.values(node.assets)).filter((id) => id !== null));
+  return {
+    nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
+    scenes:
+      program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
+      program.assets.some(({ id, kind }) => kind === 'model' && assets.has(id)),
+    assets,
+  };
+}

@@ -1,0 +1,85 @@
+import { gzipSync } from 'node:zlib';
+import type { Program, ProgramNeed, Tier } from '../program/program.ts';
+
+export type FileKind = 'page' | 'script' | 'style' | 'program' | 'image' | 'model';
+
+/** `report.json` beside an exported page: what it is made of, and which files Scrim may replace there. */
+export interface ExportReport {
+  readonly format: 'scrim-export';
+  readonly version: 1;
+  readonly title: string;
+  readonly generator: string;
+  readonly files: readonly ReportedFile[];
+  /** Without this report, which visitors never load. */
+  readonly bytes: Sizes & { readonly byKind: Readonly<Partial<Record<FileKind, Sizes>>> };
+  /** What the script holds: npm packages and Scrim's own folders → minified bytes. */
+  readonly script: Readonly<Record<string, number>>;
+  /** WebXR features that the page asks for when it enters AR. */
+  readonly features: { readonly required: readonly string[]; readonly optional: readonly string[] };
+  readonly needs: readonly ProgramNeed[];
+  readonly tiers: readonly Tier[];
+}
+
+export interface ReportedFile extends Sizes {
+  readonly path: string;
+  readonly kind: FileKind;
+}
+
+export interface Sizes {
+  readonly raw: number;
+  /** As most hosts send it; pictures and models are compressed in themselves, and counted all the same. */
+  readonly gzip: number;
+}
+
+export const REPORT_FILE = 'report.json';
+
+export function sizesOf(bytes: Uint8Array): Sizes {
+  return { raw: bytes.length, gzip: gzipSync(bytes, { level: 9 }).length };
+}
+
+export interface ReportInput {
+  readonly program: Program;
+  readonly generator: string;
+  readonly files: readonly ReportedFile[];
+  readonly scriptParts: Readonly<Record<string, number>>;
+  readonly features: ExportReport['features'];
+}
+
+export function makeReport({ program, generator, files, scriptParts, features }: ReportInput): ExportReport {
+  const byKind: Partial<Record<FileKind, Sizes>> = {};
+  for (const { kind, raw, gzip } of files) byKind[kind] = add(byKind[kind], { raw, gzip });
+  const total = files.reduce<Sizes>(add, { raw: 0, gzip: 0 });
+  return {
+    format: 'scrim-export',
+    version: 1,
+    title: program.title,
+    generator,
+    files,
+    bytes: { raw: total.raw, gzip: total.gzip, byKind },
+    script: groupParts(scriptParts),
+    features,
+    needs: program.needs,
+    tiers: program.tiers,
+  };
+}
+
+function add(a: Sizes | undefined, b: Sizes): Sizes {
+  return { raw: (a?.raw ?? 0) + b.raw, gzip: (a?.gzip ?? 0) + b.gzip };
+}
+
+/** `node_modules/three/build/x.js` → `three`; `export/runtime/passes/pass.ts` → `export/runtime`; `nodes/a/b/runtime.ts` → `nodes/a/b`. */
+function groupParts(parts: Readonly<Record<string, number>>): Record<string, number> {
+  const groups = new Map<string, number>();
+  for (const [path, bytes] of Object.entries(parts)) {
+    const name = groupOf(path);
+    groups.set(name, (groups.get(name) ?? 0) + bytes);
+  }
+  return Object.fromEntries([...groups].sort(([a], [b]) => (a < b ? -1 : 1)));
+}
+
+function groupOf(path: string): string {
+  const afterModules = path.split('node_modules/').pop() ?? path;
+  const parts = afterModules.split('/');
+  if (afterModules !== path) return parts.slice(0, afterModules.startsWith('@') ? 2 : 1).join('/');
+  return parts.slice(0, parts[0] === 'nodes' ? 3 : 2).join('/');
+}

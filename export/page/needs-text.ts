@@ -1,0 +1,45 @@
+import type { Capability, ProgramNeed } from '../program/program.ts';
+
+const WHAT: Readonly<Record<Capability, string>> = {
+  'camera-image': 'The camera’s picture',
+  depth: 'The depth of the room',
+  'light-estimation': 'The light in the room',
+  'hit-test': 'Surfaces you point at',
+  anchors: 'Fixed places in the room',
+  planes: 'Floors, walls and tables',
+  meshes: 'The shape of the room',
+  hands: 'Your hands',
+};
+
+/** One line of what the visitor is asked for. */
+export interface Ask {
+  readonly what: string;
+  /** A sentence: why, and what happens without it. */
+  readonly why: string;
+  readonly required: boolean;
+}
+
+/** Several nodes may need the same thing for reasons of their own: they become one line. Required ones come first. */
+export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
+  const capabilities = [...new Set(needs.map((need) => need.capability))];
+  const asks = capabilities.map((capability) => {
+    const same = needs.filter((need) => need.capability === capability);
+    const whys = [...new Set(same.map((need) => need.why))];
+    const withouts = [...new Set(same.map((need) => need.without))];
+    const required = same.some((need) => need.required);
+    const reason = sentence(whys.join(', and '));
+    return {
+      what: WHAT[capability],
+      why: required ? `${reason} It does not work without.` : `${reason} Without it: ${sentence(withouts.join('; '), false)}`,
+      required,
+    };
+  });
+  return [...asks.filter((ask) => ask.required), ...asks.filter((ask) => !ask.required)];
+}
+
+/** `to hide things` → `To hide things.` */
+function sentence(text: string, capital = true): string {
+  const trimmed = text.trim().replace(/[.\s]+$/, '');
+  const first = capital ? trimmed.charAt(0).toUpperCase() : trimmed.charAt(0).toLowerCase();
+  return `${first}${trimmed.slice(1)}.`;
+}
