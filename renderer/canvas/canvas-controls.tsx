@@ -1,0 +1,22 @@
+import { Panel, useReactFlow, useStore } from '@xyflow/react';
+import { IconButton } from '../ui/button.tsx';
+
+/** Zoom, with its figure, and everything in view. */
+export function CanvasControls() {
+  const { zoomIn, zoomOut, zoomTo, fitView } = useReactFlow();
+  const zoom = useStore((state) => Math.round(state.transform[2] * 100));
+  return (
+    <Panel position="bottom-left" className="canvas-controls">
+      <button type="button" className="zoom-step" aria-label="Zoom out" onClick={() => void zoomOut()}>
+        −
+      </button>
+      <button type="button" className="zoom-figure" data-tip="Back to 100 %" aria-label={`Zoom, ${zoom} %`} onClick={() => void zoomTo(1)}>
+        {zoom}%
+      </button>
+      <button type="button" className="zoom-step" aria-label="Zoom in" onClick={() => void zoomIn()}>
+        +
+      </button>
+      <IconButton icon="fit" label="Show the whole graph" keys="F" onPress={() => void fitView({ padding: 0.15, maxZoom: 1 })} />
+    </Panel>
+  );
+}

@@ -1,0 +1,65 @@
+import { useCallback, useMemo, useState } from 'react';
+import { useEditor } from '../shell/editor-context.ts';
+import { showChord } from '../shell/chord.ts';
+import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import { selectOnly } from '../state/selection.ts';
+import { Menu, type MenuItem } from '../ui/menu.tsx';
+import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+
+interface OpenMenu {
+  readonly x: number;
+  readonly y: number;
+  readonly commands: readonly (AppCommandId | 'line')[];
+}
+
+interface PointerPlace {
+  readonly clientX: number;
+  readonly clientY: number;
+  preventDefault(): void;
+}
+
+const ON_NODE = ['edit.duplicate', 'edit.copy', 'edit.mute', 'line', 'view.code', 'view.fit-selection', 'line', 'edit.delete'] as const;
+const ON_WIRE = ['edit.delete'] as const;
+const ON_PANE = ['graph.add', 'edit.paste', 'line', 'edit.select-all', 'view.fit'] as const;
+
+/** Which menu the secondary button opened, and for what. */
+export function useCanvasMenu() {
+  const editor = useEditor();
+  const [open, setOpen] = useState<OpenMenu | null>(null);
+  const show = useCallback((event: PointerPlace, commands: OpenMenu['commands']) => {
+    event.preventDefault();
+    setOpen({ x: event.clientX, y: event.clientY, commands });
+  }, []);
+  return useMemo(
+    () => ({
+      open,
+      close: () => setOpen(null),
+      onNode: (event: PointerPlace, node: CanvasNode) => {
+        if (!editor.selection.getState().nodes.has(node.id)) selectOnly(editor.selection, [node.id]);
+        show(event, ON_NODE);
+      },
+      onWire: (event: PointerPlace, wire: CanvasWire) => {
+        selectOnly(editor.selection, [], [wire.id]);
+        show(event, ON_WIRE);
+      },
+      onPane: (event: PointerPlace | MouseEvent) => show(event, ON_PANE),
+    }),
+    [editor, open, show],
+  );
+}
+
+export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; readonly onClose: () => void }) {
+  const editor = useEditor();
+  if (menu === null) return null;
+  const items = menu.commands.map((id): MenuItem => {
+    if (id === 'line') return { kind: 'line' };
+    const { label, chords, enabled } = appCommand(id);
+    const keys = chords[0] === undefined ? {} : { keys: showChord(chords[0], editor.mac) };
+    return { kind: 'action', label, ...keys, disabled: !enabled(editor), run: () => runCommand(editor, id) };
+  });
+  return (
+    <div className="context-menu" style={{ left: menu.x, top: menu.y }}>
+      <Menu id="canvas-menu" label="Actions" items={items} onClose={onClose} onLeave={onClose} />
+    </div>
+  );
+}

@@ -1,0 +1,121 @@
+import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, SelectionMode, useReactFlow } from '@xyflow/react';
+import '@xyflow/react/dist/base.css';
+import { useRef } from 'react';
+import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
+import { CanvasControls } from './canvas-controls.tsx';
+import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
+import './canvas.css';
+import { ConnectionHint } from './connection-hint.tsx';
+import { useFileDrop } from './file-drop.ts';
+import { NodeView } from './node-view.tsx';
+import { PaletteHost } from './palette-host.tsx';
+import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import { useCanvasView } from './use-canvas-view.ts';
+import { useGestures } from './use-gestures.ts';
+import { useReveal } from './use-reveal.ts';
+import { useWheel } from './use-wheel.ts';
+import { WireInHand, WireView } from './wire-view.tsx';
+
+const NODE_TYPES = { scrim: NodeView };
+const WIRE_VIEWS = { scrim: WireView };
+const SNAP: [number, number] = [8, 8];
+const ARIA_LABELS = {
+  'node.a11yDescription.default': 'Enter selects the node, arrow keys move it, Delete removes it. Its wires are in the inspector.',
+  'edge.a11yDescription.default': 'Enter selects the wire, Delete removes it.',
+};
+
+/** The graph. All gestures end in commands; what is drawn comes from the document and nowhere else. */
+export function Canvas() {
+  return (
+    <ReactFlowProvider>
+      <CanvasInside />
+    </ReactFlowProvider>
+  );
+}
+
+function CanvasInside() {
+  const { nodes, wires } = useCanvasView();
+  const flow = useReactFlow<CanvasNode, CanvasWire>();
+  const root = useRef<HTMLDivElement>(null);
+  const menu = useCanvasMenu();
+  const panOnScroll = useWheel(root);
+  const drop = useFileDrop(flow.screenToFlowPosition);
+  const handlers = useGestures(flow.screenToFlowPosition);
+  useReveal();
+
+  return (
+    <div ref={root} className="canvas" {...drop.handlers}>
+      <ReactFlow<CanvasNode, CanvasWire>
+        nodes={nodes}
+        edges={wires}
+        nodeTypes={NODE_TYPES}
+        edgeTypes={WIRE_VIEWS}
+        connectionLineComponent={WireInHand}
+        onNodesChange={handlers.onNodesChange}
+        onEdgesChange={handlers.onWiresChange}
+        onConnect={handlers.onConnect}
+        onConnectStart={handlers.onConnectStart}
+        onConnectEnd={handlers.onConnectEnd}
+        onReconnect={handlers.onReconnect}
+        onReconnectEnd={handlers.onReconnectEnd}
+        isValidConnection={handlers.isValidConnection}
+        onNodeMouseEnter={handlers.onNodeEnter}
+        onNodeMouseLeave={handlers.onNodeLeave}
+        onNodeContextMenu={menu.onNode}
+        onEdgeContextMenu={menu.onWire}
+        onPaneContextMenu={menu.onPane}
+        onDoubleClick={handlers.onDoubleClick}
+        connectionRadius={24}
+        reconnectRadius={14}
+        onlyRenderVisibleElements
+        elevateNodesOnSelect={false}
+        snapToGrid
+        snapGrid={SNAP}
+        minZoom={0.1}
+        maxZoom={2.5}
+        fitView
+        fitViewOptions={{ padding: 0.15, maxZoom: 1 }}
+        panOnDrag={[1]}
+        panOnScroll={panOnScroll}
+        zoomOnScroll={!panOnScroll}
+        zoomOnDoubleClick={false}
+        selectionOnDrag
+        selectionMode={SelectionMode.Partial}
+        multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
+        selectionKeyCode={null}
+        deleteKeyCode={null}
+        proOptions={{ hideAttribution: true }}
+        ariaLabelConfig={ARIA_LABELS}
+        aria-label="Graph"
+      >
+        <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
+        <MiniMap<CanvasNode>
+          position="bottom-right"
+          pannable
+          zoomable
+          ariaLabel="Overview of the graph"
+          nodeColor={(node) => (node.data.type ? WIRE_TYPES[node.data.type].color : 'var(--line-strong)')}
+          nodeBorderRadius={6}
+          maskColor="var(--scrim)"
+        />
+        <CanvasControls />
+        <ConnectionHint />
+      </ReactFlow>
+      {nodes.length === 0 && <EmptyCanvas />}
+      {drop.over && <div className="canvas-drop">Drop models, pictures or ISF shaders here</div>}
+      <CanvasMenu menu={menu.open} onClose={menu.close} />
+      <PaletteHost toCanvas={flow.screenToFlowPosition} canvas={root} />
+    </div>
+  );
+}
+
+function EmptyCanvas() {
+  return (
+    <div className="canvas-empty">
+      <p>This graph is empty.</p>
+      <p>
+        Press <kbd>Tab</kbd> or double-click to add a node, or drop a model or a picture.
+      </p>
+    </div>
+  );
+}

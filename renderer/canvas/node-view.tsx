@@ -1,0 +1,102 @@
+import { Handle, type NodeProps, Position } from '@xyflow/react';
+import { memo } from 'react';
+import { useEditor } from '../shell/editor-context.ts';
+import { toggleExpanded } from '../state/canvas.ts';
+import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
+import { Icon } from '../ui/icon.tsx';
+import './node-view.css';
+import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from './node-shape.ts';
+import { PortMark } from './port-mark.tsx';
+import type { CanvasNode, NodeData } from './project-canvas.ts';
+import { useDimmedPorts } from './use-dimmed-ports.ts';
+
+/** One node: head, ports, and nothing that is not seen. Three thousand of these are on a large canvas. */
+export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps<CanvasNode>) {
+  const dimmed = useDimmedPorts(id, data.shape.ports);
+  return (
+    <div className={classOf(data, selected, dimmed === 'all')} data-node={id}>
+      <div className="node-head" style={{ height: HEADER_HEIGHT }}>
+        {data.type && <PortMark type={data.type} />}
+        <span className="node-title">{data.title}</span>
+        {data.problem && (
+          <span className="node-problem" data-severity={data.problem.severity} data-tip={data.problem.text}>
+            <Icon name={data.problem.severity === 'info' ? 'info' : data.problem.severity} size={14} />
+          </span>
+        )}
+      </div>
+      {data.shape.ports.map((port) => (
+        <Port
+          key={`${port.side} ${port.name}`}
+          port={port}
+          value={data.values[port.name]}
+          dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
+        />
+      ))}
+      <Expander id={id} data={data} />
+    </div>
+  );
+});
+
+interface PortProps {
+  readonly port: PortView;
+  readonly value: string | undefined;
+  readonly dimmed: boolean;
+}
+
+function Port({ port, value, dimmed }: PortProps) {
+  const { color, shape, label } = WIRE_TYPES[port.type];
+  const input = port.side === 'input';
+  const top = HEADER_HEIGHT + BODY_PADDING + port.row * ROW_HEIGHT;
+  return (
+    <>
+      <Handle
+        id={port.name}
+        type={input ? 'target' : 'source'}
+        position={input ? Position.Left : Position.Right}
+        className={dimmed ? 'port port-dimmed' : 'port'}
+        data-shape={shape}
+        data-multiple={port.multiple && input ? '' : undefined}
+        data-tip={`${port.label} · ${label}${input && port.required ? ', needed' : ''}\n${port.doc}`}
+        style={{ ['--port' as string]: color, top: top + ROW_HEIGHT / 2 }}
+      />
+      <span className={`port-label port-label-${port.side}`} style={{ top, height: ROW_HEIGHT }}>
+        <span>{port.label}</span>
+        {value !== undefined && <span className="port-value">{value}</span>}
+      </span>
+    </>
+  );
+}
+
+/** Shows the params that could be wired, for wiring them; seen while the pointer or the focus is at the node. */
+function Expander({ id, data }: { readonly id: string; readonly data: NodeData }) {
+  const { canvas } = useEditor();
+  if (data.shape.hiddenParams === 0 && !data.expanded) return null;
+  const count = data.shape.hiddenParams;
+  return (
+    <button
+      type="button"
+      className="node-expander nodrag"
+      aria-expanded={data.expanded}
+      tabIndex={-1}
+      onClick={(event) => {
+        event.stopPropagation();
+        toggleExpanded(canvas, id);
+      }}
+    >
+      {data.expanded ? 'Hide values' : `${count} ${count === 1 ? 'value' : 'values'}`}
+    </button>
+  );
+}
+
+function classOf(data: NodeData, selected: boolean, dimmed: boolean): string {
+  return [
+    'node',
+    selected ? 'node-selected' : '',
+    data.muted ? 'node-muted' : '',
+    data.known ? '' : 'node-unknown',
+    dimmed ? 'node-dimmed' : '',
+    data.problem?.severity === 'error' ? 'node-error' : '',
+  ]
+    .filter(Boolean)
+    .join(' ');
+}

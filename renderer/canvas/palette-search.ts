@@ -1,0 +1,107 @@
+import { type NodeDefinition, paramWireType } from '../../nodes/kit/definition.ts';
+import { conversion, type WireType } from '../../nodes/kit/wire-types.ts';
+
+/** A port that a wire in hand is looking for a partner for. */
+export interface OpenEnd {
+  readonly type: WireType;
+  /** The side that the wire starts from. */
+  readonly side: 'output' | 'input';
+}
+
+export interface PaletteEntry {
+  readonly definition: NodeDefinition;
+  /** The port that the wire in hand would go to; null when there is none in hand. */
+  readonly port: string | null;
+}
+
+/** Worth of a match; the best one of a word counts, and every word of the query must match somewhere. */
+const SCORES = { titleStart: 100, titleWord: 80, name: 70, keyword: 60, keywordPart: 45, titlePart: 40, category: 30, doc: 10, letters: 4 };
+
+/**
+ * Node types for the palette, best first: all of them by category and title for an empty query. With a wire in hand, only those
+ * that have a port for it.
+ */
+export function searchPalette(definitions: readonly NodeDefinition[], query: string, end: OpenEnd | null): PaletteEntry[] {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  const found: { entry: PaletteEntry; score: number }[] = [];
+  for (const definition of definitions) {
+    const port = end === null ? null : fittingPort(definition, end);
+    if (end !== null && port === null) continue;
+    const score = scoreOf(definition, words);
+    if (score > 0) found.push({ entry: { definition, port }, score });
+  }
+  const byCategory = words.length === 0;
+  return found
+    .sort((a, b) => {
+      const category = byCategory ? compare(categoryOf(a.entry.definition), categoryOf(b.entry.definition)) : 0;
+      return b.score - a.score || category || compare(a.entry.definition.title, b.entry.definition.title);
+    })
+    .map(({ entry }) => entry);
+}
+
+/** The first port that takes the wire as it is, else the first that takes it converted. */
+export function fittingPort(definition: NodeDefinition, end: OpenEnd): string | null {
+  const candidates = end.side === 'output' ? inputsOf(definition) : outputsOf(definition);
+  const kinds = candidates.map(
+    ([name, type]) => [name, end.side === 'output' ? conversion(end.type, type) : conversion(type, end.type)] as const,
+  );
+  return (kinds.find(([, kind]) => kind === 'same') ?? kinds.find(([, kind]) => kind === 'lossless'))?.[0] ?? null;
+}
+
+/** `filter/sepia` → `filter`. */
+export function categoryOf(definition: NodeDefinition): string {
+  return definition.type.split('/')[0] ?? '';
+}
+
+function inputsOf(definition: NodeDefinition): [string, WireType][] {
+  const wireable = Object.entries(definition.params).flatMap(([name, param]): [string, WireType][] => {
+    const type = paramWireType(param);
+    return type === undefined ? [] : [[name, type]];
+  });
+  return [...Object.entries(definition.inputs).map(([name, port]): [string, WireType] => [name, port.type]), ...wireable];
+}
+
+function outputsOf(definition: NodeDefinition): [string, WireType][] {
+  return Object.entries(definition.outputs).map(([name, port]) => [name, port.type]);
+}
+
+function scoreOf(definition: NodeDefinition, words: readonly string[]): number {
+  if (words.length === 0) return 1;
+  let total = 0;
+  for (const word of words) {
+    const score = scoreOfWord(definition, word);
+    if (score === 0) return 0;
+    total += score;
+  }
+  return total / words.length;
+}
+
+function scoreOfWord(definition: NodeDefinition, word: string): number {
+  const title = definition.title.toLowerCase();
+  const keywords = (definition.keywords ?? []).map((keyword) => keyword.toLowerCase());
+  // Between equal matches the shorter title is the likelier one.
+  const brevity = 1 / (1 + title.length);
+  if (title.startsWith(word)) return SCORES.titleStart + brevity;
+  if (title.split(/[\s-]+/).some((part) => part.startsWith(word))) return SCORES.titleWord + brevity;
+  if (definition.type.split('/')[1]?.startsWith(word)) return SCORES.name + brevity;
+  if (keywords.some((keyword) => keyword.startsWith(word))) return SCORES.keyword + brevity;
+  if (keywords.some((keyword) => keyword.includes(word))) return SCORES.keywordPart + brevity;
+  if (title.includes(word)) return SCORES.titlePart + brevity;
+  if (categoryOf(definition).startsWith(word)) return SCORES.category + brevity;
+  if (word.length > 3 && definition.doc.toLowerCase().includes(word)) return SCORES.doc + brevity;
+  return word.length > 2 && hasLettersInOrder(title, word) ? SCORES.letters + brevity : 0;
+}
+
+/** `gsb` finds "Gaussian blur". */
+function hasLettersInOrder(text: string, letters: string): boolean {
+  let at = 0;
+  for (const letter of letters) {
+    at = text.indexOf(letter, at) + 1;
+    if (at === 0) return false;
+  }
+  return true;
+}
+
+function compare(a: string, b: string): number {
+  return a < b ? -1 : a > b ? 1 : 0;
+}

@@ -1,0 +1,178 @@
+import { type KeyboardEvent, useEffect, useId, useMemo, useRef, useState } from 'react';
+import type { NodeDefinition } from '../../nodes/kit/definition.ts';
+import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
+import { DocText } from '../ui/doc-text.tsx';
+import { Icon } from '../ui/icon.tsx';
+import './palette.css';
+import { categoryOf, type OpenEnd, type PaletteEntry, searchPalette } from './palette-search.ts';
+import { PortMark } from './port-mark.tsx';
+
+interface PaletteProps {
+  readonly definitions: readonly NodeDefinition[];
+  /** The wire in hand, if the palette was opened by dropping one. */
+  readonly end: OpenEnd | null;
+  /** Where it opens, client pixels; moved inside the window as far as needed. */
+  readonly at: { readonly x: number; readonly y: number };
+  readonly onChoose: (entry: PaletteEntry) => void;
+  readonly onClose: () => void;
+}
+
+const WIDTH_PX = 560;
+const HEIGHT_PX = 372;
+const EDGE_PX = 12;
+
+/** Adds nodes by name: type, arrows, Enter. The chosen type's doc and ports are shown beside the list. */
+export function Palette({ definitions, end, at, onChoose, onClose }: PaletteProps) {
+  const [query, setQuery] = useState('');
+  const [chosen, setChosen] = useState(0);
+  const root = useRef<HTMLDivElement>(null);
+  const listId = useId();
+  const entries = useMemo(() => searchPalette(definitions, query, end), [definitions, query, end]);
+  const current = entries[Math.min(chosen, entries.length - 1)];
+  const place = {
+    left: Math.max(EDGE_PX, Math.min(at.x, window.innerWidth - WIDTH_PX - EDGE_PX)),
+    top: Math.max(EDGE_PX, Math.min(at.y, window.innerHeight - HEIGHT_PX - EDGE_PX)),
+  };
+
+  useEffect(() => {
+    const onPointerDown = (event: PointerEvent) => {
+      if (event.target instanceof Node && !root.current?.contains(event.target)) onClose();
+    };
+    window.addEventListener('pointerdown', onPointerDown, true);
+    return () => window.removeEventListener('pointerdown', onPointerDown, true);
+  }, [onClose]);
+
+  useEffect(() => {
+    root.current?.querySelector(`[data-index="${chosen}"]`)?.scrollIntoView({ block: 'nearest' });
+  }, [chosen]);
+
+  const onKeyDown = (event: KeyboardEvent) => {
+    const last = entries.length - 1;
+    if (event.key === 'ArrowDown') setChosen(chosen >= last ? 0 : chosen + 1);
+    else if (event.key === 'ArrowUp') setChosen(chosen <= 0 ? last : chosen - 1);
+    else if (event.key === 'Enter' && current) onChoose(current);
+    else if (event.key === 'Escape' || event.key === 'Tab') onClose();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  return (
+    <div ref={root} className="palette" style={place} role="dialog" aria-label="Add a node">
+      <div className="palette-search">
+        <Icon name="search" />
+        <input
+          // The palette exists only while it is asked for, and this is what it is for.
+          ref={(input) => input?.focus()}
+          role="combobox"
+          aria-expanded="true"
+          aria-controls={listId}
+          aria-activedescendant={current ? `${listId}-${current.definition.type}` : undefined}
+          aria-label="Search nodes"
+          placeholder={end ? `Nodes for this ${WIRE_TYPES[end.type].label.toLowerCase()} wire` : 'Search nodes'}
+          autoComplete="off"
+          spellCheck={false}
+          value={query}
+          onChange={(event) => {
+            setQuery(event.target.value);
+            setChosen(0);
+          }}
+          onKeyDown={onKeyDown}
+        />
+        {end && <PortMark type={end.type} />}
+      </div>
+      <div className="palette-body">
+        <div id={listId} className="palette-list scroll" role="listbox" aria-label="Node types">
+          {entries.map((entry, index) => (
+            <Row
+              key={entry.definition.type}
+              id={`${listId}-${entry.definition.type}`}
+              entry={entry}
+              index={index}
+              selected={entry === current}
+              heading={query === '' && categoryOf(entry.definition) !== categoryOf(entries[index - 1]?.definition ?? entry.definition)}
+              first={query === '' && index === 0}
+              onPoint={() => setChosen(index)}
+              onChoose={() => onChoose(entry)}
+            />
+          ))}
+          {entries.length === 0 && <p className="palette-none">No node matches “{query}”.</p>}
+        </div>
+        {current && <Preview definition={current.definition} />}
+      </div>
+    </div>
+  );
+}
+
+interface RowProps {
+  readonly id: string;
+  readonly entry: PaletteEntry;
+  readonly index: number;
+  readonly selected: boolean;
+  readonly heading: boolean;
+  readonly first: boolean;
+  readonly onPoint: () => void;
+  readonly onChoose: () => void;
+}
+
+function Row({ id, entry, index, selected, heading, first, onPoint, onChoose }: RowProps) {
+  const { definition } = entry;
+  const type = mainType(definition);
+  return (
+    <>
+      {(heading || first) && (
+        <div className="palette-category" role="presentation">
+          {categoryOf(definition)}
+        </div>
+      )}
+      {/* Keys are the search field's: the list is only ever pointed at. */}
+      <div
+        id={id}
+        className="palette-row"
+        role="option"
+        aria-selected={selected}
+        tabIndex={-1}
+        data-index={index}
+        onPointerMove={onPoint}
+        onPointerUp={onChoose}
+      >
+        {type && <PortMark type={type} />}
+        <span className="palette-title">{definition.title}</span>
+        <span className="palette-kind">{categoryOf(definition)}</span>
+      </div>
+    </>
+  );
+}
+
+function Preview({ definition }: { readonly definition: NodeDefinition }) {
+  return (
+    <div className="palette-preview scroll">
+      <h3>{definition.title}</h3>
+      <DocText text={definition.doc} />
+      <Ports title="Takes" ports={definition.inputs} />
+      <Ports title="Gives" ports={definition.outputs} />
+      {definition.credit && <p className="palette-credit">{definition.credit}</p>}
+    </div>
+  );
+}
+
+function Ports({ title, ports }: { readonly title: string; readonly ports: Readonly<Record<string, { type: WireType; label: string }>> }) {
+  const entries = Object.entries(ports);
+  if (entries.length === 0) return null;
+  return (
+    <dl className="palette-ports">
+      <dt>{title}</dt>
+      {entries.map(([name, port]) => (
+        <dd key={name}>
+          <PortMark type={port.type} />
+          {port.label}
+        </dd>
+      ))}
+    </dl>
+  );
+}
+
+/** The type that the node is about: what it gives, or what it takes where it gives nothing. */
+export function mainType(definition: NodeDefinition): WireType | undefined {
+  return (Object.values(definition.outputs)[0] ?? Object.values(definition.inputs)[0])?.type;
+}

@@ -1,0 +1,233 @@
+import type { Edge, Node, NodeHandle } from '@xyflow/react';
+import type { Graph, GraphLayout, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { WireType } from '../../nodes/kit/wire-types.ts';
+import { type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
+import { valueText } from './value-text.ts';
+
+/** What one node on the canvas shows; the same object while none of it changed. */
+export interface NodeData extends Record<string, unknown> {
+  readonly title: string;
+  readonly type: WireType | undefined;
+  readonly shape: NodeShape;
+  /** Current values of the params shown as ports, as text; none for wired ones. */
+  readonly values: Readonly<Record<string, string>>;
+  readonly muted: boolean;
+  readonly known: boolean;
+  readonly expanded: boolean;
+  readonly problem: NodeProblem | null;
+}
+
+export interface NodeProblem {
+  readonly severity: Diagnostic['severity'];
+  /** All messages, one a line. */
+  readonly text: string;
+}
+
+export interface WireData extends Record<string, unknown> {
+  readonly from: WireType;
+  readonly to: WireType;
+  /** From 1, where the port takes several wires and has more than one. */
+  readonly order: number | null;
+}
+
+export type CanvasNode = Node<NodeData, 'scrim'>;
+export type CanvasWire = Edge<WireData, 'scrim'>;
+
+export interface CanvasInput {
+  readonly graph: Graph;
+  readonly layout: GraphLayout;
+  readonly library: NodeLibrary;
+  readonly selectedNodes: ReadonlySet<string>;
+  readonly selectedWires: ReadonlySet<string>;
+  readonly expanded: ReadonlySet<string>;
+  /** Where nodes are while they are dragged. */
+  readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
+  readonly problems: ReadonlyMap<string, NodeProblem>;
+}
+
+export interface CanvasView {
+  readonly nodes: CanvasNode[];
+  readonly wires: CanvasWire[];
+}
+
+interface CachedNode {
+  readonly key: readonly unknown[];
+  readonly node: CanvasNode;
+}
+
+/**
+ * Turns the document into what React Flow draws. Nodes and wires that did not change come out as the same objects, so that a
+ * drag draws the dragged ones anew and no other.
+ */
+export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
+  let nodes = new Map<string, CachedNode>();
+  let wires = new Map<string, { readonly key: readonly unknown[]; readonly wire: CanvasWire }>();
+  return (input) => {
+    const wiredOf = wiredPorts(input.graph.wires);
+    const nextNodes = new Map<string, CachedNode>();
+    for (const [id, node] of Object.entries(input.graph.nodes)) {
+      const wired = wiredOf.get(id) ?? NO_PORTS;
+      const expanded = input.expanded.has(id);
+      const layout = input.layout.nodes[id];
+      const definition = input.library.definition(node.type);
+      const selected = input.selectedNodes.has(id);
+      const problem = input.problems.get(id) ?? null;
+      const key = [node, definition, layout, input.dragged[id], wired.key, selected, expanded, problem?.severity, problem?.text];
+      const known = nodes.get(id);
+      const fresh = known && same(known.key, key) ? known : { key, node: canvasNode(id, node, definition, wired, input, known?.node) };
+      nextNodes.set(id, fresh);
+    }
+    nodes = nextNodes;
+
+    const typeOf = portTypes(input);
+    const count = new Map<string, number>();
+    for (const wire of input.graph.wires) count.set(portKey(wire.to), (count.get(portKey(wire.to)) ?? 0) + 1);
+    const seen = new Map<string, number>();
+    const nextWires: typeof wires = new Map();
+    for (const wire of input.graph.wires) {
+      const id = wireId(wire);
+      const place = (seen.get(portKey(wire.to)) ?? 0) + 1;
+      seen.set(portKey(wire.to), place);
+      const order = (count.get(portKey(wire.to)) ?? 0) > 1 ? place : null;
+      const from = typeOf(wire.from.node, wire.from.port, 'output');
+      const to = typeOf(wire.to.node, wire.to.port, 'input');
+      const key = [from ?? to, to ?? from, order, input.selectedWires.has(id)];
+      const known = wires.get(id);
+      nextWires.set(id, known && same(known.key, key) ? known : { key, wire: canvasWire(wire, key) });
+    }
+    wires = nextWires;
+    return { nodes: [...nodes.values()].map(({ node }) => node), wires: [...wires.values()].map(({ wire }) => wire) };
+  };
+}
+
+/** As the document writes it: unique, because two wires never join the same two ports. */
+export function wireId({ from, to }: Wire): string {
+  return `${from.node}.${from.port} -> ${to.node}.${to.port}`;
+}
+
+interface WiredPorts {
+  readonly key: string;
+  readonly inputs: ReadonlySet<string>;
+  readonly outputs: ReadonlySet<string>;
+}
+
+const NO_PORTS: WiredPorts = { key: '', inputs: new Set(), outputs: new Set() };
+
+function wiredPorts(wires: readonly Wire[]): Map<string, WiredPorts> {
+  const sets = new Map<string, { inputs: Set<string>; outputs: Set<string> }>();
+  const at = (node: string) => {
+    const known = sets.get(node) ?? { inputs: new Set(), outputs: new Set() };
+    sets.set(node, known);
+    return known;
+  };
+  for (const { from, to } of wires) {
+    at(from.node).outputs.add(from.port);
+    at(to.node).inputs.add(to.port);
+  }
+  return new Map([...sets].map(([id, { inputs, outputs }]) => [id, { key: `${[...inputs].sort()}|${[...outputs].sort()}`, inputs, outputs }]));
+}
+
+function canvasNode(
+  id: string,
+  node: GraphNode,
+  definition: NodeDefinition | undefined,
+  wired: WiredPorts,
+  input: CanvasInput,
+  before: CanvasNode | undefined,
+): CanvasNode {
+  const expanded = input.expanded.has(id);
+  const shape = definition
+    ? nodeShape(definition, node, { wired: wired.inputs, expanded })
+    : unknownShape([...wired.inputs], [...wired.outputs]);
+  const values: Record<string, string> = {};
+  for (const port of shape.ports) {
+    if (port.param && !wired.inputs.has(port.name)) values[port.name] = valueText(port.param, node.params[port.name]);
+  }
+  const data: NodeData = {
+    title: definition?.title ?? node.type,
+    type: definition && (Object.values(definition.outputs)[0] ?? Object.values(definition.inputs)[0])?.type,
+    shape,
+    values,
+    muted: node.muted ?? false,
+    known: definition !== undefined,
+    expanded,
+    problem: input.problems.get(id) ?? null,
+  };
+  const position = input.dragged[id] ?? positionOf(input.layout.nodes[id]);
+  return {
+    id,
+    type: 'scrim',
+    position,
+    // While only the place changes, React sees the same data and leaves the node's inside alone.
+    data: before && sameData(before.data, data) ? before.data : data,
+    selected: input.selectedNodes.has(id),
+    width: shape.width,
+    height: shape.height,
+    measured: { width: shape.width, height: shape.height },
+    handles: shape.ports.map((port) => handleOf(shape, port)),
+    ariaLabel: ariaLabel(data),
+  };
+}
+
+function ariaLabel({ title, muted, problem }: NodeData): string {
+  return [title, muted ? 'muted' : '', problem ? `${problem.severity}: ${problem.text}` : ''].filter(Boolean).join(', ');
+}
+
+function handleOf(shape: NodeShape, port: NodeShape['ports'][number]): NodeHandle {
+  const { x, y } = portCentre(shape, port);
+  return {
+    id: port.name,
+    type: port.side === 'input' ? 'target' : 'source',
+    position: (port.side === 'input' ? 'left' : 'right') as NodeHandle['position'],
+    x: x - PORT_SIZE / 2,
+    y: y - PORT_SIZE / 2,
+    width: PORT_SIZE,
+    height: PORT_SIZE,
+  };
+}
+
+function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
+  const [from, to, order, selected] = key as [WireType | undefined, WireType | undefined, number | null, boolean];
+  return {
+    id: wireId(wire),
+    type: 'scrim',
+    source: wire.from.node,
+    sourceHandle: wire.from.port,
+    target: wire.to.node,
+    targetHandle: wire.to.port,
+    selected,
+    data: { from: from ?? 'number', to: to ?? 'number', order },
+    ariaLabel: `Wire from ${wire.from.node}, ${wire.from.port}, to ${wire.to.node}, ${wire.to.port}`,
+  };
+}
+
+function portTypes({ graph, library }: CanvasInput): (node: string, port: string, side: 'input' | 'output') => WireType | undefined {
+  return (id, port, side) => {
+    const definition = library.definition(graph.nodes[id]?.type ?? '');
+    if (side === 'output') return definition?.outputs[port]?.type;
+    const param = definition?.params[port];
+    return definition?.inputs[port]?.type ?? (param && paramType(param));
+  };
+}
+
+function paramType(param: NodeDefinition['params'][string]): WireType | undefined {
+  return param.type === 'choice' ? 'number' : param.type === 'asset' ? undefined : param.type;
+}
+
+function positionOf(layout: NodeLayout | undefined): { x: number; y: number } {
+  return layout ? { x: layout.x, y: layout.y } : { x: 0, y: 0 };
+}
+
+function portKey({ node, port }: Wire['to']): string {
+  return `${node}.${port}`;
+}
+
+function same(a: readonly unknown[], b: readonly unknown[]): boolean {
+  return a.length === b.length && a.every((value, index) => value === b[index]);
+}
+
+function sameData(a: NodeData, b: NodeData): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

@@ -1,0 +1,130 @@
+import type { Connection, Edge, EdgeChange, FinalConnectionState, HandleType, NodeChange } from '@xyflow/react';
+import { type MouseEvent as ReactMouseEvent, useCallback } from 'react';
+import { useEditor } from '../shell/editor-context.ts';
+import { dragTo, dropWire, endDrag, offerParams, type Place } from '../state/canvas.ts';
+import { connect, explainRefusal, moveNodes, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
+import { changeSelection, type SelectionChange } from '../state/selection.ts';
+import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+
+/** What pointer and keys on the canvas do: selection, wires, places. */
+export function useGestures(toCanvas: (client: Place) => Place) {
+  const editor = useEditor();
+  const onNodesChange = useCallback(
+    (changes: NodeChange<CanvasNode>[]) => {
+      changeSelection(editor.selection, selectionChanges('node', changes));
+      const moved = changes.filter((change) => change.type === 'position');
+      const places: Record<string, Place> = {};
+      for (const { id, position } of moved) if (position) places[id] = position;
+      if (moved.length === 0) return;
+      dragTo(editor.canvas, places);
+      // React Flow's arrow keys move without dragging; a drag's last change has none either.
+      if (moved.every((change) => change.dragging !== true)) moveNodes(editor, endDrag(editor.canvas));
+    },
+    [editor],
+  );
+  const onWiresChange = useCallback(
+    (changes: EdgeChange<CanvasWire>[]) => changeSelection(editor.selection, selectionChanges('wire', changes)),
+    [editor],
+  );
+  const isValidConnection = useCallback(
+    (connection: Connection | Edge) => {
+      const ends = endsOf(connection);
+      return ends !== null && refusalOf(editor, { ...ends.from, side: 'output' }, { ...ends.to, side: 'input' }) === null;
+    },
+    [editor],
+  );
+  const onConnect = useCallback(
+    (connection: Connection) => {
+      const ends = endsOf(connection);
+      if (ends) connect(editor, ends.from, ends.to);
+    },
+    [editor],
+  );
+  const onConnectStart = useCallback(
+    (_event: MouseEvent | TouchEvent, start: { nodeId: string | null; handleId: string | null; handleType: HandleType | null }) => {
+      if (start.nodeId === null || start.handleId === null) return;
+      takeWireFrom(editor, start.nodeId, start.handleId, start.handleType === 'source' ? 'output' : 'input');
+    },
+    [editor],
+  );
+  const onConnectEnd = useCallback(
+    (event: MouseEvent | TouchEvent, end: FinalConnectionState) => {
+      const { inHand } = editor.canvas.getState();
+      dropWire(editor.canvas);
+      if (inHand === null || end.isValid === true) return;
+      const client = clientOf(event);
+      if (end.toHandle) explainRefusal(editor, inHand, endOf(end.toHandle));
+      else if (onPane(event)) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
+    },
+    [editor, toCanvas],
+  );
+  const onReconnect = useCallback(
+    (wire: CanvasWire, connection: Connection) => {
+      const ends = endsOf(connection);
+      if (ends) rewire(editor, wire.id, ends.from, ends.to);
+    },
+    [editor],
+  );
+  const onReconnectEnd = useCallback(
+    (_event: MouseEvent | TouchEvent, wire: CanvasWire, _type: HandleType, end: FinalConnectionState) => {
+      // Pulled off and let go over nothing: the usual way to take a wire away.
+      if (end.isValid !== true && !end.toHandle) removeWires(editor, [wire.id]);
+    },
+    [editor],
+  );
+  const onNodeEnter = useCallback(
+    (_event: unknown, node: CanvasNode) => {
+      if (editor.canvas.getState().inHand?.side === 'output') offerParams(editor.canvas, node.id);
+    },
+    [editor],
+  );
+  const onNodeLeave = useCallback(() => offerParams(editor.canvas, null), [editor]);
+  const onDoubleClick = useCallback(
+    (event: ReactMouseEvent) => {
+      if (!onPane(event.nativeEvent)) return;
+      const client = { x: event.clientX, y: event.clientY };
+      editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: null } });
+    },
+    [editor, toCanvas],
+  );
+  return {
+    onNodesChange,
+    onWiresChange,
+    isValidConnection,
+    onConnect,
+    onConnectStart,
+    onConnectEnd,
+    onReconnect,
+    onReconnectEnd,
+    onNodeEnter,
+    onNodeLeave,
+    onDoubleClick,
+  };
+}
+
+function endOf({ nodeId, id, type }: { readonly nodeId: string; readonly id?: string | null; readonly type: HandleType }): WireEnd {
+  return { node: nodeId, port: id ?? '', side: type === 'source' ? 'output' : 'input' };
+}
+
+/** From output to input, whichever of them the gesture began at. */
+function endsOf({ source, sourceHandle, target, targetHandle }: Connection | Edge) {
+  if (!sourceHandle || !targetHandle) return null;
+  return { from: { node: source, port: sourceHandle }, to: { node: target, port: targetHandle } };
+}
+
+function selectionChanges(
+  kind: SelectionChange['kind'],
+  changes: readonly (NodeChange<CanvasNode> | EdgeChange<CanvasWire>)[],
+): SelectionChange[] {
+  return changes.flatMap((change) => (change.type === 'select' ? [{ kind, id: change.id, selected: change.selected }] : []));
+}
+
+function clientOf(event: MouseEvent | TouchEvent): Place {
+  const point = 'changedTouches' in event ? event.changedTouches[0] : event;
+  return { x: point?.clientX ?? 0, y: point?.clientY ?? 0 };
+}
+
+function onPane(event: MouseEvent | TouchEvent): boolean {
+  const { x, y } = clientOf(event);
+  return document.elementFromPoint(x, y)?.classList.contains('react-flow__pane') ?? false;
+}

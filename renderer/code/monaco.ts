@@ -1,0 +1,174 @@
+import { editor, MarkerSeverity } from 'monaco-editor/editor';
+import 'monaco-editor/features/codeEditor/register';
+import 'monaco-editor/features/bracketMatching/register';
+import 'monaco-editor/features/caretOperations/register';
+import 'monaco-editor/features/clipboard/register';
+import 'monaco-editor/features/comment/register';
+import 'monaco-editor/features/contextmenu/register';
+import 'monaco-editor/features/cursorUndo/register';
+import 'monaco-editor/features/find/register';
+import 'monaco-editor/features/folding/register';
+import 'monaco-editor/features/gotoError/register';
+import 'monaco-editor/features/hover/register';
+import 'monaco-editor/features/indentation/register';
+import 'monaco-editor/features/linesOperations/register';
+import 'monaco-editor/features/multicursor/register';
+import 'monaco-editor/features/suggest/register';
+import 'monaco-editor/features/wordHighlighter/register';
+import 'monaco-editor/features/wordOperations/register';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { ISF_LANGUAGE, registerIsfLanguage } from './glsl-language.ts';
+
+/** One text editor for shaders. Everything of Monaco is behind this file, which is loaded when the panel is first opened. */
+export interface ShaderEditor {
+  /** Shows another file; a file shown before comes back with its caret and its own undo. */
+  show(file: string, text: string): void;
+  /** Puts markers of the file shown. */
+  mark(diagnostics: readonly Diagnostic[]): void;
+  goTo(line: number, column: number): void;
+  dispose(): void;
+}
+
+export interface ShaderEditorOptions {
+  /** Each change by the person; not what `show` put in. */
+  readonly onType: (file: string, text: string) => void;
+}
+
+const MARKER_OWNER = 'scrim';
+const SEVERITIES = { error: MarkerSeverity.Error, warning: MarkerSeverity.Warning, info: MarkerSeverity.Info } as const;
+
+export function createShaderEditor(parent: HTMLElement, { onType }: ShaderEditorOptions): ShaderEditor {
+  (globalThis as { MonacoEnvironment?: unknown }).MonacoEnvironment = {
+    getWorker: () => new Worker(new URL('./monaco.worker.ts', import.meta.url), { type: 'module' }),
+  };
+  const unregister = registerIsfLanguage();
+  const dark = window.matchMedia('(prefers-color-scheme: light)');
+  const applyTheme = () => {
+    defineTheme(dark.matches);
+    editor.setTheme('scrim');
+  };
+  applyTheme();
+  dark.addEventListener('change', applyTheme);
+
+  const view = editor.create(parent, {
+    automaticLayout: true,
+    fontFamily: getComputedStyle(parent).getPropertyValue('--mono'),
+    fontSize: 12.5,
+    lineHeight: 19,
+    minimap: { enabled: false },
+    scrollBeyondLastLine: false,
+    renderLineHighlight: 'line',
+    padding: { top: 8, bottom: 8 },
+    tabSize: 2,
+    fixedOverflowWidgets: true,
+    overviewRulerLanes: 1,
+    stickyScroll: { enabled: false },
+    ariaLabel: 'Shader source',
+    model: null,
+  });
+  const models = new Map<string, { readonly model: editor.ITextModel; state: editor.ICodeEditorViewState | null }>();
+  let shown: string | null = null;
+  let ours = false;
+
+  const modelOf = (file: string, text: string) => {
+    const known = models.get(file);
+    if (known) return known;
+    const model = editor.createModel(text, ISF_LANGUAGE);
+    model.onDidChangeContent(() => {
+      if (!ours) onType(file, model.getValue());
+    });
+    const made = { model, state: null };
+    models.set(file, made);
+    return made;
+  };
+
+  return {
+    show: (file, text) => {
+      const next = modelOf(file, text);
+      if (next.model.getValue() !== text) {
+        ours = true;
+        // An edit, not a new value, so that the text's own undo goes back over what came from outside.
+        next.model.pushEditOperations([], [{ range: next.model.getFullModelRange(), text }], () => null);
+        ours = false;
+      }
+      if (shown === file) return;
+      const before = shown === null ? undefined : models.get(shown);
+      if (before) before.state = view.saveViewState();
+      shown = file;
+      view.setModel(next.model);
+      if (next.state) view.restoreViewState(next.state);
+    },
+    mark: (diagnostics) => {
+      const model = view.getModel();
+      if (!model) return;
+      editor.setModelMarkers(
+        model,
+        MARKER_OWNER,
+        diagnostics.map((diagnostic) => markerOf(model, diagnostic)),
+      );
+    },
+    goTo: (line, column) => {
+      view.setPosition({ lineNumber: line, column });
+      view.revealLineInCenterIfOutsideViewport(line);
+      view.focus();
+    },
+    dispose: () => {
+      dark.removeEventListener('change', applyTheme);
+      view.dispose();
+      for (const { model } of models.values()) model.dispose();
+      unregister();
+    },
+  };
+}
+
+/** From the column to the end of the word there; the whole line where no column is known. */
+function markerOf(model: editor.ITextModel, { line, column, message, fix, severity, code }: Diagnostic): editor.IMarkerData {
+  const startLineNumber = Math.min(Math.max(line ?? 1, 1), model.getLineCount());
+  const startColumn = column ?? model.getLineFirstNonWhitespaceColumn(startLineNumber);
+  const word = column === undefined ? null : model.getWordAtPosition({ lineNumber: startLineNumber, column: startColumn });
+  return {
+    severity: SEVERITIES[severity],
+    message: fix === undefined ? message : `${message}\n${fix}`,
+    code,
+    startLineNumber,
+    startColumn,
+    endLineNumber: startLineNumber,
+    endColumn: column === undefined ? model.getLineMaxColumn(startLineNumber) : (word?.endColumn ?? startColumn + 1),
+  };
+}
+
+function defineTheme(light: boolean): void {
+  const style = getComputedStyle(document.documentElement);
+  const color = (name: string) => style.getPropertyValue(name).trim();
+  const ink = (name: string) => color(name).replace('#', '');
+  editor.defineTheme('scrim', {
+    base: light ? 'vs' : 'vs-dark',
+    inherit: true,
+    rules: [
+      { token: 'keyword', foreground: ink('--code-keyword') },
+      { token: 'type', foreground: ink('--code-type') },
+      { token: 'support.function', foreground: ink('--code-function') },
+      { token: 'variable.predefined', foreground: ink('--code-builtin') },
+      { token: 'number', foreground: ink('--code-number') },
+      { token: 'comment', foreground: ink('--code-comment') },
+      { token: 'header.key', foreground: ink('--code-builtin') },
+      { token: 'header.string', foreground: ink('--code-string') },
+      { token: 'delimiter', foreground: ink('--text-2') },
+    ],
+    colors: {
+      'editor.background': color('--surface-0'),
+      'editor.foreground': color('--text'),
+      'editorLineNumber.foreground': color('--text-3'),
+      'editorLineNumber.activeForeground': color('--text'),
+      'editor.lineHighlightBackground': color('--surface-1'),
+      'editor.lineHighlightBorder': '#00000000',
+      'editorCursor.foreground': color('--accent'),
+      'editorWidget.background': color('--surface-2'),
+      'editorWidget.border': color('--line-strong'),
+      'editorSuggestWidget.selectedBackground': color('--surface-4'),
+      'editorError.foreground': color('--danger'),
+      'editorWarning.foreground': color('--warning'),
+      focusBorder: color('--accent'),
+    },
+  });
+}

@@ -1,0 +1,40 @@
+import type { CompileAnswer, CompileRequest } from './messages.ts';
+
+/** The part of `Worker` that is used, so that a test can stand in for it. */
+export interface CompilerWorker {
+  postMessage(message: CompileRequest): void;
+  onmessage: ((event: MessageEvent<CompileAnswer>) => void) | null;
+  terminate(): void;
+}
+
+export interface CompilerLink {
+  /** The newest request is answered; of those that wait, older ones are dropped. */
+  request(request: CompileRequest): void;
+  dispose(): void;
+}
+
+export function createCompilerLink(worker: CompilerWorker, onAnswer: (answer: CompileAnswer) => void): CompilerLink {
+  let running = false;
+  let waiting: CompileRequest | null = null;
+  const start = (request: CompileRequest) => {
+    running = true;
+    worker.postMessage(request);
+  };
+  worker.onmessage = ({ data }) => {
+    running = false;
+    const next = waiting;
+    waiting = null;
+    if (next !== null) start(next);
+    onAnswer(data);
+  };
+  return {
+    request: (request) => {
+      if (running) waiting = request;
+      else start(request);
+    },
+    dispose: () => {
+      worker.onmessage = null;
+      worker.terminate();
+    },
+  };
+}

@@ -1,0 +1,179 @@
+import type { ParamValue } from '../../export/graph/project.ts';
+import type { AssetParam, ChoiceParam, ColorParam, NumberParam, ParamDefinition, TextParam, ToggleParam, VectorParam } from '../../nodes/kit/definition.ts';
+import { ColorField } from '../ui/color-field.tsx';
+import type { Rgba } from '../ui/color-text.ts';
+import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
+import { Slider } from '../ui/slider.tsx';
+import { AssetPicker } from './asset-picker.tsx';
+import './inspector.css';
+import { clampTo, formatNumber, parseNumber, rangeOf, shownUnit } from './units.ts';
+
+interface ControlProps<P extends ParamDefinition> extends EditHandlers<ParamValue> {
+  readonly param: P;
+  readonly value: ParamValue;
+  /** For the label's `for`. */
+  readonly id: string;
+}
+
+/** The control that a param's type asks for. Nothing here knows any node. */
+export function ParamControl({ param, ...rest }: ControlProps<ParamDefinition>) {
+  switch (param.type) {
+    case 'number':
+      return <NumberControl param={param} {...rest} />;
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+      return <VectorControl param={param} {...rest} />;
+    case 'color':
+      return <ColorControl param={param} {...rest} />;
+    case 'toggle':
+      return <ToggleControl param={param} {...rest} />;
+    case 'text':
+      return <TextControl param={param} {...rest} />;
+    case 'choice':
+      return <ChoiceControl param={param} {...rest} />;
+    case 'asset':
+      return <AssetControl param={param} {...rest} />;
+  }
+}
+
+function NumberControl({ param, value, id, onEdit, onEnd }: ControlProps<NumberParam>) {
+  const { suffix, shownPerStored } = shownUnit(param.unit);
+  const range = rangeOf(param);
+  const stored = Number(value);
+  const format = (number: number) => formatNumber(number * shownPerStored);
+  const field = (
+    <NumberField
+      id={id}
+      label={param.label}
+      value={stored}
+      step={range.step}
+      suffix={suffix}
+      format={format}
+      parse={(text) => parseNumber(text, param.unit)}
+      clamp={(number) => clampTo(number, range)}
+      onEdit={onEdit}
+      onEnd={onEnd}
+    />
+  );
+  if (range.min === undefined || range.max === undefined) return field;
+  return (
+    <div className="number-control">
+      <Slider
+        label={`${param.label}, slider`}
+        value={stored}
+        min={range.min}
+        max={range.max}
+        step={range.step}
+        valueText={`${format(stored)} ${suffix}`}
+        onEdit={onEdit}
+        onEnd={onEnd}
+      />
+      {field}
+    </div>
+  );
+}
+
+const AXES = ['X', 'Y', 'Z', 'W'] as const;
+
+function VectorControl({ param, value, id, onEdit, onEnd }: ControlProps<VectorParam>) {
+  const { suffix, shownPerStored } = shownUnit(param.unit);
+  const parts: readonly number[] = Array.isArray(value) ? value : param.default;
+  return (
+    <div className="vector-control">
+      {AXES.slice(0, param.default.length).map((axis, index) => {
+        const limits = { min: param.min?.[index], max: param.max?.[index] };
+        return (
+          <span key={axis} className="vector-part">
+            <span aria-hidden="true">{axis}</span>
+            <NumberField
+              {...(index === 0 ? { id } : {})}
+              label={`${param.label} ${axis}`}
+              value={parts[index] ?? 0}
+              step={0.01 / (param.unit === 'rad' ? shownPerStored / 100 : 1)}
+              suffix={suffix}
+              format={(number) => formatNumber(number * shownPerStored)}
+              parse={(text) => parseNumber(text, param.unit)}
+              clamp={(number) => clampTo(number, limits)}
+              onEdit={(number) => onEdit(param.default.map((fallback, i) => (i === index ? number : (parts[i] ?? fallback))))}
+              onEnd={onEnd}
+            />
+          </span>
+        );
+      })}
+    </div>
+  );
+}
+
+function ColorControl({ param, value, onEdit, onEnd }: ControlProps<ColorParam>) {
+  const [r = 0, g = 0, b = 0, a = 1] = Array.isArray(value) ? (value as readonly number[]) : param.default;
+  const color: Rgba = [r, g, b, a];
+  return <ColorField label={param.label} value={color} onEdit={onEdit} onEnd={onEnd} />;
+}
+
+function ToggleControl({ param, value, id, onEdit, onEnd }: ControlProps<ToggleParam>) {
+  return (
+    <input
+      id={id}
+      type="checkbox"
+      role="switch"
+      className="switch"
+      aria-label={param.label}
+      checked={value === true}
+      onChange={(event) => {
+        onEdit(event.target.checked);
+        onEnd();
+      }}
+    />
+  );
+}
+
+function TextControl({ param, value, id, onEdit, onEnd }: ControlProps<TextParam>) {
+  return (
+    <input
+      id={id}
+      className="field"
+      aria-label={param.label}
+      value={String(value)}
+      onChange={(event) => onEdit(event.target.value)}
+      onBlur={onEnd}
+    />
+  );
+}
+
+function ChoiceControl({ param, value, id, onEdit, onEnd }: ControlProps<ChoiceParam>) {
+  return (
+    <select
+      id={id}
+      className="select"
+      aria-label={param.label}
+      value={String(value)}
+      onChange={(event) => {
+        const option = param.options.find((candidate) => String(candidate.value) === event.target.value);
+        if (option) onEdit(option.value);
+        onEnd();
+      }}
+    >
+      {param.options.map((option) => (
+        <option key={option.value} value={String(option.value)}>
+          {option.label}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+function AssetControl({ param, value, id, onEdit, onEnd }: ControlProps<AssetParam>) {
+  return (
+    <AssetPicker
+      id={id}
+      label={param.label}
+      kind={param.accept}
+      value={String(value)}
+      onChoose={(asset) => {
+        onEdit(asset);
+        onEnd();
+      }}
+    />
+  );
+}

@@ -1,0 +1,62 @@
+import type { NumberParam, Unit } from '../../nodes/kit/definition.ts';
+
+/** How a stored number is shown and typed: radians as degrees, all else as it is. */
+export interface ShownUnit {
+  readonly suffix: string;
+  /** Shown value = stored value × this. */
+  readonly shownPerStored: number;
+}
+
+const SHOWN: Readonly<Record<Unit, ShownUnit>> = {
+  m: { suffix: 'm', shownPerStored: 1 },
+  s: { suffix: 's', shownPerStored: 1 },
+  rad: { suffix: '°', shownPerStored: 180 / Math.PI },
+  px: { suffix: 'px', shownPerStored: 1 },
+  K: { suffix: 'K', shownPerStored: 1 },
+  Hz: { suffix: 'Hz', shownPerStored: 1 },
+  ratio: { suffix: '', shownPerStored: 1 },
+  none: { suffix: '', shownPerStored: 1 },
+};
+
+export function shownUnit(unit: Unit | undefined): ShownUnit {
+  return SHOWN[unit ?? 'none'];
+}
+
+export interface NumberRange {
+  /** Stored units. */
+  readonly min: number | undefined;
+  readonly max: number | undefined;
+  readonly step: number;
+}
+
+/** A step fine enough for the range where the definition names none. */
+export function rangeOf(param: Pick<NumberParam, 'min' | 'max' | 'step' | 'unit'>): NumberRange {
+  const { min, max } = param;
+  if (param.step !== undefined) return { min, max, step: param.step };
+  if (min === undefined || max === undefined || max <= min) return { min, max, step: 0.01 / shownUnit(param.unit).shownPerStored };
+  // A power of ten with 100 to 1,000 steps over the range.
+  return { min, max, step: 10 ** Math.floor(Math.log10((max - min) / 100)) };
+}
+
+export function clampTo(value: number, { min, max }: Pick<NumberRange, 'min' | 'max'>): number {
+  return Math.min(Math.max(value, min ?? Number.NEGATIVE_INFINITY), max ?? Number.POSITIVE_INFINITY);
+}
+
+/** At most four decimals, without trailing zeros; very small and very large numbers in powers of ten. */
+export function formatNumber(shown: number): string {
+  const size = Math.abs(shown);
+  if (size === 0) return '0';
+  if (size < 1e-4 || size >= 1e7) return shown.toExponential(3);
+  const text = shown.toFixed(4);
+  return text.includes('.') ? text.replace(/\.?0+$/, '') || '0' : text;
+}
+
+/** What was typed, in stored units; null where it is no number. Takes a decimal comma and a trailing unit. */
+export function parseNumber(text: string, unit: Unit | undefined): number | null {
+  const { suffix, shownPerStored } = shownUnit(unit);
+  const trimmed = text.trim();
+  const bare = suffix !== '' && trimmed.endsWith(suffix) ? trimmed.slice(0, -suffix.length).trim() : trimmed;
+  if (!/^[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?$/i.test(bare)) return null;
+  const value = Number(bare.replace(',', '.')) / shownPerStored;
+  return Number.isFinite(value) ? value : null;
+}

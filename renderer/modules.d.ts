@@ -1,0 +1,2 @@
+// Vite takes styles that a component imports into the page's sheet.
+declare module '*.css' {}

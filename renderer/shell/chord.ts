@@ -1,0 +1,36 @@
+/** Keys as the command table writes them: `Mod+Shift+Z`; `Mod` is ⌘ on a Mac and Ctrl elsewhere. */
+export interface KeyPress {
+  readonly key: string;
+  readonly ctrlKey: boolean;
+  readonly metaKey: boolean;
+  readonly shiftKey: boolean;
+  readonly altKey: boolean;
+}
+
+export function chordOf(press: KeyPress, mac: boolean): string {
+  const mod = mac ? press.metaKey : press.ctrlKey;
+  const key = press.key.length === 1 ? press.key.toUpperCase() : press.key;
+  // Shift makes another character of most keys; only letters and named keys name it.
+  const shift = press.shiftKey && (key.length > 1 || /[A-Z]/.test(key));
+  return [mod ? 'Mod' : '', mac && press.ctrlKey ? 'Ctrl' : '', press.altKey ? 'Alt' : '', shift ? 'Shift' : '', key]
+    .filter(Boolean)
+    .join('+');
+}
+
+const MAC_SIGNS: Readonly<Record<string, string>> = { Mod: '⌘', Shift: '⇧', Alt: '⌥', Ctrl: '⌃', Delete: '⌫', Backspace: '⌫', Tab: '⇥' };
+
+/** For menus and tooltips: `⇧⌘Z` or `Ctrl+Shift+Z`. */
+export function showChord(chord: string, mac: boolean): string {
+  const parts = chord.split('+');
+  if (!mac) return parts.map((part) => (part === 'Mod' ? 'Ctrl' : part === 'Delete' ? 'Del' : part)).join('+');
+  const order = ['Ctrl', 'Alt', 'Shift', 'Mod'];
+  const modifiers = parts.slice(0, -1).sort((a, b) => order.indexOf(a) - order.indexOf(b));
+  return [...modifiers, parts.at(-1) ?? ''].map((part) => MAC_SIGNS[part] ?? part).join('');
+}
+
+/** Text fields keep the keys that edit text. */
+export function isTyping(target: EventTarget | null): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
+  return target instanceof HTMLInputElement && !['checkbox', 'range', 'color', 'button'].includes(target.type);
+}

@@ -1,0 +1,107 @@
+import { useMemo, useState } from 'react';
+import { useStore } from 'zustand';
+import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import { isDirty } from '../state/document.ts';
+import { IconButton } from '../ui/button.tsx';
+import { Button } from '../ui/button.tsx';
+import { MenuButton, type MenuItem } from '../ui/menu.tsx';
+import { showChord } from './chord.ts';
+import { useDocument, useEditor } from './editor-context.ts';
+import { Logo } from './logo.tsx';
+import './top-bar.css';
+
+const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
+  { label: 'File', entries: ['file.open', 'line', 'file.save', 'file.save-as', 'line', 'file.export'] },
+  {
+    label: 'Edit',
+    entries: [
+      'edit.undo',
+      'edit.redo',
+      'line',
+      'edit.cut',
+      'edit.copy',
+      'edit.paste',
+      'edit.duplicate',
+      'edit.delete',
+      'line',
+      'edit.select-all',
+      'edit.mute',
+    ],
+  },
+  { label: 'View', entries: ['view.fit', 'view.fit-selection', 'line', 'view.code', 'view.problems', 'line', 'help.shortcuts'] },
+];
+
+export function TopBar() {
+  return (
+    <header className="top-bar">
+      <Logo />
+      <MenuBar />
+      <Title />
+      <Tools />
+    </header>
+  );
+}
+
+function MenuBar() {
+  const editor = useEditor();
+  const [open, setOpen] = useState<string | null>(null);
+  const menus = useMemo(
+    () =>
+      MENUS.map(({ label, entries }) => ({
+        label,
+        items: () => entries.map((entry): MenuItem => (entry === 'line' ? { kind: 'line' } : itemOf(entry))),
+      })),
+    [],
+  );
+  const itemOf = (id: AppCommandId): MenuItem => {
+    const { label, chords, enabled } = appCommand(id);
+    return {
+      kind: 'action',
+      label,
+      ...(chords[0] === undefined ? {} : { keys: showChord(chords[0], editor.mac) }),
+      disabled: !enabled(editor),
+      run: () => runCommand(editor, id),
+    };
+  };
+  return (
+    <nav className="menu-bar" aria-label="Menus">
+      {menus.map(({ label, items }) => (
+        <MenuButton key={label} label={label} items={open === label ? items() : []} openInBar={open} onOpenInBar={setOpen} />
+      ))}
+    </nav>
+  );
+}
+
+function Title() {
+  const title = useDocument((state) => state.project.title);
+  const path = useDocument((state) => state.open?.displayPath ?? '');
+  const dirty = useDocument(isDirty);
+  return (
+    <div className="top-title" data-tip={path === '' ? undefined : path}>
+      <h1>{title}</h1>
+      {dirty && <span className="unsaved">Edited</span>}
+    </div>
+  );
+}
+
+function Tools() {
+  const editor = useEditor();
+  const canUndo = useDocument((state) => state.canUndo);
+  const canRedo = useDocument((state) => state.canRedo);
+  const open = useDocument((state) => state.open !== null);
+  const exporting = useStore(editor.ui, (state) => state.exporting);
+  const keys = (id: AppCommandId) => showChord(appCommand(id).chords[0] ?? '', editor.mac);
+  return (
+    <div className="top-tools">
+      <IconButton icon="undo" label="Undo" keys={keys('edit.undo')} disabled={!canUndo} onPress={() => runCommand(editor, 'edit.undo')} />
+      <IconButton icon="redo" label="Redo" keys={keys('edit.redo')} disabled={!canRedo} onPress={() => runCommand(editor, 'edit.redo')} />
+      <span className="top-gap" />
+      <Button icon="add" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>
+        Add node
+      </Button>
+      <Button icon="export" look="primary" onPress={() => runCommand(editor, 'file.export')} disabled={!open || exporting}>
+        {exporting ? 'Exporting…' : 'Export'}
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,94 @@
+import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from './clipboard.ts';
+import { deleteSelection, selectAll, toggleMuted } from './edit-graph.ts';
+import { editableShader } from './edit-shader.ts';
+import type { Editor } from './editor.ts';
+import { exportPage, openProject, save, saveAs } from './files.ts';
+import { redo, undo } from './apply.ts';
+import { type BottomTab, revealNodes } from './ui.ts';
+
+/** Something that a menu, a key or the window's own menu can ask for. */
+export interface AppCommand {
+  readonly label: string;
+  /** As `chordOf` writes them; menus show the first. */
+  readonly chords: readonly string[];
+  readonly enabled: (editor: Editor) => boolean;
+  readonly run: (editor: Editor) => void;
+  /** Also while a text field has the focus. */
+  readonly whileTyping?: true;
+}
+
+const always = () => true;
+const isOpen = ({ document }: Editor) => document.getState().open !== null;
+const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
+const hasSelection = ({ selection }: Editor) => selection.getState().nodes.size + selection.getState().wires.size > 0;
+
+const COMMANDS = {
+  'file.open': { label: 'Open…', chords: ['Mod+O'], enabled: always, run: openProject, whileTyping: true },
+  'file.save': { label: 'Save', chords: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
+  'file.save-as': { label: 'Save as…', chords: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },
+  'file.export': { label: 'Export page…', chords: ['Mod+E'], enabled: isOpen, run: (editor) => void exportPage(editor), whileTyping: true },
+  'edit.undo': { label: 'Undo', chords: ['Mod+Z'], enabled: ({ document }) => document.getState().history.past.length > 0, run: undo },
+  'edit.redo': {
+    label: 'Redo',
+    chords: ['Mod+Shift+Z', 'Mod+Y'],
+    enabled: ({ document }) => document.getState().history.future.length > 0,
+    run: redo,
+  },
+  'edit.cut': { label: 'Cut', chords: ['Mod+X'], enabled: hasNodes, run: (editor) => void cutSelection(editor) },
+  'edit.copy': { label: 'Copy', chords: ['Mod+C'], enabled: hasNodes, run: (editor) => void copySelection(editor) },
+  'edit.paste': { label: 'Paste', chords: ['Mod+V'], enabled: isOpen, run: (editor) => void pasteFromClipboard(editor) },
+  'edit.duplicate': { label: 'Duplicate', chords: ['Mod+D'], enabled: hasNodes, run: (editor) => void duplicateSelection(editor) },
+  'edit.delete': { label: 'Delete', chords: ['Delete', 'Backspace'], enabled: hasSelection, run: (editor) => void deleteSelection(editor) },
+  'edit.select-all': { label: 'Select all', chords: ['Mod+A'], enabled: isOpen, run: selectAll },
+  'edit.mute': { label: 'Mute', chords: ['M'], enabled: hasNodes, run: (editor) => void toggleMuted(editor) },
+  'graph.add': { label: 'Add node…', chords: ['Tab'], enabled: isOpen, run: openPalette },
+  'view.fit': { label: 'Show the whole graph', chords: ['F'], enabled: isOpen, run: ({ ui }) => revealNodes(ui, []) },
+  'view.fit-selection': {
+    label: 'Show the selection',
+    chords: ['Shift+F'],
+    enabled: hasNodes,
+    run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes]),
+  },
+  'view.code': {
+    label: 'Shader source',
+    chords: ['Mod+J'],
+    enabled: (editor) => editableShader(editor) !== null || editor.ui.getState().bottom === 'code',
+    run: (editor) => toggleBottom(editor, 'code'),
+    whileTyping: true,
+  },
+  'view.problems': { label: 'Problems', chords: ['Mod+M'], enabled: always, run: (editor) => toggleBottom(editor, 'problems'), whileTyping: true },
+  'help.shortcuts': { label: 'Keyboard shortcuts', chords: ['?'], enabled: always, run: ({ ui }) => ui.setState({ dialog: { kind: 'shortcuts' } }) },
+} as const satisfies Record<string, AppCommand>;
+
+export type AppCommandId = keyof typeof COMMANDS;
+
+export function appCommand(id: AppCommandId): AppCommand {
+  return COMMANDS[id];
+}
+
+export function appCommandIds(): readonly AppCommandId[] {
+  return Object.keys(COMMANDS) as AppCommandId[];
+}
+
+/** Does nothing where the command is not enabled. */
+export function runCommand(editor: Editor, id: AppCommandId): void {
+  const { enabled, run } = appCommand(id);
+  if (enabled(editor)) run(editor);
+}
+
+/** The command of a chord; with a text field focused, only those that no text field has a use for. */
+export function commandOfChord(chord: string, typing: boolean): AppCommandId | null {
+  const found = appCommandIds().find((id) => appCommand(id).chords.includes(chord) && (!typing || appCommand(id).whileTyping === true));
+  return found ?? null;
+}
+
+/** In the middle of the window, which is the middle of the canvas within a few pixels. */
+function openPalette({ ui }: Editor): void {
+  const place = { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
+  ui.setState({ palette: { at: place, place: null, end: null } });
+}
+
+function toggleBottom({ ui }: Editor, tab: BottomTab): void {
+  ui.setState(({ bottom }) => ({ bottom: bottom === tab ? null : tab }));
+}
+

@@ -1,0 +1,51 @@
+import { hasErrors } from '../../nodes/kit/diagnostics.ts';
+import type { Change } from '../../export/graph/commands/change.ts';
+import * as history from '../../export/graph/history.ts';
+import { printWire } from '../../export/graph/wires.ts';
+import { own } from '../../export/graph/own.ts';
+import type { Project } from '../../export/graph/project.ts';
+import { graphOf } from './document.ts';
+import type { Editor } from './editor.ts';
+import { keepInSelection } from './selection.ts';
+import { toastDiagnostic } from './ui.ts';
+
+/**
+ * Takes over a change as one step of the history; changes with the same `key`, one after the other, are one step until
+ * `endGesture`. A refused change is shown with its reason and answers false.
+ */
+export function apply(editor: Editor, label: string, change: Change, key?: string): boolean {
+  for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, diagnostic);
+  if (hasErrors(change.diagnostics)) return false;
+  if (change.patches.length === 0) return true;
+  const before = editor.document.getState().history;
+  takeOver(editor, change.project, history.record(before, change, key === undefined ? { label } : { label, key }));
+  return true;
+}
+
+/** What follows is a step of its own. */
+export function endGesture(editor: Editor): void {
+  const before = editor.document.getState().history;
+  const after = history.endStep(before);
+  if (after !== before) editor.document.setState({ history: after });
+}
+
+export function undo(editor: Editor): void {
+  move(editor, history.undo);
+}
+
+export function redo(editor: Editor): void {
+  move(editor, history.redo);
+}
+
+function move(editor: Editor, step: typeof history.undo): void {
+  const { history: before, project } = editor.document.getState();
+  const moved = step(before, project);
+  if (moved !== null) takeOver(editor, moved.project, moved.history);
+}
+
+function takeOver(editor: Editor, project: Project, next: history.History): void {
+  editor.document.setState(({ revision }) => ({ project, history: next, library: editor.libraries.of(project), revision: revision + 1 }));
+  const { nodes, wires } = graphOf(editor.document.getState());
+  const ids = new Set(wires.map(printWire));
+  keepInSelection(editor.selection, (kind, id) => (kind === 'node' ? own(nodes, id) !== undefined : ids.has(id)));
+}

@@ -1,0 +1,62 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { OpenEnd } from '../canvas/palette-search.ts';
+
+/** What happens on the canvas and is no part of the document. */
+export interface CanvasState {
+  /** Nodes that show every param that could be wired. */
+  readonly expanded: ReadonlySet<string>;
+  /** The node under a wire in hand, expanded for as long as it is. */
+  readonly offered: string | null;
+  /** Where nodes are while they are dragged, canvas units. */
+  readonly dragged: Readonly<Record<string, Place>>;
+  readonly inHand: WireInHand | null;
+}
+
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface WireInHand extends OpenEnd {
+  readonly node: string;
+  readonly port: string;
+}
+
+export type CanvasStore = StoreApi<CanvasState>;
+
+const NOWHERE: CanvasState['dragged'] = {};
+
+export function createCanvasState(): CanvasStore {
+  return createStore<CanvasState>(() => ({ expanded: new Set(), offered: null, dragged: NOWHERE, inHand: null }));
+}
+
+export function toggleExpanded(store: CanvasStore, node: string): void {
+  store.setState(({ expanded }) => {
+    const next = new Set(expanded);
+    if (!next.delete(node)) next.add(node);
+    return { expanded: next };
+  });
+}
+
+export function takeWire(store: CanvasStore, inHand: WireInHand): void {
+  store.setState({ inHand });
+}
+
+export function dropWire(store: CanvasStore): void {
+  store.setState({ inHand: null, offered: null });
+}
+
+export function offerParams(store: CanvasStore, node: string | null): void {
+  if (store.getState().offered !== node) store.setState({ offered: node });
+}
+
+export function dragTo(store: CanvasStore, places: Readonly<Record<string, Place>>): void {
+  store.setState(({ dragged }) => ({ dragged: { ...dragged, ...places } }));
+}
+
+/** Ends a drag: what was dragged, and nothing is any more. */
+export function endDrag(store: CanvasStore): CanvasState['dragged'] {
+  const { dragged } = store.getState();
+  store.setState({ dragged: NOWHERE });
+  return dragged;
+}

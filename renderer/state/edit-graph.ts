@@ -1,0 +1,152 @@
+import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
+import { moveNodes as moveNodesCommand } from '../../export/graph/commands/layout.ts';
+import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../export/graph/commands/wires.ts';
+import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
+import { canConnect } from '../../export/graph/connect.ts';
+import { createFaceLookup, inputOf } from '../../export/graph/library/faces.ts';
+import { makeNodeId } from '../../export/graph/names.ts';
+import { own } from '../../export/graph/own.ts';
+import type { PortAddress, Wire } from '../../export/graph/project.ts';
+import { printWire } from '../../export/graph/wires.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { WireType } from '../../nodes/kit/wire-types.ts';
+import type { PaletteEntry } from '../canvas/palette-search.ts';
+import { apply } from './apply.ts';
+import type { Place, WireInHand } from './canvas.ts';
+import { takeWire } from './canvas.ts';
+import { graphOf, nodeOf } from './document.ts';
+import type { Editor } from './editor.ts';
+import { selectOnly } from './selection.ts';
+import { toastDiagnostic } from './ui.ts';
+
+/** One end of a wire, and which side of its node it is on where that is known. */
+export interface WireEnd extends PortAddress {
+  readonly side: 'input' | 'output';
+}
+
+/** Why a wire cannot run between two ports, or null where it can. Replacing the wire of a port that takes one is no obstacle. */
+export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnostic | null {
+  const { project, library, graph } = editor.document.getState();
+  if (start.side === end.side) {
+    const message = `Both are ${start.side}s: a wire goes from an output to an input.`;
+    return { code: 'SCR012', severity: 'error', nodeId: end.node, port: end.port, message };
+  }
+  const [from, to] = start.side === 'output' ? [start, end] : [end, start];
+  const result = canConnect(project, library, graph, addressOf(from), addressOf(to));
+  return result.ok ? null : result.reason;
+}
+
+export function connect(editor: Editor, from: PortAddress, to: PortAddress): boolean {
+  const { project, library, graph } = editor.document.getState();
+  return apply(editor, 'Connect', connectCommand(project, { library, graph, from, to }));
+}
+
+/** Moves one end of a wire. */
+export function rewire(editor: Editor, wireId: string, from: PortAddress, to: PortAddress): boolean {
+  const { project, library, graph } = editor.document.getState();
+  const old = findWires(editor, [wireId]);
+  if (printWire({ from, to }) === wireId) return false;
+  return apply(
+    editor,
+    'Move wire',
+    inTurn(
+      project,
+      (before) => disconnect(before, { graph, wires: old }),
+      (before) => connectCommand(before, { library, graph, from, to }),
+    ),
+  );
+}
+
+export function removeWires(editor: Editor, ids: readonly string[]): boolean {
+  const { project, graph } = editor.document.getState();
+  return apply(editor, 'Disconnect', disconnect(project, { graph, wires: findWires(editor, ids) }));
+}
+
+export function reorderWires(editor: Editor, to: PortAddress, from: readonly PortAddress[]): boolean {
+  const { project, graph } = editor.document.getState();
+  return apply(editor, 'Reorder wires', reorderCommand(project, { graph, to, from }));
+}
+
+export function moveNodes(editor: Editor, positions: Readonly<Record<string, Place>>): boolean {
+  const { project, graph } = editor.document.getState();
+  return apply(editor, 'Move', moveNodesCommand(project, { graph, positions }), `move ${Object.keys(positions).sort().join(' ')}`);
+}
+
+/** Adds the chosen type at a place, wires what was in hand, and selects it; all one step. */
+export function addNodeFromPalette(editor: Editor, { definition, port }: PaletteEntry, place: Place, inHand: WireInHand | null): string | null {
+  const { project, library, graph } = editor.document.getState();
+  const id = makeNodeId(project, definition.type, editor.random);
+  const change = inTurn(
+    project,
+    (before) => addNode(before, { library, graph, id, type: definition.type, ...place }),
+    (before) => {
+      if (inHand === null || port === null) return unchanged(before);
+      const here = { node: id, port };
+      const there = { node: inHand.node, port: inHand.port };
+      const ends = inHand.side === 'output' ? { from: there, to: here } : { from: here, to: there };
+      return connectCommand(before, { library, graph, ...ends });
+    },
+  );
+  if (!apply(editor, `Add ${definition.title}`, change)) return null;
+  selectOnly(editor.selection, [id]);
+  return id;
+}
+
+export function deleteSelection(editor: Editor): boolean {
+  const { project, library, graph } = editor.document.getState();
+  const { nodes, wires } = editor.selection.getState();
+  if (nodes.size + wires.size === 0) return false;
+  const gone = findWires(editor, wires);
+  return apply(
+    editor,
+    'Delete',
+    inTurn(
+      project,
+      (before) => disconnect(before, { graph, wires: gone }),
+      (before) => removeNodes(before, { library, graph, nodes: [...nodes] }),
+    ),
+  );
+}
+
+/** Mutes the selected nodes, or unmutes them where all are muted. */
+export function toggleMuted(editor: Editor): boolean {
+  const state = editor.document.getState();
+  const ids = [...editor.selection.getState().nodes];
+  if (ids.length === 0) return false;
+  const muted = !ids.every((id) => graphOf(state).nodes[id]?.muted === true);
+  return apply(editor, muted ? 'Mute' : 'Unmute', setMuted(state.project, { graph: state.graph, nodes: ids, muted }));
+}
+
+export function selectAll(editor: Editor): void {
+  const { nodes, wires } = graphOf(editor.document.getState());
+  selectOnly(editor.selection, Object.keys(nodes), wires.map(printWire));
+}
+
+/** Begins to draw a wire from a port. */
+export function takeWireFrom(editor: Editor, node: string, port: string, side: 'input' | 'output'): void {
+  const type = typeOfPort(editor, { node, port, side });
+  if (type !== null) takeWire(editor.canvas, { node, port, side, type });
+}
+
+/** Says why a wire that was let go over a port was not drawn. */
+export function explainRefusal(editor: Editor, start: WireEnd, end: WireEnd): void {
+  const reason = refusalOf(editor, start, end);
+  if (reason !== null) toastDiagnostic(editor.ui, reason);
+}
+
+function typeOfPort(editor: Editor, { node, port, side }: WireEnd): WireType | null {
+  const state = editor.document.getState();
+  const type = nodeOf(state, node)?.type;
+  const face = type === undefined ? undefined : createFaceLookup(state.project, state.library)(type);
+  if (!face) return null;
+  return (side === 'output' ? own(face.outputs, port)?.type : inputOf(face, port)?.type) ?? null;
+}
+
+function findWires(editor: Editor, ids: Iterable<string>): Wire[] {
+  const wanted = new Set(ids);
+  return graphOf(editor.document.getState()).wires.filter((wire) => wanted.has(printWire(wire)));
+}
+
+function addressOf({ node, port }: PortAddress): PortAddress {
+  return { node, port };
+}

@@ -1,0 +1,46 @@
+import { bindParam, setParam } from '../../export/graph/commands/params.ts';
+import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
+import { disconnect } from '../../export/graph/commands/wires.ts';
+import { own } from '../../export/graph/own.ts';
+import type { ParamValue } from '../../export/graph/project.ts';
+import { apply } from './apply.ts';
+import { graphOf, nodeOf } from './document.ts';
+import type { Editor } from './editor.ts';
+
+/** Part of a gesture, which `endGesture` ends: all its values are one step. */
+export function editParam(editor: Editor, node: string, param: string, value: ParamValue): boolean {
+  const { project, library, graph } = editor.document.getState();
+  const label = library.definition(nodeOf(editor.document.getState(), node)?.type ?? '')?.params[param]?.label ?? param;
+  return apply(editor, `Change ${label}`, setParam(project, { library, graph, node, param, value }), `param ${graph} ${node} ${param}`);
+}
+
+/** Back to the definition's value, without wire, track or expression. */
+export function resetParam(editor: Editor, node: string, param: string): boolean {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const definition = library.definition(nodeOf(state, node)?.type ?? '')?.params[param];
+  if (!definition) return false;
+  const wires = graphOf(state).wires.filter(({ to }) => to.node === node && to.port === param);
+  const change = inTurn(
+    project,
+    (before) => (wires.length === 0 ? unchanged(before) : disconnect(before, { graph, wires })),
+    (before) => bindParam(before, { library, graph, node, param, binding: { value: definition.default } }),
+  );
+  return apply(editor, `Reset ${definition.label}`, change);
+}
+
+/** Shows a param as a port on the node's face, or hides it again. */
+export function setExposed(editor: Editor, node: string, param: string, exposed: boolean): boolean {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const definition = library.definition(nodeOf(state, node)?.type ?? '')?.params[param];
+  if (!definition) return false;
+  const binding = own(nodeOf(state, node)?.params ?? {}, param);
+  const held = binding && 'value' in binding ? binding.value : binding && 'port' in binding ? binding.port : definition.default;
+  const next = exposed ? { port: held } : { value: held };
+  return apply(
+    editor,
+    exposed ? `Show ${definition.label} as a port` : `Hide the port ${definition.label}`,
+    bindParam(project, { library, graph, node, param, binding: next }),
+  );
+}

@@ -1,0 +1,62 @@
+import type { Host } from '../../app/contract/contract.ts';
+import type { EditorClock } from '../clock.ts';
+import { type CanvasStore, createCanvasState } from './canvas.ts';
+import { type CompileStore, createCompileState } from './compile.ts';
+import { createDocument, type DocumentStore } from './document.ts';
+import { createLibraries, type Libraries, type LibraryData } from './library.ts';
+import { createPreviewState, type PreviewStore } from './preview.ts';
+import { createSelection, type SelectionStore } from './selection.ts';
+import { createUi, type PanelSizes, type UiStore } from './ui.ts';
+
+/** Text, as other windows see it. Rejects where the browser forbids it. */
+export interface Clipboard {
+  read(): Promise<string>;
+  write(text: string): Promise<void>;
+}
+
+/**
+ * The editor without its page: stores that each hold one concern, and what the outside lends. What people do are functions over
+ * it (`edit-graph.ts`, `edit-params.ts`, `files.ts`, …), so that it can be driven without React.
+ */
+export interface Editor {
+  readonly host: Host;
+  readonly clock: EditorClock;
+  readonly random: () => number;
+  readonly mac: boolean;
+  readonly clipboard: Clipboard;
+  readonly libraries: Libraries;
+  readonly document: DocumentStore;
+  readonly selection: SelectionStore;
+  readonly canvas: CanvasStore;
+  readonly ui: UiStore;
+  readonly compile: CompileStore;
+  readonly preview: PreviewStore;
+}
+
+export interface EditorOptions {
+  readonly host: Host;
+  readonly clock: EditorClock;
+  readonly random: () => number;
+  readonly library: LibraryData;
+  readonly mac: boolean;
+  readonly clipboard: Clipboard;
+  readonly sizes: PanelSizes;
+}
+
+export function createEditor({ host, clock, random, library, mac, clipboard, sizes }: EditorOptions): Editor {
+  const libraries = createLibraries(library);
+  return {
+    host,
+    clock,
+    random,
+    mac,
+    clipboard,
+    libraries,
+    document: createDocument(libraries.of({ sources: {} })),
+    selection: createSelection(),
+    canvas: createCanvasState(),
+    ui: createUi(sizes),
+    compile: createCompileState(),
+    preview: createPreviewState(),
+  };
+}

@@ -1,0 +1,64 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+
+/** Node ids and wire ids (as `printWire` writes them) of the graph that is open. */
+export interface Selection {
+  readonly nodes: ReadonlySet<string>;
+  readonly wires: ReadonlySet<string>;
+}
+
+export type SelectionStore = StoreApi<Selection>;
+
+const NOTHING: Selection = { nodes: new Set(), wires: new Set() };
+
+export function createSelection(): SelectionStore {
+  return createStore<Selection>(() => NOTHING);
+}
+
+export function selectOnly(store: SelectionStore, nodes: Iterable<string>, wires: Iterable<string> = []): void {
+  const next = { nodes: new Set(nodes), wires: new Set(wires) };
+  const { nodes: oldNodes, wires: oldWires } = store.getState();
+  if (!sameSet(oldNodes, next.nodes) || !sameSet(oldWires, next.wires)) store.setState(next);
+}
+
+export function selectNothing(store: SelectionStore): void {
+  selectOnly(store, []);
+}
+
+export interface SelectionChange {
+  readonly kind: 'node' | 'wire';
+  readonly id: string;
+  readonly selected: boolean;
+}
+
+/** What the canvas reports: each change adds or takes one. */
+export function changeSelection(store: SelectionStore, changes: readonly SelectionChange[]): void {
+  if (changes.length === 0) return;
+  const nodes = new Set(store.getState().nodes);
+  const wires = new Set(store.getState().wires);
+  for (const { kind, id, selected } of changes) {
+    const set = kind === 'node' ? nodes : wires;
+    if (selected) set.add(id);
+    else set.delete(id);
+  }
+  selectOnly(store, nodes, wires);
+}
+
+/** Drops what is no longer there, after an undo for example. */
+export function keepInSelection(store: SelectionStore, exists: (kind: 'node' | 'wire', id: string) => boolean): void {
+  const { nodes, wires } = store.getState();
+  selectOnly(
+    store,
+    [...nodes].filter((id) => exists('node', id)),
+    [...wires].filter((id) => exists('wire', id)),
+  );
+}
+
+/** The one selected node, or null where none or several are. */
+export function soleNode({ nodes }: Selection): string | null {
+  const [first] = nodes;
+  return nodes.size === 1 && first !== undefined ? first : null;
+}
+
+function sameSet(a: ReadonlySet<string>, b: ReadonlySet<string>): boolean {
+  return a.size === b.size && [...a].every((value) => b.has(value));
+}

@@ -1,0 +1,95 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { OpenEnd } from '../canvas/palette-search.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+
+/** Sizes and choices that outlive the window. CSS pixels. */
+export interface PanelSizes {
+  readonly sideWidthPx: number;
+  readonly previewHeightPx: number;
+  readonly bottomHeightPx: number;
+}
+
+export const DEFAULT_SIZES: PanelSizes = { sideWidthPx: 380, previewHeightPx: 330, bottomHeightPx: 280 };
+
+export type BottomTab = 'code' | 'problems';
+
+/** Someone asked for a new node: where it goes, and what wire waits for it. */
+export interface PaletteRequest {
+  /** Client pixels. */
+  readonly at: { readonly x: number; readonly y: number };
+  /** Canvas units; null: the middle of what is seen. */
+  readonly place: { readonly x: number; readonly y: number } | null;
+  readonly end: (OpenEnd & { readonly node: string; readonly port: string }) | null;
+}
+
+export type DialogRequest =
+  | { readonly kind: 'open' }
+  | { readonly kind: 'save-as' }
+  | { readonly kind: 'export' }
+  /** Something is about to drop unsaved work; `proceed` goes on with it. */
+  | { readonly kind: 'unsaved'; readonly proceed: () => void }
+  | { readonly kind: 'recovery' }
+  | { readonly kind: 'changed-outside' }
+  | { readonly kind: 'shortcuts' };
+
+export interface Toast {
+  readonly id: number;
+  readonly tone: 'info' | 'success' | 'warning' | 'error';
+  readonly text: string;
+  readonly detail?: string;
+}
+
+/** Where the code panel should go, and the canvas should look. */
+export interface Reveal {
+  readonly serial: number;
+  readonly nodes: readonly string[];
+}
+
+export interface CodePosition {
+  readonly serial: number;
+  readonly line: number;
+  readonly column: number;
+}
+
+export interface UiState {
+  readonly sizes: PanelSizes;
+  readonly bottom: BottomTab | null;
+  readonly palette: PaletteRequest | null;
+  readonly dialog: DialogRequest | null;
+  readonly toasts: readonly Toast[];
+  readonly reveal: Reveal | null;
+  readonly codePosition: CodePosition | null;
+}
+
+export type UiStore = StoreApi<UiState>;
+
+export function createUi(sizes: PanelSizes): UiStore {
+  return createStore<UiState>(() => ({ sizes, bottom: null, palette: null, dialog: null, toasts: [], reveal: null, codePosition: null }));
+}
+
+const MAX_TOASTS = 4;
+
+export function addToast(store: UiStore, toast: Omit<Toast, 'id'>): number {
+  const { toasts } = store.getState();
+  const id = (toasts.at(-1)?.id ?? 0) + 1;
+  // The same refusal twice is one message.
+  const others = toasts.filter((old) => old.text !== toast.text);
+  store.setState({ toasts: [...others, { ...toast, id }].slice(-MAX_TOASTS) });
+  return id;
+}
+
+export function toastDiagnostic(store: UiStore, { severity, message, fix }: Pick<Diagnostic, 'severity' | 'message' | 'fix'>): number {
+  return addToast(store, { tone: severity, text: message, ...(fix === undefined ? {} : { detail: fix }) });
+}
+
+export function removeToast(store: UiStore, id: number): void {
+  store.setState(({ toasts }) => ({ toasts: toasts.filter((toast) => toast.id !== id) }));
+}
+
+export function revealNodes(store: UiStore, nodes: readonly string[]): void {
+  store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes } }));
+}
+
+export function revealCode(store: UiStore, line: number, column: number): void {
+  store.setState(({ codePosition }) => ({ bottom: 'code', codePosition: { serial: (codePosition?.serial ?? 0) + 1, line, column } }));
+}

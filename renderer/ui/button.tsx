@@ -1,0 +1,59 @@
+import type { ReactNode } from 'react';
+import './button.css';
+import { Icon, type IconName } from './icon.tsx';
+
+interface ButtonProps {
+  readonly children: ReactNode;
+  readonly onPress: () => void;
+  readonly icon?: IconName;
+  readonly look?: 'plain' | 'primary' | 'quiet' | 'danger';
+  readonly disabled?: boolean;
+  readonly tip?: string;
+  readonly autoFocus?: boolean;
+}
+
+export function Button({ children, onPress, icon, look = 'plain', disabled = false, tip, autoFocus = false }: ButtonProps) {
+  return (
+    <button
+      type="button"
+      className={`button button-${look}`}
+      onClick={onPress}
+      disabled={disabled}
+      data-tip={tip}
+      data-autofocus={autoFocus ? '' : undefined}
+    >
+      {icon && <Icon name={icon} />}
+      <span>{children}</span>
+    </button>
+  );
+}
+
+interface IconButtonProps {
+  readonly icon: IconName;
+  /** Read out, and shown as the tooltip. */
+  readonly label: string;
+  readonly onPress: () => void;
+  /** Shown behind the label in the tooltip. */
+  readonly keys?: string;
+  readonly disabled?: boolean;
+  /** For buttons that stay down. */
+  readonly pressed?: boolean;
+  readonly small?: boolean;
+}
+
+export function IconButton({ icon, label, onPress, keys, disabled = false, pressed, small = false }: IconButtonProps) {
+  return (
+    <button
+      type="button"
+      className={small ? 'icon-button icon-button-small' : 'icon-button'}
+      aria-label={label}
+      aria-pressed={pressed}
+      data-tip={label}
+      data-tip-keys={keys}
+      disabled={disabled}
+      onClick={onPress}
+    >
+      <Icon name={icon} size={small ? 14 : 16} />
+    </button>
+  );
+}

@@ -1,0 +1,121 @@
+import { type KeyboardEvent, type PointerEvent, useEffect, useRef, useState } from 'react';
+import './fields.css';
+
+/** How edits are told apart: those of one gesture become one undo step, which `end` closes. */
+export interface EditHandlers<T> {
+  readonly onEdit: (value: T) => void;
+  readonly onEnd: () => void;
+}
+
+interface NumberFieldProps extends EditHandlers<number> {
+  readonly value: number;
+  readonly label: string;
+  readonly id?: string;
+  readonly step: number;
+  readonly suffix: string;
+  readonly format: (value: number) => string;
+  /** Null where the text is no number. */
+  readonly parse: (text: string) => number | null;
+  readonly clamp: (value: number) => number;
+}
+
+const SCRUB_START_PX = 3;
+const PX_PER_STEP = 2;
+
+/** A number as text. Dragging it sideways, or the arrow keys, change it by steps; Shift makes ten of them, Alt a tenth. */
+export function NumberField(props: NumberFieldProps) {
+  const { value, label, id, step, suffix, format, parse, clamp, onEdit, onEnd } = props;
+  const [typed, setTyped] = useState<string | null>(null);
+  const field = useRef<HTMLInputElement>(null);
+  const scrub = useRef<{ x: number; value: number; moving: boolean } | null>(null);
+  const edited = useRef(false);
+
+  const finish = () => {
+    if (typed !== null) {
+      const parsed = parse(typed);
+      if (parsed !== null && clamp(parsed) !== value) onEdit(clamp(parsed));
+      setTyped(null);
+    }
+    onEnd();
+  };
+  // Another node's field takes this one's place while text is being typed: the text belongs to the old one.
+  useEffect(() => () => setTyped(null), []);
+
+  const onKeyDown = (event: KeyboardEvent<HTMLInputElement>) => {
+    if (event.key === 'Enter') {
+      finish();
+      field.current?.select();
+    } else if (event.key === 'Escape' && typed !== null) {
+      event.stopPropagation();
+      setTyped(null);
+    } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
+      event.preventDefault();
+      const from = (typed === null ? null : parse(typed)) ?? value;
+      setTyped(null);
+      edited.current = true;
+      onEdit(clamp(round(from + stepOf(step, event) * (event.key === 'ArrowUp' ? 1 : -1))));
+    }
+  };
+  const onKeyUp = () => {
+    if (edited.current) onEnd();
+    edited.current = false;
+  };
+  const onPointerDown = (event: PointerEvent<HTMLInputElement>) => {
+    if (document.activeElement === field.current || event.button !== 0) return;
+    // The focus, and with it the keyboard, comes only when this turns out to be a click.
+    event.preventDefault();
+    event.currentTarget.setPointerCapture(event.pointerId);
+    scrub.current = { x: event.clientX, value, moving: false };
+  };
+  const onPointerMove = (event: PointerEvent<HTMLInputElement>) => {
+    const from = scrub.current;
+    if (!from) return;
+    const byPx = event.clientX - from.x;
+    if (!from.moving && Math.abs(byPx) < SCRUB_START_PX) return;
+    from.moving = true;
+    onEdit(clamp(round(from.value + Math.round(byPx / PX_PER_STEP) * stepOf(step, event))));
+  };
+  const onPointerUp = () => {
+    const from = scrub.current;
+    scrub.current = null;
+    if (from?.moving) onEnd();
+    else if (from) field.current?.focus();
+  };
+
+  return (
+    <span className="number-field">
+      <input
+        ref={field}
+        id={id}
+        className="field"
+        inputMode="decimal"
+        autoComplete="off"
+        spellCheck={false}
+        aria-label={label}
+        value={typed ?? format(value)}
+        onChange={(event) => setTyped(event.target.value)}
+        onFocus={(event) => event.target.select()}
+        onBlur={finish}
+        onKeyDown={onKeyDown}
+        onKeyUp={onKeyUp}
+        onPointerDown={onPointerDown}
+        onPointerMove={onPointerMove}
+        onPointerUp={onPointerUp}
+      />
+      {suffix !== '' && (
+        <span className="number-suffix" aria-hidden="true">
+          {suffix}
+        </span>
+      )}
+    </span>
+  );
+}
+
+function stepOf(step: number, event: { readonly shiftKey: boolean; readonly altKey: boolean }): number {
+  return event.shiftKey ? step * 10 : event.altKey ? step / 10 : step;
+}
+
+/** Takes the noise of binary fractions off sums of decimal steps. */
+function round(value: number): number {
+  return Number(value.toPrecision(12));
+}

@@ -1,0 +1,80 @@
+import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
+import './split.css';
+
+interface SplitProps {
+  /** `columns`: side by side. `rows`: one above the other. */
+  readonly direction: 'columns' | 'rows';
+  readonly first: ReactNode;
+  readonly second: ReactNode;
+  /** Which of the two keeps its size when the window changes. */
+  readonly fixed: 'first' | 'second';
+  /** Of the fixed side, CSS pixels. */
+  readonly sizePx: number;
+  readonly minPx: number;
+  /** Left to the other side at least, CSS pixels. */
+  readonly otherMinPx: number;
+  readonly onResize: (sizePx: number) => void;
+  /** What the handle moves, for screen readers. */
+  readonly label: string;
+}
+
+const KEY_STEP_PX = 24;
+
+/** Two panes with a handle between them that pointer and arrow keys move. */
+export function Split(props: SplitProps) {
+  const { direction, first, second, fixed, sizePx, minPx, otherMinPx, onResize, label } = props;
+  const frame = useRef<HTMLDivElement>(null);
+  const drag = useRef<{ from: number; sizePx: number } | null>(null);
+  const columns = direction === 'columns';
+  /** Pointer towards the end makes the first pane larger, and the second smaller. */
+  const sign = fixed === 'first' ? 1 : -1;
+
+  const resize = (wanted: number) => {
+    const box = frame.current?.getBoundingClientRect();
+    if (!box) return;
+    const whole = columns ? box.width : box.height;
+    onResize(Math.round(Math.max(minPx, Math.min(wanted, whole - otherMinPx))));
+  };
+  const at = (event: PointerEvent) => (columns ? event.clientX : event.clientY);
+  const onPointerDown = (event: PointerEvent<HTMLElement>) => {
+    event.currentTarget.setPointerCapture(event.pointerId);
+    drag.current = { from: at(event), sizePx };
+  };
+  const onPointerMove = (event: PointerEvent<HTMLElement>) => {
+    if (drag.current) resize(drag.current.sizePx + sign * (at(event) - drag.current.from));
+  };
+  const onKeyDown = (event: KeyboardEvent<HTMLElement>) => {
+    const back = columns ? 'ArrowLeft' : 'ArrowUp';
+    const forth = columns ? 'ArrowRight' : 'ArrowDown';
+    if (event.key !== back && event.key !== forth) return;
+    event.preventDefault();
+    resize(sizePx + sign * (event.key === forth ? KEY_STEP_PX : -KEY_STEP_PX));
+  };
+
+  const limit = `max(${minPx}px, min(${sizePx}px, 100% - ${otherMinPx}px))`;
+  const tracks = fixed === 'first' ? `${limit} 1px minmax(0, 1fr)` : `minmax(0, 1fr) 1px ${limit}`;
+  return (
+    <div
+      ref={frame}
+      className={`split split-${direction}`}
+      style={columns ? { gridTemplateColumns: tracks } : { gridTemplateRows: tracks }}
+    >
+      <div className="split-pane">{first}</div>
+      <hr
+        className="split-handle"
+        tabIndex={0}
+        aria-label={label}
+        aria-orientation={columns ? 'vertical' : 'horizontal'}
+        aria-valuenow={sizePx}
+        aria-valuemin={minPx}
+        onPointerDown={onPointerDown}
+        onPointerMove={onPointerMove}
+        onPointerUp={() => {
+          drag.current = null;
+        }}
+        onKeyDown={onKeyDown}
+      />
+      <div className="split-pane">{second}</div>
+    </div>
+  );
+}

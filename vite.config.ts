@@ -1,0 +1,41 @@
+import { resolve } from 'node:path';
+import react from '@vitejs/plugin-react';
+import { defineConfig } from 'vite';
+
+/**
+ * Two pages on two origins, so two builds that share no file: `vite build` makes the editor in `dist/editor`, and
+ * `vite build --mode preview` its preview page in `dist/preview`. All addresses are relative: the shells choose the origins.
+ */
+export default defineConfig(({ mode }) => {
+  const preview = mode === 'preview';
+  return {
+    root: resolve(import.meta.dirname, preview ? 'renderer/preview' : 'renderer'),
+    base: './',
+    publicDir: false,
+    plugins: preview ? [shaderText()] : [react(), shaderText()],
+    define: { 'process.env.NODE_ENV': '"production"' },
+    // One file a worker, so that it starts at every address and under every `worker-src`.
+    worker: { format: 'iife', plugins: () => [shaderText()] },
+    build: {
+      outDir: resolve(import.meta.dirname, preview ? 'dist/preview' : 'dist/editor'),
+      emptyOutDir: true,
+      // Electron 22, the oldest that the project tests on, is Chrome 108.
+      target: 'chrome108',
+      cssTarget: 'chrome108',
+      assetsInlineLimit: 0,
+      modulePreload: { polyfill: false },
+      reportCompressedSize: false,
+      chunkSizeWarningLimit: 4096,
+    },
+  };
+});
+
+/** `.fs`, `.vs` and `.glsl` files are imported as text, as by esbuild and in the tests. */
+function shaderText() {
+  return {
+    name: 'scrim-shader-text',
+    transform(code: string, id: string) {
+      return /\.(fs|vs|glsl)$/.test(id) ? { code: `export default ${JSON.stringify(code)};`, map: null } : null;
+    },
+  };
+}
