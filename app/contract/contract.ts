@@ -53,7 +53,10 @@ const openProject = z.object({
   recovery: projectFiles.nullable(),
 });
 
-/** `url` is on the preview's origin: a folder, ending in `/`, with `session.json` for a recording; null for a room, which has a name only. */
+/**
+ * `url` is on the preview's origin: for a recording its folder, ending in `/`, with `session.json` in it; for a room the JSON of
+ * its capture, or null where the emulator makes the room itself. The id of a room is `room/NAME`.
+ */
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
 
 /** What the window's own menu can ask of the editor. */

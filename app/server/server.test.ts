@@ -1,7 +1,7 @@
 import { mkdir, mkdtemp, readFile, rm, symlink, truncate, writeFile } from 'node:fs/promises';
 import { request } from 'node:http';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import type { HostEvent } from '../contract/contract.ts';
 import { createHttpHost, TOKEN_HEADER } from '../contract/http-client.ts';
@@ -31,6 +31,7 @@ beforeEach(async () => {
   }
   await mkdir(join(base, 'install', 'examples', 'sessions', 'studio'), { recursive: true });
   await writeFile(join(base, 'install', 'examples', 'sessions', 'studio', 'session.json'), '{"title":"Studio"}');
+  await symlink(resolve(import.meta.dirname, '../../node_modules'), join(base, 'install', 'node_modules'));
   faults.length = 0;
   server = await startServer({
     installation: installationAt(join(base, 'install'), '1.2.3'),
@@ -357,15 +358,15 @@ describe('the two origins', () => {
     expect(list.map(({ id, title, kind }) => `${kind} ${id} ${title}`)).toEqual([
       'recorded project/my desk My desk',
       'recorded example/studio Studio',
+      'room room/studio Studio',
       'room room/living_room Living room',
       'room room/meeting_room Meeting room',
       'room room/music_room Music room',
       'room room/office_large Large office',
       'room room/office_small Small office',
     ]);
-    for (const { url } of list) {
-      if (url === null) continue;
-      expect(await raw(server.previewOrigin, `${new URL(url).pathname}session.json`)).toMatchObject({ status: 200 });
-    }
+    const urls = list.flatMap(({ kind, url }) => (url === null ? [] : [kind === 'room' ? url : `${url}session.json`]));
+    expect(urls).toHaveLength(7);
+    for (const url of urls) expect([url, (await raw(server.previewOrigin, new URL(url).pathname)).status]).toEqual([url, 200]);
   });
 });

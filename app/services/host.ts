@@ -41,9 +41,12 @@ export interface HostService {
   dispose(): void;
 }
 
+const ROOMS_MOUNT = 'rooms/captures';
+
 /** The host of both shells: the contract's methods over the files of this machine. */
 export function createHost({ shell, installation, startPath, files = NODE_FILES, log }: HostOptions): HostService {
   const content = createContent({ origins: shell.origins, pages: installation.pages });
+  content.show(ROOMS_MOUNT, installation.roomsDir);
   const listeners = new Set<(event: HostEvent) => void>();
   const emit = (event: HostEvent) => {
     for (const listener of listeners) listener(event);
@@ -93,7 +96,12 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
           kind: 'recorded' as const,
           url: `${shell.origins.preview}/sessions/${encodeURIComponent(name)}/`,
         })),
-        ...ROOMS.map(({ name, title }) => ({ id: `room/${name}`, title, kind: 'room' as const, url: null })),
+        ...ROOMS.map(({ name, title, capture }) => ({
+          id: `room/${name}`,
+          title,
+          kind: 'room' as const,
+          url: capture === null ? null : `${shell.origins.preview}/${ROOMS_MOUNT}/${capture}`,
+        })),
       ];
     },
     'export.run': ({ handle, files: projectFiles, out }) =>

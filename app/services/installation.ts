@@ -10,6 +10,8 @@ export interface Installation {
   readonly examplesDir: string;
   /** Recorded sessions that come with Scrim. */
   readonly sessionsDir: string;
+  /** Captures of emulated rooms. */
+  readonly roomsDir: string;
 }
 
 export function installationAt(root: string, version: string): Installation {
@@ -20,5 +22,6 @@ export function installationAt(root: string, version: string): Installation {
     pages: { editor: join(root, 'dist', 'editor'), preview: join(root, 'dist', 'preview') },
     examplesDir,
     sessionsDir: join(examplesDir, 'sessions'),
+    roomsDir: join(root, 'node_modules', '@iwer', 'sem', 'captures'),
   };
 }
