@@ -1,0 +1,207 @@
+import { createManualClock } from '../../export/runtime/clock.ts';
+import type { PassUniform } from '../../export/program/program.ts';
+import {
+  colorSampler,
+  createGl,
+  frame,
+  HEIGHT,
+  pass,
+  pixel,
+  program,
+  shader,
+  stand,
+  target,
+  texture,
+  upset,
+  view,
+  WIDTH,
+} from './runtime-kit.ts';
+
+const PICTURE = 'uniform sampler2D picture;';
+
+function uniform(name: string, type: PassUniform['type'], source: PassUniform['source']): PassUniform {
+  return { name, type, source };
+}
+
+/** Two passes and a colour param, on a context whose state is as bad as can be. */
+export async function playsPasses() {
+  const { gl, player } = await stand(
+    program({
+      slots: { numbers: [0.2, 0.4, 0.6, 1], texts: [], slots: [{ type: 'color', offset: 0 }], params: { 'flat.color': 0 } },
+      resources: [target('flat.out')],
+      shaders: [
+        shader('flat', 'color = tint;', 'uniform vec4 tint;'),
+        shader('invert', 'color = vec4(1.0 - texture(picture, uv).rgb, 1.0);', PICTURE),
+      ],
+      operations: [
+        pass('flat', 0, 'flat.out', { uniforms: [uniform('tint', 'vec4', { slot: 0 })] }),
+        pass('invert', 1, 'screen', { samplers: [colorSampler('picture', 'flat.out')] }),
+      ],
+    }),
+  );
+  upset(gl);
+  player.draw(frame(0));
+  const before = pixel(gl, 10, 10);
+  const accepted = [
+    player.setParam('flat', 'color', [1, 1, 0, 1]),
+    player.setParam('flat', 'nothing', 1),
+    player.setParam('flat', 'color', [Number.NaN, 0, 0, 1]),
+  ];
+  upset(gl);
+  player.draw(frame(1));
+  const after = pixel(gl, WIDTH - 1, HEIGHT - 1);
+  player.dispose();
+  return { before, after, accepted, error: gl.getError() };
+}
+
+/** ISF's automatic uniforms. */
+export async function builtins() {
+  const clock = createManualClock(0, Date.UTC(2024, 1, 29, 13, 45, 30));
+  const body = `
+    bool ok = TIME == 0.1 && TIMEDELTA > 0.033 && TIMEDELTA < 0.034 && FRAMEINDEX == 3
+      && vec4(DATE.xyz, floor(DATE.w)) == vec4(2024.0, 2.0, 29.0, 49530.0) && PASSINDEX == 2 && RENDERSIZE == vec2(${WIDTH}.0, ${HEIGHT}.0)
+      && whole == 7 && flag && place == vec2(1.0, 2.0) && axis == vec3(3.0, 4.0, 5.0);
+    color = ok ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);`;
+  const names = ['TIME', 'TIMEDELTA', 'FRAMEINDEX', 'DATE', 'PASSINDEX', 'RENDERSIZE'] as const;
+  const declarations = `uniform float TIME, TIMEDELTA; uniform int FRAMEINDEX, PASSINDEX; uniform vec4 DATE; uniform vec2 RENDERSIZE;
+    uniform int whole; uniform bool flag; uniform vec2 place; uniform vec3 axis;`;
+  const first = program({
+    slots: {
+      numbers: [7, 1, 1, 2, 3, 4, 5],
+      texts: [],
+      slots: [
+        { type: 'number', offset: 0 },
+        { type: 'toggle', offset: 1 },
+        { type: 'vector2', offset: 2 },
+        { type: 'vector3', offset: 4 },
+      ],
+      params: {},
+    },
+    shaders: [shader('builtins', body, declarations)],
+    operations: [
+      pass('builtins', 0, 'screen', {
+        passIndex: 2,
+        uniforms: [
+          ...names.map((name) => uniform(name, 'float', { builtin: name })),
+          uniform('whole', 'int', { slot: 0 }),
+          uniform('flag', 'bool', { slot: 1 }),
+          uniform('place', 'vec2', { slot: 2 }),
+          uniform('axis', 'vec3', { slot: 3 }),
+        ],
+      }),
+    ],
+  });
+  const gl = createGl();
+  const opened = stand(first, { gl, clock });
+  await settle(clock);
+  const { player } = await opened;
+  player.draw(frame(3, undefined, { timeS: Math.fround(0.1) }));
+  const result = pixel(gl, 5, 5);
+  player.dispose();
+  return { result, error: gl.getError() };
+}
+
+/** Runs a manual clock until drivers have answered; promises need turns of their own in between. */
+async function settle(clock: { advance(s: number): void }): Promise<void> {
+  for (let i = 0; i < 50; i++) {
+    clock.advance(0.01);
+    await new Promise((resolve) => setTimeout(resolve, 0));
+  }
+}
+
+const COUNT = 'color = texture(before, uv) + vec4(16.0 / 255.0, 0.0, 0.0, 1.0);';
+
+function counter(viewCount: 1 | 2) {
+  return {
+    program: program({
+      resources: [target('count.buffer', { lifetime: 'persistent' })],
+      shaders: [shader('count', COUNT, 'uniform sampler2D before;'), shader('show', 'color = texture(picture, uv);', PICTURE)],
+      operations: [
+        pass('count', 0, 'count.buffer', { samplers: [colorSampler('before', 'count.buffer')] }),
+        pass('show', 1, 'screen', { samplers: [colorSampler('picture', 'count.buffer')] }),
+      ],
+    }),
+    views: viewCount === 1 ? [view(0, 0, WIDTH, HEIGHT)] : [view(0, 0, WIDTH / 2, HEIGHT), view(WIDTH / 2, 0, WIDTH / 2, HEIGHT)],
+  };
+}
+
+/** A persistent buffer counts frames, per view, over a resize, and starts over on reset. */
+export async function persistent() {
+  const { program: counting, views } = counter(2);
+  const { gl, player } = await stand(counting);
+  const red = (x: number) => pixel(gl, x, 4)[0];
+  for (let i = 0; i < 3; i++) player.draw(frame(i, views));
+  const left = red(2);
+  const right = red(WIDTH - 2);
+  const smaller = [view(0, 0, 16, 16), view(WIDTH / 2, 0, 16, 16)];
+  player.draw(frame(3, smaller));
+  const resized = red(2);
+  player.reset();
+  player.draw(frame(0, smaller));
+  const restarted = red(2);
+  player.dispose();
+  return { left, right, resized, restarted, error: gl.getError() };
+}
+
+/** Sizes are found anew each frame, from the view, other targets, pictures and slots. */
+export async function sizes() {
+  const show = 'color = vec4(vec2(textureSize(picture, 0)) / 255.0, 0.0, 1.0);';
+  const first = program({
+    slots: { numbers: [0.25], texts: [], slots: [{ type: 'number', offset: 0 }], params: { 'small.scale': 0 } },
+    resources: [
+      // Written before its base, to be resized in the right order all the same.
+      target('smaller', {
+        size: { base: 'small', width: [{ op: 'width' }, 2, { op: '-' }], height: [{ op: 'height' }, 3, { op: '/' }, { op: 'ceil' }] },
+      }),
+      target('small', {
+        size: {
+          base: 'view',
+          width: [{ op: 'width' }, { slot: 0 }, { op: '*' }, { op: 'floor' }],
+          height: [{ op: 'height' }, { slot: 0 }, { op: '*' }, 5, { op: 'max' }],
+        },
+      }),
+    ],
+    shaders: [shader('fill', 'color = vec4(1.0);'), shader('show', show, PICTURE)],
+    operations: [
+      pass('fill-smaller', 0, 'smaller'),
+      pass('fill-small', 0, 'small'),
+      pass('show', 1, 'screen', { samplers: [colorSampler('picture', 'smaller')] }),
+    ],
+  });
+  const { gl, player } = await stand(first);
+  player.draw(frame(0));
+  const quarter = pixel(gl, 1, 1);
+  player.setParam('small', 'scale', 0.5);
+  player.draw(frame(1));
+  const half = pixel(gl, 1, 1);
+  player.draw(frame(2, [view(0, 0, 40, 30)]));
+  const other = pixel(gl, 1, 1);
+  player.dispose();
+  return { quarter, half, other, error: gl.getError() };
+}
+
+/** Two eyes side by side, each with a camera picture of its own behind; the second, narrow one of the emulator is skipped. */
+export async function views() {
+  const first = program({
+    shaders: [shader('half', 'color = uv.x < 0.5 ? vec4(0.0) : vec4(0.0, 0.0, 0.2, 0.2);')],
+    operations: [pass('half', 0, 'screen', { blend: 'over' })],
+  });
+  const { gl, player } = await stand(first);
+  const flipX = new Float32Array([-1, 0, 0, 0, 1, 0, 1, 0, 1]);
+  const identity = new Float32Array([1, 0, 0, 0, 1, 0, 0, 0, 1]);
+  const red = { texture: texture(gl, 1, 1, [255, 0, 0, 255]), widthPx: 1, heightPx: 1, uvFromViewUv: identity };
+  // Left half green, right half white; shown mirrored.
+  const two = { texture: texture(gl, 2, 1, [0, 255, 0, 255, 255, 255, 255, 255]), widthPx: 2, heightPx: 1, uvFromViewUv: flipX };
+  const eyes = [view(0, 0, 32, HEIGHT, { eye: 'left', cameraImage: red }), view(32, 0, 32, HEIGHT, { eye: 'right', cameraImage: two })];
+  player.setSession({ world: 'image', blend: 'opaque' });
+  player.draw(frame(0, eyes));
+  const world = [pixel(gl, 4, 4), pixel(gl, 28, 4), pixel(gl, 36, 4), pixel(gl, 60, 4)];
+  player.setSession({ world: 'device', blend: 'alpha' });
+  player.draw(frame(1, eyes));
+  const device = [pixel(gl, 4, 4), pixel(gl, 28, 4)];
+  await player.replaceProgram({ ...first, presentation: { ...first.presentation, background: [1, 1, 0, 0.4] } });
+  player.draw(frame(2, [view(0, 0, WIDTH, HEIGHT), view(WIDTH, 0, 0, HEIGHT)]));
+  const coloured = [pixel(gl, 4, 4), pixel(gl, 60, 4)];
+  player.dispose();
+  return { world, device, coloured, error: gl.getError() };
+}

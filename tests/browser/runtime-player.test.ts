@@ -1,0 +1,67 @@
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+
+const chromium = useBrowser();
+let page: PageModule;
+
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/runtime-player.page.ts');
+}, 60_000);
+
+afterAll(async () => {
+  await page.close();
+  expect(page.errors).toEqual([]);
+});
+
+const NO_ERROR = 0;
+
+describe('passes', () => {
+  test('draw in order with live params, whatever state the context is in', async () => {
+    expect(await page.call('playsPasses')).toEqual({
+      before: [204, 153, 102, 255],
+      after: [0, 0, 255, 255],
+      accepted: [true, false, false],
+      error: NO_ERROR,
+    });
+  });
+
+  test('get the automatic uniforms and every type of slot', async () => {
+    expect(await page.call('builtins')).toEqual({ result: [0, 255, 0, 255], error: NO_ERROR });
+  });
+
+  test('a persistent buffer counts frames per view, keeps its picture over a resize and forgets it on reset', async () => {
+    expect(await page.call('persistent')).toEqual({ left: 48, right: 48, resized: 64, restarted: 16, error: NO_ERROR });
+  });
+
+  test('targets follow their size expressions every frame', async () => {
+    // 64×32 view: small = floor(64/4) × max(8, 5) = 16×8, smaller = 14 × ceil(8/3).
+    // At one half: 32×16 → 30×6. View 40×30 at one half: 20×15 → 18×5.
+    expect(await page.call('sizes')).toEqual({
+      quarter: [14, 3, 0, 255],
+      half: [30, 6, 0, 255],
+      other: [18, 5, 0, 255],
+      error: NO_ERROR,
+    });
+  });
+});
+
+test('each view has its own part of the screen and its own world behind', async () => {
+  expect(await page.call('views')).toEqual({
+    // A fifth of blue over red, over the mirrored picture's green.
+    world: [
+      [255, 0, 0, 255],
+      [204, 0, 51, 255],
+      [255, 255, 255, 255],
+      [0, 204, 51, 255],
+    ],
+    device: [
+      [0, 0, 0, 0],
+      [0, 0, 51, 51],
+    ],
+    coloured: [
+      [102, 102, 0, 102],
+      [82, 82, 51, 133],
+    ],
+    error: NO_ERROR,
+  });
+});
