@@ -1,0 +1,41 @@
+import { Color } from 'three';
+import type { LightItem, LightShadow, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+/** A matt surface sends back 1/π of the light that meets it: this much light makes a white one white. */
+const WHITE_ON_WHITE = Math.PI;
+
+// Read by the call that fills it, before anything else can.
+const scratchColor = new Color();
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { color, intensity, azimuth, elevation, castShadow, area, bias } = ctx.params;
+  const mapSizePx = Number(ctx.config.mapSize);
+  // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
+  // shadow's filter, so it is counted in the map's pixels.
+  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0 };
+  const light: LightItem = {
+    key: 'light',
+    kind: 'directional',
+    radiance: new Float32Array(3),
+    towardsLightWorld: new Float32Array(3),
+    shadow: null,
+  };
+  ctx.outputs.lights.items.push(light);
+  ctx.outputs.lights.version++;
+
+  return {
+    update: () => {
+      scratchColor.fromArray(color.value).convertSRGBToLinear();
+      scratchColor.multiplyScalar(intensity.value * WHITE_ON_WHITE).toArray(light.radiance);
+      const horizontal = Math.cos(elevation.value);
+      light.towardsLightWorld[0] = horizontal * Math.sin(azimuth.value);
+      light.towardsLightWorld[1] = Math.sin(elevation.value);
+      light.towardsLightWorld[2] = horizontal * Math.cos(azimuth.value);
+      shadow.areaM = area.value;
+      shadow.normalBiasM = (bias.value * area.value) / mapSizePx;
+      light.shadow = castShadow.value ? shadow : null;
+    },
+    dispose: () => {},
+  };
+}

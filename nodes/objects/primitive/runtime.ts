@@ -1,0 +1,75 @@
+import {
+  BoxGeometry,
+  type BufferGeometry,
+  ConeGeometry,
+  CylinderGeometry,
+  DoubleSide,
+  FrontSide,
+  Matrix4,
+  Mesh,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  SphereGeometry,
+  TorusGeometry,
+  Vector3,
+} from 'three';
+import type { NodeContext, NodeRuntime, ObjectItem } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+type Shape = NodeContext<typeof definition>['config']['shape'];
+
+/** Each fills a cube of one metre around the origin, the torus a fifth of its height. Segments give a smooth outline at arm's length. */
+const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
+  box: () => new BoxGeometry(1, 1, 1),
+  sphere: () => new SphereGeometry(0.5, 48, 32),
+  plane: () => new PlaneGeometry(1, 1).rotateX(-Math.PI / 2),
+  cylinder: () => new CylinderGeometry(0.5, 0.5, 1, 64),
+  cone: () => new ConeGeometry(0.5, 1, 64),
+  torus: () => new TorusGeometry(0.4, 0.1, 24, 64).rotateX(-Math.PI / 2),
+};
+
+// Read by the call that fills it, before anything else can.
+const scratchSize = new Vector3();
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { size, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
+  const { shape } = ctx.config;
+  const geometry = GEOMETRIES[shape]();
+  // A sheet has no inside that could show through, so one pass does for both its sides when it is see-through.
+  const material = new MeshStandardMaterial({ side: shape === 'plane' ? DoubleSide : FrontSide, forceSinglePass: true });
+  const mesh = new Mesh(geometry, material);
+  mesh.matrixAutoUpdate = false;
+  mesh.matrixWorldAutoUpdate = false;
+  const item: ObjectItem = {
+    key: shape,
+    root: mesh,
+    worldFromObject: new Matrix4(),
+    role: 'virtual',
+    castsShadow: true,
+    receivesShadow: true,
+  };
+  ctx.outputs.objects.items.push(item);
+  ctx.outputs.objects.version++;
+
+  return {
+    update: () => {
+      scratchSize.fromArray(size.value);
+      if (shape === 'plane') scratchSize.y = 1;
+      mesh.matrixWorld.makeScale(scratchSize.x, scratchSize.y, scratchSize.z);
+      material.color.fromArray(color.value).convertSRGBToLinear();
+      material.opacity = color.value[3] ?? 1;
+      if (material.transparent !== material.opacity < 1) {
+        material.transparent = material.opacity < 1;
+        material.needsUpdate = true;
+      }
+      material.roughness = roughness.value;
+      material.metalness = metalness.value;
+      item.castsShadow = castShadow.value;
+      item.receivesShadow = receiveShadow.value;
+    },
+    dispose: () => {
+      geometry.dispose();
+      material.dispose();
+    },
+  };
+}
