@@ -1,5 +1,5 @@
 import type { AnimationClip, Matrix4, Object3D } from 'three';
-import type { AssetKind, NodeDefinition, ParamDefinition } from './definition.ts';
+import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
 
@@ -152,9 +152,12 @@ export interface WireViews extends ValueViews {
 }
 
 type WireView<T> = T extends keyof WireViews ? WireViews[T] : never;
-type InputView<P extends { type: string; multiple?: boolean }> = P extends { readonly multiple: true }
+type InputView<P extends InputPort> = P extends { readonly multiple: true }
   ? readonly WireView<P['type']>[]
-  : WireView<P['type']> | null;
+  : // Of a port that is not known, either.
+    InputPort extends P
+    ? readonly WireView<P['type']>[] | WireView<P['type']> | null
+    : WireView<P['type']> | null;
 type OutputView<T> = T extends keyof ValueViews ? Writable<ValueViews[T]> : WireView<T>;
 type ParamView<P extends ParamDefinition> = P extends { type: 'choice' }
   ? NumberView
