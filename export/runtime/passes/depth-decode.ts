@@ -1,5 +1,9 @@
 import type { LayerDepthRef } from '../../program/program.ts';
 
+/** Only the first two numbers change. */
+const scratchDecode = new Float32Array([0, 0, 0, 1]);
+const METRES = new Float32Array([1, 0, 0, 0]);
+
 /**
  * `NAME_decode` of a depth sampler: with the texture's red channel `d`, metres are `d * x + y` where `w` is 0 (depth in
  * metres: 1, 0), else `y / (2 d - 1 + x)`, and 0 where `d` is 1: nothing was drawn.
@@ -13,6 +17,11 @@ export function setDecode(
   encoding: LayerDepthRef['encoding'],
   clipFromView: Float32Array | undefined,
 ): void {
-  if (encoding === 'metres' || !clipFromView) gl.uniform4f(location, 1, 0, 0, 0);
-  else gl.uniform4f(location, clipFromView[10] ?? 0, clipFromView[14] ?? 0, 0, 1);
+  if (encoding === 'window' && clipFromView) {
+    scratchDecode[0] = clipFromView[10] ?? 0;
+    scratchDecode[1] = clipFromView[14] ?? 0;
+    gl.uniform4fv(location, scratchDecode);
+  } else {
+    gl.uniform4fv(location, METRES);
+  }
 }

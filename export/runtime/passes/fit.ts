@@ -19,22 +19,17 @@ export function fitted(
   const picture = widthPx / heightPx;
   const view = viewWidthPx / viewHeightPx;
   if (!(picture > 0) || !(view > 0) || !Number.isFinite(picture / view)) return uv;
-  // Cover cuts the longer side of the picture off; contain adds to the shorter one.
+  // Cover cuts the longer side of the picture off; contain adds to the shorter one. Picture UV = 0.5 + scale * (view UV - 0.5).
   const alongX = picture > view === (fit === 'cover');
-  return alongX ? scaledAboutCentre(uv, view / picture, 1) : scaledAboutCentre(uv, 1, picture / view);
-}
-
-/** `uv` after picture UV = 0.5 + scale * (view UV - 0.5). */
-function scaledAboutCentre(uv: Float32Array, x: number, y: number): Float32Array {
-  const offsetX = 0.5 - 0.5 * x;
-  const offsetY = 0.5 - 0.5 * y;
+  const scaleX = alongX ? view / picture : 1;
+  const scaleY = alongX ? 1 : picture / view;
   for (let row = 0; row < 3; row++) {
     const a = uv[row] ?? 0;
     const b = uv[row + 3] ?? 0;
     const c = uv[row + 6] ?? 0;
-    scratchUv[row] = a * x;
-    scratchUv[row + 3] = b * y;
-    scratchUv[row + 6] = a * offsetX + b * offsetY + c;
+    scratchUv[row] = a * scaleX;
+    scratchUv[row + 3] = b * scaleY;
+    scratchUv[row + 6] = a * (0.5 - 0.5 * scaleX) + b * (0.5 - 0.5 * scaleY) + c;
   }
   return scratchUv;
 }

@@ -8,6 +8,9 @@ import type { Target } from '../targets/target.ts';
 import { setDecode } from './depth-decode.ts';
 import { fitted } from './fit.ts';
 
+/** Uniforms are copied when they are set. */
+const scratchSize = new Float32Array(2);
+
 /** One texture that a pass reads. */
 export interface Sampler {
   /** Before the pass's framebuffer is bound: carries multisampled pictures into their textures. */
@@ -156,6 +159,7 @@ function setPlacement(
 ): void {
   if (locations.uv) gl.uniformMatrix3fv(locations.uv, false, fitted(uv, fit, widthPx, heightPx, state.widthPx, state.heightPx));
   if (!locations.size) return;
-  if (fit === 'none') gl.uniform2f(locations.size, widthPx, heightPx);
-  else gl.uniform2f(locations.size, state.widthPx, state.heightPx);
+  scratchSize[0] = fit === 'none' ? widthPx : state.widthPx;
+  scratchSize[1] = fit === 'none' ? heightPx : state.heightPx;
+  gl.uniform2fv(locations.size, scratchSize);
 }

@@ -1,4 +1,4 @@
-import type { PassOperation, PassUniform } from '../../program/program.ts';
+import type { BuiltinUniform, PassOperation, PassUniform } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
@@ -31,6 +31,10 @@ export function createUniforms(
   return setters;
 }
 
+/**
+ * Numbers go through an array of the uniform's own: an engine makes a heap object of every fraction that it hands to the
+ * browser as a plain argument.
+ */
 function fromSlot(
   gl: WebGL2RenderingContext,
   location: WebGLUniformLocation,
@@ -40,44 +44,76 @@ function fromSlot(
 ): SetUniform {
   const { numbers } = slots;
   const at = slots.offset(slot);
-  switch (type) {
-    case 'float':
-      return () => gl.uniform1f(location, numbers[at] ?? 0);
-    case 'int':
-      return () => gl.uniform1i(location, numbers[at] ?? 0);
-    case 'bool':
-      return () => gl.uniform1i(location, numbers[at] === 0 ? 0 : 1);
-    case 'vec2':
-      return () => gl.uniform2f(location, numbers[at] ?? 0, numbers[at + 1] ?? 0);
-    case 'vec3':
-      return () => gl.uniform3f(location, numbers[at] ?? 0, numbers[at + 1] ?? 0, numbers[at + 2] ?? 0);
-    case 'vec4':
-      return () => gl.uniform4f(location, numbers[at] ?? 0, numbers[at + 1] ?? 0, numbers[at + 2] ?? 0, numbers[at + 3] ?? 0);
+  if (type === 'int') return () => gl.uniform1i(location, (numbers[at] ?? 0) | 0);
+  if (type === 'bool') return () => gl.uniform1i(location, numbers[at] === 0 ? 0 : 1);
+  const size = COMPONENTS[type];
+  const values = new Float32Array(size);
+  const send = sender(gl, location, values);
+  return () => {
+    for (let i = 0; i < size; i++) values[i] = numbers[at + i] ?? 0;
+    send();
+  };
+}
+
+const COMPONENTS = { float: 1, vec2: 2, vec3: 3, vec4: 4 } as const;
+
+function sender(gl: WebGL2RenderingContext, location: WebGLUniformLocation, values: Float32Array): () => void {
+  switch (values.length) {
+    case 1:
+      return () => gl.uniform1fv(location, values);
+    case 2:
+      return () => gl.uniform2fv(location, values);
+    case 3:
+      return () => gl.uniform3fv(location, values);
+    default:
+      return () => gl.uniform4fv(location, values);
   }
 }
 
 function fromBuiltin(
   gl: WebGL2RenderingContext,
   location: WebGLUniformLocation,
-  builtin: Extract<PassUniform['source'], { builtin: unknown }>['builtin'],
+  builtin: BuiltinUniform,
   passIndex: number,
   clock: FrameClock,
 ): SetUniform {
+  const values = new Float32Array(BUILTIN_COMPONENTS[builtin]);
+  const send = sender(gl, location, values);
   switch (builtin) {
     case 'TIME':
-      return (state) => gl.uniform1f(location, state.frame.timeS);
+      return (state) => {
+        values[0] = state.frame.timeS;
+        send();
+      };
     case 'TIMEDELTA':
-      return (state) => gl.uniform1f(location, state.frame.deltaS);
-    case 'FRAMEINDEX':
-      return (state) => gl.uniform1i(location, state.frame.index);
+      return (state) => {
+        values[0] = state.frame.deltaS;
+        send();
+      };
     case 'DATE':
       return () => {
         clock.readDate(scratchDate);
-        gl.uniform4f(location, scratchDate[0] ?? 0, scratchDate[1] ?? 0, scratchDate[2] ?? 0, scratchDate[3] ?? 0);
+        values.set(scratchDate);
+        send();
       };
     case 'RENDERSIZE':
-      return (_state, widthPx, heightPx) => gl.uniform2f(location, widthPx, heightPx);
+      return (_state, widthPx, heightPx) => {
+        values[0] = widthPx;
+        values[1] = heightPx;
+        send();
+      };
+    case 'FRAMEINDEX':
+      return (state) => gl.uniform1i(location, state.frame.index);
     case 'PASSINDEX':
       return () => gl.uniform1i(location, passIndex);
   }
 }
+
+const BUILTIN_COMPONENTS: Readonly<Record<BuiltinUniform, number>> = {
+  TIME: 1,
+  TIMEDELTA: 1,
+  FRAMEINDEX: 1,
+  DATE: 4,
+  RENDERSIZE: 2,
+  PASSINDEX: 1,
+};

@@ -1,7 +1,11 @@
 import type { SizeExpression } from '../../program/program.ts';
+import type { Slots } from '../values/slots.ts';
 
 /** More than an expression of the 500 characters that the compiler takes can need. */
 const STACK = 512;
+
+/** Two places below stay empty, so that looking at the top two never leaves the array. */
+const BOTTOM = 2;
 
 /** Reused by every evaluation: an evaluation never starts another one. */
 const scratchStack = new Float64Array(STACK);
@@ -11,18 +15,19 @@ export function evaluateSize(
   expression: SizeExpression,
   baseWidthPx: number,
   baseHeightPx: number,
-  slotNumber: (slot: number) => number,
+  slots: Slots,
   maxPx: number,
 ): number {
-  const value = evaluate(expression, baseWidthPx, baseHeightPx, slotNumber);
+  const value = evaluate(expression, baseWidthPx, baseHeightPx, slots) ? (scratchStack[BOTTOM] ?? 1) : 1;
   if (Number.isNaN(value)) return 1;
   // The margin takes back what 0.57 * 100 loses in binary before the fraction is cut off.
   return Math.min(Math.max(Math.floor(value + 1e-6), 1), maxPx);
 }
 
-function evaluate(expression: SizeExpression, width: number, height: number, slotNumber: (slot: number) => number): number {
+/** True where one number is left, which then lies at the bottom of the stack: a fraction handed back would be a heap object. */
+function evaluate(expression: SizeExpression, width: number, height: number, slots: Slots): boolean {
   const stack = scratchStack;
-  let top = -1;
+  let top = BOTTOM - 1;
   for (let i = 0; i < expression.length; i++) {
     const token = expression[i];
     if (token === undefined) break;
@@ -31,7 +36,7 @@ function evaluate(expression: SizeExpression, width: number, height: number, slo
       continue;
     }
     if ('slot' in token) {
-      stack[++top] = slotNumber(token.slot);
+      stack[++top] = slots.numbers[slots.offset(token.slot)] ?? 0;
       continue;
     }
     const a = stack[top - 1] ?? 0;
@@ -86,7 +91,7 @@ function evaluate(expression: SizeExpression, width: number, height: number, slo
         exhaustive(token.op);
     }
   }
-  return top === 0 ? (stack[0] ?? Number.NaN) : Number.NaN;
+  return top === BOTTOM;
 }
 
 function exhaustive(op: never): never {

@@ -32,15 +32,14 @@ interface Sized {
 
 export function createTargetSizes(program: Program, resources: LiveResources, slots: Slots, maxPx: number): TargetSizes {
   const ordered = basesFirst(program, resources);
-  const slotNumber = (slot: number): number => slots.number(slot);
   const resize = (state: PlayState, domain: 'view' | 'image', viewIndex: number): void => {
     for (let i = 0; i < ordered.length; i++) {
       const sized = ordered[i];
       if (sized?.domain !== domain) continue;
       const widthPx = baseWidth(sized.base, state);
       const heightPx = baseHeight(sized.base, state);
-      sized.widthPx = evaluateSize(sized.size.width, widthPx, heightPx, slotNumber, maxPx);
-      sized.heightPx = evaluateSize(sized.size.height, widthPx, heightPx, slotNumber, maxPx);
+      sized.widthPx = evaluateSize(sized.size.width, widthPx, heightPx, slots, maxPx);
+      sized.heightPx = evaluateSize(sized.size.height, widthPx, heightPx, slots, maxPx);
       sized.target.resize(viewIndex, sized.widthPx, sized.heightPx);
     }
   };

@@ -12,8 +12,6 @@ export interface Slots {
   find(name: string): number | undefined;
   /** Where a slot's numbers begin, or its text's place. */
   offset(slot: number): number;
-  /** First number of a slot. */
-  number(slot: number): number;
   /** False where the value does not fit the slot's type or is not finite; the slot then keeps what it had. */
   set(slot: number, value: SlotValue): boolean;
 }
@@ -27,7 +25,6 @@ export function createSlots(table: SlotTable): Slots {
     slots: table.slots,
     find: (name) => (Object.hasOwn(table.params, name) ? table.params[name] : undefined),
     offset: (index) => slotAt(table.slots, index).offset,
-    number: (index) => numbers[slotAt(table.slots, index).offset] ?? 0,
     set: (index, value) => {
       const { type, offset } = slotAt(table.slots, index);
       if (type === 'text') {
