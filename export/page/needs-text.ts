@@ -24,8 +24,8 @@ export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
   const capabilities = [...new Set(needs.map((need) => need.capability))];
   const asks = capabilities.map((capability) => {
     const same = needs.filter((need) => need.capability === capability);
-    const whys = [...new Set(same.map((need) => need.why))];
-    const withouts = [...new Set(same.map((need) => need.without))];
+    const whys = [...new Set(same.map((need) => bare(need.why)))];
+    const withouts = [...new Set(same.map((need) => bare(need.without)))];
     const required = same.some((need) => need.required);
     const reason = sentence(whys.join(', and '));
     return {
@@ -39,7 +39,10 @@ export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
 
 /** `to hide things` → `To hide things.` */
 function sentence(text: string, capital = true): string {
-  const trimmed = text.trim().replace(/[.\s]+$/, '');
-  const first = capital ? trimmed.charAt(0).toUpperCase() : trimmed.charAt(0).toLowerCase();
-  return `${first}${trimmed.slice(1)}.`;
+  const first = capital ? text.charAt(0).toUpperCase() : text.charAt(0).toLowerCase();
+  return `${first}${text.slice(1)}.`;
+}
+
+function bare(text: string): string {
+  return text.trim().replace(/[.\s]+$/, '');
 }

@@ -1,0 +1,81 @@
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
+import type { Program } from '../program/program.ts';
+import type { AssetSource } from '../runtime/assets/asset-source.ts';
+import { createPlayer, type Player } from '../runtime/player.ts';
+import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
+
+export interface MountOptions {
+  readonly program: Program;
+  readonly modules: Readonly<Record<string, NodeModule>>;
+  readonly createScenes: CreateSceneBackend | null;
+  readonly assets: AssetSource;
+  readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
+  readonly onSessionEvent: (event: SessionEvent) => void;
+  /** The GPU took the context away, or gave it back. */
+  readonly onContext: (state: 'lost' | 'restored') => void;
+}
+
+export interface Mounted {
+  readonly gl: WebGL2RenderingContext;
+  readonly player: Player;
+  /** Plays this session from now on; the one before is ended first. Null plays none. */
+  play(session: Session | null): Promise<void>;
+  dispose(): Promise<void>;
+}
+
+/**
+ * Plays a program on a canvas, with whatever session it is given: the page's entry. Throws where the browser has no WebGL 2.
+ * The canvas is see-through, so that the page's own background shows where the picture has none.
+ */
+export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted {
+  const gl = canvas.getContext('webgl2', {
+    alpha: true,
+    antialias: options.program.presentation.antialias,
+    depth: true,
+    stencil: false,
+    powerPreference: 'high-performance',
+  });
+  if (!gl) throw new Error('This browser has no WebGL 2.');
+  const player = createPlayer({ ...options, gl, canvas, seed: 1 });
+  let playing: Session | null = null;
+
+  const lost = (event: Event) => {
+    // Without this the browser never gives the context back.
+    event.preventDefault();
+    player.contextLost();
+    options.onContext('lost');
+  };
+  const restored = () => {
+    void player.restore().then(() => options.onContext('restored'));
+  };
+  canvas.addEventListener('webglcontextlost', lost);
+  canvas.addEventListener('webglcontextrestored', restored);
+
+  const play = async (session: Session | null) => {
+    const before = playing;
+    playing = session;
+    await before?.end();
+    // Another one came while the earlier one ended.
+    if (playing !== session) return void session?.end();
+    player.setSession(session);
+    session?.start(player.draw, (event) => {
+      if (event.kind === 'reset') player.reset();
+      if (event.kind === 'ended' && playing === session) playing = null;
+      options.onSessionEvent(event);
+    });
+  };
+
+  return {
+    gl,
+    player,
+    play,
+    dispose: async () => {
+      await play(null);
+      canvas.removeEventListener('webglcontextlost', lost);
+      canvas.removeEventListener('webglcontextrestored', restored);
+      player.dispose();
+    },
+  };
+}
