@@ -1,6 +1,143 @@
 import type { Access } from '../../../nodes/kit/definition.ts';
+import { type CheckedShader, checkShader } from '../check/check-shader.ts';
+import { givenSymbols } from '../isf/given-symbols.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
+import { classifyImageCall, type ImageCall } from '../link/image-call.ts';
+import { decideBranch, reachableStatements } from '../link/pass-condition.ts';
+import type { CallExpression, Expression, FunctionSymbol, Statement } from '../syntax/ast.ts';
+import { parseShader } from '../syntax/parse.ts';
+import { GlslError } from '../syntax/token.ts';
+import { partsOf } from '../syntax/walk.ts';
+import { positionOf } from './here.ts';
 
-export function findAccess(_shader: IsfShader): Access {
-  return 'neighbourhood';
+/**
+ * What a shader reads of its images (design §6), found in its text; `neighbourhood` wherever that cannot be told, because the
+ * compiler may then assume nothing. A file with several passes reads several pixels by way of its buffers.
+ */
+export function findAccess(shader: IsfShader): Access {
+  if (shader.passes.some((pass) => pass.persistent)) return 'persistent';
+  if (shader.passes.some((pass) => pass.width !== null || pass.height !== null)) return 'resize';
+  const passIndex = shader.passes.length - 1;
+  if (shader.passes.filter((pass, i) => pass.target !== null || i === passIndex).length > 1) return 'neighbourhood';
+  try {
+    return accessOf(checkShader(parseShader(shader.source), givenSymbols(shader)), passIndex);
+  } catch (error) {
+    if (error instanceof GlslError) return 'neighbourhood';
+    throw error;
+  }
+}
+
+/** Pixels read per image; what an `if` excludes counts all the same. */
+interface Reads {
+  here: number;
+  elsewhere: number;
+}
+
+type ReadsByImage = ReadonlyMap<string, Reads>;
+
+/** They look at the pixels around. */
+const DERIVATIVES: ReadonlySet<string> = new Set(['dFdx', 'dFdy', 'fwidth']);
+
+function accessOf(shader: CheckedShader, passIndex: number): Access {
+  const calls = collectCalls(shader, passIndex);
+  const reads = countReads(shader, passIndex, calls);
+  if (reads === null) return 'neighbourhood';
+  let access: Access = 'pointwise';
+  for (const { here, elsewhere } of reads.values()) {
+    if (elsewhere === 0) continue;
+    if (here + elsewhere > 1) return 'neighbourhood';
+    access = 'displaced';
+  }
+  return access;
+}
+
+/** Null where an image is handed to a function or a derivative is taken. */
+function countReads(
+  shader: CheckedShader,
+  passIndex: number,
+  calls: ReadonlyMap<FunctionSymbol, readonly CallExpression[]>,
+): ReadsByImage | null {
+  const known = new Map<FunctionSymbol, ReadsByImage>();
+  let unclear = false;
+
+  function ofFunction(symbol: FunctionSymbol): ReadsByImage {
+    const before = known.get(symbol);
+    if (before !== undefined) return before;
+    // In place before the body is looked at, so that recursion, which GLSL forbids, ends.
+    const reads = new Map<string, Reads>();
+    known.set(symbol, reads);
+    if (symbol.parameterTypes.includes('sampler2D')) unclear = true;
+    if (symbol.declaration.body !== null) countIn(symbol.declaration.body, 1, reads);
+    return reads;
+  }
+
+  function countIn(part: Statement | Expression, times: number, into: Map<string, Reads>): void {
+    const isLoop = part.kind === 'for' || part.kind === 'while' || part.kind === 'do';
+    if (part.kind === 'call') countCall(part, times, into);
+    // A global is set before `main`, wherever it is used.
+    for (const inner of taken(part, passIndex)) countIn(inner, isLoop ? Number.POSITIVE_INFINITY : times, into);
+  }
+
+  function countCall(call: CallExpression, times: number, into: Map<string, Reads>): void {
+    if (DERIVATIVES.has(call.token.text) && call.symbol === null) unclear = true;
+    if (call.symbol?.kind === 'function') {
+      for (const [image, reads] of ofFunction(call.symbol)) add(into, image, reads.here * times || 0, reads.elsewhere * times || 0);
+    }
+    const read = classifyImageCall(call);
+    const [image] = call.args;
+    if (read === null || read.use === 'size' || image === undefined) return;
+    if (image.kind !== 'name' || image.symbol?.role !== 'image') unclear = true;
+    const here = isHere(call, read, (symbol) => calls.get(symbol) ?? []);
+    add(into, image.token.text, here ? times : 0, here ? 0 : times);
+  }
+
+  const total = new Map<string, Reads>();
+  for (const declaration of shader.declarations) if (declaration.kind === 'variables') countIn(declaration, 1, total);
+  if (shader.main.symbol !== null)
+    for (const [image, reads] of ofFunction(shader.main.symbol)) add(total, image, reads.here, reads.elsewhere);
+  return unclear ? null : total;
+}
+
+function add(into: Map<string, Reads>, image: string, here: number, elsewhere: number): void {
+  const reads = into.get(image) ?? { here: 0, elsewhere: 0 };
+  reads.here += here;
+  reads.elsewhere += elsewhere;
+  into.set(image, reads);
+}
+
+function isHere(call: CallExpression, read: ImageCall, callsOf: (symbol: FunctionSymbol) => readonly CallExpression[]): boolean {
+  if (read.use === 'size' || (read.use === 'color' && read.position === 'here')) return true;
+  const at = call.args[1];
+  if (at === undefined) return false;
+  const position = positionOf(at, callsOf);
+  if (read.use === 'depth' || read.position === 'norm') return position === 'here-norm';
+  return read.position === 'pixel' && position === 'here-pixel';
+}
+
+/** Every call of every function, in whatever function it stands. */
+function collectCalls(shader: CheckedShader, passIndex: number): Map<FunctionSymbol, CallExpression[]> {
+  const calls = new Map<FunctionSymbol, CallExpression[]>();
+
+  function visit(part: Statement | Expression): void {
+    if (part.kind === 'call' && part.symbol?.kind === 'function') {
+      const known = calls.get(part.symbol);
+      if (known === undefined) calls.set(part.symbol, [part]);
+      else known.push(part);
+    }
+    for (const inner of taken(part, passIndex)) visit(inner);
+  }
+
+  for (const declaration of shader.declarations) {
+    if (declaration.kind === 'variables') visit(declaration);
+    else if (declaration.body !== null) visit(declaration.body);
+  }
+  return calls;
+}
+
+function taken(part: Statement | Expression, passIndex: number): readonly (Statement | Expression)[] {
+  if (part.kind === 'if') {
+    const branch = decideBranch(part, passIndex);
+    if (branch !== undefined) return branch === null ? [] : [branch];
+  }
+  return part.kind === 'block' ? reachableStatements(part.statements, passIndex) : partsOf(part);
 }

@@ -56,7 +56,7 @@ function checkFunction(declaration: FunctionDeclaration, context: CheckContext):
   context.returnType = returnType;
   inScope(context, false, () => {
     declaration.parameters.forEach((parameter, i) => {
-      declareParameter(parameter, parameterTypes[i] ?? '', context);
+      declareParameter(parameter, parameterTypes[i] ?? '', { owner: symbol, index: i }, context);
     });
     inScope(context, true, () => checkStatements(body.statements, context));
   });
@@ -83,7 +83,7 @@ function declareFunction(
   return symbol;
 }
 
-function declareParameter(parameter: Parameter, type: GlslType, context: CheckContext): void {
+function declareParameter(parameter: Parameter, type: GlslType, parameterOf: VariableSymbol['parameterOf'], context: CheckContext): void {
   if (parameter.name === null) return;
   const symbol: VariableSymbol = {
     kind: 'variable',
@@ -93,8 +93,9 @@ function declareParameter(parameter: Parameter, type: GlslType, context: CheckCo
     token: parameter.name,
     constant: false,
     rename: false,
-    written: false,
+    written: parameter.qualifiers.some((qualifier) => qualifier.text === 'out' || qualifier.text === 'inout'),
     declaration: null,
+    parameterOf,
   };
   context.scope.variables.set(symbol.name, symbol);
   parameter.symbol = symbol;
@@ -130,6 +131,7 @@ function declareGlobal(declarator: Declarator, type: GlslType, isConst: boolean,
     rename: false,
     written: false,
     declaration: declarator,
+    parameterOf: null,
   };
   context.scope.variables.set(symbol.name, symbol);
   return symbol;

@@ -119,6 +119,7 @@ function declareLocal(declarator: Declarator, type: GlslType, isConst: boolean, 
     rename: clashes || findVariable(scope, name)?.rename === true,
     written: false,
     declaration: declarator,
+    parameterOf: null,
   };
   scope.variables.set(name, symbol);
   declarator.symbol = symbol;

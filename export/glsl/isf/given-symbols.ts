@@ -37,7 +37,18 @@ export function givenSymbols(shader: IsfShader): Map<string, VariableSymbol> {
   const given = new Map<string, VariableSymbol>();
 
   function give(name: string, type: string, role: VariableSymbol['role']): void {
-    given.set(name, { kind: 'variable', name, type, role, token: null, constant: false, rename: false, written: false, declaration: null });
+    given.set(name, {
+      kind: 'variable',
+      name,
+      type,
+      role,
+      token: null,
+      constant: false,
+      rename: false,
+      written: false,
+      declaration: null,
+      parameterOf: null,
+    });
   }
 
   for (const [name, type] of Object.entries(BUILTINS)) give(name, type, 'builtin');

@@ -114,11 +114,11 @@ float ${depthFunction(image)}(vec2 uv) {
 /**
  * Shared by all images of a text.
  *
- * `scrim_metres` decodes both kinds of layer depth with one formula, `m = (x d + y) / (z d + w)`:
- * metres in a texture have `decode = (1, 0, 0, 1)`; a depth buffer drawn with projection `P` (column-major, `P[8] = P[9] = 0`
- * in the rows used) has `decode = (2 P15, -P14 - P15, 2 P11, -P10 - P11)`, from `ndc = 2 d - 1 = (P10 z + P14) / (P11 z + P15)`
- * and `m = -z`. `x = 1` tells metres: a projection has `x = 0` in perspective and 2 in parallel. Nothing was drawn where a
- * depth buffer still holds 1, and where metres are 0.
+ * `scrim_metres` decodes what the red channel `d` of a depth sampler holds, with its `NAME_decode`:
+ * - metres: `decode = (scale, offset, 0, 0)`, usually (1, 0, 0, 0); m = d scale + offset;
+ * - a depth buffer drawn with the projection `P` (column-major): `decode = (P[10], P[14], 0, 1)`. Clip z = P10 z + P14 and
+ *   clip w = -z, so with m = -z metres 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); that holds for off-axis and
+ *   infinite projections alike. Where d is still 1 nothing was drawn, which is 0.
  */
 export const IMAGE_HELPERS = {
   scrim_place: `vec2 scrim_place(mat3 uvFromViewUv, vec2 uv) {
@@ -132,8 +132,8 @@ export const IMAGE_HELPERS = {
   return color.a > 0.0 ? vec4(color.rgb / color.a, color.a) : vec4(0.0);
 }`,
   scrim_metres: `float scrim_metres(vec4 decode, float d) {
-  if (d >= 1.0 && decode.x != 1.0) return 0.0;
-  return (decode.x * d + decode.y) / (decode.z * d + decode.w);
+  if (decode.w == 0.0) return d * decode.x + decode.y;
+  return d < 1.0 ? decode.y / (2.0 * d - 1.0 + decode.x) : 0.0;
 }`,
   scrim_project: `vec2 scrim_project(vec3 at) { return at.xy / at.z; }
 vec2 scrim_project(vec4 at) { return at.xy / at.w; }`,

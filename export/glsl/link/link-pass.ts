@@ -16,12 +16,15 @@ import { printBlock } from './print-statement.ts';
 import { findReach, type Reach } from './reach.ts';
 import { builtinUniforms, GLSL_UNIFORM_TYPES, paramUniforms, usesFragCoord } from './uniforms.ts';
 
-/** A file that has been read and checked, and the node that it is linked for. */
-export interface LinkUnit {
+/** A file, the variables that it is given, and the node that it is linked for. */
+export interface LinkSource {
   readonly shader: IsfShader;
-  readonly checked: CheckedShader;
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly options: LinkOptions;
+}
+
+export interface LinkUnit extends LinkSource {
+  readonly checked: CheckedShader;
 }
 
 interface PassNames {
@@ -30,7 +33,7 @@ interface PassNames {
 }
 
 /** Inputs and images get their names first, so that these do not depend on what else a pass uses. */
-function namePass(unit: LinkUnit, pass: PlannedPass): PassNames {
+export function namePass(unit: LinkSource, pass: PlannedPass): PassNames {
   const names = createNames();
   for (const symbol of unit.given.values()) if (symbol.role === 'input') names.of(symbol);
   return { names, images: passImages(unit.shader, pass, unit.options, names) };
@@ -128,6 +131,7 @@ function printAuthorsText(checked: CheckedShader, context: PrintContext): void {
         writer.write(';');
         writer.endLine();
       } else {
+        writer.write(' ');
         printBlock(declaration.body, context);
       }
     }
@@ -172,7 +176,7 @@ function samplersOf(used: ReadonlyMap<Image, ReadonlySet<ImageUse>>, images: Rea
   return [...samplers.values()];
 }
 
-function linkedShader(unit: LinkUnit, head: string, writer: LineWriter): LinkedShader {
+export function linkedShader(unit: Omit<LinkSource, 'given'>, head: string, writer: LineWriter): LinkedShader {
   const headLines = head.split('\n');
   const fragment = `${[...headLines, ...writer.lines].join('\n')}\n`;
   return {

@@ -10,6 +10,22 @@ export function decideBranch(statement: IfStatement, passIndex: number): Stateme
   return value === 0 ? (statement.otherwise?.statement ?? null) : statement.then;
 }
 
+/**
+ * The statements of a block that a pass can get to: none after an `if` that `PASSINDEX` decides and that leaves the function,
+ * as in `if (PASSINDEX == 0) return first(); return second();`.
+ */
+export function reachableStatements(statements: readonly Statement[], passIndex: number): readonly Statement[] {
+  const end = statements.findIndex((statement) => statement.kind === 'if' && leaves(decideBranch(statement, passIndex), passIndex));
+  return end < 0 ? statements : statements.slice(0, end + 1);
+}
+
+function leaves(statement: Statement | null | undefined, passIndex: number): boolean {
+  if (statement === null || statement === undefined) return false;
+  if (statement.kind === 'block') return statement.statements.some((inner) => leaves(inner, passIndex));
+  if (statement.kind === 'if') return leaves(decideBranch(statement, passIndex), passIndex);
+  return statement.kind === 'return' || (statement.kind === 'jump' && statement.word === 'discard');
+}
+
 /** A number where the expression is made of `PASSINDEX` and literals alone, or where one side of `&&` or `||` settles it. */
 export function evaluate(expression: Expression, passIndex: number): number | null {
   switch (expression.kind) {

@@ -1,6 +1,6 @@
 import type { Expression, Statement, VariableDeclaration } from '../syntax/ast.ts';
 import type { Token } from '../syntax/token.ts';
-import { decideBranch } from './pass-condition.ts';
+import { decideBranch, reachableStatements } from './pass-condition.ts';
 import type { PrintContext } from './print-context.ts';
 import { printVariables } from './print-declaration.ts';
 import { printExpression } from './print-expression.ts';
@@ -12,6 +12,7 @@ export function printStatement(statement: Statement, context: PrintContext): voi
   writer.endLine();
   switch (statement.kind) {
     case 'block':
+      writer.write('', statement.start);
       printBlock(statement, context);
       return;
     case 'variables':
@@ -77,12 +78,12 @@ export function printStatement(statement: Statement, context: PrintContext): voi
   writer.endLine();
 }
 
+/** Goes on with the current line where there is one: what the block belongs to. */
 export function printBlock(block: Extract<Statement, { kind: 'block' }>, context: PrintContext): void {
   const { writer } = context;
-  writer.endLine();
-  writer.write('{', block.start);
+  writer.write('{');
   writer.indent(1);
-  for (const statement of block.statements) printStatement(statement, context);
+  for (const statement of reachableStatements(block.statements, context.passIndex)) printStatement(statement, context);
   writer.indent(-1);
   writer.write('}', block.end);
   writer.endLine();
@@ -91,12 +92,12 @@ export function printBlock(block: Extract<Statement, { kind: 'block' }>, context
 /** Always in braces: what belongs to an `if` or a loop may take several printed statements. */
 function printBody(body: Statement, context: PrintContext): void {
   const { writer } = context;
+  writer.write(' ');
   if (body.kind === 'block') {
     printBlock(body, context);
     return;
   }
-  writer.endLine();
-  writer.own('{');
+  writer.write('{');
   writer.indent(1);
   printStatement(body, context);
   writer.indent(-1);
@@ -107,7 +108,7 @@ function printIf(first: Extract<Statement, { kind: 'if' }>, context: PrintContex
   const { writer } = context;
   const branch = decideBranch(first, context.passIndex);
   if (branch !== undefined) {
-    if (branch !== null) printBody(branch, context);
+    if (branch !== null) printTaken(branch, context);
     return;
   }
   writer.write('if (', first.start);
@@ -123,6 +124,19 @@ function printIf(first: Extract<Statement, { kind: 'if' }>, context: PrintContex
     writer.write('else', start);
     printBody(statement, context);
   }
+}
+
+/** A branch that is always taken keeps its braces, because of the names in it. */
+function printTaken(branch: Statement, context: PrintContext): void {
+  if (branch.kind === 'block') {
+    printStatement(branch, context);
+    return;
+  }
+  context.writer.own('{');
+  context.writer.indent(1);
+  printStatement(branch, context);
+  context.writer.indent(-1);
+  context.writer.own('}');
 }
 
 function printHead(head: Expression | VariableDeclaration | null, context: PrintContext): void {

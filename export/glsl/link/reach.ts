@@ -5,7 +5,7 @@ import { type Walk, walkExpression, walkStatement } from '../syntax/walk.ts';
 import { classifyImageCall, type ImageCall, usesOf } from './image-call.ts';
 import type { Image, ImageUse } from './images.ts';
 import type { Names } from './names.ts';
-import { decideBranch, evaluate } from './pass-condition.ts';
+import { decideBranch, evaluate, reachableStatements } from './pass-condition.ts';
 import { type ImageBinding, imageOf, needImage } from './pass-images.ts';
 
 /** One printed version of a function: those that take images are printed once for each set of images they are called with. */
@@ -98,6 +98,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
       },
       statement: (statement) => {
         if (statement.kind === 'for' || statement.kind === 'while' || statement.kind === 'do') hasLoops = true;
+        if (statement.kind === 'block') return reachableStatements(statement.statements, passIndex);
         if (statement.kind !== 'if') return undefined;
         const branch = decideBranch(statement, passIndex);
         if (branch === undefined) return undefined;

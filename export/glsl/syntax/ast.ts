@@ -173,6 +173,8 @@ export interface VariableSymbol {
   /** Written to after its declaration. */
   written: boolean;
   readonly declaration: Declarator | null;
+  /** Whose parameter it is, and which; null for anything else. */
+  readonly parameterOf: { readonly owner: FunctionSymbol; readonly index: number } | null;
 }
 
 export interface FunctionSymbol {

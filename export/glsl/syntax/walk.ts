@@ -10,7 +10,7 @@ export interface Walk {
 }
 
 export function walkStatement(statement: Statement, walk: Walk): void {
-  for (const part of walk.statement?.(statement) ?? partsOf(statement)) walkPart(part, walk);
+  for (const part of walk.statement?.(statement) ?? statementParts(statement)) walkPart(part, walk);
   if (statement.kind === 'variables') for (const declarator of statement.declarators) walk.declarator?.(declarator);
 }
 
@@ -19,10 +19,15 @@ export function walkExpression(expression: Expression, walk: Walk): void {
 }
 
 /** Expressions that stand directly in a declaration, those in its type's sizes included. */
-export function expressionsOf(declaration: VariableDeclaration): Expression[] {
+function expressionsOf(declaration: VariableDeclaration): Expression[] {
   const found: (Expression | null)[] = [...declaration.type.dimensions];
   for (const declarator of declaration.declarators) found.push(...declarator.dimensions, declarator.initializer);
   return found.filter((expression) => expression !== null);
+}
+
+/** What a statement or an expression is directly made of. */
+export function partsOf(part: Statement | Expression): readonly (Statement | Expression)[] {
+  return isStatement(part) ? statementParts(part) : operands(part);
 }
 
 function walkPart(part: Statement | Expression, walk: Walk): void {
@@ -34,7 +39,7 @@ function isStatement(part: Statement | Expression): part is Statement {
   return !('token' in part);
 }
 
-function partsOf(statement: Statement): readonly (Statement | Expression)[] {
+function statementParts(statement: Statement): readonly (Statement | Expression)[] {
   switch (statement.kind) {
     case 'block':
       return statement.statements;
@@ -64,7 +69,7 @@ function partsOf(statement: Statement): readonly (Statement | Expression)[] {
 }
 
 /** The expressions that one is made of. */
-export function operands(expression: Expression): readonly Expression[] {
+function operands(expression: Expression): readonly Expression[] {
   switch (expression.kind) {
     case 'name':
     case 'literal':

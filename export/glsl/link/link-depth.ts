@@ -1,0 +1,50 @@
+import { givenSymbols } from '../isf/given-symbols.ts';
+import { findInput, type IsfShader, imageInputs } from '../isf/isf-shader.ts';
+import type { VariableSymbol } from '../syntax/ast.ts';
+import { colorFunction, depthFunction, helpersFor, type ImageUse, imageText, samplerFor } from './images.ts';
+import { createLineWriter } from './line-writer.ts';
+import { linkedShader, namePass } from './link-pass.ts';
+import type { LinkedPass, LinkedUniform, LinkOptions } from './linked-pass.ts';
+import { planPasses } from './plan-passes.ts';
+import { FRAGMENT_HEAD } from './prelude.ts';
+
+/** A float input of this name fades the first image, and so what counts as its alpha. */
+const OPACITY = 'opacity';
+
+/**
+ * The pass that makes the depth of a file with `"SCRIM_DEPTH": "over"`, in metres: that of the first image where its alpha,
+ * times `opacity` if there is such an input, is above one half, else that of the second (design §7). To be drawn only where
+ * something reads the depth. Throws where the file's depth is no computed one (`definition.outputs.layer.depth` is not `true`).
+ */
+export function linkIsfDepth(shader: IsfShader, options: LinkOptions): LinkedPass {
+  const [firstPass] = planPasses(shader);
+  const [topInput, bottomInput] = imageInputs(shader);
+  if (shader.depth !== 'over' || topInput === undefined || firstPass === undefined) throw new Error(`${shader.file} computes no depth.`);
+  const given = givenSymbols(shader);
+  const { names, images } = namePass({ shader, given, options }, firstPass);
+  const top = images.get(topInput.name);
+  const bottom = images.get((bottomInput ?? topInput).name);
+  if (top === undefined || bottom === undefined) throw new Error(`The images of ${shader.file} have no names.`);
+
+  const opacity = given.get(OPACITY);
+  const fades = opacity?.role === 'input' && findInput(shader, OPACITY)?.type === 'float';
+  const uniforms: LinkedUniform[] = fades ? [{ name: names.of(opacity as VariableSymbol), type: 'float', source: { param: OPACITY } }] : [];
+  const uses = new Map([[top, new Set<ImageUse>(['color', 'depth'])]]);
+  if (bottom !== top) uses.set(bottom, new Set<ImageUse>(['depth']));
+  const texts = [...uses].map(([image, use]) => imageText(image, use, shader.premultiplied));
+  const head = [FRAGMENT_HEAD, ...uniforms.map((u) => `uniform ${u.type} ${u.name};`), ...helpersFor(texts.join('\n'), false), ...texts];
+  const alpha = `${colorFunction(top)}(scrim_uv).a${uniforms.map((u) => ` * ${u.name}`).join('')}`;
+  const writer = createLineWriter(0);
+  writer.own(`void main() {
+  bool isTop = ${alpha} > 0.5;
+  scrim_output = vec4(isTop ? ${depthFunction(top)}(scrim_uv) : ${depthFunction(bottom)}(scrim_uv), 0.0, 0.0, 1.0);
+}`);
+  const samplers = [...uses].flatMap(([image, use]) => [...use].map((one) => samplerFor(image, one)));
+  return {
+    shader: linkedShader({ shader, options }, head.join('\n'), writer),
+    passIndex: firstPass.passIndex,
+    target: { kind: 'output', format: 'r32f' },
+    samplers: samplers.filter((sampler) => sampler !== null),
+    uniforms,
+  };
+}

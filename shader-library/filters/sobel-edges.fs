@@ -1,0 +1,64 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Draws the edges in the picture as lines: the strength of the brightness gradient, found with 3 × 3 Sobel kernels.",
+  "CREDIT": "Scrim. Kernels: I. Sobel and G. Feldman, 1968. Luma: Rec. ITU-R BT.709",
+  "CATEGORIES": ["Edges", "Outline", "Style", "Lines"],
+  "SCRIM_ALPHA": "premultiplied",
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to find edges in. Where it is transparent it counts as black." },
+    { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "With 1, a straight edge between black and white is drawn at full strength.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "ratio" },
+    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Lines", "DOC": "Colour of the edges.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the edges.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
+    { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the picture", "DOC": "Draw the edges over the picture instead of over the paper.", "DEFAULT": false }
+  ]
+}*/
+
+const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
+
+// The Sobel kernels weigh one side of an edge with 1 + 2 + 1.
+const float FULL_EDGE = 4.0;
+
+// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+vec4 readLayer(vec2 uv) {
+  vec4 color = IMG_NORM_PIXEL(inputImage, uv);
+#ifndef SCRIM
+  color.rgb *= color.a;
+#endif
+  return color;
+}
+
+vec4 premultiplied(vec4 color) {
+  return vec4(color.rgb * color.a, color.a);
+}
+
+// Luma, and alpha for how far the layer reaches.
+vec2 tap(float x, float y) {
+  vec4 color = readLayer(isf_FragNormCoord + vec2(x, y) / RENDERSIZE);
+  return vec2(dot(color.rgb, LUMA_709), color.a);
+}
+
+void main() {
+  vec2 topLeft = tap(-1.0, 1.0);
+  vec2 top = tap(0.0, 1.0);
+  vec2 topRight = tap(1.0, 1.0);
+  vec2 left = tap(-1.0, 0.0);
+  vec4 centre = readLayer(isf_FragNormCoord);
+  vec2 right = tap(1.0, 0.0);
+  vec2 bottomLeft = tap(-1.0, -1.0);
+  vec2 bottom = tap(0.0, -1.0);
+  vec2 bottomRight = tap(1.0, -1.0);
+
+  float gradientX = topRight.x + 2.0 * right.x + bottomRight.x - topLeft.x - 2.0 * left.x - bottomLeft.x;
+  float gradientY = topLeft.x + 2.0 * top.x + topRight.x - bottomLeft.x - 2.0 * bottom.x - bottomRight.x;
+  float edge = clamp(strength * length(vec2(gradientX, gradientY)) / FULL_EDGE, 0.0, 1.0);
+
+  // The paper and the lines reach one pixel over the layer's own edge, where half of its outline is.
+  float reach = max(centre.a, max(max(max(topLeft.y, topRight.y), max(bottomLeft.y, bottomRight.y)), max(max(top.y, bottom.y), max(left.y, right.y))));
+  vec4 line = premultiplied(lineColor) * reach;
+  vec4 paper = overPicture ? centre : premultiplied(paperColor) * reach;
+  vec4 result = mix(paper, line, edge);
+#ifndef SCRIM
+  if (result.a > 0.0) result.rgb /= result.a;
+#endif
+  gl_FragColor = result;
+}

@@ -1,0 +1,29 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Lays one layer over another. Where the upper one is transparent, the lower one shows.",
+  "CREDIT": "Scrim. Source-over: W3C Compositing and Blending Level 1, section 9.1.4",
+  "CATEGORIES": ["Composite", "Merge", "Blend", "Layer"],
+  "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_DEPTH": "over",
+  "INPUTS": [
+    { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front." },
+    { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind." },
+    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "How much of the top layer shows: 0 is none of it, 1 is all.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" }
+  ]
+}*/
+
+void main() {
+  vec4 source = IMG_THIS_PIXEL(top);
+  vec4 backdrop = IMG_THIS_PIXEL(bottom);
+  // Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+#ifndef SCRIM
+  source.rgb *= source.a;
+  backdrop.rgb *= backdrop.a;
+#endif
+  source *= opacity;
+  vec4 result = source + backdrop * (1.0 - source.a);
+#ifndef SCRIM
+  if (result.a > 0.0) result.rgb /= result.a;
+#endif
+  gl_FragColor = result;
+}

@@ -1,0 +1,295 @@
+import type { NamedSize } from '../../export/glsl/isf/isf-shader.ts';
+import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../export/glsl/link/linked-pass.ts';
+import type { LinkedShader } from '../../export/program/program.ts';
+
+/**
+ * Plays linked passes as `export/program/program.ts` says, in a few lines of plain WebGL 2 and without the runtime: what the
+ * tests find wrong is then the linker's or the shader's.
+ */
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  /** RGBA8, premultiplied, bottom row first, base64. */
+  readonly rgba: string;
+  /** Column-major 3×3; the identity where it is left out. */
+  readonly uvFromViewUv?: readonly number[];
+}
+
+export interface DepthPicture {
+  readonly width: number;
+  readonly height: number;
+  /** Bottom row first: metres, or what a depth buffer holds. */
+  readonly values: readonly number[];
+  readonly decode?: readonly [number, number, number, number];
+}
+
+export interface DrawJob {
+  readonly width: number;
+  readonly height: number;
+  readonly passes: readonly LinkedPass[];
+  readonly pictures?: Readonly<Record<string, Picture>>;
+  /** Layer depth by the layer's input, room depth by its own. */
+  readonly depths?: Readonly<Record<string, DepthPicture>>;
+  readonly params?: Readonly<Record<string, number | readonly number[]>>;
+  /** How often to draw; buffers that persist keep their picture in between. */
+  readonly frames?: number;
+}
+
+export interface Drawing {
+  /** As `Picture.rgba`; empty for a float output. */
+  readonly rgba: string;
+  /** Of float outputs, RGBA. */
+  readonly floats: readonly number[];
+  readonly glError: number;
+  readonly logs: readonly string[];
+}
+
+const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+const FRAME_S = 1 / 60;
+
+const gl = createContext();
+
+function createContext(): WebGL2RenderingContext {
+  const context = document.createElement('canvas').getContext('webgl2', { antialias: false });
+  if (context === null) throw new Error('This browser has no WebGL 2.');
+  context.getExtension('EXT_color_buffer_float');
+  context.getExtension('EXT_color_buffer_half_float');
+  return context;
+}
+
+/** The driver's log for each shader; empty where it compiles and links. */
+export function compile(shaders: readonly LinkedShader[]): string[] {
+  return shaders.map((shader) => {
+    const { program, log } = link(shader);
+    gl.deleteProgram(program);
+    return log;
+  });
+}
+
+export function draw(job: DrawJob): Drawing {
+  const programs = job.passes.map((pass) => link(pass.shader));
+  const logs = programs.map(({ log }) => log);
+  if (logs.some((log) => log !== '')) return { rgba: '', floats: [], glError: 0, logs };
+  const textures = new Map<string, WebGLTexture>();
+  for (const [name, picture] of Object.entries(job.pictures ?? {})) textures.set(name, upload(picture));
+  for (const [name, depth] of Object.entries(job.depths ?? {})) textures.set(`${name}:depth`, uploadDepth(depth));
+  const buffers = new Map<string, Buffer>();
+  let output: Buffer | null = null;
+  for (let frame = 0; frame < (job.frames ?? 1); frame += 1) {
+    job.passes.forEach((pass, i) => {
+      const program = programs[i]?.program;
+      if (program === undefined) return;
+      const target = targetOf(pass, job, buffers);
+      gl.useProgram(program);
+      setUniforms(program, pass.uniforms, pass, target, job, frame);
+      setSamplers(program, pass.samplers, textures, buffers, job);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffers[1 - target.front] ?? null);
+      gl.viewport(0, 0, target.width, target.height);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      target.front = 1 - target.front;
+      if (pass.target.kind === 'output') output = target;
+    });
+  }
+  return { ...read(output, job.passes.at(-1)), glError: gl.getError(), logs };
+}
+
+/** Whether a probe of the loop budget, as `prelude.ts` describes it, finds that it is exceeded. */
+export function exceedsLoopBudget(job: DrawJob, budget: number): boolean {
+  const [pass] = job.passes;
+  if (pass === undefined) throw new Error('Nothing to draw.');
+  const { program, log } = link(pass.shader);
+  if (log !== '') throw new Error(log);
+  const texture = createTexture(gl.R8UI, 16, 16, gl.NEAREST);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT1, gl.TEXTURE_2D, texture, 0);
+  gl.drawBuffers([gl.NONE, gl.COLOR_ATTACHMENT1]);
+  gl.viewport(0, 0, 16, 16);
+  gl.useProgram(program);
+  gl.uniform1i(gl.getUniformLocation(program, 'scrim_loopBudget'), budget);
+  setUniforms(program, pass.uniforms, pass, { width: 16, height: 16 }, job, 0);
+  gl.drawArrays(gl.TRIANGLES, 0, 3);
+  const found = new Uint32Array(16 * 16 * 4);
+  gl.readBuffer(gl.COLOR_ATTACHMENT1);
+  gl.readPixels(0, 0, 16, 16, gl.RGBA_INTEGER, gl.UNSIGNED_INT, found);
+  const glError = gl.getError();
+  if (glError !== 0) throw new Error(`GL error ${glError}`);
+  return found.some((value, i) => i % 4 === 0 && value === 1);
+}
+
+function link(shader: LinkedShader): { program: WebGLProgram; log: string } {
+  const program = gl.createProgram();
+  let log = '';
+  for (const [type, text] of [
+    [gl.VERTEX_SHADER, shader.vertex],
+    [gl.FRAGMENT_SHADER, shader.fragment],
+  ] as const) {
+    const stage = gl.createShader(type);
+    if (stage === null) throw new Error('The context is lost.');
+    gl.shaderSource(stage, text);
+    gl.compileShader(stage);
+    if (!gl.getShaderParameter(stage, gl.COMPILE_STATUS)) log += gl.getShaderInfoLog(stage) ?? 'failed without a word';
+    gl.attachShader(program, stage);
+  }
+  if (log === '') {
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) log = gl.getProgramInfoLog(program) ?? 'failed without a word';
+  }
+  return { program, log };
+}
+
+interface Buffer {
+  readonly width: number;
+  readonly height: number;
+  readonly textures: readonly [WebGLTexture, WebGLTexture];
+  readonly framebuffers: readonly [WebGLFramebuffer, WebGLFramebuffer];
+  front: number;
+}
+
+function targetOf(pass: LinkedPass, job: DrawJob, buffers: Map<string, Buffer>): Buffer {
+  const { target } = pass;
+  const name = target.kind === 'output' ? 'the output' : target.name;
+  const known = buffers.get(name);
+  if (known !== undefined) return known;
+  const width = target.kind === 'output' ? job.width : evaluateSize(target.width, job.width, job);
+  const height = target.kind === 'output' ? job.height : evaluateSize(target.height, job.height, job);
+  const internal = { rgba8: gl.RGBA8, rgba16f: gl.RGBA16F, r32f: gl.R32F }[target.format];
+  const textures = [createTexture(internal, width, height), createTexture(internal, width, height)] as const;
+  const buffer: Buffer = { width, height, textures, framebuffers: [frame(textures[0]), frame(textures[1])], front: 0 };
+  buffers.set(name, buffer);
+  return buffer;
+}
+
+function frame(texture: WebGLTexture): WebGLFramebuffer {
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  gl.clear(gl.COLOR_BUFFER_BIT);
+  return framebuffer;
+}
+
+function createTexture(internal: number, width: number, height: number, filter: number = gl.LINEAR): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
+  return texture;
+}
+
+function upload(picture: Picture): WebGLTexture {
+  const texture = createTexture(gl.RGBA8, picture.width, picture.height);
+  const bytes = Uint8Array.from(atob(picture.rgba), (c) => c.charCodeAt(0));
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, picture.width, picture.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  return texture;
+}
+
+function uploadDepth(depth: DepthPicture): WebGLTexture {
+  const texture = createTexture(gl.R32F, depth.width, depth.height, gl.NEAREST);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, depth.width, depth.height, gl.RED, gl.FLOAT, new Float32Array(depth.values));
+  return texture;
+}
+
+function setUniforms(
+  program: WebGLProgram,
+  uniforms: readonly LinkedUniform[],
+  pass: LinkedPass,
+  target: { readonly width: number; readonly height: number },
+  job: DrawJob,
+  frameIndex: number,
+): void {
+  for (const { name, type, source } of uniforms) {
+    const location = gl.getUniformLocation(program, name);
+    const builtins = {
+      TIME: frameIndex * FRAME_S,
+      TIMEDELTA: frameIndex === 0 ? 0 : FRAME_S,
+      FRAMEINDEX: frameIndex,
+      DATE: [2026, 3, 4, 5],
+      RENDERSIZE: [target.width, target.height],
+      PASSINDEX: pass.passIndex,
+    };
+    const value = 'builtin' in source ? builtins[source.builtin] : job.params?.[source.param];
+    if (value === undefined) throw new Error(`The test gives no value for ${name}.`);
+    const numbers = typeof value === 'number' ? [value] : [...value];
+    if (type === 'int' || type === 'bool') gl.uniform1iv(location, numbers);
+    else if (type === 'float') gl.uniform1fv(location, numbers);
+    else if (type === 'vec2') gl.uniform2fv(location, numbers);
+    else if (type === 'vec3') gl.uniform3fv(location, numbers);
+    else gl.uniform4fv(location, numbers);
+  }
+}
+
+function setSamplers(
+  program: WebGLProgram,
+  samplers: readonly LinkedSampler[],
+  textures: ReadonlyMap<string, WebGLTexture>,
+  buffers: ReadonlyMap<string, Buffer>,
+  job: DrawJob,
+): void {
+  samplers.forEach(({ name, source }, unit) => {
+    const buffer = source.kind === 'buffer' ? buffers.get(source.target) : undefined;
+    const key = source.kind === 'buffer' ? '' : source.kind === 'input' ? source.input : `${source.input}:depth`;
+    const picture = source.kind === 'buffer' ? undefined : job.pictures?.[source.input];
+    const depth = source.kind === 'buffer' ? undefined : job.depths?.[source.input];
+    const texture = buffer === undefined ? textures.get(key) : buffer.textures[buffer.front];
+    gl.activeTexture(gl.TEXTURE0 + unit);
+    gl.bindTexture(gl.TEXTURE_2D, texture ?? null);
+    gl.uniform1i(gl.getUniformLocation(program, name), unit);
+    gl.uniformMatrix3fv(gl.getUniformLocation(program, `${name}_uvFromViewUv`), false, picture?.uvFromViewUv ?? IDENTITY);
+    gl.uniform2f(gl.getUniformLocation(program, `${name}_size`), buffer?.width ?? job.width, buffer?.height ?? job.height);
+    const [x, y, z, w] = depth?.decode ?? [1, 0, 0, 0];
+    gl.uniform4f(gl.getUniformLocation(program, `${name}_decode`), x, y, z, w);
+  });
+}
+
+function read(output: Buffer | null, last: LinkedPass | undefined): Pick<Drawing, 'rgba' | 'floats'> {
+  if (output === null || last === undefined) throw new Error('No pass draws the output.');
+  gl.bindFramebuffer(gl.FRAMEBUFFER, output.framebuffers[output.front] ?? null);
+  if (last.target.format === 'rgba8') {
+    const bytes = new Uint8Array(output.width * output.height * 4);
+    gl.readPixels(0, 0, output.width, output.height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    let text = '';
+    for (const byte of bytes) text += String.fromCharCode(byte);
+    return { rgba: btoa(text), floats: [] };
+  }
+  const floats = new Float32Array(output.width * output.height * 4);
+  gl.readPixels(0, 0, output.width, output.height, gl.RGBA, gl.FLOAT, floats);
+  return { rgba: '', floats: [...floats] };
+}
+
+function evaluateSize(size: NamedSize | null, whole: number, job: DrawJob): number {
+  if (size === null) return whole;
+  const stack: number[] = [];
+  for (const item of size) {
+    if (typeof item === 'number') stack.push(item);
+    else if ('param' in item) stack.push(Number(job.params?.[item.param]));
+    else if (item.op === 'width') stack.push(job.width);
+    else if (item.op === 'height') stack.push(job.height);
+    else stack.push(applySize(item.op, stack));
+  }
+  return Math.max(1, Math.round(stack.at(-1) ?? whole));
+}
+
+function applySize(op: string, stack: number[]): number {
+  const b = stack.pop() ?? 0;
+  if (op === 'floor' || op === 'ceil' || op === 'round' || op === 'abs' || op === 'sqrt') return Math[op](b);
+  if (op === 'negate') return -b;
+  const a = stack.pop() ?? 0;
+  switch (op) {
+    case '+':
+      return a + b;
+    case '-':
+      return a - b;
+    case '*':
+      return a * b;
+    case '/':
+      return a / b;
+    case '%':
+      return a % b;
+    case 'min':
+      return Math.min(a, b);
+    default:
+      return Math.max(a, b);
+  }
+}
