@@ -62,6 +62,7 @@ function render(renderer: SceneRenderer): WebGLCubeRenderTarget {
 
   const uniforms = { roughness: { value: 0 } };
   const material = new ShaderMaterial({
+    name: 'neutral environment',
     vertexShader: VERTEX,
     fragmentShader: FRAGMENT,
     uniforms,

@@ -13,7 +13,7 @@ import {
 import type { LightItem, LightList, NumberView, VectorView } from '../../../../nodes/kit/runtime.ts';
 import type { RenderedShadowMaps, ShadowMap } from '../lights/shadow-maps.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
-import { CATCHER_FRAGMENT, CATCHER_VERTEX } from './shadow-catcher-shader.ts';
+import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
 import type { Twin } from './twins.ts';
 
 /** The materials of one shadow layer: they share lights, strength and colour, and differ in what three compiles per object. */
@@ -45,7 +45,8 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
     shadowedLights: { value: shadowedLights },
     plainLights: { value: plainLights },
   };
-  const defines = { SHADOWED: 0, PLAIN: 0, PREMULTIPLIED_OUTPUT: '' };
+  let compiled = { shadowed: 0, plain: 0 };
+  let fragmentShader = catcherFragment(0, 0);
   const materials: ShaderMaterial[] = [];
   let shadowed = 0;
   let plain = 0;
@@ -64,21 +65,24 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
     plainLights[i] = describe(light, plainLights[i]);
   }
 
-  /** Array lengths are compiled in; they change only when a light comes, goes, or begins to cast a shadow. */
-  function fitArrays(): void {
-    if (shadowed === defines.SHADOWED && plain === defines.PLAIN) return;
-    defines.SHADOWED = shadowed;
-    defines.PLAIN = plain;
+  /** The shader is written for its lights; their number changes when one comes, goes, or begins to cast a shadow. */
+  function fitShader(): void {
+    if (shadowed === compiled.shadowed && plain === compiled.plain) return;
+    compiled = { shadowed, plain };
     for (const array of [shadowMaps, mapFromWorld, mapBias, shadowedLights]) array.length = shadowed;
     plainLights.length = plain;
-    for (const material of materials) material.needsUpdate = true;
+    fragmentShader = catcherFragment(shadowed, plain);
+    for (const material of materials) {
+      material.fragmentShader = fragmentShader;
+      material.needsUpdate = true;
+    }
   }
 
   return {
     createTwin: (master) => {
-      const material = new ShaderMaterial({ vertexShader: CATCHER_VERTEX, fragmentShader: CATCHER_FRAGMENT });
+      const material = new ShaderMaterial({ name: 'shadow catcher', vertexShader: CATCHER_VERTEX, fragmentShader });
       material.uniforms = uniforms;
-      material.defines = defines;
+      material.defines = { PREMULTIPLIED_OUTPUT: '' };
       // After the depth pass of all phantoms, which lies a little behind: each pixel belongs to the nearest phantom, once.
       material.transparent = true;
       material.depthFunc = LessDepth;
@@ -113,7 +117,7 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
           else addPlain(light);
         }
       }
-      fitArrays();
+      fitShader();
     },
   };
 }
