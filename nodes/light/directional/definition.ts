@@ -21,7 +21,7 @@ export const definition = defineNode({
       step: 0.01,
       unit: 'ratio',
     },
-    azimuth: {
+    azimuthRad: {
       type: 'number',
       stage: 'uniform',
       label: 'Azimuth',
@@ -32,7 +32,7 @@ export const definition = defineNode({
       step: 0.01,
       unit: 'rad',
     },
-    elevation: {
+    elevationRad: {
       type: 'number',
       stage: 'uniform',
       label: 'Elevation',
@@ -50,7 +50,7 @@ export const definition = defineNode({
       doc: 'Whether objects in this light throw shadows.',
       default: true,
     },
-    area: {
+    areaM: {
       type: 'number',
       stage: 'uniform',
       label: 'Shadow area',
@@ -74,7 +74,7 @@ export const definition = defineNode({
         { value: '4096', label: '4096' },
       ],
     },
-    bias: {
+    biasPx: {
       type: 'number',
       stage: 'uniform',
       label: 'Shadow offset',

@@ -9,7 +9,7 @@ const WHITE_ON_WHITE = Math.PI;
 const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { color, intensity, azimuth, elevation, castShadow, area, bias } = ctx.params;
+  const { color, intensity, azimuthRad, elevationRad, castShadow, areaM, biasPx } = ctx.params;
   const mapSizePx = Number(ctx.config.mapSize);
   // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
   // shadow's filter, so it is counted in the map's pixels.
@@ -28,12 +28,12 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     update: () => {
       scratchColor.fromArray(color.value).convertSRGBToLinear();
       scratchColor.multiplyScalar(intensity.value * WHITE_ON_WHITE).toArray(light.radiance);
-      const horizontal = Math.cos(elevation.value);
-      light.towardsLightWorld[0] = horizontal * Math.sin(azimuth.value);
-      light.towardsLightWorld[1] = Math.sin(elevation.value);
-      light.towardsLightWorld[2] = horizontal * Math.cos(azimuth.value);
-      shadow.areaM = area.value;
-      shadow.normalBiasM = (bias.value * area.value) / mapSizePx;
+      const horizontal = Math.cos(elevationRad.value);
+      light.towardsLightWorld[0] = horizontal * Math.sin(azimuthRad.value);
+      light.towardsLightWorld[1] = Math.sin(elevationRad.value);
+      light.towardsLightWorld[2] = horizontal * Math.cos(azimuthRad.value);
+      shadow.areaM = areaM.value;
+      shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
       light.shadow = castShadow.value ? shadow : null;
     },
     dispose: () => {},

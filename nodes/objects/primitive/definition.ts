@@ -24,7 +24,7 @@ export const definition = defineNode({
         { value: 'torus', label: 'Torus' },
       ],
     },
-    size: {
+    sizeM: {
       type: 'vector3',
       stage: 'uniform',
       label: 'Size',

@@ -32,7 +32,7 @@ const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
 const scratchSize = new Vector3();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { size, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
+  const { sizeM, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
   const { shape } = ctx.config;
   const geometry = GEOMETRIES[shape]();
   // A sheet has no inside that could show through, so one pass does for both its sides when it is see-through.
@@ -53,7 +53,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
   return {
     update: () => {
-      scratchSize.fromArray(size.value);
+      scratchSize.fromArray(sizeM.value);
       if (shape === 'plane') scratchSize.y = 1;
       mesh.matrixWorld.makeScale(scratchSize.x, scratchSize.y, scratchSize.z);
       material.color.fromArray(color.value).convertSRGBToLinear();

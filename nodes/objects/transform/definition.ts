@@ -11,7 +11,7 @@ export const definition = defineNode({
   },
   outputs: { objects: { type: 'objects', label: 'Objects', doc: 'The same objects in their new place.' } },
   params: {
-    position: {
+    positionM: {
       type: 'vector3',
       stage: 'uniform',
       label: 'Position',
@@ -21,7 +21,7 @@ export const definition = defineNode({
       max: [10, 10, 10],
       unit: 'm',
     },
-    rotation: {
+    rotationRad: {
       type: 'vector3',
       stage: 'uniform',
       label: 'Rotation',

@@ -11,16 +11,16 @@ const scratchQuaternion = new Quaternion();
 const scratchScale = new Vector3();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { position, rotation, scale } = ctx.params;
+  const { positionM, rotationRad, scale } = ctx.params;
   const newFromOld = new Matrix4();
   const derived = deriveObjects(ctx.outputs.objects, (item) => {
     item.worldFromObject.premultiply(newFromOld);
   });
   return {
     update: () => {
-      scratchEuler.setFromVector3(scratchAngles.fromArray(rotation.value));
+      scratchEuler.setFromVector3(scratchAngles.fromArray(rotationRad.value));
       newFromOld.compose(
-        scratchPosition.fromArray(position.value),
+        scratchPosition.fromArray(positionM.value),
         scratchQuaternion.setFromEuler(scratchEuler),
         scratchScale.setScalar(scale.value),
       );
