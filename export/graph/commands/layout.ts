@@ -17,7 +17,11 @@ export function moveNodes(project: Project, { graph, positions }: MoveNodes): Ch
   return change(project, (draft) => {
     const layout = draftLayout(draft, graph).nodes;
     for (const [id, { x, y }] of Object.entries(positions)) {
-      if (own(nodes, id)) layout[id] = { ...layout[id], ...rounded({ x, y }) };
+      if (!own(nodes, id)) continue;
+      const place = layout[id];
+      // Field by field, so that a node put back where it was makes no step.
+      if (place) Object.assign(place, rounded({ x, y }));
+      else layout[id] = rounded({ x, y });
     }
   });
 }

@@ -5,7 +5,7 @@ import { createFaceLookup } from '../library/faces.ts';
 import { boundValue, outOfRange, sameValue, withoutNegativeZero } from '../library/param-value.ts';
 import { own } from '../own.ts';
 import type { Binding, ParamValue, Project } from '../project.ts';
-import { type Change, change, draftGraph, graphOf, type Place, refuse, setWires } from './change.ts';
+import { type Change, change, draftGraph, graphOf, type Place, refuse, setWires, unchanged } from './change.ts';
 
 export interface SetParam {
   readonly library: NodeLibrary;
@@ -61,12 +61,17 @@ function findParam(project: Project, library: NodeLibrary, graph: string, id: st
 
 type Bind = Omit<BindParam, 'library'> & { readonly keepWires: boolean };
 
-function bind(project: Project, { definition, place }: FoundParam, { graph, node, param, binding, keepWires }: Bind): Change {
+function bind(
+  project: Project,
+  { definition, binding: before, place }: FoundParam,
+  { graph, node, param, binding, keepWires }: Bind,
+): Change {
   const problem = bindingProblem(project, definition, binding);
   if (problem !== null) return refuse(project, problem.code, `“${definition.label}” of ${node} ${problem.message}`, place);
   const stored = withoutDefault(definition, binding);
   const { wires } = graphOf(project, graph);
   const others = keepWires ? wires : wires.filter(({ to }) => to.node !== node || to.port !== param);
+  if (others.length === wires.length && sameBinding(stored, before ?? null)) return unchanged(project);
   return change(project, (draft) => {
     const params = draftGraph(draft, graph).nodes[node]?.params;
     if (!params) return;
@@ -99,4 +104,8 @@ function withoutDefault(param: ParamDefinition, binding: Binding): Binding | nul
   if ('port' in binding) return { port: withoutNegativeZero(binding.port) };
   if (!('value' in binding)) return binding;
   return sameValue(binding.value, param.default) ? null : { value: withoutNegativeZero(binding.value) };
+}
+
+function sameBinding(a: Binding | null, b: Binding | null): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
 }

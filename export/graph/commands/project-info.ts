@@ -1,4 +1,3 @@
-import { castDraft } from 'immer';
 import type { PageInfo, Project } from '../project.ts';
 import { type Change, change } from './change.ts';
 
@@ -11,6 +10,6 @@ export function setTitle(project: Project, { title }: { readonly title: string }
 /** What the exported page says about itself; fields left out stay. */
 export function setPage(project: Project, { page }: { readonly page: Partial<PageInfo> }): Change {
   return change(project, (draft) => {
-    draft.page = castDraft({ ...draft.page, ...page });
+    Object.assign(draft.page, page);
   });
 }

@@ -1,0 +1,74 @@
+import { describe, expect, test } from '@jest/globals';
+import { defineNode, type NodeDefinition } from '../../../nodes/kit/definition.ts';
+import { libraryOf } from '../../../tests/support/test-library.ts';
+import { newProject } from '../new-project.ts';
+import type { Binding, Project } from '../project.ts';
+import { migrateNodes } from './migrate-nodes.ts';
+
+/** Version 2 renamed `size`; version 3 counts in metres what was in centimetres, in keyframes too. */
+const BOX: NodeDefinition = defineNode({
+  type: 'objects/box',
+  version: 3,
+  title: 'Box',
+  doc: '',
+  inputs: {},
+  outputs: {},
+  params: { side: { type: 'number', stage: 'uniform', label: 'Side', doc: '', default: 1, unit: 'm' } },
+  lowering: { kind: 'geometry' },
+  migrations: [
+    ({ size, ...rest }) => ({ ...rest, ...(size === undefined ? {} : { side: size }) }),
+    ({ side, ...rest }) => ({ ...rest, ...(side === undefined ? {} : { side: inMetres(side) }) }),
+  ],
+});
+
+function inMetres(saved: unknown): unknown {
+  if (typeof saved === 'number') return saved / 100;
+  const { track } = saved as { track: { keys: { value: number }[] } };
+  return { track: { ...track, keys: track.keys.map((key) => ({ ...key, value: key.value / 100 })) } };
+}
+
+function projectWith(version: number, params: Record<string, Binding>): Project {
+  const main = { nodes: { 'box-aaaa': { type: 'objects/box', version, params } }, wires: [], exposed: { inputs: [], outputs: [] } };
+  return { ...newProject(''), graphs: { main, other: { ...main, nodes: {} } } };
+}
+
+const library = libraryOf([BOX]);
+const boxOf = (project: Project) => project.graphs.main?.nodes['box-aaaa'];
+
+describe('migrateNodes', () => {
+  test('takes every step from the version that was saved', () => {
+    expect(boxOf(migrateNodes(projectWith(1, { size: { value: 50 } }), library).project)).toEqual({
+      type: 'objects/box',
+      version: 3,
+      params: { side: { value: 0.5 } },
+    });
+    expect(boxOf(migrateNodes(projectWith(2, { side: { value: 50 } }), library).project)?.params).toEqual({ side: { value: 0.5 } });
+  });
+
+  test('steps see params as the file has them, bindings included', () => {
+    const track = (value: number): Binding => ({ track: { keys: [{ timeS: 0, value, easing: 'linear' }], repeat: 'loop' } });
+    expect(boxOf(migrateNodes(projectWith(1, { size: track(50) }), library).project)?.params).toEqual({ side: track(0.5) });
+  });
+
+  test('what needs nothing stays the same object', () => {
+    const now = projectWith(3, { side: { value: 1 } });
+    expect(migrateNodes(now, library).project).toBe(now);
+    const old = projectWith(1, {});
+    const { project } = migrateNodes(old, library);
+    expect(project.graphs.other).toBe(old.graphs.other);
+    expect(project.graphs.main?.wires).toBe(old.graphs.main?.wires);
+  });
+
+  test('newer versions and unknown types are left alone', () => {
+    const newer = projectWith(4, { side: { value: 1 } });
+    expect(migrateNodes(newer, library)).toEqual({ project: newer, diagnostics: [] });
+    expect(migrateNodes(projectWith(1, {}), libraryOf([])).diagnostics).toEqual([]);
+  });
+
+  test('params that a step cannot read are kept and told', () => {
+    const odd = projectWith(2, { side: { expression: 'x' } });
+    const { project, diagnostics } = migrateNodes(odd, library);
+    expect(project).toBe(odd);
+    expect(diagnostics).toMatchObject([{ code: 'SCR018', severity: 'error', nodeId: 'box-aaaa' }]);
+  });
+});
