@@ -48,6 +48,13 @@ const VIOLATIONS: readonly (readonly [string, string, string, string])[] = [
   ['image passes never load scenes', 'export/runtime/player.ts', `import { x } from './scenes/create-scenes.ts';`, 'scenes'],
   ['emulator never in the page', 'export/page/main.ts', `import { x } from '../emulator/device.ts';`, 'emulator'],
   ['emulator never in the bundle', 'export/bundle/write.ts', `import type { x } from '../emulator/device.ts';`, 'emulator'],
+  [
+    'recordings never in the page',
+    'export/page/main.ts',
+    `import { x } from '../runtime/sessions/recorded/session.ts';`,
+    'recorded session',
+  ],
+  ['recordings never in the runtime at large', 'export/runtime/player.ts', `import './sessions/recorded/session.ts';`, 'recorded session'],
   ['page never Electron', 'export/page/main.ts', `import { app } from 'electron';`, 'electron'],
   ['bundle never React', 'export/bundle/write.ts', `import type { FC } from 'react';`, 'react'],
   ['app never the renderer', 'app/services/files.ts', `import { x } from '../../renderer/state/store.ts';`, 'editor'],

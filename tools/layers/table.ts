@@ -48,6 +48,13 @@ export const LAYERS: readonly Layer[] = [
   // Image passes need no three.js: only the scenes load it, and a page without objects leaves them out.
   { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'runtime'], packages: ['three', 'cannon-es'] },
   { name: 'recorded session format', files: ['export/runtime/sessions/format.ts'] },
+  // Plays recordings, in the preview and `scrim render`; like the emulator it is never in a page.
+  {
+    name: 'recorded session',
+    files: ['export/runtime/sessions/recorded/**'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'recorded session format'],
+    packages: ['fast-png'],
+  },
   {
     name: 'runtime',
     files: ['export/runtime/**'],
@@ -82,7 +89,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'command line page',
     files: ['app/cli/**/*.page.ts'],
-    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'emulator', 'registry of runtimes'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
     packages: ['three'],
   },
   {
@@ -97,7 +104,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'preview',
     files: ['renderer/preview/**'],
-    imports: [...EXPORT_KIT, 'program', 'preview protocol', 'runtime', 'scenes', 'emulator', 'registry of runtimes'],
+    imports: [...EXPORT_KIT, 'program', 'preview protocol', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
     packages: ['three'],
   },
   {
