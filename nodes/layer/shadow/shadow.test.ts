@@ -1,0 +1,28 @@
+import { expect, test } from '@jest/globals';
+import { fakeContext } from '../../../tests/support/node-context.ts';
+import type { LightList, ObjectList, SceneLook } from '../../kit/runtime.ts';
+import { definition } from './definition.ts';
+import { create } from './runtime.ts';
+
+/** What it looks like is proved on pixels, in `tests/browser/scenes-shadows.test.ts`. */
+test('draws its phantoms, not its casters, and frees its scene', () => {
+  const casters: ObjectList[] = [{ version: 1, items: [] }];
+  const receivers: ObjectList[] = [{ version: 2, items: [] }];
+  const lights: LightList[] = [{ version: 1, items: [] }];
+  const seen: unknown[] = [];
+  let look: SceneLook | null = null;
+  const scenes = {
+    createScene: (wanted: SceneLook) => {
+      look = wanted;
+      return { update: (...lists: unknown[]) => seen.push(lists), draw: () => seen.push('drawn'), dispose: () => seen.push('disposed') };
+    },
+  };
+  const { ctx, set } = fakeContext(definition, { inputs: { casters, receivers, lights }, services: { scenes } });
+  const node = create(ctx);
+  node.update({} as never);
+  node.draw?.({} as never);
+  node.dispose();
+  expect(seen).toEqual([[receivers, lights], 'drawn', 'disposed']);
+  set('strength', 0.9);
+  expect(look).toMatchObject({ kind: 'shadow-catcher', strength: { value: 0.9 } });
+});
