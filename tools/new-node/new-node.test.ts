@@ -75,7 +75,7 @@ describe('npm run new-node', () => {
   });
 
   test('its tests pass', async () => {
-    const output = await node('node_modules/jest/bin/jest.js', 'nodes/', '--selectProjects', 'unit');
+    const output = await node('node_modules/jest/bin/jest.js', 'try-it', '--selectProjects', 'unit');
     expect(output).toMatch(/Tests: +4 passed, 4 total/);
   }, 60_000);
 
