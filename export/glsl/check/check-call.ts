@@ -11,6 +11,8 @@ const IMAGE_FUNCTIONS: ReadonlyMap<string, readonly [returns: GlslType, ...args:
   ['IMG_NORM_PIXEL', ['vec4', 'vec2']],
   ['IMG_THIS_PIXEL', ['vec4']],
   ['IMG_THIS_NORM_PIXEL', ['vec4']],
+  // As docs.isf.video spells it.
+  ['IMG_NORM_THIS_PIXEL', ['vec4']],
   ['IMG_SIZE', ['vec2']],
   ['LAYER_DEPTH', ['float', 'vec2']],
   ['ROOM_DEPTH', ['float', 'vec2']],

@@ -40,10 +40,14 @@ export function driverDiagnostics(linked: LinkedShader, log: string, sourceOf?: 
   const [first] = log.replaceAll('\0', '').trim().split('\n');
   if (lines.length === 0 && first) lines.push({ severity: 'error', line: null, quoted: null, message: first });
   const tokens = new Map<string, readonly Token[]>();
-  const diagnostics = lines.map((line) => diagnose(linked, line, tokensOf(tokens, sourceOf)));
+  return uniqueDiagnostics(lines.map((line) => diagnose(linked, line, tokensOf(tokens, sourceOf))));
+}
+
+/** Passes of one file share most of their text, and so its mistakes: each is to be told once. */
+export function uniqueDiagnostics(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   const seen = new Set<string>();
   return diagnostics.filter((diagnostic) => {
-    const key = `${diagnostic.file}:${diagnostic.line}:${diagnostic.column}:${diagnostic.message}`;
+    const key = [diagnostic.nodeId, diagnostic.file, diagnostic.line, diagnostic.column, diagnostic.message].join('\0');
     return !seen.has(key) && seen.add(key);
   });
 }

@@ -23,6 +23,7 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
   switch (name) {
     case 'IMG_THIS_PIXEL':
     case 'IMG_THIS_NORM_PIXEL':
+    case 'IMG_NORM_THIS_PIXEL':
       return { use: 'color', position: 'here' };
     case 'IMG_NORM_PIXEL':
       return { use: 'color', position: 'norm' };
