@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { LinkedShader } from '../../program/program.ts';
-import { authorsName } from '../link/names.ts';
+import { authorsNames } from '../link/names.ts';
 import { lex } from '../syntax/lexer.ts';
 import { GlslError, type Place, type Token } from '../syntax/token.ts';
 
@@ -95,13 +95,14 @@ function diagnose(linked: LinkedShader, line: LogLine, tokens: (file: string) =>
 
 /** The quoted token on the author's line, from the statement's start on if it is there. */
 function findQuoted(tokens: readonly Token[], place: Place, quoted: string): Token | null {
-  const wanted = new Set([quoted, authorsWord(quoted), authorsName(quoted).replace(/_(?:at|depthAt)$/, '')]);
+  const ofImage = authorsWord(quoted).replace(/_(?:at|depthAt)$/, '');
+  const wanted = new Set([quoted, authorsWord(quoted), ...authorsNames(quoted), ofImage]);
   const onLine = tokens.filter((token) => token.line === place.line && wanted.has(token.text));
   return onLine.find((token) => token.column >= place.column) ?? onLine[0] ?? null;
 }
 
 function authorsWord(printed: string): string {
-  return AUTHORS_NAMES[printed] ?? authorsName(printed);
+  return AUTHORS_NAMES[printed] ?? authorsNames(printed)[0] ?? printed;
 }
 
 /** Everything is highp, so drivers' talk of it says nothing. */

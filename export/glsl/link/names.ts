@@ -32,7 +32,7 @@ export function createNames(): Names {
 
   function fresh(name: string, suffixes: readonly string[] = []): string {
     for (let version = 0; ; version += 1) {
-      const candidate = `${PREFIX}${version === 0 ? '' : version}_${name}`;
+      const candidate = apart(`${PREFIX}${version === 0 ? '' : version}_${name}`);
       const wanted = [candidate, ...suffixes.map((suffix) => candidate + suffix)];
       if (wanted.some((one) => taken.has(one))) continue;
       for (const one of wanted) taken.add(one);
@@ -49,7 +49,7 @@ export function createNames(): Names {
     const isGlobal =
       symbol.kind === 'struct' ? symbol.global : symbol.role === 'global' || symbol.role === 'input' || symbol.role === 'image';
     if (isGlobal || (symbol.kind === 'variable' && symbol.rename)) return fresh(symbol.name);
-    return isPlain(symbol.name) ? symbol.name : `${PREFIX}_${symbol.name}`;
+    return isPlain(symbol.name) ? symbol.name : apart(`${PREFIX}_${symbol.name}`);
   }
 
   return {
@@ -61,16 +61,21 @@ export function createNames(): Names {
       names.set(symbol, name);
       return name;
     },
-    member: (name) => (isWord(name) ? `${PREFIX}_${name}` : name),
+    member: (name) => (isWord(name) || OURS.test(name) || name.includes('__') ? apart(`${PREFIX}_${name}`) : name),
   };
 }
 
-/** The author's name for a printed one, as drivers quote it. */
-export function authorsName(printed: string): string {
-  return printed.replace(OURS_ADDED, '');
+/** What an author may have called a printed name, as drivers quote it; likeliest first. */
+export function authorsNames(printed: string): readonly string[] {
+  return [printed.replace(ADDED, ''), printed.replace(/_u(?=_)/g, '_').replace(ADDED, '')];
 }
 
-const OURS_ADDED = /^[a-z]\d*_/;
+const ADDED = /^[a-z]\d*_/;
+
+/** WebGL takes no name with two underscores side by side. */
+function apart(name: string): string {
+  return name.replace(/_(?=_)/g, '_u');
+}
 
 function isPlain(name: string): boolean {
   return !isWord(name) && !isBuiltinFunction(name) && !GLOBALS.has(name) && !OURS.test(name) && !name.includes('__');
