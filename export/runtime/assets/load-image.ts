@@ -1,4 +1,5 @@
 import type { ImageAsset } from '../../../nodes/kit/runtime.ts';
+import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { prepareUpload } from '../gl/upload.ts';
 
@@ -16,15 +17,9 @@ export async function loadImage(objects: GlObjects, bytes: ArrayBuffer): Promise
   const bitmap = await fitInto(full, objects.limits.maxTextureSizePx);
   const { gl } = objects;
   const { width, height } = bitmap;
-  const texture = objects.createTexture();
+  const texture = allocateTexture(gl, objects.createTexture(), gl.RGBA8, gl.LINEAR, width, height);
   prepareUpload(gl, 4);
-  gl.activeTexture(gl.TEXTURE0);
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, width, height);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, bitmap);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
   bitmap.close();
   return { texture, widthPx: width, heightPx: height, dispose: () => objects.deleteTexture(texture) };
 }

@@ -1,12 +1,10 @@
 import type { GlObjects } from './gl-objects.ts';
+import { setPassState, setSampler } from './pass-state.ts';
 import type { GlProgram } from './program-cache.ts';
 
 export type PassBlend = 'replace' | 'over';
 
-/**
- * Draws full-screen triangles. It sets all GL state that such a draw depends on and assumes nothing about what others left:
- * three.js, the browser's XR code and nodes use the same context.
- */
+/** Draws full-screen triangles, whatever state the context is in. */
 export interface PassDrawer {
   /** Everything drawn until `end` goes here. */
   begin(framebuffer: WebGLFramebuffer | null, x: number, y: number, widthPx: number, heightPx: number, blend: PassBlend): void;
@@ -23,30 +21,19 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
   const { gl } = objects;
   // The vertex shader makes the triangle from gl_VertexID; an array of its own keeps attributes of others out of the draw.
   const vertexArray = objects.createVertexArray();
-  const linear = createSampler(objects, gl.LINEAR);
-  const nearest = createSampler(objects, gl.NEAREST);
+  const linear = objects.createSampler();
+  const nearest = objects.createSampler();
+  setSampler(gl, linear, gl.LINEAR);
+  setSampler(gl, nearest, gl.NEAREST);
   const empty = createEmptyTexture(objects);
   let unitsUsed = 0;
   return {
     begin: (framebuffer, x, y, widthPx, heightPx, blend) => {
-      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-      gl.viewport(x, y, widthPx, heightPx);
-      gl.disable(gl.SCISSOR_TEST);
-      gl.disable(gl.DEPTH_TEST);
-      gl.disable(gl.STENCIL_TEST);
-      gl.disable(gl.CULL_FACE);
-      gl.disable(gl.RASTERIZER_DISCARD);
-      gl.disable(gl.SAMPLE_ALPHA_TO_COVERAGE);
-      gl.disable(gl.SAMPLE_COVERAGE);
-      gl.colorMask(true, true, true, true);
-      if (blend === 'over') {
-        gl.enable(gl.BLEND);
-        gl.blendEquation(gl.FUNC_ADD);
-        gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-      } else {
-        gl.disable(gl.BLEND);
-      }
-      gl.bindVertexArray(vertexArray);
+      setPassState(gl, framebuffer, vertexArray, x, y, widthPx, heightPx);
+      if (blend === 'replace') return;
+      gl.enable(gl.BLEND);
+      gl.blendEquation(gl.FUNC_ADD);
+      gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     },
     use: (program) => gl.useProgram(program.program),
     texture: (unit, location, texture, filter) => {
@@ -69,17 +56,6 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
       objects.deleteTexture(empty);
     },
   };
-}
-
-/** Samplers rather than texture parameters: textures come from browsers and nodes too, and may be read-only or have mips. */
-function createSampler(objects: GlObjects, filter: GLenum): WebGLSampler {
-  const { gl } = objects;
-  const sampler = objects.createSampler();
-  gl.samplerParameteri(sampler, gl.TEXTURE_MIN_FILTER, filter);
-  gl.samplerParameteri(sampler, gl.TEXTURE_MAG_FILTER, filter);
-  gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-  gl.samplerParameteri(sampler, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-  return sampler;
 }
 
 /** All zero: transparent as colour, unknown as depth. */

@@ -5,11 +5,8 @@ const scratchDecode = new Float32Array([0, 0, 0, 1]);
 const METRES = new Float32Array([1, 0, 0, 0]);
 
 /**
- * `NAME_decode` of a depth sampler: with the texture's red channel `d`, metres are `d * x + y` where `w` is 0 (depth in
- * metres: 1, 0), else `y / (2 d - 1 + x)`, and 0 where `d` is 1: nothing was drawn.
- *
- * Window depth comes from the view's projection: clip z = p10 * z + p14 and clip w = -z, so with m = -z metres,
- * 2 d - 1 = -p10 + p14 / m. That holds for off-axis and infinite projections alike.
+ * `NAME_decode` of a depth sampler, as `scrim_metres` in `export/glsl/link/images.ts` reads it: scale and offset where the
+ * texture holds metres, else two numbers of the projection that the depth buffer was drawn with.
  */
 export function setDecode(
   gl: WebGL2RenderingContext,

@@ -19,14 +19,14 @@ export interface Sampler {
   bind(state: PlayState): void;
 }
 
+/** Null for what the linked shader does not use: some want to know an image's size and nothing else. */
 interface Locations {
-  readonly texture: WebGLUniformLocation;
+  readonly texture: WebGLUniformLocation | null;
   readonly uv: WebGLUniformLocation | null;
   readonly size: WebGLUniformLocation | null;
   readonly decode: WebGLUniformLocation | null;
 }
 
-/** Samplers that the driver threw out are left out here. */
 export function createSamplers(
   gl: WebGL2RenderingContext,
   drawer: PassDrawer,
@@ -36,14 +36,13 @@ export function createSamplers(
 ): Sampler[] {
   const samplers: Sampler[] = [];
   for (const spec of operation.samplers) {
-    const texture = program.uniform(spec.name);
-    if (!texture) continue;
     const locations: Locations = {
-      texture,
+      texture: program.uniform(spec.name),
       uv: program.uniform(`${spec.name}_uvFromViewUv`),
       size: program.uniform(`${spec.name}_size`),
       decode: program.uniform(`${spec.name}_decode`),
     };
+    if (!locations.texture && !locations.size) continue;
     samplers.push(createSampler(gl, drawer, samplers.length, locations, spec, resources));
   }
   return samplers;
@@ -87,7 +86,7 @@ function color(
     prepare: (state) => target.front(domain === 'view' ? state.viewIndex : 0),
     bind: (state) => {
       const { color: texture, widthPx, heightPx } = target.front(domain === 'view' ? state.viewIndex : 0);
-      drawer.texture(unit, locations.texture, texture, filter);
+      if (locations.texture) drawer.texture(unit, locations.texture, texture, filter);
       setPlacement(gl, locations, IDENTITY, widthPx, heightPx, fit, state);
     },
   };
@@ -106,7 +105,7 @@ function external(
     prepare: () => {},
     bind: (state) => {
       const view = layer.views[domain === 'view' ? state.viewIndex : 0];
-      drawer.texture(unit, locations.texture, view?.texture ?? null, 'linear');
+      if (locations.texture) drawer.texture(unit, locations.texture, view?.texture ?? null, 'linear');
       // A layer of the view domain is pixel-aligned with the view, whatever the size of the camera's picture.
       const widthPx = domain === 'view' ? state.widthPx : (view?.widthPx ?? 0);
       const heightPx = domain === 'view' ? state.heightPx : (view?.heightPx ?? 0);
@@ -128,7 +127,7 @@ function layerDepth(
     prepare: (state) => target.front(domain === 'view' ? state.viewIndex : 0),
     bind: (state) => {
       const buffer = target.front(domain === 'view' ? state.viewIndex : 0);
-      drawer.texture(unit, locations.texture, encoding === 'window' ? buffer.depth : buffer.color, 'nearest');
+      if (locations.texture) drawer.texture(unit, locations.texture, encoding === 'window' ? buffer.depth : buffer.color, 'nearest');
       setPlacement(gl, locations, IDENTITY, buffer.widthPx, buffer.heightPx, 'none', state);
       if (locations.decode) setDecode(gl, locations.decode, encoding, state.view?.clipFromView);
     },
@@ -140,7 +139,7 @@ function roomDepth(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number,
     prepare: () => {},
     bind: (state) => {
       const depth = output.views[state.viewIndex] ?? null;
-      drawer.texture(unit, locations.texture, depth?.texture ?? null, 'nearest');
+      if (locations.texture) drawer.texture(unit, locations.texture, depth?.texture ?? null, 'nearest');
       setPlacement(gl, locations, depth?.uvFromViewUv ?? IDENTITY, depth?.widthPx ?? 1, depth?.heightPx ?? 1, 'none', state);
       if (locations.decode) setDecode(gl, locations.decode, 'metres', undefined);
     },

@@ -11,13 +11,7 @@ const BOTTOM = 2;
 const scratchStack = new Float64Array(STACK);
 
 /** Whole pixels, at least one, at most `maxPx`; a size that is not a number is one pixel. */
-export function evaluateSize(
-  expression: SizeExpression,
-  baseWidthPx: number,
-  baseHeightPx: number,
-  slots: Slots,
-  maxPx: number,
-): number {
+export function evaluateSize(expression: SizeExpression, baseWidthPx: number, baseHeightPx: number, slots: Slots, maxPx: number): number {
   const value = evaluate(expression, baseWidthPx, baseHeightPx, slots) ? (scratchStack[BOTTOM] ?? 1) : 1;
   if (Number.isNaN(value)) return 1;
   // The margin takes back what 0.57 * 100 loses in binary before the fraction is cut off.

@@ -1,4 +1,5 @@
 import type { Resource } from '../../program/program.ts';
+import { allocateTexture } from '../gl/allocate-texture.ts';
 import type { GlLimits, GlObjects } from '../gl/gl-objects.ts';
 
 export type TargetResource = Extract<Resource, { kind: 'target' }>;
@@ -23,8 +24,9 @@ export interface TargetBuffer {
 export function createTargetBuffer(objects: GlObjects, resource: TargetResource, widthPx: number, heightPx: number): TargetBuffer {
   const { gl, limits } = objects;
   const format = colorFormat(gl, resource, limits);
-  const color = createStorage(objects, format.internal, format.filter, widthPx, heightPx);
-  const depth = resource.depth === 'window' ? createStorage(objects, gl.DEPTH_COMPONENT24, gl.NEAREST, widthPx, heightPx) : null;
+  const color = allocateTexture(gl, objects.createTexture(), format.internal, format.filter, widthPx, heightPx);
+  const depth =
+    resource.depth === 'window' ? allocateTexture(gl, objects.createTexture(), gl.DEPTH_COMPONENT24, gl.NEAREST, widthPx, heightPx) : null;
   const resolvedFramebuffer = objects.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, resolvedFramebuffer);
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, color, 0);
@@ -70,19 +72,6 @@ function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limit
     case 'r32f':
       return { internal: limits.floatTargets ? gl.R32F : limits.halfFloatTargets ? gl.R16F : gl.R8, filter: gl.NEAREST };
   }
-}
-
-function createStorage(objects: GlObjects, internal: GLenum, filter: GLenum, widthPx: number, heightPx: number): WebGLTexture {
-  const { gl } = objects;
-  const texture = objects.createTexture();
-  gl.activeTexture(gl.TEXTURE0);
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, internal, widthPx, heightPx);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filter);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filter);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-  return texture;
 }
 
 interface Multisampled {

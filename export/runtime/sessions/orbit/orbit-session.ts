@@ -1,0 +1,81 @@
+import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
+import type { FrameClock } from '../../clock.ts';
+import { createCanvasFitter } from '../fit-canvas.ts';
+import { setFrustum, setRigidInverse } from '../matrix.ts';
+import { coverCanvas, createSessionFrame } from '../session-frame.ts';
+import { listenForOrbit } from './orbit-input.ts';
+import { createOrbit, ORBIT_DEFAULTS, type OrbitPose } from './orbit-pose.ts';
+
+export interface OrbitSessionOptions {
+  readonly gl: WebGL2RenderingContext;
+  /** That of `gl`. Its drawing buffer follows its size on the page. */
+  readonly canvas: HTMLCanvasElement;
+  readonly clock: FrameClock;
+  readonly start?: Partial<OrbitPose>;
+}
+
+/** Half of 50°, of the shorter side, so that a phone held upright sees as much as one held across. */
+const TAN_HALF_FOV = Math.tan((25 * Math.PI) / 180);
+
+/** The objects alone, looked at from all sides: what a page shows where there is no AR, and an editor by default. */
+export function createOrbitSession(options: OrbitSessionOptions): Session {
+  const { gl, canvas, clock } = options;
+  const orbit = createOrbit({ ...ORBIT_DEFAULTS, ...options.start });
+  const frame = createSessionFrame();
+  const page = canvas.ownerDocument;
+  let onFrame: ((frame: SessionFrame) => void) | null = null;
+  let onEvent: ((event: SessionEvent) => void) | null = null;
+  let handle = 0;
+  let startS: number | null = null;
+  let stop: (() => void) | null = null;
+
+  const tanHalfFovY = (): number => TAN_HALF_FOV / Math.min(1, gl.drawingBufferWidth / gl.drawingBufferHeight);
+  const begin = (): void => {
+    const fitter = createCanvasFitter(canvas);
+    const unlisten = listenForOrbit(canvas, orbit, tanHalfFovY);
+    const visibility = (): void => onEvent?.({ kind: 'visibility', visible: page.visibilityState === 'visible' });
+    page.addEventListener('visibilitychange', visibility);
+    stop = () => {
+      clock.cancelFrame(handle);
+      page.removeEventListener('visibilitychange', visibility);
+      unlisten();
+      fitter.dispose();
+    };
+    const tick = (nowS: number): void => {
+      handle = clock.requestFrame(tick);
+      fitter.update();
+      if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return;
+      startS ??= nowS;
+      const timeS = nowS - startS;
+      frame.deltaS = Math.max(0, timeS - frame.timeS);
+      frame.timeS = timeS;
+      const view = coverCanvas(frame, gl);
+      const y = tanHalfFovY();
+      const x = (y * view.viewport.widthPx) / view.viewport.heightPx;
+      setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);
+      orbit.writeWorldFromView(view.worldFromView);
+      setRigidInverse(view.viewFromWorld, view.worldFromView);
+      onFrame?.(frame);
+      frame.index++;
+    };
+    handle = clock.requestFrame(tick);
+  };
+  return {
+    kind: 'orbit',
+    capabilities: new Set(),
+    world: 'none',
+    blend: 'opaque',
+    start: (frameHandler, eventHandler) => {
+      onFrame = frameHandler;
+      onEvent = eventHandler;
+      if (!stop) begin();
+    },
+    end: async () => {
+      if (!stop) return;
+      stop();
+      stop = null;
+      onFrame = null;
+      onEvent?.({ kind: 'ended', by: 'page' });
+    },
+  };
+}

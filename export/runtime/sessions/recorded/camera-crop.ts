@@ -1,0 +1,49 @@
+import type { Intrinsics } from '../format.ts';
+import { setFrustum } from '../matrix.ts';
+
+/** Part of a picture, pixels of the picture, y down. */
+export interface Crop {
+  x0: number;
+  y0: number;
+  x1: number;
+  y1: number;
+}
+
+/** The largest part of the picture, about its centre, that has the view's shape. */
+export function setCoverCrop(out: Crop, widthPx: number, heightPx: number, viewWidthPx: number, viewHeightPx: number): void {
+  const viewAspect = viewWidthPx / viewHeightPx;
+  const width = Math.min(widthPx, heightPx * viewAspect);
+  const height = Math.min(heightPx, widthPx / viewAspect);
+  out.x0 = (widthPx - width) / 2;
+  out.x1 = (widthPx + width) / 2;
+  out.y0 = (heightPx - height) / 2;
+  out.y1 = (heightPx + height) / 2;
+}
+
+/** What the camera saw within the crop; off-axis, because a cut changes the shape of the frustum and not the camera. */
+export function setCropProjection(out: Float32Array, crop: Crop, camera: Intrinsics, nearM: number, farM: number): void {
+  const { fxPx, fyPx, cxPx, cyPx } = camera;
+  setFrustum(out, (crop.x0 - cxPx) / fxPx, (crop.x1 - cxPx) / fxPx, (cyPx - crop.y1) / fyPx, (cyPx - crop.y0) / fyPx, nearM, farM);
+}
+
+/**
+ * Column-major 3×3: UV from view UV, of a texture whose first row is the top one of a picture taken by `other` from where
+ * `camera` stands. View UV points at a pixel of `camera`'s crop, that at a ray, and the ray at a pixel of `other`.
+ */
+export function setUvFromViewUv(
+  out: Float32Array,
+  crop: Crop,
+  camera: Intrinsics,
+  other: Intrinsics,
+  otherWidthPx: number,
+  otherHeightPx: number,
+): void {
+  const perPixelX = other.fxPx / camera.fxPx / otherWidthPx;
+  const perPixelY = other.fyPx / camera.fyPx / otherHeightPx;
+  out.fill(0);
+  out[0] = (crop.x1 - crop.x0) * perPixelX;
+  out[4] = (crop.y0 - crop.y1) * perPixelY;
+  out[6] = (crop.x0 - camera.cxPx) * perPixelX + other.cxPx / otherWidthPx;
+  out[7] = (crop.y1 - camera.cyPx) * perPixelY + other.cyPx / otherHeightPx;
+  out[8] = 1;
+}

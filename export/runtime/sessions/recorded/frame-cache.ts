@@ -1,0 +1,120 @@
+import type { AssetSource } from '../../assets/asset-source.ts';
+import type { SessionFile, SessionFileFrame } from '../format.ts';
+import { decodeDepth } from './decode-depth.ts';
+
+/** A frame of the recording in memory. */
+export interface DecodedFrame {
+  readonly index: number;
+  /** First row on top. */
+  readonly color: ImageBitmap;
+  /** As `decodeDepth` gives it; null where the frame has none or it is broken. */
+  readonly metres: Float32Array<ArrayBuffer> | null;
+}
+
+export interface FrameCache {
+  /** Frames that the budget holds. */
+  readonly capacity: number;
+  /** The frame if it is decoded; using it keeps it from being forgotten. */
+  get(index: number): DecodedFrame | null;
+  /** Decodes it if need be. Null where its colour is broken. */
+  request(index: number): Promise<DecodedFrame | null>;
+  /** Begins to decode it, if that has not begun. */
+  prefetch(index: number): void;
+  dispose(): void;
+}
+
+/**
+ * Decodes frames and keeps those used last, up to `budgetBytes` (one frame at least). `onProblem` is told about each broken
+ * file once.
+ */
+export function createFrameCache(
+  files: AssetSource,
+  session: SessionFile,
+  budgetBytes: number,
+  onProblem: (message: string) => void,
+): FrameCache {
+  const bytesPerFrame =
+    4 * (session.color.widthPx * session.color.heightPx + (session.depth ? session.depth.widthPx * session.depth.heightPx : 0));
+  const capacity = Math.max(1, Math.floor(budgetBytes / bytesPerFrame));
+  /** In the order of their last use. */
+  const decoded = new Map<number, DecodedFrame>();
+  const pending = new Map<number, Promise<DecodedFrame | null>>();
+  const broken = new Set<number>();
+  let disposed = false;
+
+  const touch = (frame: DecodedFrame): void => {
+    decoded.delete(frame.index);
+    decoded.set(frame.index, frame);
+    for (const [index, oldest] of decoded) {
+      if (decoded.size <= capacity) break;
+      oldest.color.close();
+      decoded.delete(index);
+    }
+  };
+  const load = async (index: number, frame: SessionFileFrame): Promise<DecodedFrame | null> => {
+    const [color, metres] = await Promise.all([
+      part(files, frame.color, (bytes) => decodeColor(bytes, session), onProblem),
+      session.depth && frame.depth !== undefined ? depthOf(frame.depth, session.depth) : null,
+    ]);
+    pending.delete(index);
+    if (!color) broken.add(index);
+    if (!color || disposed) {
+      color?.close();
+      return null;
+    }
+    const result = { index, color, metres };
+    touch(result);
+    return result;
+  };
+  const depthOf = (path: string, format: NonNullable<SessionFile['depth']>): Promise<Float32Array<ArrayBuffer> | null> =>
+    part(files, path, async (bytes) => decodeDepth(bytes, format), onProblem);
+  const request = (index: number): Promise<DecodedFrame | null> => {
+    const known = decoded.get(index);
+    const frame = session.frames[index];
+    if (known || !frame || broken.has(index) || disposed) return Promise.resolve(known ?? null);
+    const running = pending.get(index) ?? load(index, frame);
+    pending.set(index, running);
+    return running;
+  };
+  return {
+    capacity,
+    get: (index) => {
+      const frame = decoded.get(index);
+      if (frame) touch(frame);
+      return frame ?? null;
+    },
+    request,
+    prefetch: (index) => {
+      if (!decoded.has(index) && !pending.has(index) && !broken.has(index)) void request(index);
+    },
+    dispose: () => {
+      disposed = true;
+      for (const frame of decoded.values()) frame.color.close();
+      decoded.clear();
+    },
+  };
+}
+
+async function decodeColor(bytes: ArrayBuffer, session: SessionFile): Promise<ImageBitmap> {
+  const { widthPx, heightPx } = session.color;
+  const bitmap = await createImageBitmap(new Blob([bytes]), { premultiplyAlpha: 'none', colorSpaceConversion: 'none' }).catch(() => null);
+  if (!bitmap) throw new Error('the browser cannot decode it');
+  const { width, height } = bitmap;
+  if (width === widthPx && height === heightPx) return bitmap;
+  bitmap.close();
+  throw new Error(`it has ${width} × ${height} pixels, and session.json says ${widthPx} × ${heightPx}`);
+}
+
+async function part<T>(
+  files: AssetSource,
+  path: string,
+  decode: (bytes: ArrayBuffer) => Promise<T>,
+  onProblem: (message: string) => void,
+): Promise<T | null> {
+  try {
+    return await decode(await files.load(path));
+  } catch (error) {
+    onProblem(`The picture "${path}" cannot be used: ${error instanceof Error ? error.message : String(error)}.`);
+    return null;
+  }
+}

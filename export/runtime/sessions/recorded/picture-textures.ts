@@ -1,0 +1,37 @@
+import { allocateTexture } from '../../gl/allocate-texture.ts';
+import { prepareUpload } from '../../gl/upload.ts';
+import type { SessionFile } from '../format.ts';
+import type { DecodedFrame } from './frame-cache.ts';
+
+/** The recording's current frame on the GPU; first rows on top, so the UV matrices turn them over. */
+export interface PictureTextures {
+  readonly color: WebGLTexture;
+  /** R32F, metres; null for a recording without depth. */
+  readonly depth: WebGLTexture | null;
+  upload(frame: DecodedFrame): void;
+  dispose(): void;
+}
+
+export function createPictureTextures(gl: WebGL2RenderingContext, session: SessionFile): PictureTextures {
+  const color = allocateTexture(gl, gl.createTexture(), gl.RGBA8, gl.LINEAR, session.color.widthPx, session.color.heightPx);
+  const depth = session.depth
+    ? allocateTexture(gl, gl.createTexture(), gl.R32F, gl.NEAREST, session.depth.widthPx, session.depth.heightPx)
+    : null;
+  return {
+    color,
+    depth,
+    upload: (frame) => {
+      prepareUpload(gl, 4);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, color);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, frame.color);
+      if (!depth || !session.depth || !frame.metres) return;
+      gl.bindTexture(gl.TEXTURE_2D, depth);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, session.depth.widthPx, session.depth.heightPx, gl.RED, gl.FLOAT, frame.metres);
+    },
+    dispose: () => {
+      gl.deleteTexture(color);
+      gl.deleteTexture(depth);
+    },
+  };
+}

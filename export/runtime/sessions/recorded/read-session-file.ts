@@ -1,0 +1,113 @@
+import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
+import type { SessionFile } from '../format.ts';
+
+export const SESSION_FILE = 'session.json';
+
+type Json = Readonly<Record<string, unknown>>;
+
+/** Checks a parsed `session.json`; every mistake comes as SCR054 with its place in the file. */
+export function readSessionFile(json: unknown): Result<SessionFile> {
+  const problems: string[] = [];
+  checkFile(json, problems);
+  const diagnostics = problems.map(brokenSession);
+  return { output: problems.length === 0 ? (json as SessionFile) : null, diagnostics };
+}
+
+export function brokenSession(message: string): Diagnostic {
+  return {
+    code: 'SCR054',
+    severity: 'error',
+    file: SESSION_FILE,
+    message,
+    fix: 'docs/SESSION-FORMAT.md says what a session folder holds.',
+  };
+}
+
+function checkFile(json: unknown, problems: string[]): void {
+  const file = asObject(json);
+  if (file?.format !== 'scrim-session') {
+    problems.push('This is not a Scrim session: "format" is not "scrim-session".');
+    return;
+  }
+  if (file.version !== 1) {
+    problems.push(`The session has version ${String(file.version)}, and this Scrim plays version 1.`);
+    return;
+  }
+  checkPictures(file.color, 'color', problems);
+  const depth = asObject(file.depth);
+  if (file.depth !== undefined) {
+    checkPictures(file.depth, 'depth', problems);
+    if (!isPositive(depth?.metresPerUnit)) problems.push('"depth.metresPerUnit" has to be a number above 0.');
+    if (depth?.kind !== 'z' && depth?.kind !== 'range') problems.push('"depth.kind" has to be "z" or "range".');
+  }
+  if (!isPositive(file.frameRateHz)) problems.push('"frameRateHz" has to be a number above 0.');
+  if (file.light !== undefined) checkLight(file.light, 'light', problems);
+  if (!Array.isArray(file.frames) || file.frames.length === 0) {
+    problems.push('"frames" has to be a list of at least one frame.');
+    return;
+  }
+  let earlierS = Number.NEGATIVE_INFINITY;
+  file.frames.forEach((frame: unknown, i) => {
+    checkFrame(frame, `frames[${i}]`, file.depth !== undefined, problems);
+    const timeS = asObject(frame)?.timeS;
+    if (!isNumber(timeS)) return;
+    if (timeS <= earlierS) problems.push(`"frames[${i}].timeS" has to be later than that of the frame before.`);
+    earlierS = timeS;
+  });
+}
+
+function checkFrame(value: unknown, place: string, hasDepth: boolean, problems: string[]): void {
+  const frame = asObject(value);
+  if (!isNumber(frame?.timeS)) problems.push(`"${place}.timeS" has to be a number of seconds.`);
+  if (!isPath(frame?.color)) problems.push(`"${place}.color" has to be the path of a picture inside the session folder.`);
+  if (frame?.depth !== undefined && !isPath(frame.depth)) {
+    problems.push(`"${place}.depth" has to be the path of a depth picture inside the session folder.`);
+  }
+  if (frame?.depth !== undefined && !hasDepth)
+    problems.push(`"${place}.depth" names a picture, but the file has no "depth" that describes it.`);
+  if (!isNumbers(frame?.worldFromCamera, 16)) problems.push(`"${place}.worldFromCamera" has to be 16 numbers.`);
+  if (frame?.light !== undefined) checkLight(frame.light, `${place}.light`, problems);
+}
+
+function checkPictures(value: unknown, place: string, problems: string[]): void {
+  const pictures = asObject(value);
+  if (!isPixels(pictures?.widthPx) || !isPixels(pictures?.heightPx)) {
+    problems.push(`"${place}.widthPx" and "${place}.heightPx" have to be whole numbers of pixels.`);
+  }
+  const intrinsics = asObject(pictures?.intrinsics);
+  if (!isPositive(intrinsics?.fxPx) || !isPositive(intrinsics?.fyPx) || !isNumber(intrinsics?.cxPx) || !isNumber(intrinsics?.cyPx)) {
+    problems.push(`"${place}.intrinsics" has to hold the numbers fxPx, fyPx, cxPx and cyPx.`);
+  }
+}
+
+function checkLight(value: unknown, place: string, problems: string[]): void {
+  const light = asObject(value);
+  if (!isNumbers(light?.sphericalHarmonics, 27)) problems.push(`"${place}.sphericalHarmonics" has to be 27 numbers.`);
+  if (!isNumbers(light?.primaryDirectionWorld, 3)) problems.push(`"${place}.primaryDirectionWorld" has to be 3 numbers.`);
+  if (!isNumbers(light?.primaryIntensity, 3)) problems.push(`"${place}.primaryIntensity" has to be 3 numbers.`);
+}
+
+function asObject(value: unknown): Json | undefined {
+  return typeof value === 'object' && value !== null ? (value as Json) : undefined;
+}
+
+function isNumber(value: unknown): value is number {
+  return typeof value === 'number' && Number.isFinite(value);
+}
+
+function isPositive(value: unknown): boolean {
+  return isNumber(value) && value > 0;
+}
+
+function isPixels(value: unknown): boolean {
+  return isPositive(value) && Number.isInteger(value);
+}
+
+function isNumbers(value: unknown, count: number): boolean {
+  return Array.isArray(value) && value.length === count && value.every(isNumber);
+}
+
+/** Relative, and it stays inside the folder. */
+function isPath(value: unknown): value is string {
+  return typeof value === 'string' && value !== '' && !/^[/\\]|\\|:/.test(value) && !value.split('/').includes('..');
+}

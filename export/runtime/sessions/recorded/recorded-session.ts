@@ -1,0 +1,210 @@
+import type { Capability } from '../../../../nodes/kit/definition.ts';
+import type { Result } from '../../../../nodes/kit/diagnostics.ts';
+import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
+import type { AssetSource } from '../../assets/asset-source.ts';
+import type { FrameClock } from '../../clock.ts';
+import { createSessionFrame } from '../session-frame.ts';
+import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
+import { createPictureTextures, type PictureTextures } from './picture-textures.ts';
+import { brokenSession } from './read-session-file.ts';
+import { createRecordedView, type RecordedView } from './recorded-view.ts';
+import { frameAt, openRecording, type Recording, timeOfFrame } from './recording.ts';
+
+export interface RecordedSessionOptions {
+  readonly gl: WebGL2RenderingContext;
+  /** The session folder. */
+  readonly files: AssetSource;
+  /** `clock`: plays in time, from the start again at the end. `manual`: a frame for each `step`. */
+  readonly mode: { readonly kind: 'clock'; readonly clock: FrameClock } | { readonly kind: 'manual' };
+  /** Decoded frames kept in memory; 60 frames of 640 × 480 with depth take 147 MB. */
+  readonly budgetBytes?: number;
+}
+
+export interface RecordingInfo {
+  readonly title: string;
+  readonly frameCount: number;
+  /** From the first frame to the end of the last. */
+  readonly durationS: number;
+}
+
+/** Plays a recorded session folder on the whole canvas, cutting the pictures to its shape. */
+export interface RecordedSession extends Session {
+  /**
+   * When the folder has been read and its first frame decoded; `capabilities` are complete then. Never rejects: a broken folder
+   * gives SCR054 and no output.
+   */
+  readonly ready: Promise<Result<RecordingInfo>>;
+  /** Manual only, once ready and started: delivers frame `index`. False where its picture is broken, which an event says. */
+  step(index: number): Promise<boolean>;
+  /** Goes on from frame `index`, and says so with a `reset`. */
+  seek(index: number): void;
+  /** Clock only: while not playing, the same frame comes again and again, with no time in between. */
+  setPlaying(playing: boolean): void;
+  /** Decodes all frames that the budget holds. */
+  preload(): Promise<void>;
+}
+
+const DEFAULT_BUDGET_BYTES = 512 * 1024 * 1024;
+
+/** Frames decoded ahead of the one shown, so that playing rarely waits. */
+const LOOK_AHEAD = 4;
+
+interface Player extends Recording {
+  readonly cache: FrameCache;
+  readonly textures: PictureTextures;
+  readonly view: RecordedView;
+}
+
+export function createRecordedSession(options: RecordedSessionOptions): RecordedSession {
+  const { gl, files, mode } = options;
+  const capabilities = new Set<Capability>();
+  const frame = createSessionFrame();
+  let player: Player | null = null;
+  let onFrame: ((frame: SessionFrame) => void) | null = null;
+  let onEvent: ((event: SessionEvent) => void) | null = null;
+  let ended = false;
+  let shown: DecodedFrame | null = null;
+  /** Null after a jump: no time has passed since. */
+  let deliveredS: number | null = null;
+  const problems: string[] = [];
+
+  const say = (message: string): void => {
+    if (onEvent) onEvent({ kind: 'problem', message });
+    else problems.push(message);
+  };
+  const open = async (): Promise<Result<RecordingInfo>> => {
+    const { output: recording, diagnostics } = await openRecording(files);
+    if (!recording) return { output: null, diagnostics };
+    const { file } = recording;
+    const cache = createFrameCache(files, file, options.budgetBytes ?? DEFAULT_BUDGET_BYTES, say);
+    const first = await cache.request(0);
+    if (!first || ended) {
+      cache.dispose();
+      return { output: null, diagnostics: [...diagnostics, brokenSession(problems[0] ?? 'The session ended before it was read.')] };
+    }
+    const textures = createPictureTextures(gl, file);
+    player = { ...recording, cache, textures, view: createRecordedView(gl, file, textures) };
+    capabilities.add('camera-image');
+    if (file.depth) capabilities.add('depth');
+    if (recording.lights.some((light) => light !== null)) capabilities.add('light-estimation');
+    if (onFrame) loop?.start();
+    return { output: { title: file.title, frameCount: file.frames.length, durationS: recording.durationS }, diagnostics };
+  };
+  const deliver = (current: Player, decoded: DecodedFrame, index: number, timeS: number): void => {
+    if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return;
+    if (decoded !== shown) current.textures.upload(decoded);
+    shown = decoded;
+    frame.index = index;
+    frame.timeS = timeS;
+    frame.deltaS = deliveredS === null ? 0 : Math.max(0, timeS - deliveredS);
+    frame.light = current.lights[decoded.index] ?? null;
+    deliveredS = timeS;
+    current.view.fill(frame, decoded);
+    onFrame?.(frame);
+  };
+  const loop =
+    mode.kind === 'clock'
+      ? createLoop(
+          mode.clock,
+          () => player,
+          () => shown,
+          deliver,
+          () => onEvent?.({ kind: 'reset' }),
+        )
+      : null;
+  return {
+    kind: 'recorded',
+    capabilities,
+    world: 'image',
+    blend: 'opaque',
+    ready: open(),
+    start: (frameHandler, eventHandler) => {
+      onFrame = frameHandler;
+      onEvent = eventHandler;
+      for (const message of problems.splice(0)) say(message);
+      if (player) loop?.start();
+    },
+    step: async (index) => {
+      if (mode.kind !== 'manual' || !player || !onFrame) throw new Error('Only a manual session that is ready and started can be stepped.');
+      const current = player;
+      if (!current.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
+      const decoded = await current.cache.request(index);
+      if (!decoded || ended) return false;
+      deliver(current, decoded, index, timeOfFrame(current.file, index));
+      return true;
+    },
+    seek: (index) => {
+      if (player) loop?.seek(timeOfFrame(player.file, index));
+      deliveredS = null;
+      onEvent?.({ kind: 'reset' });
+    },
+    setPlaying: (playing) => loop?.setPlaying(playing),
+    preload: async () => {
+      const current = player;
+      const count = current ? Math.min(current.file.frames.length, current.cache.capacity) : 0;
+      for (let i = 0; i < count && !ended; i++) await current?.cache.request(i);
+    },
+    end: async () => {
+      if (ended) return;
+      ended = true;
+      loop?.stop();
+      player?.cache.dispose();
+      player?.textures.dispose();
+      player = null;
+      shown = null;
+      onEvent?.({ kind: 'ended', by: 'page' });
+    },
+  };
+}
+
+interface Loop {
+  start(): void;
+  stop(): void;
+  seek(timeS: number): void;
+  setPlaying(playing: boolean): void;
+}
+
+/** Delivers a frame for each repaint. */
+function createLoop(
+  clock: FrameClock,
+  player: () => Player | null,
+  shown: () => DecodedFrame | null,
+  deliver: (player: Player, decoded: DecodedFrame, index: number, timeS: number) => void,
+  onRepeat: () => void,
+): Loop {
+  let playing = true;
+  /** Runs on over the repeats. */
+  let playheadS = 0;
+  let lastS: number | null = null;
+  let count = 0;
+  let handle = 0;
+  const tick = (nowS: number): void => {
+    handle = clock.requestFrame(tick);
+    const current = player();
+    if (!current) return;
+    const { file, cache, durationS } = current;
+    const round = Math.floor(playheadS / durationS);
+    if (playing && lastS !== null) playheadS += Math.max(0, nowS - lastS);
+    lastS = nowS;
+    if (Math.floor(playheadS / durationS) !== round) onRepeat();
+    const index = frameAt(file, playheadS % durationS);
+    for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
+    // What is not decoded yet holds nothing up: the frame before stays.
+    const decoded = cache.get(index) ?? shown() ?? cache.get(0);
+    if (decoded) deliver(current, decoded, count++, playheadS);
+  };
+  return {
+    start: () => {
+      lastS = null;
+      handle = clock.requestFrame(tick);
+    },
+    stop: () => clock.cancelFrame(handle),
+    seek: (timeS) => {
+      playheadS = timeS;
+      count = 0;
+    },
+    setPlaying: (next) => {
+      playing = next;
+    },
+  };
+}

@@ -1,0 +1,69 @@
+import type { Result } from '../../../../nodes/kit/diagnostics.ts';
+import type { LightEstimate } from '../../../../nodes/kit/session.ts';
+import type { AssetSource } from '../../assets/asset-source.ts';
+import type { SessionFile, SessionFileLight } from '../format.ts';
+import { brokenSession, readSessionFile, SESSION_FILE } from './read-session-file.ts';
+
+/** A session folder that has been read, its pictures not yet. */
+export interface Recording {
+  readonly file: SessionFile;
+  /** From the first frame to the end of the last. */
+  readonly durationS: number;
+  /** Light of each frame. */
+  readonly lights: readonly (LightEstimate | null)[];
+}
+
+export async function openRecording(files: AssetSource): Promise<Result<Recording>> {
+  const text = await readText(files);
+  if (text.output === null) return { output: null, diagnostics: text.diagnostics };
+  const json = parse(text.output);
+  if (json.output === null) return { output: null, diagnostics: json.diagnostics };
+  const { output: file, diagnostics } = readSessionFile(json.output.value);
+  if (!file) return { output: null, diagnostics };
+  const durationS = timeOfFrame(file, file.frames.length - 1) + 1 / file.frameRateHz;
+  return { output: { file, durationS, lights: file.frames.map((frame) => toLight(frame.light ?? file.light)) }, diagnostics };
+}
+
+/** Seconds since the first frame. */
+export function timeOfFrame(file: SessionFile, index: number): number {
+  return (file.frames[index]?.timeS ?? 0) - (file.frames[0]?.timeS ?? 0);
+}
+
+/** The last frame that has begun at `timeS` after the first. */
+export function frameAt(file: SessionFile, timeS: number): number {
+  let low = 0;
+  let high = file.frames.length - 1;
+  while (low < high) {
+    const middle = Math.ceil((low + high) / 2);
+    if (timeOfFrame(file, middle) <= timeS) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+async function readText(files: AssetSource): Promise<Result<string>> {
+  try {
+    return { output: new TextDecoder().decode(await files.load(SESSION_FILE)), diagnostics: [] };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { output: null, diagnostics: [brokenSession(`The session folder cannot be read: ${reason}.`)] };
+  }
+}
+
+function parse(text: string): Result<{ readonly value: unknown }> {
+  try {
+    return { output: { value: JSON.parse(text) as unknown }, diagnostics: [] };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    return { output: null, diagnostics: [brokenSession(`session.json is not valid JSON: ${reason}.`)] };
+  }
+}
+
+function toLight(light: SessionFileLight | undefined): LightEstimate | null {
+  if (!light) return null;
+  return {
+    sphericalHarmonics: Float32Array.from(light.sphericalHarmonics),
+    primaryDirectionWorld: Float32Array.from(light.primaryDirectionWorld),
+    primaryIntensity: Float32Array.from(light.primaryIntensity),
+  };
+}

@@ -1,0 +1,53 @@
+import type { CameraImage, LightEstimate, RoomDepth, SessionFrame, ViewFrame, Viewport } from '../../../nodes/kit/session.ts';
+import { MAX_VIEWS } from '../targets/target.ts';
+import { createMatrix, FAR_M, NEAR_M } from './matrix.ts';
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+export type MutableView = Mutable<Omit<ViewFrame, 'viewport'>> & { readonly viewport: Mutable<Viewport> };
+export type MutableFrame = Mutable<Omit<SessionFrame, 'views'>> & { readonly views: readonly MutableView[] };
+export type MutableCameraImage = Mutable<CameraImage>;
+export type MutableRoomDepth = Mutable<RoomDepth>;
+export type MutableLight = Mutable<LightEstimate>;
+
+/** The one frame that a session fills again and again. */
+export function createSessionFrame(): MutableFrame {
+  return {
+    index: 0,
+    timeS: 0,
+    deltaS: 0,
+    viewCount: 0,
+    views: Array.from({ length: MAX_VIEWS }, createView),
+    framebuffer: null,
+    framebufferWidthPx: 0,
+    framebufferHeightPx: 0,
+    light: null,
+  };
+}
+
+function createView(): MutableView {
+  return {
+    eye: 'none',
+    clipFromView: createMatrix(),
+    worldFromView: createMatrix(),
+    viewFromWorld: createMatrix(),
+    nearM: NEAR_M,
+    farM: FAR_M,
+    viewport: { x: 0, y: 0, widthPx: 0, heightPx: 0 },
+    cameraImage: null,
+    depth: null,
+  };
+}
+
+/** A session of one view that covers the whole canvas. */
+export function coverCanvas(frame: MutableFrame, gl: WebGL2RenderingContext): MutableView {
+  const [view] = frame.views;
+  if (!view) throw new Error('A frame has at least one view.');
+  frame.viewCount = 1;
+  frame.framebuffer = null;
+  frame.framebufferWidthPx = gl.drawingBufferWidth;
+  frame.framebufferHeightPx = gl.drawingBufferHeight;
+  view.viewport.widthPx = gl.drawingBufferWidth;
+  view.viewport.heightPx = gl.drawingBufferHeight;
+  return view;
+}

@@ -1,0 +1,38 @@
+import { allocateTexture } from '../../gl/allocate-texture.ts';
+import { prepareUpload } from '../../gl/upload.ts';
+import type { MutableRoomDepth } from '../session-frame.ts';
+import { setDepthUv } from './depth-uv.ts';
+
+/** Depth that the browser hands over as an array, for one view. */
+export interface CpuDepth {
+  update(info: XRCPUDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth;
+  dispose(): void;
+}
+
+export function createCpuDepth(gl: WebGL2RenderingContext): CpuDepth {
+  let texture: WebGLTexture | null = null;
+  let metres = new Float32Array(0);
+  let depth: MutableRoomDepth | null = null;
+  const resize = (widthPx: number, heightPx: number): MutableRoomDepth => {
+    gl.deleteTexture(texture);
+    texture = allocateTexture(gl, gl.createTexture(), gl.R32F, gl.NEAREST, widthPx, heightPx);
+    metres = new Float32Array(widthPx * heightPx);
+    return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16) };
+  };
+  return {
+    update: (info, format, worldFromView) => {
+      const { width, height, data, rawValueToMeters } = info;
+      if (depth?.widthPx !== width || depth.heightPx !== height) depth = resize(width, height);
+      const raw = format === 'float32' ? new Float32Array(data) : new Uint16Array(data);
+      for (let i = 0; i < metres.length; i++) metres[i] = (raw[i] ?? 0) * rawValueToMeters;
+      prepareUpload(gl, 4);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, depth.texture);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED, gl.FLOAT, metres);
+      setDepthUv(depth.uvFromViewUv, info.normDepthBufferFromNormView.matrix, 'top');
+      depth.worldFromDepth.set(info.transform?.matrix ?? worldFromView);
+      return depth;
+    },
+    dispose: () => gl.deleteTexture(texture),
+  };
+}

@@ -1,0 +1,80 @@
+import { COPY_SHADER } from '../../gl/copy-shader.ts';
+import type { XrGpuDepthInformation } from './webxr-types.ts';
+
+/** How the texture holds depth: one of WebXR's formats, or a depth buffer's values. */
+export type DepthSource = XRDepthDataFormat | 'window';
+
+/** Draws metres of a depth texture, texel by texel, 0 where unknown. */
+export interface DepthDecoder {
+  readonly source: DepthSource;
+  readonly array: boolean;
+  /** Binds program, texture (unit 0) and uniforms. */
+  use(info: XrGpuDepthInformation): void;
+  dispose(): void;
+}
+
+export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, array: boolean): DepthDecoder {
+  const program = link(gl, fragment(source, array));
+  const scale = gl.getUniformLocation(program, 'scale');
+  const layer = gl.getUniformLocation(program, 'layer');
+  const target = array ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
+  const scratch = new Float32Array(2);
+  return {
+    source,
+    array,
+    use: (info) => {
+      gl.useProgram(program);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(target, info.texture);
+      // metres = near far / (far - d (far - near)), written so that it holds for an endless far plane too.
+      const near = info.depthNear ?? 0;
+      const nearByFar = near / (info.depthFar ?? Number.POSITIVE_INFINITY);
+      scratch[0] = source === 'window' ? near : info.rawValueToMeters;
+      scratch[1] = source === 'window' ? 1 - nearByFar : 0;
+      gl.uniform2fv(scale, scratch);
+      gl.uniform1i(layer, info.imageIndex ?? 0);
+    },
+    dispose: () => gl.deleteProgram(program),
+  };
+}
+
+function fragment(source: DepthSource, array: boolean): string {
+  const type = `${source === 'unsigned-short' ? 'u' : ''}sampler2D${array ? 'Array' : ''}`;
+  const at = array ? 'ivec3(gl_FragCoord.xy, layer)' : 'ivec2(gl_FragCoord.xy)';
+  return `#version 300 es
+precision highp float;
+uniform highp ${type} depth;
+uniform vec2 scale;
+uniform int layer;
+out vec4 color;
+float metresFromWindow(float d) { return d > 0.0 && d < 1.0 ? scale.x / (1.0 - d * scale.y) : 0.0; }
+void main() {
+  color = vec4(${METRES[source].replace('TEXEL', `texelFetch(depth, ${at}, 0)`)}, 0.0, 0.0, 1.0);
+}
+`;
+}
+
+/** Depth Sensing §2.2: luminance is the low byte, alpha the high one. */
+const METRES: Readonly<Record<DepthSource, string>> = {
+  'luminance-alpha': 'dot(TEXEL.ra, vec2(255.0, 65280.0)) * scale.x',
+  'unsigned-short': 'float(TEXEL.r) * scale.x',
+  float32: 'TEXEL.r * scale.x',
+  window: 'metresFromWindow(TEXEL.r)',
+};
+
+function link(gl: WebGL2RenderingContext, fragmentText: string): WebGLProgram {
+  const program = gl.createProgram();
+  for (const [type, text] of [
+    [gl.VERTEX_SHADER, COPY_SHADER.vertex],
+    [gl.FRAGMENT_SHADER, fragmentText],
+  ] as const) {
+    const shader = gl.createShader(type);
+    if (!shader) continue;
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+    gl.deleteShader(shader);
+  }
+  gl.linkProgram(program);
+  return program;
+}

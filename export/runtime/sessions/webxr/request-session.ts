@@ -1,0 +1,103 @@
+import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
+import type { Session } from '../../../../nodes/kit/session.ts';
+import type { ProgramNeed } from '../../../program/program.ts';
+import { grantedCapabilities, sessionInit } from './features.ts';
+import { createWebXrSession, XR_DEPTH_RANGE } from './webxr-session.ts';
+import type { XrBinding } from './webxr-types.ts';
+
+export interface WebXrRequest {
+  /** `navigator.xr`, or an emulated one; undefined where the browser has none. */
+  readonly xr: XRSystem | undefined;
+  readonly gl: WebGL2RenderingContext;
+  readonly needs: readonly ProgramNeed[];
+  readonly antialias: boolean;
+  /** Page elements to show over the picture on handheld devices. */
+  readonly overlayRoot?: Element | null;
+}
+
+/** Whether it makes sense to offer AR. Never rejects. */
+export async function supportsWebXr(xr: XRSystem | undefined): Promise<boolean> {
+  return (await xr?.isSessionSupported('immersive-ar').catch(() => false)) ?? false;
+}
+
+/**
+ * Asks for an AR session that brings what the program needs. To be called from a click or tap, before anything is awaited.
+ * Never rejects: without a session the diagnostics say why (SCR050, SCR051); with one they say what it lacks (SCR055).
+ */
+export async function requestWebXrSession(request: WebXrRequest): Promise<Result<Session>> {
+  const { xr, gl, needs } = request;
+  if (!xr) return refused(NO_WEBXR);
+  let session: XRSession;
+  try {
+    session = await xr.requestSession('immersive-ar', sessionInit(needs, request.overlayRoot ?? null));
+  } catch (error) {
+    return refused(refusal(error, needs));
+  }
+  try {
+    await gl.makeXRCompatible();
+    const layer = new XRWebGLLayer(session, gl, { antialias: request.antialias, alpha: true, depth: true, stencil: false });
+    await session.updateRenderState({ baseLayer: layer, ...XR_DEPTH_RANGE });
+    const world = await session.requestReferenceSpace('local-floor').catch(() => session.requestReferenceSpace('local'));
+    const capabilities = grantedCapabilities(session, needs);
+    const binding = typeof XRWebGLBinding === 'undefined' ? null : (new XRWebGLBinding(session, gl) as XrBinding);
+    const output = createWebXrSession({ gl, session, world, layer, binding, capabilities });
+    return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
+  } catch (error) {
+    await session.end().catch(() => {});
+    return refused({
+      code: 'SCR051',
+      severity: 'error',
+      message: `AR began and could not be shown: ${reason(error)}.`,
+      fix: 'Close other tabs and try again.',
+    });
+  }
+}
+
+const NO_WEBXR: Diagnostic = {
+  code: 'SCR050',
+  severity: 'error',
+  message: 'This browser cannot show AR: it has no WebXR.',
+  fix: 'Open the page in Chrome on an Android phone that has AR, or in the browser of a headset.',
+};
+
+function refused(diagnostic: Diagnostic): Result<Session> {
+  return { output: null, diagnostics: [diagnostic] };
+}
+
+/** What the names of the exceptions mean: WebXR Device API §4.2, `requestSession`. */
+function refusal(error: unknown, needs: readonly ProgramNeed[]): Diagnostic {
+  const name = error instanceof DOMException ? error.name : '';
+  const wanted = needs.filter((need) => need.required).map((need) => need.capability);
+  switch (name) {
+    case 'NotSupportedError':
+      return wanted.length === 0
+        ? { code: 'SCR051', severity: 'error', message: 'This device has no AR.', fix: 'Open the page on a phone or headset that has it.' }
+        : {
+            code: 'SCR051',
+            severity: 'error',
+            message: `This device has no AR, or lacks something that the page needs (${wanted.join(', ')}).`,
+            fix: 'Open the page on another phone or headset.',
+          };
+    case 'NotAllowedError':
+      return { code: 'SCR051', severity: 'error', message: 'AR was not allowed.', fix: 'Try again and allow what the browser asks for.' };
+    case 'SecurityError':
+      return {
+        code: 'SCR051',
+        severity: 'error',
+        message: 'The browser starts AR only after a click or tap, on a page loaded over https.',
+        fix: 'Tap the button again.',
+      };
+    case 'InvalidStateError':
+      return { code: 'SCR051', severity: 'error', message: 'Another AR session is running.', fix: 'End it and try again.' };
+    default:
+      return { code: 'SCR051', severity: 'error', message: `AR could not be started: ${reason(error)}.`, fix: 'Try again.' };
+  }
+}
+
+function missing(need: ProgramNeed): Diagnostic {
+  return { code: 'SCR055', severity: 'warning', message: `The device gives no ${need.capability}: ${need.without}` };
+}
+
+function reason(error: unknown): string {
+  return (error instanceof Error ? error.message : String(error)).replace(/\.$/, '');
+}

@@ -1,0 +1,68 @@
+import type { CameraImage, RoomDepth } from '../../../../nodes/kit/session.ts';
+import { MAX_VIEWS } from '../../targets/target.ts';
+import type { MutableCameraImage } from '../session-frame.ts';
+import { type CpuDepth, createCpuDepth } from './cpu-depth.ts';
+import { createGpuDepth, type GpuDepth } from './gpu-depth.ts';
+import type { XrBinding, XrViewWithCamera } from './webxr-types.ts';
+
+/** What the device sees of the world, view by view. Asked only for what was granted. */
+export interface ViewSources {
+  depth(frame: XRFrame, view: XRView, index: number, worldFromView: Float32Array): RoomDepth | null;
+  cameraImage(view: XrViewWithCamera, index: number): CameraImage | null;
+  dispose(): void;
+}
+
+export function createViewSources(
+  gl: WebGL2RenderingContext,
+  session: XRSession,
+  binding: XrBinding | null,
+  wantsDepth: boolean,
+): ViewSources {
+  const usage = wantsDepth ? depthUsage(session) : null;
+  const format: XRDepthDataFormat = usage ? (session.depthDataFormat ?? 'luminance-alpha') : 'luminance-alpha';
+  const cpu: readonly CpuDepth[] = usage === 'cpu-optimized' ? perView(() => createCpuDepth(gl)) : [];
+  const gpu: readonly (GpuDepth | null)[] = usage === 'gpu-optimized' ? perView(() => createGpuDepth(gl)) : [];
+  const images: (MutableCameraImage | null)[] = perView(() => null);
+  return {
+    depth: (frame, view, index, worldFromView) => {
+      const onCpu = cpu[index];
+      if (onCpu) {
+        const info = frame.getDepthInformation(view);
+        return info ? onCpu.update(info, format, worldFromView) : null;
+      }
+      const onGpu = gpu[index];
+      const info = onGpu ? binding?.getDepthInformation?.(view) : null;
+      return onGpu && info ? onGpu.update(info, format, worldFromView) : null;
+    },
+    cameraImage: (view, index) => {
+      const { camera } = view;
+      const texture = camera ? binding?.getCameraImage?.(camera) : null;
+      if (!camera || !texture) return null;
+      const image = images[index] ?? { texture, widthPx: 0, heightPx: 0, uvFromViewUv: UPRIGHT };
+      images[index] = image;
+      image.texture = texture;
+      image.widthPx = camera.width;
+      image.heightPx = camera.height;
+      return image;
+    },
+    dispose: () => {
+      for (const depth of [...cpu, ...gpu]) depth?.dispose();
+    },
+  };
+}
+
+/** Raw Camera Access §5.1: the picture is aligned with its view. */
+const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
+
+/** Reading it where depth was not granted throws. */
+function depthUsage(session: XRSession): XRDepthUsage | null {
+  try {
+    return session.depthUsage ?? null;
+  } catch {
+    return null;
+  }
+}
+
+function perView<T>(create: () => T): T[] {
+  return Array.from({ length: MAX_VIEWS }, create);
+}

@@ -1,0 +1,48 @@
+import type { MutableLight } from '../session-frame.ts';
+import type { XrFrameWithLight, XrLightProbe, XrSessionWithLight } from './webxr-types.ts';
+
+/** The light that the browser estimates, in world space; null while it has none. */
+export interface WebXrLight {
+  read(frame: XRFrame, world: XRReferenceSpace): MutableLight | null;
+}
+
+/**
+ * Coefficients are handed on in WebXR's own order and as they are: a probe's axes are those of the local space. Only the
+ * direction is turned, for spaces that were re-centred since.
+ */
+export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
+  let probe: XrLightProbe | null = null;
+  session.requestLightProbe?.().then(
+    (granted) => {
+      probe = granted;
+    },
+    // Not granted: there is no light, as the program's need says.
+    () => {},
+  );
+  const light: MutableLight = {
+    sphericalHarmonics: new Float32Array(27),
+    primaryDirectionWorld: new Float32Array(3),
+    primaryIntensity: new Float32Array(3),
+  };
+  return {
+    read: (frame: XrFrameWithLight, world) => {
+      const estimate = probe ? frame.getLightEstimate?.(probe) : null;
+      if (!probe || !estimate) return null;
+      light.sphericalHarmonics.set(estimate.sphericalHarmonicsCoefficients);
+      const { x, y, z } = estimate.primaryLightDirection;
+      const m = frame.getPose(probe.probeSpace, world)?.transform.matrix;
+      for (let row = 0; row < 3; row++) {
+        light.primaryDirectionWorld[row] = m ? (m[row] ?? 0) * x + (m[row + 4] ?? 0) * y + (m[row + 8] ?? 0) * z : 0;
+      }
+      if (!m) {
+        light.primaryDirectionWorld[0] = x;
+        light.primaryDirectionWorld[1] = y;
+        light.primaryDirectionWorld[2] = z;
+      }
+      light.primaryIntensity[0] = estimate.primaryLightIntensity.x;
+      light.primaryIntensity[1] = estimate.primaryLightIntensity.y;
+      light.primaryIntensity[2] = estimate.primaryLightIntensity.z;
+      return light;
+    },
+  };
+}

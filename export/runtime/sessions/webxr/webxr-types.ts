@@ -1,0 +1,45 @@
+/** Parts of WebXR that @types/webxr does not know yet. */
+
+/** WebXR Raw Camera Access §4. */
+export interface XrCamera {
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface XrViewWithCamera extends XRView {
+  readonly camera?: XrCamera | null;
+}
+
+/** WebXR Raw Camera Access §4 and Depth Sensing §3.3. */
+export interface XrBinding {
+  getCameraImage?(camera: XrCamera): WebGLTexture | null;
+  getDepthInformation?(view: XRView): XrGpuDepthInformation | null | undefined;
+}
+
+export interface XrGpuDepthInformation extends XRWebGLDepthInformation {
+  /**
+   * Quest Browser and iwer have these, which no specification does: the texture then holds window depth between them, its
+   * first row at the bottom.
+   */
+  readonly depthNear?: number;
+  readonly depthFar?: number;
+}
+
+/** WebXR Lighting Estimation §3. */
+export interface XrLightProbe {
+  readonly probeSpace: XRSpace;
+}
+
+export interface XrLightEstimate {
+  readonly sphericalHarmonicsCoefficients: Float32Array;
+  readonly primaryLightDirection: DOMPointReadOnly;
+  readonly primaryLightIntensity: DOMPointReadOnly;
+}
+
+export interface XrSessionWithLight extends XRSession {
+  requestLightProbe?(): Promise<XrLightProbe>;
+}
+
+export interface XrFrameWithLight extends XRFrame {
+  getLightEstimate?(probe: XrLightProbe): XrLightEstimate | null;
+}
