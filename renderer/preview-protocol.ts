@@ -29,9 +29,17 @@ export type FromPreview =
   | { readonly kind: 'playing'; readonly revision: number }
   /** Everything wrong with the running program, or with the one of `revision` that could not be taken over. */
   | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
+  /** What the graphics driver said of the program of `revision`; empty when it took all shaders. The editor maps it to lines. */
+  | { readonly kind: 'shader-errors'; readonly revision: number; readonly errors: readonly PreviewShaderError[] }
   /** At most ten times a second. */
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap };
+
+export interface PreviewShaderError {
+  /** As in the program's `shaders`. */
+  readonly shaderId: string;
+  readonly log: string;
+}
 
 export interface PreviewStatus {
   readonly state: 'loading' | 'playing' | 'paused' | 'lost';

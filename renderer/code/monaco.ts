@@ -21,9 +21,9 @@ import { ISF_LANGUAGE, registerIsfLanguage } from './glsl-language.ts';
 
 /** One text editor for shaders. Everything of Monaco is behind this file, which is loaded when the panel is first opened. */
 export interface ShaderEditor {
-  /** Shows another file; a file shown before comes back with its caret and its own undo. */
-  show(file: string, text: string): void;
-  /** Puts markers of the file shown. */
+  /** Shows a text under a name; one shown before comes back with its caret and its own undo. */
+  show(name: string, text: string): void;
+  /** Marks the text shown. */
   mark(diagnostics: readonly Diagnostic[]): void;
   goTo(line: number, column: number): void;
   dispose(): void;
@@ -31,13 +31,21 @@ export interface ShaderEditor {
 
 export interface ShaderEditorOptions {
   /** Each change by the person; not what `show` put in. */
-  readonly onType: (file: string, text: string) => void;
+  readonly onType: (name: string, text: string) => void;
+  /** The focus left the text. */
+  readonly onLeave: () => void;
+}
+
+interface ShownText {
+  readonly model: editor.ITextModel;
+  /** Caret and scroll, while another text is shown. */
+  state: editor.ICodeEditorViewState | null;
 }
 
 const MARKER_OWNER = 'scrim';
 const SEVERITIES = { error: MarkerSeverity.Error, warning: MarkerSeverity.Warning, info: MarkerSeverity.Info } as const;
 
-export function createShaderEditor(parent: HTMLElement, { onType }: ShaderEditorOptions): ShaderEditor {
+export function createShaderEditor(parent: HTMLElement, { onType, onLeave }: ShaderEditorOptions): ShaderEditor {
   (globalThis as { MonacoEnvironment?: unknown }).MonacoEnvironment = {
     getWorker: () => new Worker(new URL('./monaco.worker.ts', import.meta.url), { type: 'module' }),
   };
@@ -66,35 +74,36 @@ export function createShaderEditor(parent: HTMLElement, { onType }: ShaderEditor
     ariaLabel: 'Shader source',
     model: null,
   });
-  const models = new Map<string, { readonly model: editor.ITextModel; state: editor.ICodeEditorViewState | null }>();
+  view.onDidBlurEditorText(onLeave);
+  const models = new Map<string, ShownText>();
   let shown: string | null = null;
   let ours = false;
 
-  const modelOf = (file: string, text: string) => {
-    const known = models.get(file);
+  const modelOf = (name: string, text: string) => {
+    const known = models.get(name);
     if (known) return known;
     const model = editor.createModel(text, ISF_LANGUAGE);
     model.onDidChangeContent(() => {
-      if (!ours) onType(file, model.getValue());
+      if (!ours) onType(name, model.getValue());
     });
-    const made = { model, state: null };
-    models.set(file, made);
+    const made: ShownText = { model, state: null };
+    models.set(name, made);
     return made;
   };
 
   return {
-    show: (file, text) => {
-      const next = modelOf(file, text);
+    show: (name, text) => {
+      const next = modelOf(name, text);
       if (next.model.getValue() !== text) {
         ours = true;
         // An edit, not a new value, so that the text's own undo goes back over what came from outside.
         next.model.pushEditOperations([], [{ range: next.model.getFullModelRange(), text }], () => null);
         ours = false;
       }
-      if (shown === file) return;
+      if (shown === name) return;
       const before = shown === null ? undefined : models.get(shown);
       if (before) before.state = view.saveViewState();
-      shown = file;
+      shown = name;
       view.setModel(next.model);
       if (next.state) view.restoreViewState(next.state);
     },

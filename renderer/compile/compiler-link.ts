@@ -13,7 +13,8 @@ export interface CompilerLink {
   dispose(): void;
 }
 
-export function createCompilerLink(worker: CompilerWorker, onAnswer: (answer: CompileAnswer) => void): CompilerLink {
+/** `more` tells that a newer request has been started already. */
+export function createCompilerLink(worker: CompilerWorker, onAnswer: (answer: CompileAnswer, more: boolean) => void): CompilerLink {
   let running = false;
   let waiting: CompileRequest | null = null;
   const start = (request: CompileRequest) => {
@@ -25,7 +26,7 @@ export function createCompilerLink(worker: CompilerWorker, onAnswer: (answer: Co
     const next = waiting;
     waiting = null;
     if (next !== null) start(next);
-    onAnswer(data);
+    onAnswer(data, next !== null);
   };
   return {
     request: (request) => {

@@ -1,15 +1,16 @@
-import { useStore } from 'zustand';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { goToProblem, useProblems } from './use-problems.ts';
+import { type DocumentState, titleOf } from '../state/document.ts';
+import { goToProblem, problemKey } from '../state/problems.ts';
+import { useProblems } from './use-problems.ts';
 import { Icon } from '../ui/icon.tsx';
-import { useEditor } from './editor-context.ts';
+import { useDocument, useEditor } from './editor-context.ts';
 import './problems-panel.css';
 
 /** Everything wrong with the project, errors first; each leads to its node, port or line. */
 export function ProblemsPanel() {
   const editor = useEditor();
   const problems = useProblems();
-  const title = useStore(editor.document, (state) => state.titles);
+  const state = useDocument((document) => document);
   if (problems.length === 0) {
     return (
       <div className="problems-none">
@@ -21,7 +22,7 @@ export function ProblemsPanel() {
   return (
     <ul className="problems scroll" aria-label="Problems">
       {problems.map((problem) => (
-        <li key={keyOf(problem)}>
+        <li key={problemKey(problem)}>
           <button type="button" className="problem" onClick={() => goToProblem(editor, problem)}>
             <span className={`problem-icon problem-${problem.severity}`}>
               <Icon name={problem.severity} />
@@ -31,7 +32,7 @@ export function ProblemsPanel() {
               {problem.message}
               {problem.fix !== undefined && <span className="problem-fix"> {problem.fix}</span>}
             </span>
-            <span className="problem-place">{placeOf(problem, title)}</span>
+            <span className="problem-place">{placeOf(problem, state)}</span>
             <code className="problem-code">{problem.code}</code>
           </button>
         </li>
@@ -40,12 +41,8 @@ export function ProblemsPanel() {
   );
 }
 
-function placeOf({ nodeId, port, file, line }: Diagnostic, titles: (id: string) => string): string {
-  const node = nodeId === undefined ? '' : `${titles(nodeId)}${port === undefined ? '' : ` · ${port}`}`;
+function placeOf({ nodeId, port, file, line }: Diagnostic, state: DocumentState): string {
+  const node = nodeId === undefined ? '' : `${titleOf(state, nodeId)}${port === undefined ? '' : ` · ${port}`}`;
   const place = file === undefined ? '' : `${file}${line === undefined ? '' : `:${line}`}`;
   return [node, place].filter(Boolean).join(' · ');
-}
-
-function keyOf({ code, nodeId, port, file, line, column, message }: Diagnostic): string {
-  return [code, nodeId, port, file, line, column, message].join('|');
 }

@@ -86,8 +86,8 @@ function Title() {
 
 function Tools() {
   const editor = useEditor();
-  const canUndo = useDocument((state) => state.canUndo);
-  const canRedo = useDocument((state) => state.canRedo);
+  const canUndo = useDocument((state) => state.history.past.length > 0);
+  const canRedo = useDocument((state) => state.history.future.length > 0);
   const open = useDocument((state) => state.open !== null);
   const exporting = useStore(editor.ui, (state) => state.exporting);
   const keys = (id: AppCommandId) => showChord(appCommand(id).chords[0] ?? '', editor.mac);

@@ -13,6 +13,8 @@ export interface AppCommand {
   readonly chords: readonly string[];
   readonly enabled: (editor: Editor) => boolean;
   readonly run: (editor: Editor) => void;
+  /** The page's own copy and paste events do it: they need no permission. */
+  readonly byEvent?: true;
   /** Also while a text field has the focus. */
   readonly whileTyping?: true;
 }
@@ -34,9 +36,9 @@ const COMMANDS = {
     enabled: ({ document }) => document.getState().history.future.length > 0,
     run: redo,
   },
-  'edit.cut': { label: 'Cut', chords: ['Mod+X'], enabled: hasNodes, run: (editor) => void cutSelection(editor) },
-  'edit.copy': { label: 'Copy', chords: ['Mod+C'], enabled: hasNodes, run: (editor) => void copySelection(editor) },
-  'edit.paste': { label: 'Paste', chords: ['Mod+V'], enabled: isOpen, run: (editor) => void pasteFromClipboard(editor) },
+  'edit.cut': { label: 'Cut', chords: ['Mod+X'], enabled: hasNodes, run: (editor) => void cutSelection(editor), byEvent: true },
+  'edit.copy': { label: 'Copy', chords: ['Mod+C'], enabled: hasNodes, run: (editor) => void copySelection(editor), byEvent: true },
+  'edit.paste': { label: 'Paste', chords: ['Mod+V'], enabled: isOpen, run: (editor) => void pasteFromClipboard(editor), byEvent: true },
   'edit.duplicate': { label: 'Duplicate', chords: ['Mod+D'], enabled: hasNodes, run: (editor) => void duplicateSelection(editor) },
   'edit.delete': { label: 'Delete', chords: ['Delete', 'Backspace'], enabled: hasSelection, run: (editor) => void deleteSelection(editor) },
   'edit.select-all': { label: 'Select all', chords: ['Mod+A'], enabled: isOpen, run: selectAll },
@@ -78,7 +80,10 @@ export function runCommand(editor: Editor, id: AppCommandId): void {
 
 /** The command of a chord; with a text field focused, only those that no text field has a use for. */
 export function commandOfChord(chord: string, typing: boolean): AppCommandId | null {
-  const found = appCommandIds().find((id) => appCommand(id).chords.includes(chord) && (!typing || appCommand(id).whileTyping === true));
+  const found = appCommandIds().find((id) => {
+    const { chords, byEvent, whileTyping } = appCommand(id);
+    return chords.includes(chord) && byEvent !== true && (!typing || whileTyping === true);
+  });
   return found ?? null;
 }
 

@@ -6,10 +6,11 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 export interface CompileState {
   /** A newer answer is on its way. */
   readonly busy: boolean;
-  /** Document revision that the rest is about; null before the first. */
+  /** Document revision that the diagnostics are about; null before the first. */
   readonly revision: number | null;
-  /** Null where the project has errors. */
+  /** The last good one; null before the first. */
   readonly program: Program | null;
+  readonly programRevision: number | null;
   readonly diagnostics: readonly Diagnostic[];
   readonly tookMs: number;
 }
@@ -17,5 +18,5 @@ export interface CompileState {
 export type CompileStore = StoreApi<CompileState>;
 
 export function createCompileState(): CompileStore {
-  return createStore<CompileState>(() => ({ busy: false, revision: null, program: null, diagnostics: [], tookMs: 0 }));
+  return createStore<CompileState>(() => ({ busy: false, revision: null, program: null, programRevision: null, diagnostics: [], tookMs: 0 }));
 }

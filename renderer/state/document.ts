@@ -1,5 +1,5 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { OpenProject } from '../../app/contract/contract.ts';
+import type { HostOutput, OpenProject } from '../../app/contract/contract.ts';
 import { emptyHistory, type History } from '../../export/graph/history.ts';
 import { EMPTY_GRAPH, EMPTY_LAYOUT, newProject } from '../../export/graph/new-project.ts';
 import type { ProjectLibrary } from '../../export/graph/library/project-library.ts';
@@ -25,6 +25,9 @@ export interface DocumentState {
   readonly revision: number;
   /** From loading: what was wrong with the files and could be put up with. */
   readonly loadDiagnostics: readonly Diagnostic[];
+  /** What the shell can do, from `app.info`. */
+  readonly canPickFolders: boolean;
+  readonly examples: HostOutput<'app.info'>['examples'];
 }
 
 export type DocumentStore = StoreApi<DocumentState>;
@@ -40,6 +43,8 @@ export function createDocument(library: ProjectLibrary): DocumentStore {
     savedState: 0,
     revision: 0,
     loadDiagnostics: [],
+    canPickFolders: false,
+    examples: [],
   }));
 }
 

@@ -1,5 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { OpenEnd } from '../canvas/palette-search.ts';
+import type { ProjectFiles } from '../../app/contract/contract.ts';
+import type { WireInHand } from './canvas.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 
 /** Sizes and choices that outlive the window. CSS pixels. */
@@ -19,7 +20,7 @@ export interface PaletteRequest {
   readonly at: { readonly x: number; readonly y: number };
   /** Canvas units; null: the middle of what is seen. */
   readonly place: { readonly x: number; readonly y: number } | null;
-  readonly end: (OpenEnd & { readonly node: string; readonly port: string }) | null;
+  readonly end: WireInHand | null;
 }
 
 export type DialogRequest =
@@ -28,7 +29,7 @@ export type DialogRequest =
   | { readonly kind: 'export' }
   /** Something is about to drop unsaved work; `proceed` goes on with it. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
-  | { readonly kind: 'recovery' }
+  | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }
   | { readonly kind: 'shortcuts' };
 
@@ -59,12 +60,25 @@ export interface UiState {
   readonly toasts: readonly Toast[];
   readonly reveal: Reveal | null;
   readonly codePosition: CodePosition | null;
+  readonly exporting: boolean;
+  /** What the last export said. */
+  readonly exportDiagnostics: readonly Diagnostic[];
 }
 
 export type UiStore = StoreApi<UiState>;
 
 export function createUi(sizes: PanelSizes): UiStore {
-  return createStore<UiState>(() => ({ sizes, bottom: null, palette: null, dialog: null, toasts: [], reveal: null, codePosition: null }));
+  return createStore<UiState>(() => ({
+    sizes,
+    bottom: null,
+    palette: null,
+    dialog: null,
+    toasts: [],
+    reveal: null,
+    codePosition: null,
+    exporting: false,
+    exportDiagnostics: [],
+  }));
 }
 
 const MAX_TOASTS = 4;

@@ -5,6 +5,7 @@ interface SplitProps {
   /** `columns`: side by side. `rows`: one above the other. */
   readonly direction: 'columns' | 'rows';
   readonly first: ReactNode;
+  /** Null leaves all the room to the first. */
   readonly second: ReactNode;
   /** Which of the two keeps its size when the window changes. */
   readonly fixed: 'first' | 'second';
@@ -51,6 +52,13 @@ export function Split(props: SplitProps) {
     resize(sizePx + sign * (event.key === forth ? KEY_STEP_PX : -KEY_STEP_PX));
   };
 
+  if (second === null) {
+    return (
+      <div ref={frame} className="split">
+        <div className="split-pane">{first}</div>
+      </div>
+    );
+  }
   const limit = `max(${minPx}px, min(${sizePx}px, 100% - ${otherMinPx}px))`;
   const tracks = fixed === 'first' ? `${limit} 1px minmax(0, 1fr)` : `minmax(0, 1fr) 1px ${limit}`;
   return (

@@ -1,0 +1,51 @@
+import { useRef } from 'react';
+import type { AssetKind } from '../../nodes/kit/definition.ts';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { acceptedNames, importAsset } from '../state/add-files.ts';
+import { IconButton } from '../ui/button.tsx';
+
+interface AssetPickerProps {
+  readonly id: string;
+  readonly label: string;
+  readonly kind: AssetKind;
+  /** Id of an asset; empty for none. */
+  readonly value: string;
+  readonly onChoose: (asset: string) => void;
+}
+
+/** The project's assets of one kind, and a way to bring in another. */
+export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerProps) {
+  const editor = useEditor();
+  const input = useRef<HTMLInputElement>(null);
+  const assets = useDocument((state) => state.project.assets);
+  const choices = Object.entries(assets).filter(([, asset]) => asset.kind === kind);
+  const missing = value !== '' && !choices.some(([asset]) => asset === value);
+  return (
+    <div className="asset-picker">
+      <select id={id} className="select" aria-label={label} value={value} onChange={(event) => onChoose(event.target.value)}>
+        <option value="">None</option>
+        {missing && <option value={value}>{value} (missing)</option>}
+        {choices.map(([asset, { path }]) => (
+          <option key={asset} value={asset}>
+            {path.replace(/^assets\//, '')}
+          </option>
+        ))}
+      </select>
+      <IconButton icon="folder" label={`Import a ${kind === 'model' ? 'model' : 'picture'}`} onPress={() => input.current?.click()} />
+      <input
+        ref={input}
+        type="file"
+        hidden
+        accept={acceptedNames(kind)}
+        aria-label={`Import for ${label}`}
+        onChange={async (event) => {
+          const [file] = event.target.files ?? [];
+          event.target.value = '';
+          if (!file) return;
+          const asset = await importAsset(editor, file, kind);
+          if (asset !== null) onChoose(asset);
+        }}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,105 @@
+import { useMemo } from 'react';
+import { canConnect } from '../../export/graph/connect.ts';
+import type { PortAddress, Wire } from '../../export/graph/project.ts';
+import type { InputPort, NodeDefinition } from '../../nodes/kit/definition.ts';
+import { PortMark } from '../canvas/port-mark.tsx';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { graphOf, titleOf } from '../state/document.ts';
+import { connect, reorderWires } from '../state/edit-graph.ts';
+import { IconButton } from '../ui/button.tsx';
+import { SourceLink } from './source-link.tsx';
+
+interface InputsSectionProps {
+  readonly node: string;
+  readonly definition: NodeDefinition;
+  readonly wires: readonly Wire[];
+}
+
+/** The node's ports with what is wired to them; everything a wire can do, without a pointer. */
+export function InputsSection({ node, definition, wires }: InputsSectionProps) {
+  const entries = Object.entries(definition.inputs);
+  if (entries.length === 0) return null;
+  return (
+    <section className="inspector-section" aria-label="Inputs">
+      <h3>Inputs</h3>
+      {entries.map(([name, port]) => (
+        <InputRow key={name} node={node} name={name} port={port} sources={wires.filter(({ to }) => to.port === name).map(({ from }) => from)} />
+      ))}
+    </section>
+  );
+}
+
+interface InputRowProps {
+  readonly node: string;
+  readonly name: string;
+  readonly port: InputPort;
+  readonly sources: readonly PortAddress[];
+}
+
+function InputRow({ node, name, port, sources }: InputRowProps) {
+  const editor = useEditor();
+  const to = { node, port: name };
+  const move = (index: number, by: -1 | 1) => {
+    const next = [...sources];
+    const [taken] = next.splice(index, 1);
+    if (taken) next.splice(index + by, 0, taken);
+    reorderWires(editor, to, next);
+  };
+  return (
+    <div className="param-row input-row" data-input={name}>
+      <span className="param-label" data-tip={port.doc}>
+        <PortMark type={port.type} />
+        <span>{port.label}</span>
+      </span>
+      <div className="param-control">
+        {sources.map((from, index) => (
+          <span key={`${from.node}.${from.port}`} className="input-source">
+            <SourceLink from={from} to={to} />
+            {sources.length > 1 && (
+              <>
+                <IconButton icon="up" label="Earlier" small disabled={index === 0} onPress={() => move(index, -1)} />
+                <IconButton icon="down" label="Later" small disabled={index === sources.length - 1} onPress={() => move(index, 1)} />
+              </>
+            )}
+          </span>
+        ))}
+        {(sources.length === 0 || port.multiple === true) && <SourcePicker to={to} port={port} empty={sources.length === 0} />}
+      </div>
+    </div>
+  );
+}
+
+/** All outputs that the port would take. */
+function SourcePicker({ to, port, empty }: { readonly to: PortAddress; readonly port: InputPort; readonly empty: boolean }) {
+  const editor = useEditor();
+  const project = useDocument((state) => state.project);
+  const options = useMemo(() => {
+    const state = editor.document.getState();
+    return Object.entries(graphOf({ ...state, project }).nodes).flatMap(([id, node]) =>
+      Object.entries(state.library.definition(node.type)?.outputs ?? {}).flatMap(([name, output]) => {
+        const from = { node: id, port: name };
+        const fits = canConnect(project, state.library, state.graph, from, to).ok;
+        return fits ? [{ from, label: `${titleOf(state, id)} · ${output.label}` }] : [];
+      }),
+    );
+  }, [editor, project, to.node, to.port]);
+  const none = port.required ? 'Nothing wired (needed)' : 'Nothing wired';
+  return (
+    <select
+      className={port.required && empty ? 'select select-needed' : 'select'}
+      aria-label={empty ? `Wire to ${port.label}` : `Another wire to ${port.label}`}
+      value=""
+      onChange={(event) => {
+        const chosen = options[Number(event.target.value)];
+        if (chosen) connect(editor, chosen.from, to);
+      }}
+    >
+      <option value="">{empty ? none : 'Add another…'}</option>
+      {options.map(({ from, label }, index) => (
+        <option key={`${from.node}.${from.port}`} value={index}>
+          {label}
+        </option>
+      ))}
+    </select>
+  );
+}

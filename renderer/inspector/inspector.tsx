@@ -1,0 +1,19 @@
+import { useStore } from 'zustand';
+import { useEditor } from '../shell/editor-context.ts';
+import { soleNode } from '../state/selection.ts';
+import './inspector.css';
+import { NodeInspector } from './node-inspector.tsx';
+import { ProjectInspector } from './project-inspector.tsx';
+import { SelectionInspector } from './selection-inspector.tsx';
+
+/** What is selected, and how it can be changed; the project where nothing is. Made from definitions alone. */
+export function Inspector() {
+  const { selection } = useEditor();
+  const node = useStore(selection, soleNode);
+  const count = useStore(selection, ({ nodes, wires }) => nodes.size + wires.size);
+  return (
+    <aside className="inspector scroll" aria-label="Inspector">
+      {node !== null ? <NodeInspector key={node} id={node} /> : count > 0 ? <SelectionInspector /> : <ProjectInspector />}
+    </aside>
+  );
+}

@@ -1,0 +1,123 @@
+import { useMemo } from 'react';
+import { useStore } from 'zustand';
+import { own } from '../../export/graph/own.ts';
+import type { Binding } from '../../export/graph/project.ts';
+import type { NodeDefinition } from '../../nodes/kit/definition.ts';
+import { categoryOf } from '../canvas/palette-search.ts';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { useProblems } from '../shell/use-problems.ts';
+import { runCommand } from '../state/app-commands.ts';
+import { graphOf, nodeOf } from '../state/document.ts';
+import { toggleMuted } from '../state/edit-graph.ts';
+import { shaderOf } from '../state/edit-shader.ts';
+import { goToProblem } from '../state/problems.ts';
+import { Button, IconButton } from '../ui/button.tsx';
+import { DocText } from '../ui/doc-text.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { InputsSection } from './inputs-section.tsx';
+import { ParamRow } from './param-row.tsx';
+
+export function NodeInspector({ id }: { readonly id: string }) {
+  const node = useDocument((state) => nodeOf(state, id));
+  const definition = useDocument((state) => (node === undefined ? undefined : state.library.definition(node.type)));
+  const allWires = useDocument((state) => graphOf(state).wires);
+  const wires = useMemo(() => allWires.filter(({ to }) => to.node === id), [allWires, id]);
+  if (node === undefined) return null;
+  if (definition === undefined) {
+    return (
+      <div className="inspector-head">
+        <h2>{node.type}</h2>
+        <p className="inspector-note">This Scrim does not know the node type. The node is kept as it is, with its wires and values.</p>
+      </div>
+    );
+  }
+  return (
+    <>
+      <Head id={id} definition={definition} muted={node.muted ?? false} />
+      <Problems id={id} />
+      <InputsSection node={id} definition={definition} wires={wires} />
+      <Params id={id} definition={definition} params={node.params} sourceOf={(name) => wires.find(({ to }) => to.port === name)?.from} />
+      <Facts definition={definition} />
+    </>
+  );
+}
+
+function Head({ id, definition, muted }: { readonly id: string; readonly definition: NodeDefinition; readonly muted: boolean }) {
+  const editor = useEditor();
+  const hasShader = useDocument((state) => shaderOf(state, id) !== null);
+  const codeOpen = useStore(editor.ui, (state) => state.bottom === 'code');
+  return (
+    <header className="inspector-head">
+      <div className="inspector-title">
+        <h2>{definition.title}</h2>
+        <IconButton icon="mute" label={muted ? 'Unmute' : 'Mute'} keys="M" pressed={muted} small onPress={() => void toggleMuted(editor)} />
+      </div>
+      <p className="inspector-kind">
+        {categoryOf(definition)} <code>{id}</code>
+      </p>
+      <DocText text={definition.doc} />
+      {hasShader && !codeOpen && (
+        <Button icon="code" onPress={() => runCommand(editor, 'view.code')}>
+          Edit shader
+        </Button>
+      )}
+    </header>
+  );
+}
+
+function Problems({ id }: { readonly id: string }) {
+  const editor = useEditor();
+  const problems = useProblems().filter((problem) => problem.nodeId === id);
+  if (problems.length === 0) return null;
+  return (
+    <ul className="inspector-problems">
+      {problems.map((problem) => (
+        <li key={`${problem.code} ${problem.message} ${problem.line ?? 0}`}>
+          <button type="button" className={`problem-card problem-card-${problem.severity}`} onClick={() => goToProblem(editor, problem)}>
+            <Icon name={problem.severity} />
+            <span>
+              {problem.message}
+              {problem.fix !== undefined && <span className="problem-fix"> {problem.fix}</span>}
+            </span>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
+interface ParamsProps {
+  readonly id: string;
+  readonly definition: NodeDefinition;
+  readonly params: Readonly<Record<string, Binding>>;
+  readonly sourceOf: (name: string) => { readonly node: string; readonly port: string } | undefined;
+}
+
+function Params({ id, definition, params, sourceOf }: ParamsProps) {
+  const entries = Object.entries(definition.params);
+  if (entries.length === 0) return null;
+  return (
+    <section className="inspector-section" aria-label="Values">
+      <h3>Values</h3>
+      {entries.map(([name, param]) => (
+        <ParamRow key={name} node={id} name={name} param={param} binding={own(params, name)} source={sourceOf(name)} />
+      ))}
+    </section>
+  );
+}
+
+/** What it asks of the visitor's device, and whose work it is. */
+function Facts({ definition: { needs = [], credit } }: { readonly definition: NodeDefinition }) {
+  if (needs.length === 0 && credit === undefined) return null;
+  return (
+    <section className="inspector-section" aria-label="About">
+      {needs.length > 0 && <h3>Needs</h3>}
+      {needs.map((need) => (
+        <p key={need.capability} className="inspector-note">
+          <strong>{need.capability.replace('-', ' ')}</strong> {need.why}. Without it: {need.without}
+        </p>
+      ))}
+      {credit !== undefined && credit !== '' && <p className="inspector-note">{credit}</p>}
+    </section>
+  );
+}

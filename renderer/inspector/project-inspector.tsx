@@ -1,0 +1,57 @@
+import { useId } from 'react';
+import { setPage, setTitle } from '../../export/graph/commands/project-info.ts';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { apply, endGesture } from '../state/apply.ts';
+import { graphOf } from '../state/document.ts';
+
+/** The project itself: its name, what its page says, what is in it. */
+export function ProjectInspector() {
+  const editor = useEditor();
+  const titleId = useId();
+  const descriptionId = useId();
+  const { title, page, assets } = useDocument((state) => state.project);
+  const open = useDocument((state) => state.open !== null);
+  const nodeCount = useDocument((state) => Object.keys(graphOf(state).nodes).length);
+  if (!open) return <p className="inspector-empty">No project is open.</p>;
+  const project = () => editor.document.getState().project;
+  return (
+    <>
+      <header className="inspector-head">
+        <h2>Project</h2>
+        <p className="inspector-kind">
+          {nodeCount} {nodeCount === 1 ? 'node' : 'nodes'}, {Object.keys(assets).length}{' '}
+          {Object.keys(assets).length === 1 ? 'asset' : 'assets'}
+        </p>
+      </header>
+      <section className="inspector-section" aria-label="Page">
+        <div className="stacked">
+          <label htmlFor={titleId}>Title</label>
+          <input
+            id={titleId}
+            className="field"
+            value={title}
+            onChange={(event) => apply(editor, 'Change the title', setTitle(project(), { title: event.target.value }), 'title')}
+            onBlur={() => endGesture(editor)}
+          />
+        </div>
+        <div className="stacked">
+          <label htmlFor={descriptionId}>Description</label>
+          <textarea
+            id={descriptionId}
+            className="field"
+            rows={3}
+            placeholder="What the page says about itself"
+            value={page.description}
+            onChange={(event) =>
+              apply(editor, 'Change the description', setPage(project(), { page: { description: event.target.value } }), 'description')
+            }
+            onBlur={() => endGesture(editor)}
+          />
+        </div>
+      </section>
+      <section className="inspector-section" aria-label="Hint">
+        <p className="inspector-note">Select a node to change its values. Hold Shift to select several.</p>
+      </section>
+    </>
+  );
+}

@@ -1,0 +1,47 @@
+import { useStore } from 'zustand';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { runCommand } from '../state/app-commands.ts';
+import { titleOf } from '../state/document.ts';
+import { selectOnly } from '../state/selection.ts';
+import { Button } from '../ui/button.tsx';
+
+/** Several things at once: what they are, and what can be done to all of them. */
+export function SelectionInspector() {
+  const editor = useEditor();
+  const { nodes, wires } = useStore(editor.selection);
+  const state = useDocument((document) => document);
+  return (
+    <>
+      <header className="inspector-head">
+        <h2>{[counted(nodes.size, 'node'), counted(wires.size, 'wire')].filter(Boolean).join(', ')}</h2>
+      </header>
+      <section className="inspector-section" aria-label="Selected">
+        <ul className="selected-list">
+          {[...nodes].map((id) => (
+            <li key={id}>
+              <button type="button" onClick={() => selectOnly(editor.selection, [id])}>
+                {titleOf(state, id)} <code>{id}</code>
+              </button>
+            </li>
+          ))}
+          {[...wires].map((id) => (
+            <li key={id}>
+              <code>{id}</code>
+            </li>
+          ))}
+        </ul>
+        <div className="inspector-actions">
+          {nodes.size > 0 && <Button onPress={() => runCommand(editor, 'edit.duplicate')}>Duplicate</Button>}
+          {nodes.size > 0 && <Button onPress={() => runCommand(editor, 'edit.mute')}>Mute</Button>}
+          <Button look="danger" icon="trash" onPress={() => runCommand(editor, 'edit.delete')}>
+            Delete
+          </Button>
+        </div>
+      </section>
+    </>
+  );
+}
+
+function counted(count: number, word: string): string {
+  return count === 0 ? '' : `${count} ${word}${count === 1 ? '' : 's'}`;
+}

@@ -1,0 +1,51 @@
+import { StrictMode } from 'react';
+import { createRoot } from 'react-dom/client';
+import { connectHost } from '../app/contract/connect-host.ts';
+import { DEFINITIONS, SHADERS } from '../nodes/generated/definitions.gen.ts';
+import { createPageClipboard } from './clipboard.ts';
+import { pageClock } from './clock.ts';
+import { pageRandom } from './random.ts';
+import { App } from './shell/app.tsx';
+import { NoHost } from './shell/no-host.tsx';
+import { createEditor } from './state/editor.ts';
+import { createFeed } from './state/feed.ts';
+import { keepSizes, loadSizes } from './state/sizes.ts';
+import { autosave, followHost, hasUnsavedWork, openFirst, start } from './state/start.ts';
+import './ui/theme.css';
+
+async function main(): Promise<void> {
+  const element = document.getElementById('root');
+  if (!element) throw new Error('The page has no #root.');
+  const root = createRoot(element);
+  const host = connectHost(window);
+  if (host === null) {
+    root.render(<NoHost />);
+    return;
+  }
+  const editor = createEditor({
+    host,
+    clock: pageClock,
+    random: pageRandom,
+    library: { definitions: DEFINITIONS, shaders: SHADERS },
+    mac: navigator.platform.startsWith('Mac'),
+    clipboard: createPageClipboard(navigator.clipboard),
+    sizes: loadSizes(localStorage),
+  });
+  const worker = new Worker(new URL('./compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
+  const feed = createFeed(editor, worker);
+  const previewUrl = await start(editor);
+  followHost(editor);
+  autosave(editor);
+  keepSizes(editor, localStorage);
+  window.addEventListener('beforeunload', (event) => {
+    if (hasUnsavedWork(editor)) event.preventDefault();
+  });
+  root.render(
+    <StrictMode>
+      <App editor={editor} feed={feed} previewUrl={previewUrl} />
+    </StrictMode>,
+  );
+  await openFirst(editor);
+}
+
+void main();

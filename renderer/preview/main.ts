@@ -1,0 +1,2 @@
+import { waitForEditor } from './connect.ts';
+void waitForEditor(window).then((editor) => editor.send({ kind: 'ready' }));

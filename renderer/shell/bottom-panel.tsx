@@ -1,0 +1,42 @@
+import { useStore } from 'zustand';
+import { CodePanel } from '../code/code-panel.tsx';
+import type { BottomTab } from '../state/ui.ts';
+import { IconButton } from '../ui/button.tsx';
+import './bottom-panel.css';
+import { useEditor } from './editor-context.ts';
+import { ProblemsPanel } from './problems-panel.tsx';
+
+const TABS: readonly { readonly id: BottomTab; readonly label: string }[] = [
+  { id: 'code', label: 'Shader' },
+  { id: 'problems', label: 'Problems' },
+];
+
+/** Below the graph: the shader's source, or the list of problems. */
+export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
+  const { ui } = useEditor();
+  return (
+    <section className="bottom-panel" aria-label={TABS.find(({ id }) => id === tab)?.label}>
+      <div className="bottom-tabs">
+        {TABS.map(({ id, label }) => (
+          <button
+            key={id}
+            type="button"
+            className="bottom-tab"
+            aria-pressed={id === tab}
+            onClick={() => ui.setState({ bottom: id })}
+          >
+            {label}
+          </button>
+        ))}
+        <span className="bottom-gap" />
+        <IconButton icon="close" label="Close the panel" small onPress={() => ui.setState({ bottom: null })} />
+      </div>
+      <div className="bottom-body">{tab === 'code' ? <CodePanel /> : <ProblemsPanel />}</div>
+    </section>
+  );
+}
+
+/** Whether the panel is there at all. */
+export function useBottomTab(): BottomTab | null {
+  return useStore(useEditor().ui, (state) => state.bottom);
+}

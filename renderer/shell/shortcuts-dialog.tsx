@@ -1,0 +1,47 @@
+import { appCommand, appCommandIds } from '../state/app-commands.ts';
+import { Dialog } from '../ui/dialog.tsx';
+import { showChord } from './chord.ts';
+import { useEditor } from './editor-context.ts';
+import './shortcuts-dialog.css';
+
+const POINTER: readonly (readonly [string, string])[] = [
+  ['Select several', 'Drag on the canvas, or Shift-click'],
+  ['Move the canvas', 'Middle button, Space-drag, or two fingers'],
+  ['Zoom', 'Wheel or pinch'],
+  ['Add a node', 'Double-click, or let go of a wire over the canvas'],
+  ['Take a wire off', 'Pull its end away'],
+  ['Change a number', 'Drag it sideways; Shift for large, Alt for fine steps'],
+];
+
+export function ShortcutsDialog({ onClose }: { readonly onClose: () => void }) {
+  const { mac } = useEditor();
+  return (
+    <Dialog title="Keyboard and pointer" onClose={onClose} wide>
+      <div className="shortcuts">
+        <dl>
+          {appCommandIds().map((id) => {
+            const { label, chords } = appCommand(id);
+            return (
+              <div key={id}>
+                <dt>{label.replace('…', '')}</dt>
+                <dd>
+                  {chords.map((chord) => (
+                    <kbd key={chord}>{showChord(chord, mac)}</kbd>
+                  ))}
+                </dd>
+              </div>
+            );
+          })}
+        </dl>
+        <dl>
+          {POINTER.map(([what, how]) => (
+            <div key={what}>
+              <dt>{what}</dt>
+              <dd>{how}</dd>
+            </div>
+          ))}
+        </dl>
+      </div>
+    </Dialog>
+  );
+}

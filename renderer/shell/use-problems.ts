@@ -1,0 +1,23 @@
+import { useMemo } from 'react';
+import { useStore } from 'zustand';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeProblem } from '../canvas/project-canvas.ts';
+import { collectProblems, problemsByNode } from '../state/problems.ts';
+import { useDocument, useEditor } from './editor-context.ts';
+
+/** Everything wrong, worst first. */
+export function useProblems(): readonly Diagnostic[] {
+  const editor = useEditor();
+  const library = useDocument((state) => state.library);
+  const load = useDocument((state) => state.loadDiagnostics);
+  const compile = useStore(editor.compile, (state) => state.diagnostics);
+  const preview = useStore(editor.preview, (state) => state.diagnostics);
+  const exported = useStore(editor.ui, (state) => state.exportDiagnostics);
+  return useMemo(() => collectProblems([library.diagnostics, load, compile, preview, exported]), [library, load, compile, preview, exported]);
+}
+
+/** The same by node, as the canvas marks it. */
+export function useNodeProblems(): ReadonlyMap<string, NodeProblem> {
+  const problems = useProblems();
+  return useMemo(() => problemsByNode(problems), [problems]);
+}

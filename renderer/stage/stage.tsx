@@ -1,0 +1,129 @@
+import { useEffect, useRef } from 'react';
+import { useStore } from 'zustand';
+import { useEditor } from '../shell/editor-context.ts';
+import { useFeed } from '../shell/feed-context.ts';
+import { chosenSource } from '../state/preview.ts';
+import { IconButton } from '../ui/button.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { connectPreview } from './preview-link.ts';
+import './stage.css';
+
+/** The preview: a page of its own in a frame, the bar that moves its time, and where its picture comes from. */
+export function Stage({ previewUrl }: { readonly previewUrl: string }) {
+  return (
+    <section className="stage" aria-label="Preview">
+      <div className="stage-picture">
+        <PreviewFrame url={previewUrl} />
+        <Notice />
+      </div>
+      <Transport />
+    </section>
+  );
+}
+
+function PreviewFrame({ url }: { readonly url: string }) {
+  const feed = useFeed();
+  const frame = useRef<HTMLIFrameElement>(null);
+  useEffect(() => {
+    const element = frame.current;
+    if (!element) return;
+    const link = connectPreview(element, url, feed.receive);
+    const detach = feed.attach(link.send);
+    return () => {
+      detach();
+      link.dispose();
+    };
+  }, [feed, url]);
+  return <iframe ref={frame} className="stage-frame" title="Preview" allow="" referrerPolicy="no-referrer" />;
+}
+
+/** What the picture cannot say itself. */
+function Notice() {
+  const editor = useEditor();
+  const state = useStore(editor.preview, (preview) => preview.status?.state ?? null);
+  const playing = useStore(editor.preview, (preview) => preview.playing);
+  const hasProgram = useStore(editor.compile, (compile) => compile.program !== null);
+  const broken = useStore(editor.compile, (compile) => compile.revision !== null && compile.diagnostics.some((d) => d.severity === 'error'));
+  if (state === 'lost') return <p className="stage-notice">The graphics device was lost. The preview comes back by itself when it does.</p>;
+  if (playing === null && broken && !hasProgram) {
+    return <p className="stage-notice">Nothing to show yet. The problems below the graph say what is missing.</p>;
+  }
+  if (playing === null || state === 'loading') return <p className="stage-notice stage-loading">Loading…</p>;
+  if (broken) {
+    return (
+      <p className="stage-flag">
+        <Icon name="warning" size={14} /> Showing the last version that worked
+      </p>
+    );
+  }
+  return null;
+}
+
+function Transport() {
+  const editor = useEditor();
+  const feed = useFeed();
+  const status = useStore(editor.preview, (preview) => preview.status);
+  const paused = status?.state === 'paused';
+  const act = (action: 'play' | 'pause' | 'step' | 'reset') => feed.send({ kind: 'transport', action });
+  return (
+    <div className="transport" role="toolbar" aria-label="Transport">
+      <IconButton icon={paused ? 'play' : 'pause'} label={paused ? 'Play' : 'Pause'} onPress={() => act(paused ? 'play' : 'pause')} />
+      <IconButton icon="step" label="One frame on" onPress={() => act('step')} />
+      <IconButton icon="reset" label="Back to the first frame" onPress={() => act('reset')} />
+      <output className="transport-time" data-tip="Time in the session and number of the frame">
+        {status ? `${status.timeS.toFixed(2)} s` : '–'}
+        <span>{status ? status.frame : ''}</span>
+      </output>
+      <span className="transport-gap" />
+      <ViewsToggle />
+      <SourcePicker />
+    </div>
+  );
+}
+
+function SourcePicker() {
+  const { preview } = useEditor();
+  const sources = useStore(preview, (state) => state.sources);
+  const chosen = useStore(preview, (state) => chosenSource(state)?.id ?? '');
+  const groups = [
+    ['Recordings', sources.filter(({ kind }) => kind === 'recorded')],
+    ['Emulated rooms', sources.filter(({ kind }) => kind === 'room')],
+  ] as const;
+  return (
+    <select
+      className="select transport-source"
+      aria-label="Where the picture comes from"
+      value={chosen}
+      onChange={(event) => preview.setState({ sourceId: event.target.value })}
+    >
+      {groups.map(
+        ([label, list]) =>
+          list.length > 0 && (
+            <optgroup key={label} label={label}>
+              {list.map(({ id, title }) => (
+                <option key={id} value={id}>
+                  {title}
+                </option>
+              ))}
+            </optgroup>
+          ),
+      )}
+    </select>
+  );
+}
+
+/** A headset has two views; recordings have the one they were made with. */
+function ViewsToggle() {
+  const { preview } = useEditor();
+  const isRoom = useStore(preview, (state) => chosenSource(state)?.kind === 'room');
+  const views = useStore(preview, (state) => state.views);
+  if (!isRoom) return null;
+  return (
+    <IconButton
+      icon="eyes"
+      label={views === 2 ? 'One view' : 'Two views, as in a headset'}
+      pressed={views === 2}
+      onPress={() => preview.setState({ views: views === 2 ? 1 : 2 })}
+    />
+  );
+}

@@ -1,0 +1,138 @@
+import { putAsset } from '../../export/graph/commands/assets.ts';
+import { addNode } from '../../export/graph/commands/nodes.ts';
+import { setSource } from '../../export/graph/commands/sources.ts';
+import { inTurn } from '../../export/graph/commands/change.ts';
+import { isShaderFile, makeAssetId, makeNodeId } from '../../export/graph/names.ts';
+import type { Asset, Project } from '../../export/graph/project.ts';
+import type { AssetKind, NodeLibrary } from '../../nodes/kit/definition.ts';
+import { apply } from './apply.ts';
+import type { Place } from './canvas.ts';
+import type { Editor } from './editor.ts';
+import { showRefusal } from './files.ts';
+import { selectOnly } from './selection.ts';
+import { addToast } from './ui.ts';
+
+const KINDS: readonly { readonly kind: AssetKind; readonly names: RegExp }[] = [
+  { kind: 'model', names: /\.(glb|gltf)$/i },
+  { kind: 'image', names: /\.(png|jpe?g|webp)$/i },
+];
+const SHADERS = /\.fs$/i;
+const STEP_PX = 40;
+
+export function kindOfFile(name: string): AssetKind | 'shader' | null {
+  if (SHADERS.test(name)) return 'shader';
+  return KINDS.find(({ names }) => names.test(name))?.kind ?? null;
+}
+
+/** For file inputs. */
+export function acceptedNames(kind: AssetKind): string {
+  return kind === 'model' ? '.glb,.gltf' : '.png,.jpg,.jpeg,.webp';
+}
+
+/** The part of `File` that is used. */
+export interface DroppedFile {
+  readonly name: string;
+  arrayBuffer(): Promise<ArrayBuffer>;
+}
+
+/** Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. */
+export async function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
+  const added: string[] = [];
+  for (const [index, file] of files.entries()) {
+    const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
+    const kind = kindOfFile(file.name);
+    if (kind === null) {
+      const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp) nor an ISF shader (.fs).`;
+      addToast(editor.ui, { tone: 'error', text });
+      continue;
+    }
+    const node = kind === 'shader' ? await addShader(editor, file, at) : await addAssetNode(editor, file, kind, at);
+    if (node !== null) added.push(node);
+  }
+  if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+/** Copies a file into the project and makes an asset of it; its id, or null where the host refused. */
+export async function importAsset(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<string | null> {
+  const imported = await importFile(editor, file, kind);
+  if (imported === null) return null;
+  const { project } = editor.document.getState();
+  const id = makeAssetId(project, imported.path, editor.random);
+  return apply(editor, `Import ${file.name}`, putAsset(project, { id, asset: imported })) ? id : null;
+}
+
+async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<Asset | null> {
+  const { open } = editor.document.getState();
+  if (open === null) return null;
+  try {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { path } = await editor.host.call('asset.import', { handle: open.handle, name: file.name, bytes });
+    return { path, kind };
+  } catch (error) {
+    showRefusal(editor, error);
+    return null;
+  }
+}
+
+/** One step: the asset, and the node of the library that brings such files. */
+async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, place: Place): Promise<string | null> {
+  const source = sourceOf(editor.document.getState().library, kind);
+  const asset = await importFile(editor, file, kind);
+  if (asset === null) return null;
+  const { project, library, graph } = editor.document.getState();
+  const assetId = makeAssetId(project, asset.path, editor.random);
+  if (source === null) {
+    apply(editor, `Import ${file.name}`, putAsset(project, { id: assetId, asset }));
+    return null;
+  }
+  const id = makeNodeId(project, source.type, editor.random);
+  const change = inTurn(
+    project,
+    (before) => putAsset(before, { id: assetId, asset }),
+    (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
+  );
+  return apply(editor, `Add ${file.name}`, change) ? id : null;
+}
+
+/** The first source whose asset param takes the kind. */
+function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: string; readonly param: string } | null {
+  for (const type of library.types()) {
+    const definition = library.definition(type);
+    if (definition?.lowering.kind !== 'source') continue;
+    const param = Object.entries(definition.params).find(([, candidate]) => candidate.type === 'asset' && candidate.accept === kind);
+    if (param) return { type, param: param[0] };
+  }
+  return null;
+}
+
+async function addShader(editor: Editor, file: DroppedFile, place: Place): Promise<string | null> {
+  const text = new TextDecoder().decode(await file.arrayBuffer());
+  const { project, graph } = editor.document.getState();
+  const name = freeShaderName(project, file.name);
+  if (!isShaderFile(name)) {
+    addToast(editor.ui, { tone: 'error', text: `${file.name} will not do as the name of a shader: rename it and drop it again.` });
+    return null;
+  }
+  const { base, readShader } = editor.libraries;
+  const read = readShader(`shaders/${name}`, text);
+  if (read.output === null) {
+    const [first] = read.diagnostics;
+    addToast(editor.ui, { tone: 'error', text: `${file.name}: ${first?.message ?? 'its header cannot be read.'}`, detail: first?.fix ?? '' });
+    return null;
+  }
+  const { type } = read.output;
+  const id = makeNodeId(project, type, editor.random);
+  const change = inTurn(
+    project,
+    (before) => setSource(before, { base, readShader, file: name, text }),
+    (before) => addNode(before, { library: editor.libraries.of(before), graph, id, type, ...place }),
+  );
+  return apply(editor, `Add ${name}`, change) ? id : null;
+}
+
+function freeShaderName({ sources }: Project, wanted: string): string {
+  const stem = wanted.replace(SHADERS, '');
+  let name = `${stem}.fs`;
+  for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}.fs`;
+  return name;
+}

@@ -1,0 +1,139 @@
+import { type CompilerLink, createCompilerLink, type CompilerWorker } from '../compile/compiler-link.ts';
+import type { CompileAnswer } from '../compile/messages.ts';
+import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import { consequenceOf, type ParamEdit } from './changes.ts';
+import type { Editor } from './editor.ts';
+import { chosenSource } from './preview.ts';
+
+/** Keeps compiler and preview up with the document. */
+export interface Feed {
+  /** A preview page is there; what it has to know is sent once it is ready. The returned function lets it go. */
+  attach(send: (message: ToPreview) => void): () => void;
+  /** What the preview page says. */
+  receive(message: FromPreview): void;
+  send(message: ToPreview): void;
+  dispose(): void;
+}
+
+interface PendingEdit extends ParamEdit {
+  readonly revision: number;
+}
+
+/**
+ * The way of every change: values that may be set while running go straight to the preview; all else goes through the compiler,
+ * whose newest program the preview is given. Values set while a program was being compiled are sent after it, because it was
+ * made before them.
+ */
+export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
+  let send: ((message: ToPreview) => void) | null = null;
+  let pending: PendingEdit[] = [];
+  const post = (message: ToPreview) => send?.(message);
+  const postEdit = ({ node, param, value }: ParamEdit) => post({ kind: 'param', node, param, value });
+
+  const postProgram = () => {
+    const { program, programRevision: revision } = editor.compile.getState();
+    if (program === null || revision === null) return;
+    post({ kind: 'program', revision, program });
+    pending = pending.filter((edit) => edit.revision > revision);
+    for (const edit of pending) postEdit(edit);
+  };
+  const postSource = () => {
+    const source = previewSource(editor);
+    if (source !== null) post({ kind: 'session', source });
+  };
+  const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
+    takeAnswer(editor, answer, more);
+    if (answer.program !== null) postProgram();
+  });
+  const compile = () => {
+    const { revision, project, open } = editor.document.getState();
+    if (open === null) return;
+    const { layout: _, ...logic } = project;
+    editor.compile.setState({ busy: true });
+    compiler.request({ revision, project: logic });
+  };
+
+  const stopDocument = editor.document.subscribe((state, before) => {
+    const reopened = state.open?.handle !== before.open?.handle;
+    if (state.project === before.project && !reopened) return;
+    if (reopened) {
+      pending = [];
+      editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
+      editor.preview.setState({ diagnostics: [], playing: null });
+    }
+    const consequence = reopened ? { kind: 'program' as const } : consequenceOf(before.project, state.project, state.library);
+    if (consequence.kind === 'program') compile();
+    if (consequence.kind === 'params') {
+      for (const edit of consequence.edits) {
+        pending = [...pending.filter(({ node, param }) => node !== edit.node || param !== edit.param), { ...edit, revision: state.revision }];
+        postEdit(edit);
+      }
+    }
+  });
+  const stopSource = editor.preview.subscribe((state, before) => {
+    if (chosenSource(state) !== chosenSource(before) || state.views !== before.views) postSource();
+  });
+
+  return {
+    attach: (to) => {
+      send = to;
+      return () => {
+        if (send !== to) return;
+        send = null;
+        editor.preview.setState({ ready: false, playing: null, status: null });
+      };
+    },
+    receive: (message) => {
+      takeMessage(editor, message);
+      if (message.kind !== 'ready') return;
+      postSource();
+      postProgram();
+    },
+    send: post,
+    dispose: () => {
+      stopDocument();
+      stopSource();
+      compiler.dispose();
+    },
+  };
+}
+
+/** The last good program stays what the preview plays. */
+function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: CompileAnswer, busy: boolean): void {
+  editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
+}
+
+function takeMessage({ preview }: Editor, message: FromPreview): void {
+  switch (message.kind) {
+    case 'ready':
+      preview.setState({ ready: true });
+      return;
+    case 'playing':
+      preview.setState({ playing: message.revision });
+      return;
+    case 'diagnostics':
+      preview.setState({ diagnostics: message.diagnostics, diagnosed: message.revision });
+      return;
+    case 'status':
+      preview.setState({ status: message.status });
+      return;
+    case 'thumbnail':
+      message.image.close();
+      return;
+  }
+}
+
+function previewSource(editor: Editor): PreviewSource | null {
+  const state = editor.preview.getState();
+  const { open } = editor.document.getState();
+  const source = chosenSource(state);
+  if (source === null || open === null) return null;
+  const { assetBaseUrl } = open;
+  if (source.kind === 'room') return { kind: 'room', name: roomName(source.id), views: state.views, assetBaseUrl };
+  return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
+}
+
+/** `room/living_room` → `living_room`. */
+function roomName(id: string): string {
+  return id.slice(id.indexOf('/') + 1);
+}

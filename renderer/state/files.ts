@@ -1,0 +1,175 @@
+import type { OpenProject, ProjectFiles } from '../../app/contract/contract.ts';
+import { HostError } from '../../app/contract/host-error.ts';
+import { emptyHistory } from '../../export/graph/history.ts';
+import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import { MAIN_GRAPH } from '../../export/graph/project.ts';
+import { saveProject } from '../../export/graph/save.ts';
+import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { isDirty } from './document.ts';
+import type { Editor } from './editor.ts';
+import { selectNothing } from './selection.ts';
+import { addToast, toastDiagnostic } from './ui.ts';
+
+/** The texts that the open project would be saved as. */
+export function filesOf(editor: Editor): ProjectFiles {
+  return saveProject(editor.document.getState().project);
+}
+
+/** Shows what the host refused; a fault of ours goes on to whoever listens for those. */
+export function showRefusal(editor: Editor, error: unknown): void {
+  if (!(error instanceof HostError)) throw error;
+  toastDiagnostic(editor.ui, error.diagnostic as Diagnostic);
+}
+
+/** Asks what to open, after asking about unsaved work. */
+export function openProject(editor: Editor): void {
+  withoutUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'open' } }));
+}
+
+/** Goes on at once, or after the person has decided what becomes of unsaved work. */
+export function withoutUnsaved(editor: Editor, proceed: () => void): void {
+  if (isDirty(editor.document.getState())) editor.ui.setState({ dialog: { kind: 'unsaved', proceed } });
+  else proceed();
+}
+
+/** Opens a folder in place of what is open. Where it cannot be read, what is open stays. */
+export async function openPath(editor: Editor, path: string): Promise<boolean> {
+  const before = editor.document.getState().open;
+  try {
+    const opened = await editor.host.call('project.open', { path });
+    if (!showProject(editor, opened, opened.files)) {
+      await editor.host.call('project.close', { handle: opened.handle });
+      return false;
+    }
+    if (before) await editor.host.call('project.close', { handle: before.handle });
+    editor.ui.setState({ dialog: opened.recovery === null ? null : { kind: 'recovery', files: opened.recovery } });
+    await listSessions(editor);
+    return true;
+  } catch (error) {
+    showRefusal(editor, error);
+    return false;
+  }
+}
+
+/** Puts files on the canvas; false, with the reasons shown, where they are no project. */
+export function showProject(editor: Editor, opened: OpenProject, files: ProjectFiles, asSaved = true): boolean {
+  const loaded = loadProject(files);
+  if (loaded.output === null) {
+    for (const diagnostic of loaded.diagnostics.slice(0, 3)) toastDiagnostic(editor.ui, withPlace(diagnostic));
+    return false;
+  }
+  const library = editor.libraries.of(loaded.output);
+  const { project, diagnostics } = migrateNodes(loaded.output, library);
+  selectNothing(editor.selection);
+  const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
+  editor.document.setState((state) => ({
+    open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
+    project,
+    graph: MAIN_GRAPH,
+    library,
+    history: emptyHistory(),
+    // Recovered work is unsaved by definition.
+    savedState: asSaved ? 0 : -1,
+    revision: state.revision + 1,
+    loadDiagnostics: [...loaded.diagnostics, ...diagnostics],
+  }));
+  return true;
+}
+
+export async function save(editor: Editor, overwrite = false): Promise<boolean> {
+  const { open, history } = editor.document.getState();
+  if (open === null) return false;
+  try {
+    const { revision } = await editor.host.call('project.save', { handle: open.handle, files: filesOf(editor), revision: open.revision, overwrite });
+    editor.document.setState((state) => ({ open: state.open && { ...state.open, revision }, savedState: history.state }));
+    return true;
+  } catch (error) {
+    if (error instanceof HostError && error.diagnostic.code === 'SCR063') editor.ui.setState({ dialog: { kind: 'changed-outside' } });
+    else showRefusal(editor, error);
+    return false;
+  }
+}
+
+/** Saves a copy into another folder and goes on there. */
+export async function saveAs(editor: Editor, chosen?: string): Promise<boolean> {
+  const { open } = editor.document.getState();
+  if (open === null) return false;
+  const path = chosen ?? (await pickFolder(editor, 'save-as'));
+  if (path === null) return false;
+  try {
+    const opened = await editor.host.call('project.save-as', { handle: open.handle, path, files: filesOf(editor) });
+    const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
+    await editor.host.call('project.autosave', { handle: open.handle, files: null });
+    await editor.host.call('project.close', { handle: open.handle });
+    editor.document.setState(({ history }) => ({
+      open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
+      savedState: history.state,
+    }));
+    editor.ui.setState({ dialog: null });
+    addToast(editor.ui, { tone: 'success', text: `Saved to ${displayPath}.` });
+    return true;
+  } catch (error) {
+    showRefusal(editor, error);
+    return false;
+  }
+}
+
+/** Writes the standalone page, of the project as it stands. */
+export async function exportPage(editor: Editor, chosen?: string): Promise<boolean> {
+  const { open } = editor.document.getState();
+  if (open === null) return false;
+  const out = chosen ?? (await pickFolder(editor, 'export'));
+  if (out === null) return false;
+  editor.ui.setState({ exporting: true, dialog: null });
+  try {
+    const result = await editor.host.call('export.run', { handle: open.handle, files: filesOf(editor), out });
+    editor.ui.setState({ exportDiagnostics: result.diagnostics as readonly Diagnostic[] });
+    if (!result.ok || hasErrors(result.diagnostics as readonly Diagnostic[])) {
+      const first = result.diagnostics.find((diagnostic) => diagnostic.severity === 'error');
+      addToast(editor.ui, { tone: 'error', text: first?.message ?? 'The page could not be exported.', detail: first?.fix ?? 'All reasons are under Problems.' });
+      editor.ui.setState({ bottom: 'problems' });
+      return false;
+    }
+    addToast(editor.ui, { tone: 'success', text: `Exported to ${result.out}.`, detail: `${formatBytes(result.bytes)} in all.` });
+    return true;
+  } catch (error) {
+    showRefusal(editor, error);
+    return false;
+  } finally {
+    editor.ui.setState({ exporting: false });
+  }
+}
+
+/** The shell's own dialog; where it has none, ours, which comes back with a typed path. */
+async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promise<string | null> {
+  if (!editor.document.getState().canPickFolders) {
+    editor.ui.setState({ dialog: { kind: purpose } });
+    return null;
+  }
+  return (await editor.host.call('folder.pick', { purpose })).path;
+}
+
+/** Takes the folder's version in place of what is on the canvas. */
+export async function reload(editor: Editor): Promise<boolean> {
+  const { open } = editor.document.getState();
+  if (open === null) return false;
+  await editor.host.call('project.autosave', { handle: open.handle, files: null }).catch((error: unknown) => showRefusal(editor, error));
+  return openPath(editor, open.displayPath);
+}
+
+export async function listSessions(editor: Editor): Promise<void> {
+  const { open } = editor.document.getState();
+  if (open === null) return;
+  const sources = await editor.host.call('session.list', { handle: open.handle });
+  editor.preview.setState({ sources });
+}
+
+function withPlace(diagnostic: Diagnostic): Diagnostic {
+  const { file, line, message } = diagnostic;
+  return file === undefined ? diagnostic : { ...diagnostic, message: `${file}${line === undefined ? '' : `:${line}`}: ${message}` };
+}
+
+function formatBytes(bytes: number): string {
+  return bytes < 1024 * 1024 ? `${Math.round(bytes / 1024)} kB` : `${(bytes / 1024 / 1024).toFixed(1)} MB`;
+}

@@ -1,0 +1,58 @@
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeProblem } from '../canvas/project-canvas.ts';
+import { graphOf, nodeOf } from './document.ts';
+import type { Editor } from './editor.ts';
+import { shaderOf } from './edit-shader.ts';
+import { selectOnly } from './selection.ts';
+import { revealCode, revealNodes } from './ui.ts';
+
+const RANK = { error: 0, warning: 1, info: 2 } as const;
+
+/** Several parties may say the same of the same place; it is said once. Worst first, else in the order given. */
+export function collectProblems(lists: readonly (readonly Diagnostic[])[]): readonly Diagnostic[] {
+  const seen = new Map<string, Diagnostic>();
+  for (const diagnostic of lists.flat()) {
+    const key = problemKey(diagnostic);
+    if (!seen.has(key)) seen.set(key, diagnostic);
+  }
+  return [...seen.values()].sort((a, b) => RANK[a.severity] - RANK[b.severity]);
+}
+
+export function problemKey({ code, nodeId, port, file, line, column, message }: Diagnostic): string {
+  return JSON.stringify([code, nodeId, port, file, line, column, message]);
+}
+
+export function problemsByNode(problems: readonly Diagnostic[]): ReadonlyMap<string, NodeProblem> {
+  const byNode = new Map<string, NodeProblem>();
+  for (const { nodeId, severity, message } of problems) {
+    if (nodeId === undefined) continue;
+    const known = byNode.get(nodeId);
+    // The list is sorted, so the first is the worst.
+    byNode.set(nodeId, known ? { severity: known.severity, text: `${known.text}\n${message}` } : { severity, text: message });
+  }
+  return byNode;
+}
+
+export function countProblems(problems: readonly Diagnostic[]): Readonly<Record<Diagnostic['severity'], number>> {
+  const count = { error: 0, warning: 0, info: 0 };
+  for (const { severity } of problems) count[severity]++;
+  return count;
+}
+
+/** Selects the node that a problem is about and shows it; opens its source at the line where the problem has one. */
+export function goToProblem(editor: Editor, problem: Diagnostic): void {
+  const state = editor.document.getState();
+  const node = nodeOfProblem(editor, problem);
+  if (node === null) return;
+  selectOnly(editor.selection, [node]);
+  revealNodes(editor.ui, [node]);
+  if (problem.line !== undefined && shaderOf(state, node) !== null) revealCode(editor.ui, problem.line, problem.column ?? 1);
+}
+
+/** The node it names, or the subgraph's node that holds it; else the first that uses the file it names. */
+function nodeOfProblem(editor: Editor, { nodeId, file }: Diagnostic): string | null {
+  const state = editor.document.getState();
+  const named = [nodeId, nodeId?.split('/')[0]].find((id) => id !== undefined && nodeOf(state, id) !== undefined);
+  if (named !== undefined || file === undefined) return named ?? null;
+  return Object.keys(graphOf(state).nodes).find((id) => shaderOf(state, id)?.name === file) ?? null;
+}

@@ -1,0 +1,32 @@
+import { debounce } from '../clock.ts';
+import type { Editor } from './editor.ts';
+import { DEFAULT_SIZES, type PanelSizes } from './ui.ts';
+
+const KEY = 'scrim-panels';
+const PAUSE_MS = 300;
+
+/** As the person left them; defaults for what is missing or senseless. */
+export function loadSizes(storage: Pick<Storage, 'getItem'>): PanelSizes {
+  let saved: Partial<Record<keyof PanelSizes, unknown>> = {};
+  try {
+    saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
+  } catch {
+    // Someone else's text: defaults do.
+  }
+  const size = (name: keyof PanelSizes) => {
+    const value = saved[name];
+    return typeof value === 'number' && value > 0 && value < 10_000 ? value : DEFAULT_SIZES[name];
+  };
+  return { sideWidthPx: size('sideWidthPx'), previewHeightPx: size('previewHeightPx'), bottomHeightPx: size('bottomHeightPx') };
+}
+
+export function keepSizes({ ui, clock }: Editor, storage: Pick<Storage, 'setItem'>): () => void {
+  const keep = debounce(clock, PAUSE_MS, () => storage.setItem(KEY, JSON.stringify(ui.getState().sizes)));
+  const stop = ui.subscribe((state, before) => {
+    if (state.sizes !== before.sizes) keep.trigger();
+  });
+  return () => {
+    stop();
+    keep.cancel();
+  };
+}

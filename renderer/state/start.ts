@@ -1,0 +1,83 @@
+import { debounce } from '../clock.ts';
+import { isDirty } from './document.ts';
+import type { Editor } from './editor.ts';
+import { type AppCommandId, runCommand } from './app-commands.ts';
+import { filesOf, openPath, showRefusal, withoutUnsaved } from './files.ts';
+import { addToast } from './ui.ts';
+
+/** Unsaved work is on disk at most this long after it was done. */
+const AUTOSAVE_MS = 2000;
+
+/** Asks the host what it is and opens what it was started with. Returns the preview's address. */
+export async function start(editor: Editor): Promise<string> {
+  const info = await editor.host.call('app.info', {});
+  editor.document.setState({ canPickFolders: info.canPickFolders, examples: info.examples });
+  return info.previewUrl;
+}
+
+export async function openFirst(editor: Editor): Promise<void> {
+  const { startPath } = await editor.host.call('app.info', {});
+  const opened = startPath !== null && (await openPath(editor, startPath));
+  if (!opened) editor.ui.setState({ dialog: { kind: 'open' } });
+}
+
+/** Keeps unsaved work where it is found again after a crash. */
+export function autosave(editor: Editor): () => void {
+  let last = -1;
+  const keep = debounce(editor.clock, AUTOSAVE_MS, () => {
+    const state = editor.document.getState();
+    if (state.open === null || !isDirty(state) || state.history.state === last) return;
+    last = state.history.state;
+    editor.host.call('project.autosave', { handle: state.open.handle, files: filesOf(editor) }).catch((error: unknown) => showRefusal(editor, error));
+  });
+  const stop = editor.document.subscribe((state, before) => {
+    if (state.history.state !== before.history.state) keep.trigger();
+  });
+  return () => {
+    stop();
+    keep.cancel();
+  };
+}
+
+/** What the host says unasked: its menu, changes on disk, the window's close button. */
+export function followHost(editor: Editor): () => void {
+  return editor.host.subscribe((event) => {
+    switch (event.kind) {
+      case 'menu':
+        runCommand(editor, event.command satisfies AppCommandId);
+        return;
+      case 'project-changed-outside':
+        if (event.handle === editor.document.getState().open?.handle) noticeChange(editor);
+        return;
+      case 'close-requested':
+        withoutUnsaved(editor, () => void close(editor));
+        return;
+    }
+  });
+}
+
+function noticeChange(editor: Editor): void {
+  if (isDirty(editor.document.getState())) {
+    editor.ui.setState({ dialog: { kind: 'changed-outside' } });
+    return;
+  }
+  const { open } = editor.document.getState();
+  if (open === null) return;
+  void openPath(editor, open.displayPath).then((taken) => {
+    if (taken) addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was loaded again.' });
+  });
+}
+
+/** The work that is open has been saved or given up. */
+async function close(editor: Editor): Promise<void> {
+  const { open } = editor.document.getState();
+  editor.document.setState(({ history }) => ({ savedState: history.state }));
+  if (open !== null) await editor.host.call('project.autosave', { handle: open.handle, files: null });
+  await editor.host.call('app.close', {});
+}
+
+/** For the page's own guard: asks before a reload throws work away. */
+export function hasUnsavedWork(editor: Editor): boolean {
+  return isDirty(editor.document.getState());
+}
+

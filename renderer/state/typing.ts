@@ -1,0 +1,44 @@
+import { debounce } from '../clock.ts';
+import { endGesture } from './apply.ts';
+import type { Editor } from './editor.ts';
+import { editShader } from './edit-shader.ts';
+
+/** A pause this long takes the text over: long enough not to compile every letter, short enough to feel live. */
+const PAUSE_MS = 300;
+
+/** Text on its way from the keyboard into the document. */
+export interface Typing {
+  type(node: string, text: string): void;
+  /** Whether text of the node's has been typed that the document does not have yet. */
+  isAhead(node: string): boolean;
+  /** Takes over at once what was typed for other nodes than this. */
+  flush(node: string): void;
+  /** Takes over what was typed, as a step of its own. */
+  end(): void;
+}
+
+export function createTyping(editor: Editor): Typing {
+  let waiting: { readonly node: string; readonly text: string } | null = null;
+  const take = () => {
+    const typed = waiting;
+    waiting = null;
+    if (typed !== null) editShader(editor, typed.node, typed.text);
+  };
+  const pause = debounce(editor.clock, PAUSE_MS, take);
+  const end = () => {
+    pause.flush();
+    endGesture(editor);
+  };
+  return {
+    type: (node, text) => {
+      if (waiting !== null && waiting.node !== node) end();
+      waiting = { node, text };
+      pause.trigger();
+    },
+    isAhead: (node) => waiting?.node === node,
+    flush: (node) => {
+      if (waiting !== null && waiting.node !== node) end();
+    },
+    end,
+  };
+}
