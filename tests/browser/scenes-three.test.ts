@@ -1,0 +1,37 @@
+import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+
+jest.setTimeout(30_000);
+const chromium = useBrowser();
+let page: PageModule;
+
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/scenes-three.page.ts');
+});
+afterAll(async () => {
+  await page.close();
+  expect(page.errors).toEqual([]);
+});
+
+describe('what scenes rest on in three.js', () => {
+  test('a target takes a framebuffer from outside, its viewport, and encodes sRGB', async () => {
+    const { toLayer, toCanvas, error } = await page.call<{ toLayer: number[][][]; toCanvas: number[][][]; error: number }>('properties');
+    const grey = [128, 128, 128, 255];
+    const nothing = [0, 0, 0, 0];
+    expect(toLayer).toEqual([
+      [nothing, nothing],
+      [nothing, grey],
+    ]);
+    expect(toCanvas).toEqual([
+      [nothing, grey],
+      [nothing, nothing],
+    ]);
+    expect(error).toBe(0);
+  });
+
+  test('a layer holds what three.js itself draws on a transparent canvas', async () => {
+    const result = await page.call<{ drawn: number }>('sameAsPlain');
+    expect(result).toMatchObject({ difference: { pixels: 0 }, again: { pixels: 0, largest: 0 }, error: 0 });
+    expect(result.drawn).toBeGreaterThan(3000);
+  });
+});
