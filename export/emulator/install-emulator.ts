@@ -38,7 +38,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     screen: createScreen(said.container),
     screenInput: device.screenInput,
     surroundings: () => {
-      surroundings ??= createSurroundings(said.room);
+      surroundings ??= createSurroundings(said.room, said.antialias ?? said.clock === 'free');
       return surroundings;
     },
     tracked: true,

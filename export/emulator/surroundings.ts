@@ -8,9 +8,9 @@ export interface OwnedSurroundings extends Surroundings {
 }
 
 /** @throws Error when the room cannot be made of its source. */
-export function createSurroundings(source: RoomSource | null): OwnedSurroundings {
+export function createSurroundings(source: RoomSource | null, antialias: boolean): OwnedSurroundings {
   const room = source === null ? null : createRoom(source);
-  const view = createRoomView(room);
+  const view = createRoomView(room, antialias);
   let light: RoomLight | null = null;
   return {
     room,

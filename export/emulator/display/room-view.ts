@@ -31,9 +31,9 @@ export interface RoomView {
   dispose(): void;
 }
 
-export function createRoomView(room: Room | null): RoomView {
+export function createRoomView(room: Room | null, antialias: boolean): RoomView {
   // Kept after presenting, because tests and camera images read it at their own time.
-  const renderer = new WebGLRenderer({ antialias: true, alpha: false, preserveDrawingBuffer: true });
+  const renderer = new WebGLRenderer({ antialias, alpha: false, preserveDrawingBuffer: true });
   renderer.setPixelRatio(1);
   renderer.autoClear = false;
   const gl = renderer.getContext();
@@ -42,7 +42,7 @@ export function createRoomView(room: Room | null): RoomView {
   if (room) {
     scene.add(room.solids);
     scene.updateMatrixWorld(true);
-    room.prepare?.(renderer);
+    room.prepare?.(renderer, scene);
   }
   const camera = createEyeCamera();
   const overlay = createOverlay();

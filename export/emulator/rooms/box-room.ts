@@ -13,7 +13,7 @@ export interface RoomBox {
   readonly albedo?: readonly [number, number, number];
 }
 
-const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.25, 1.2, 1.1] };
+const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.9, 1.8, 1.65] };
 const TOP_IS_PLANE = new Set(['floor', 'table', 'desk', 'couch', 'shelf', 'bed']);
 
 /** A room of blocks, for tests that work out by hand what is where. */

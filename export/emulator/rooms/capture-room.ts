@@ -6,7 +6,7 @@ import { createScanMaterial } from './scan-material.ts';
 
 type EntityJson = Parameters<typeof SpatialEntity.fromPBJSON>[0];
 
-const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.25, 1.2, 1.1] };
+const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.9, 1.8, 1.65] };
 /** Eye height: captures say nothing about where their light is. */
 const PROBE_WORLD = [0, 1.4, 0] as const;
 const ALBEDO = [0.62, 0.6, 0.57] as const;

@@ -1,4 +1,4 @@
-import type { Object3D, WebGLRenderer } from 'three';
+import type { Object3D, Scene, WebGLRenderer } from 'three';
 
 /**
  * A room for the emulated device: world space, metres, y up, floor at y = 0. What one sees is what is measured and hit: the
@@ -14,8 +14,8 @@ export interface Room {
   /** The strongest light; the rest of the light estimate is measured from the solids at `probeWorld`. */
   readonly primaryLight: PrimaryLight;
   readonly probeWorld: readonly [number, number, number];
-  /** Draws what the solids' materials need first, such as shadow maps; called once with the renderer that will draw them. */
-  prepare?(renderer: WebGLRenderer): void;
+  /** Draws what the solids' materials need first, such as shadow maps; called once with the renderer and the scene that will draw them. */
+  prepare?(renderer: WebGLRenderer, scene: Scene): void;
   dispose(): void;
 }
 

@@ -30,9 +30,9 @@ void main() {
   if (dot(normal, cameraPosition - positionWorld) < 0.0) normal = -normal;
   vec3 across = 1.0 - smoothstep(0.6, 0.9, abs(normal));
   float grid = max(max(gridLine(positionWorld.x) * across.x, gridLine(positionWorld.y) * across.y), gridLine(positionWorld.z) * across.z);
-  vec3 ambient = mix(vec3(0.30, 0.28, 0.26), vec3(0.55, 0.57, 0.60), normal.y * 0.5 + 0.5);
+  vec3 ambient = mix(vec3(0.20, 0.19, 0.18), vec3(0.42, 0.44, 0.47), normal.y * 0.5 + 0.5);
   vec3 light = ambient + lightIntensity / PI * max(dot(normal, towardsLightWorld), 0.0);
-  gl_FragColor = vec4(albedo * light * (1.0 - 0.18 * grid), 1.0);
+  gl_FragColor = vec4(albedo * light * (1.0 - 0.1 * grid), 1.0);
   #include <colorspace_fragment>
 }`;
 
