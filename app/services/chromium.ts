@@ -1,6 +1,6 @@
 import { execFile } from 'node:child_process';
 import { existsSync } from 'node:fs';
-import { mkdir, mkdtemp, rename, rm } from 'node:fs/promises';
+import { mkdir, mkdtemp, rename, rm, writeFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { homedir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -71,10 +71,24 @@ async function unpackPinned(): Promise<Chromium | null> {
   return {
     executablePath: join(dir, 'chromium'),
     args: ARGS,
-    // NSS and expat for systems that lack them, fonts for those that have none.
-    env: { LD_LIBRARY_PATH: join(dir, 'al2023', 'lib'), FONTCONFIG_PATH: join(dir, 'fonts') },
+    // NSS and expat for systems that lack them. Its own font and no other, so that text looks alike everywhere.
+    env: { LD_LIBRARY_PATH: join(dir, 'al2023', 'lib'), FONTCONFIG_FILE: await writeFontList(dir) },
     pinned: true,
   };
+}
+
+/**
+ * The package's list of fonts names folders of a cloud function. Without any font, Chromium ends itself at the first text field
+ * (Skia, `SkFontMgr_FontConfigInterface`: "Not implemented").
+ */
+async function writeFontList(dir: string): Promise<string> {
+  const path = join(dir, 'scrim-fonts.conf');
+  if (existsSync(path)) return path;
+  const temporary = `${path}.${process.pid}`;
+  const fonts = `<dir>${join(dir, 'fonts', 'fonts')}</dir><cachedir>${join(dir, 'font-cache')}</cachedir>`;
+  await writeFile(temporary, `<?xml version="1.0"?>\n<!DOCTYPE fontconfig SYSTEM "fonts.dtd">\n<fontconfig>${fonts}</fontconfig>\n`);
+  await rename(temporary, path);
+  return path;
 }
 
 /** A process of its own, because the package asks `os.tmpdir()`; a rename at the end, because two may unpack at once. */
