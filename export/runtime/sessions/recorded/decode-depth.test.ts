@@ -1,0 +1,42 @@
+import { describe, expect, test } from '@jest/globals';
+import { encode } from 'fast-png';
+import type { SessionFile } from '../format.ts';
+import { decodeDepth } from './decode-depth.ts';
+
+const FORMAT: NonNullable<SessionFile['depth']> = {
+  widthPx: 3,
+  heightPx: 2,
+  intrinsics: { fxPx: 2, fyPx: 2, cxPx: 1.5, cyPx: 1 },
+  metresPerUnit: 0.001,
+  kind: 'z',
+};
+
+function png(data: Uint16Array | Uint8Array, width = 3, height = 2, channels = 1): ArrayBuffer {
+  return new Uint8Array(encode({ width, height, data, depth: data instanceof Uint16Array ? 16 : 8, channels })).buffer;
+}
+
+describe('a depth picture', () => {
+  test('holds metres along the axis, rows from the top, to the last bit', () => {
+    const metres = decodeDepth(png(Uint16Array.of(0, 1, 1000, 2500, 40_000, 65_535)), FORMAT);
+    expect([...metres]).toEqual([0, 0.001, 1, 2.5, 40, 65.535].map(Math.fround));
+  });
+
+  test('of distances along the rays is turned into metres along the axis', () => {
+    const metres = decodeDepth(png(new Uint16Array(6).fill(3000)), { ...FORMAT, kind: 'range' });
+    // The pixel centre (0.5, 0.5) is seen along (-0.5, -0.25, 1), the middle column's along (0, -0.25, 1).
+    expect(metres[0]).toBeCloseTo(3 / Math.hypot(0.5, 0.25, 1), 6);
+    expect(metres[1]).toBeCloseTo(3 / Math.hypot(0.25, 1), 6);
+    expect(metres[0]).toBe(metres[2]);
+    expect(metres[3]).toBe(metres[0]);
+  });
+
+  test.each([
+    ['8 bits', () => png(new Uint8Array(6)), '1 channels of 8 bits'],
+    ['three channels', () => png(new Uint16Array(18), 3, 2, 3), '3 channels of 16 bits'],
+    ['another size', () => png(new Uint16Array(6), 2, 3), '2 × 3 pixels, and session.json says 3 × 2'],
+    ['no picture', () => new TextEncoder().encode('hello').buffer, ''],
+    ['half a picture', () => png(new Uint16Array(6)).slice(0, 50), ''],
+  ])('with %s is refused', (_name, make, reason) => {
+    expect(() => decodeDepth(make(), FORMAT)).toThrow(reason);
+  });
+});

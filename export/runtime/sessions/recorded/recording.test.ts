@@ -1,0 +1,85 @@
+import { describe, expect, test } from '@jest/globals';
+import type { SessionFile } from '../format.ts';
+import { frameAt, openRecording, timeOfFrame } from './recording.ts';
+
+const UPRIGHT = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+const LIGHT = {
+  sphericalHarmonics: new Array<number>(27).fill(0.25),
+  primaryDirectionWorld: [0, 1, 0],
+  primaryIntensity: [1, 2, 3],
+} as const;
+
+const FILE: SessionFile = {
+  format: 'scrim-session',
+  version: 1,
+  title: 'A room',
+  color: { widthPx: 4, heightPx: 3, intrinsics: { fxPx: 4, fyPx: 4, cxPx: 2, cyPx: 1.5 } },
+  depth: { widthPx: 2, heightPx: 2, intrinsics: { fxPx: 2, fyPx: 2, cxPx: 1, cyPx: 1 }, metresPerUnit: 0.001, kind: 'z' },
+  frameRateHz: 10,
+  frames: [
+    { timeS: 5, color: 'color/0.jpg', depth: 'depth/0.png', worldFromCamera: UPRIGHT },
+    { timeS: 5.1, color: 'color/1.jpg', worldFromCamera: UPRIGHT, light: { ...LIGHT, primaryIntensity: [9, 9, 9] } },
+    { timeS: 5.3, color: 'color/2.jpg', depth: 'depth/2.png', worldFromCamera: UPRIGHT },
+  ],
+  light: LIGHT,
+};
+
+function open(text: string): ReturnType<typeof openRecording> {
+  return openRecording({ load: async () => new TextEncoder().encode(text).buffer });
+}
+
+/** The file with one thing changed: a path of keys and a value. */
+function changed(path: readonly (string | number)[], value: unknown): string {
+  const copy = structuredClone(FILE) as unknown as Record<string | number, unknown>;
+  let at = copy;
+  for (const key of path.slice(0, -1)) at = at[key] as Record<string | number, unknown>;
+  at[path.at(-1) as string] = value;
+  return JSON.stringify(copy);
+}
+
+describe('a session folder', () => {
+  test('is read with its times and lights', async () => {
+    const { output, diagnostics } = await open(JSON.stringify(FILE));
+    expect(diagnostics).toEqual([]);
+    expect(output?.durationS).toBeCloseTo(0.4, 9);
+    expect(output?.lights.map((light) => light?.primaryIntensity[0])).toEqual([1, 9, 1]);
+    expect(timeOfFrame(FILE, 2)).toBeCloseTo(0.3, 9);
+  });
+
+  test('shows a frame from its time until that of the next', () => {
+    expect([0, 0.05, 0.1, 0.25, 0.3, 10].map((timeS) => frameAt(FILE, timeS))).toEqual([0, 0, 1, 1, 2, 2]);
+  });
+
+  test.each<[string, string, string]>([
+    ['no JSON', '{"format":', 'not valid JSON'],
+    ['another file', '{}', 'not a Scrim session'],
+    ['null', 'null', 'not a Scrim session'],
+    ['a newer version', changed(['version'], 2), 'version 2'],
+    ['no size', changed(['color', 'widthPx'], 0), 'color.widthPx'],
+    ['broken intrinsics', changed(['depth', 'intrinsics'], { fxPx: 1 }), 'depth.intrinsics'],
+    ['no unit', changed(['depth', 'metresPerUnit'], -1), 'depth.metresPerUnit'],
+    ['an unknown kind', changed(['depth', 'kind'], 'disparity'), 'depth.kind'],
+    ['no rate', changed(['frameRateHz'], null), 'frameRateHz'],
+    ['no frames', changed(['frames'], []), 'at least one frame'],
+    ['a frame without a time', changed(['frames', 1, 'timeS'], 'soon'), 'frames[1].timeS'],
+    ['time running backwards', changed(['frames', 2, 'timeS'], 5), 'frames[2].timeS'],
+    ['a short matrix', changed(['frames', 0, 'worldFromCamera'], [1, 2, 3]), 'frames[0].worldFromCamera'],
+    ['a path out of the folder', changed(['frames', 0, 'color'], '../secret.jpg'), 'frames[0].color'],
+    ['an absolute path', changed(['frames', 0, 'depth'], '/etc/passwd'), 'frames[0].depth'],
+    ['an address', changed(['frames', 0, 'color'], 'https://example.com/a.jpg'), 'frames[0].color'],
+    ['a backslash', changed(['frames', 0, 'color'], 'a\\..\\b.jpg'), 'frames[0].color'],
+    ['depth that nothing describes', changed(['depth'], undefined), 'frames[0].depth'],
+    ['half a light', changed(['light', 'sphericalHarmonics'], [1]), 'light.sphericalHarmonics'],
+  ])('with %s is broken, and says where', async (_name, text, place) => {
+    const { output, diagnostics } = await open(text);
+    expect(output).toBeNull();
+    expect(diagnostics[0]).toMatchObject({ code: 'SCR054', severity: 'error', file: 'session.json' });
+    expect(diagnostics.map((d) => d.message).join('\n')).toContain(place);
+  });
+
+  test('that cannot be read says why', async () => {
+    const { output, diagnostics } = await openRecording({ load: () => Promise.reject(new Error('there is no such file')) });
+    expect(output).toBeNull();
+    expect(diagnostics[0]?.message).toBe('The session folder cannot be read: there is no such file.');
+  });
+});
