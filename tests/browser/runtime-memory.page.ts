@@ -1,6 +1,6 @@
+import type { Player } from '../../export/runtime/player.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
-import type { Player } from '../../export/runtime/player.ts';
 import { colorSampler, frame, HEIGHT, pass, program, shader, stand, target, view, WIDTH } from './runtime-kit.ts';
 
 const addOne: NodeModule = {
@@ -73,7 +73,10 @@ export async function setUp() {
           samplers: [colorSampler('picture', 'photo')],
           uniforms: [{ name: 'value', type: 'float', source: { slot: 1 } }],
         }),
-        pass('half', 1, 'half', { samplers: [colorSampler('picture', 'camera')], uniforms: [{ name: 'value', type: 'float', source: { slot: 1 } }] }),
+        pass('half', 1, 'half', {
+          samplers: [colorSampler('picture', 'camera')],
+          uniforms: [{ name: 'value', type: 'float', source: { slot: 1 } }],
+        }),
         pass('smooth', 1, 'smooth', { samplers: [colorSampler('picture', 'half')] }),
         pass('history', 0, 'history', {
           samplers: [

@@ -1,5 +1,5 @@
-import { createManualClock } from '../../export/runtime/clock.ts';
 import type { PassUniform } from '../../export/program/program.ts';
+import { createManualClock } from '../../export/runtime/clock.ts';
 import {
   colorSampler,
   createGl,

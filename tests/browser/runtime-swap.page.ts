@@ -87,7 +87,11 @@ function valueNode(type: string, slot: number, more: Partial<NodeOperation> = {}
 function countingModule(log: string[]): NodeModule {
   return {
     create: (ctx) => {
-      const { node, params, outputs } = ctx as unknown as { node: string; params: { step: { value: number } }; outputs: { result: { value: number } } };
+      const { node, params, outputs } = ctx as unknown as {
+        node: string;
+        params: { step: { value: number } };
+        outputs: { result: { value: number } };
+      };
       log.push(`create ${node}`);
       let count = 0;
       return {
@@ -110,7 +114,12 @@ function counting(slots: { step: number; result: number; value: number }, config
   const numbers = [0, 0, 0, 0];
   numbers[slots.step] = slots.value;
   return program({
-    slots: { numbers, texts: [], slots: numbers.map((_, offset) => ({ type: 'number' as const, offset })), params: { 'count.step': slots.step } },
+    slots: {
+      numbers,
+      texts: [],
+      slots: numbers.map((_, offset) => ({ type: 'number' as const, offset })),
+      params: { 'count.step': slots.step },
+    },
     shaders: [shader('show', 'color = vec4(result / 255.0, 0.0, 0.0, 1.0);', 'uniform float result;')],
     operations: [
       valueNode('count', slots.result, { params: { step: slots.step }, config }),
@@ -246,7 +255,15 @@ export async function taps() {
     ],
     shaders: [shader('metres', 'color = vec4(uv.y < 0.5 ? 2.5 : 0.0);'), shader('half', 'color = vec4(uv.y < 0.5 ? 1.0 : 0.0);')],
     operations: [
-      { ...valueNode('draw', 0), kind: 'draw', view: 'each', outputs: {}, target: 'scene.layer', shadowMaps: null, occlusion: null } as never,
+      {
+        ...valueNode('draw', 0),
+        kind: 'draw',
+        view: 'each',
+        outputs: {},
+        target: 'scene.layer',
+        shadowMaps: null,
+        occlusion: null,
+      } as never,
       pass('metres', 0, 'metres'),
       pass('show', 1, 'screen'),
     ],

@@ -52,7 +52,9 @@ describe('a running program is replaced', () => {
   });
 
   test('fifty times without a GPU object more', async () => {
-    const result = await page.call<{ start: unknown; end: unknown; own: object; outcomes: string[]; after: string[]; error: number }>('leaks');
+    const result = await page.call<{ start: unknown; end: unknown; own: object; outcomes: string[]; after: string[]; error: number }>(
+      'leaks',
+    );
     expect(result.end).toEqual(result.start);
     expect(result.own).toMatchObject({ programs: 3, vertexArrays: 1, samplers: 2, scenes: null });
     expect(result.outcomes.filter((o) => o === 'kept')).toHaveLength(10);
