@@ -10,6 +10,7 @@ import {
 } from 'three';
 import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { SceneHost } from '../scene-backend.ts';
+import { catchLeftovers } from './leftovers.ts';
 
 /** three.js, tamed: it draws where it is told and clears, encodes and schedules nothing of its own. */
 export interface SceneRenderer {
@@ -42,7 +43,8 @@ function createFramebufferTarget(): WebGLRenderTarget {
 
 export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const { gl } = host;
-  const three = new WebGLRenderer({ canvas: host.canvas, context: gl });
+  const leftovers = catchLeftovers(gl, () => new WebGLRenderer({ canvas: host.canvas, context: gl }));
+  const three = leftovers.made;
   three.xr.enabled = false;
   three.autoClear = false;
   three.outputColorSpace = SRGBColorSpace;
@@ -95,6 +97,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
     dispose: () => {
       target.dispose();
       three.dispose();
+      leftovers.free();
     },
   };
 }
