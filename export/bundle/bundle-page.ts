@@ -1,4 +1,5 @@
 import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
+import { asksOf } from '../page/needs-text.ts';
 import { pageHtml } from '../page/page-html.ts';
 import type { Program, ProgramAsset } from '../program/program.ts';
 import { bundleScript, bundleStyle, type Script } from './bundle-script.ts';
@@ -6,6 +7,7 @@ import type { FileSink } from './file-sink.ts';
 import { hashedName } from './hashed-name.ts';
 import { type ProgramUse, programUse } from './program-use.ts';
 import { type ExportReport, type FileKind, makeReport, REPORT_FILE, type ReportedFile, sizesOf } from './report.ts';
+import { webXrFeatures } from './webxr-features.ts';
 
 export interface BundleInput {
   readonly program: Program;
@@ -41,7 +43,7 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
     generator: input.generator,
     files,
     scriptParts: code.script.parts,
-    features: { required: [], optional: [] },
+    features: webXrFeatures(input.program.needs),
   });
   await input.sink.write(REPORT_FILE, toBytes(`${JSON.stringify(report, null, 2)}\n`));
   return { output: report, diagnostics: [] };
@@ -95,7 +97,13 @@ async function writeFiles(input: BundleInput, { script, style }: Code, assets: r
     ...input.page,
     script: scriptPath,
     style: stylePath,
-    config: { program: programPath, bytes },
+    config: {
+      title: input.program.title,
+      description: input.page.description,
+      asks: asksOf(input.program.needs),
+      program: programPath,
+      bytes,
+    },
   });
   await write('index.html', 'page', toBytes(html));
   return files.sort((a, b) => (a.path < b.path ? -1 : 1));

@@ -1,5 +1,6 @@
 import { gzipSync } from 'node:zlib';
 import type { Program, ProgramNeed, Tier } from '../program/program.ts';
+import type { WebXrFeatures } from './webxr-features.ts';
 
 export type FileKind = 'page' | 'script' | 'style' | 'program' | 'image' | 'model';
 
@@ -15,7 +16,7 @@ export interface ExportReport {
   /** What the script holds: npm packages and Scrim's own folders → minified bytes. */
   readonly script: Readonly<Record<string, number>>;
   /** WebXR features that the page asks for when it enters AR. */
-  readonly features: { readonly required: readonly string[]; readonly optional: readonly string[] };
+  readonly features: WebXrFeatures;
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
 }
@@ -42,7 +43,7 @@ export interface ReportInput {
   readonly generator: string;
   readonly files: readonly ReportedFile[];
   readonly scriptParts: Readonly<Record<string, number>>;
-  readonly features: ExportReport['features'];
+  readonly features: WebXrFeatures;
 }
 
 export function makeReport({ program, generator, files, scriptParts, features }: ReportInput): ExportReport {

@@ -12,7 +12,7 @@ export interface MountOptions {
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
-  readonly onSessionEvent: (event: SessionEvent) => void;
+  readonly onSessionEvent: (event: SessionEvent, session: Session) => void;
   /** The GPU took the context away, or gave it back. */
   readonly onContext: (state: 'lost' | 'restored') => void;
 }
@@ -63,7 +63,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     session?.start(player.draw, (event) => {
       if (event.kind === 'reset') player.reset();
       if (event.kind === 'ended' && playing === session) playing = null;
-      options.onSessionEvent(event);
+      options.onSessionEvent(event, session);
     });
   };
 

@@ -1,3 +1,5 @@
+import type { Ask } from './needs-text.ts';
+
 /** What `index.html` says; all paths are relative to it, so that the page works below any address. */
 export interface PageHtml {
   readonly title: string;
@@ -11,6 +13,10 @@ export interface PageHtml {
 
 /** What the script is told by the page, as JSON in it: data, which no policy has to allow. */
 export interface PageConfig {
+  readonly title: string;
+  readonly description: string;
+  /** What entering AR will ask for. */
+  readonly asks: readonly Ask[];
   readonly program: string;
   /** Bytes to load before the first picture, for the progress bar: path → size. */
   readonly bytes: Readonly<Record<string, number>>;

@@ -1,0 +1,232 @@
+import { createHash } from 'node:crypto';
+import { resolve } from 'node:path';
+import { describe, expect, test } from '@jest/globals';
+import { PROGRAM_VERSION, type Program } from '../program/program.ts';
+import { sessionInit } from '../runtime/sessions/webxr/features.ts';
+import { type BundleInput, bundlePage } from './bundle-page.ts';
+import type { ExportReport } from './report.ts';
+
+const ROOT = resolve(import.meta.dirname, '../..');
+
+const VERTEX = `#version 300 es
+void main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }`;
+const FRAGMENT = `#version 300 es
+precision highp float;
+out vec4 color;
+void main() { color = vec4(1.0, 0.5, 0.0, 1.0); }`;
+
+const PICTURE = new Uint8Array([1, 2, 3, 4]);
+const MODEL = new Uint8Array([5, 6, 7]);
+
+/** One pass onto the screen, no objects: what a page of filters alone is. */
+const IMAGE_ONLY: Program = {
+  format: 'scrim-program',
+  version: PROGRAM_VERSION,
+  title: 'Orange & <friends>',
+  slots: { numbers: [], texts: [], slots: [], params: {} },
+  resources: [{ id: 'picture-a1.out', kind: 'external', domain: 'image' }],
+  operations: [
+    {
+      id: 'picture-a1',
+      node: 'picture-a1',
+      kind: 'source',
+      type: 'source/image-file',
+      view: 'once',
+      reads: [],
+      writes: ['picture-a1.out'],
+      inputs: {},
+      outputs: {},
+      params: {},
+      config: {},
+      assets: { file: 'picture' },
+    },
+    {
+      id: 'flat-b2',
+      node: 'flat-b2',
+      kind: 'pass',
+      view: 'each',
+      reads: [],
+      writes: [],
+      shader: 0,
+      target: 'screen',
+      blend: 'replace',
+      samplers: [],
+      uniforms: [],
+      passIndex: 0,
+    },
+  ],
+  shaders: [
+    {
+      id: 'flat',
+      vertex: VERTEX,
+      fragment: FRAGMENT,
+      sourceMap: { sources: ['filters/secret-source-name.fs'], nodes: ['flat-b2'], lines: [] },
+    },
+  ],
+  assets: [
+    { id: 'picture', kind: 'image', path: 'assets/my picture.png' },
+    { id: 'unused', kind: 'model', path: 'assets/unused.glb' },
+  ],
+  presentation: { mode: 'composed', antialias: false, background: 'world', blend: 'alpha' },
+  needs: [
+    { capability: 'depth', required: false, nodes: ['a-1'], why: 'to hide things', without: 'nothing is hidden' },
+    { capability: 'camera-image', required: true, nodes: ['b-1'], why: 'to tint it', without: 'nothing' },
+  ],
+  tiers: [],
+  taps: { 'flat-b2.out': { color: 'picture-a1.out', depth: null } },
+};
+
+const WITH_OBJECTS: Program = {
+  ...IMAGE_ONLY,
+  operations: [
+    ...IMAGE_ONLY.operations,
+    {
+      id: 'robot-c3',
+      node: 'robot-c3',
+      kind: 'geometry',
+      type: 'source/model',
+      view: 'once',
+      reads: [],
+      writes: [],
+      inputs: {},
+      outputs: {},
+      params: {},
+      config: {},
+      assets: { file: 'unused' },
+    },
+  ],
+};
+
+async function exported(program: Program, more: Partial<BundleInput> = {}) {
+  const files = new Map<string, Uint8Array>();
+  const { output, diagnostics } = await bundlePage({
+    program,
+    page: { description: 'A page "of" tests', language: 'de' },
+    generator: 'Scrim 0.0.0',
+    root: ROOT,
+    readAsset: async (path) => (path.endsWith('.glb') ? MODEL : PICTURE),
+    sink: {
+      write: async (path, bytes) => {
+        expect(files.has(path)).toBe(false);
+        files.set(path, bytes);
+      },
+    },
+    ...more,
+  });
+  const text = (pattern: RegExp) => {
+    const path = [...files.keys()].find((name) => pattern.test(name));
+    return new TextDecoder().decode(path === undefined ? undefined : files.get(path));
+  };
+  return { files, output, diagnostics, text };
+}
+
+/** Words that only the editor, the compiler or the tests have; the names of packages as their own code spells them. */
+const NEVER = [
+  'react',
+  'electron',
+  'zustand',
+  'monaco',
+  'glsl-parser',
+  'shaderfrog',
+  'iwer',
+  'immersive-web-emulation',
+  'emulator',
+  'zod',
+  'ZodError',
+  'jsonc',
+  'immer',
+  'xyflow',
+  'esbuild',
+  'playwright',
+];
+
+describe('a bundled page', () => {
+  test('of image passes holds the player, its nodes, and no three.js', async () => {
+    const { output, text } = await exported(IMAGE_ONLY);
+    const script = text(/^page-.*\.js$/);
+    for (const word of NEVER) expect([word, new RegExp(`\\b${word}\\b`, 'i').test(script)]).toEqual([word, false]);
+    expect(script).not.toMatch(/THREE|WebGLRenderer|GLTFLoader|BufferGeometry/);
+    const parts = Object.keys((output as ExportReport).script);
+    expect(parts).toEqual(['export/page', 'export/program', 'export/runtime', 'nodes/source/image-file', 'page.ts']);
+    expect(script.length).toBeLessThan(120_000);
+  });
+
+  test('with objects holds three.js and the nodes in use, no others', async () => {
+    const { output, text } = await exported(WITH_OBJECTS);
+    const script = text(/^page-.*\.js$/);
+    for (const word of NEVER) expect([word, new RegExp(`\\b${word}\\b`, 'i').test(script)]).toEqual([word, false]);
+    const { script: parts, bytes } = output as ExportReport;
+    expect(parts.three).toBeGreaterThan(300_000);
+    const expected = [
+      'export/page',
+      'export/program',
+      'export/runtime',
+      'nodes/kit',
+      'nodes/source/image-file',
+      'nodes/source/model',
+      'page.ts',
+      'three',
+    ];
+    expect(Object.keys(parts).filter((part) => !expected.includes(part))).toEqual([]);
+    expect(Object.keys(parts)).toEqual(expect.arrayContaining(['nodes/source/image-file', 'nodes/source/model']));
+    expect(Object.values(parts).reduce((sum, n) => sum + n, 0)).toBeLessThanOrEqual(bytes.byKind.script?.raw ?? 0);
+  });
+
+  test('has used assets alone, under names of their content, and no trace of the editor', async () => {
+    const { files, text } = await exported(IMAGE_ONLY);
+    const hash = createHash('sha256').update(PICTURE).digest('hex').slice(0, 10);
+    expect([...files.keys()].filter((path) => path.startsWith('assets/'))).toEqual([`assets/my-picture-${hash}.png`]);
+    const program = JSON.parse(text(/^program-.*\.json$/)) as Program;
+    expect(program.assets).toEqual([{ id: 'picture', kind: 'image', path: `assets/my-picture-${hash}.png` }]);
+    expect(program.taps).toEqual({});
+    expect(text(/^program-.*\.json$/)).not.toContain('secret-source-name');
+  });
+
+  test('is found by relative addresses, under a strict policy, with title, description and language', async () => {
+    const { text, files } = await exported(IMAGE_ONLY);
+    const html = text(/^index\.html$/);
+    expect(html).toContain('<html lang="de">');
+    expect(html).toContain('<title>Orange &#38; &#60;friends&#62;</title>');
+    expect(html).toContain('content="A page &#34;of&#34; tests"');
+    expect(html).toMatch(/content-security-policy" content="default-src 'none'; script-src 'self';/);
+    expect(html).not.toMatch(/unsafe|https?:|<script>|style="/);
+    const addresses = [...html.matchAll(/(?:src|href)="([^"]*)"/g)]
+      .map((match) => match[1] as string)
+      .filter((a) => !a.startsWith('data:'));
+    expect(addresses.length).toBeGreaterThanOrEqual(3);
+    for (const address of addresses) expect([address, files.has(address)]).toEqual([address, true]);
+  });
+
+  test('is the same to the byte when it is made twice', async () => {
+    const [first, second] = [await exported(WITH_OBJECTS), await exported(WITH_OBJECTS)];
+    expect([...second.files.keys()]).toEqual([...first.files.keys()]);
+    for (const [path, bytes] of first.files)
+      expect([path, Buffer.compare(bytes, second.files.get(path) ?? new Uint8Array())]).toEqual([path, 0]);
+  });
+
+  test('is reported: every file with its bytes, and the WebXR features that entering asks for', async () => {
+    const { files, output, text } = await exported(IMAGE_ONLY);
+    const report = JSON.parse(text(/^report\.json$/)) as ExportReport;
+    expect(report).toEqual(output);
+    expect(report.files.map(({ path }) => path)).toEqual([...files.keys()].filter((path) => path !== 'report.json').sort());
+    for (const { path, raw } of report.files) expect(raw).toBe(files.get(path)?.length);
+    expect(report.bytes.raw).toBe(report.files.reduce((sum, { raw }) => sum + raw, 0));
+    const asked = sessionInit(IMAGE_ONLY.needs, null);
+    expect(report.features).toEqual({ required: asked.requiredFeatures, optional: asked.optionalFeatures });
+  });
+
+  test('is not begun when an asset cannot be read', async () => {
+    const readAsset = () => Promise.reject(new Error('there is no such file'));
+    const { files, output, diagnostics } = await exported(IMAGE_ONLY, { readAsset });
+    expect(output).toBeNull();
+    expect(files.size).toBe(0);
+    expect(diagnostics).toMatchObject([{ code: 'SCR030', file: 'assets/my picture.png' }]);
+  });
+
+  test('is not begun when Scrim’s own sources cannot be bundled', async () => {
+    const { files, output, diagnostics } = await exported(IMAGE_ONLY, { root: '/nowhere' });
+    expect(output).toBeNull();
+    expect(files.size).toBe(0);
+    expect(diagnostics).toMatchObject([{ code: 'SCR064' }]);
+  });
+});
