@@ -17,11 +17,11 @@ export interface Daylight {
  */
 export type LightBaker = (positions: ArrayLike<number>, normals: ArrayLike<number>) => Float32Array;
 
-const WINDOW_SAMPLES = [5, 4] as const;
+const WINDOW_SAMPLES = [5, 3] as const;
 const PATCH_RAYS = 48;
 const VERTEX_RAYS = 36;
 const BOUNCES = 4;
-const PATCH_M = 0.34;
+const PATCH_M = 0.45;
 /** Off the surface, so that a point does not shade itself. */
 const LIFT_M = 0.012;
 

@@ -1,0 +1,105 @@
+/// <reference types="webxr" />
+import type { Emulator } from '../../export/emulator/emulator.ts';
+import { installEmulator } from '../../export/emulator/install-emulator.ts';
+import type { EmulatorOptions } from '../../export/emulator/options.ts';
+
+/** A page in a session of an emulated device with a manual clock, as a test drives it. */
+export interface Stage {
+  readonly emulator: Emulator;
+  readonly session: XRSession;
+  readonly gl: WebGL2RenderingContext;
+  readonly layer: XRWebGLLayer;
+  readonly binding: XRWebGLBinding;
+  readonly space: XRReferenceSpace;
+  /** Steps one frame and gives what the page made of it. */
+  frame<T>(draw: (frame: XRFrame, pose: XRViewerPose, timeMs: number) => T): Promise<T>;
+  leave(): Promise<void>;
+}
+
+export async function enter(options: EmulatorOptions, init: XRSessionInit = {}): Promise<Stage> {
+  const emulator = installEmulator({ clock: 'manual', ...options });
+  const stage = await enterWith(emulator, init);
+  return {
+    ...stage,
+    leave: async () => {
+      await stage.leave();
+      await emulator.uninstall();
+    },
+  };
+}
+
+/** With a device that stays when the session is left. */
+export async function enterWith(emulator: Emulator, init: XRSessionInit = {}, gl = createContext()): Promise<Stage> {
+  const session = await requestSession(init);
+  const layer = new XRWebGLLayer(session, gl);
+  session.updateRenderState({ baseLayer: layer });
+  const space = await session.requestReferenceSpace('local-floor');
+  return {
+    emulator,
+    session,
+    gl,
+    layer,
+    binding: new XRWebGLBinding(session, gl),
+    space,
+    frame: async (draw) => {
+      const result = new Promise<ReturnType<typeof draw>>((resolve, reject) => {
+        session.requestAnimationFrame((timeMs, frame) => {
+          try {
+            resolve(draw(frame, frame.getViewerPose(space) as XRViewerPose, timeMs));
+          } catch (error) {
+            reject(error);
+          }
+        });
+      });
+      await emulator.stepFrame();
+      return result;
+    },
+    leave: () => session.end(),
+  };
+}
+
+export function requestSession(init: XRSessionInit, mode: XRSessionMode = 'immersive-ar'): Promise<XRSession> {
+  const { xr } = navigator;
+  if (!xr) throw new Error('There is no navigator.xr.');
+  const requiredFeatures = [...(init.requiredFeatures ?? []), 'local-floor'];
+  return xr.requestSession(mode, { ...init, requiredFeatures });
+}
+
+export function createContext(
+  attributes: WebGLContextAttributes & { xrCompatible?: boolean } = { xrCompatible: true },
+): WebGL2RenderingContext {
+  const gl = document.createElement('canvas').getContext('webgl2', attributes);
+  if (!gl) throw new Error('No WebGL 2 here.');
+  return gl;
+}
+
+/** The name of the error that `act` throws or rejects with, or null. */
+export async function nameOfError(act: () => unknown): Promise<string | null> {
+  try {
+    await act();
+    return null;
+  } catch (error) {
+    return error instanceof Error || error instanceof DOMException ? error.name : String(error);
+  }
+}
+
+export function first<T>(list: readonly T[]): T {
+  const [value] = list;
+  if (value === undefined) throw new Error('The list is empty.');
+  return value;
+}
+
+/** Position and look direction as a pose. */
+export function lookAt(eye: Triple, target: Triple): { readonly matrix: number[] } {
+  const z = unit([eye[0] - target[0], eye[1] - target[1], eye[2] - target[2]]);
+  const x = unit([z[2], 0, -z[0]]);
+  const y: Triple = [z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]];
+  return { matrix: [...x, 0, ...y, 0, ...z, 0, ...eye, 1] };
+}
+
+export type Triple = readonly [number, number, number];
+
+function unit([x, y, z]: Triple): Triple {
+  const length = Math.hypot(x, y, z);
+  return [x / length, y / length, z / length];
+}
