@@ -18,6 +18,8 @@ export interface Stand {
 /** A framebuffer as the player makes them: RGBA8 and 24 bits of depth. */
 export interface Layer {
   readonly framebuffer: WebGLFramebuffer;
+  readonly color: WebGLTexture;
+  readonly depth: WebGLTexture;
   readonly widthPx: number;
   readonly heightPx: number;
   /** Transparent black, depth 1. */
@@ -47,6 +49,7 @@ export function createLayer(gl: WebGL2RenderingContext, widthPx: number, heightP
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.texStorage2D(gl.TEXTURE_2D, 1, format, widthPx, heightPx);
+    for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     return texture;
   };
   const color = store(gl.RGBA8);
@@ -57,6 +60,8 @@ export function createLayer(gl: WebGL2RenderingContext, widthPx: number, heightP
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.TEXTURE_2D, depth, 0);
   return {
     framebuffer,
+    color,
+    depth,
     widthPx,
     heightPx,
     clear: () => {

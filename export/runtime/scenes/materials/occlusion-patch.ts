@@ -3,14 +3,23 @@ import type { DrawView } from '../../../../nodes/kit/runtime.ts';
 import type { OcclusionBinding } from '../../scene-backend.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 
-/** Hides fragments behind the room while a scene is drawn: the early form of `layer/depth-occlusion`. */
+/**
+ * Hides fragments behind the room while a scene is drawn: the early form of `layer/depth-occlusion`, with the formula of its
+ * `occlusion.fs`.
+ *
+ * The two forms give the same picture, but for what the layer form cannot know: it hides a pixel by the depth of the nearest
+ * surface that wrote any, and blended surfaces write none; here each fragment is hidden by its own depth. At a soft border the
+ * layer form fades the finished pixel. So that a surface which fades here lets through nothing of those behind it, soft scenes
+ * draw the depth of opaque surfaces first (`shaded-scene.ts`).
+ */
 export interface OcclusionPatch extends ShaderPatch {
-  /** Whether a border is soft, so that surfaces fade. */
+  /** Whether the border is soft, so that surfaces fade. */
   readonly isSoft: () => boolean;
   /** Takes over the view's room depth and the params; before every draw. */
   bind(view: DrawView): void;
 }
 
+/** The clip position tells the view UV whatever the viewport, and its w is the depth in view space: sessions are in perspective. */
 const VERTEX = {
   before: 'varying vec4 scrimPositionClip;',
   start: '',
@@ -21,15 +30,18 @@ const FRAGMENT = {
   before: /* glsl */ `
 uniform sampler2D scrimRoomDepth;
 uniform mat3 scrimRoomUvFromViewUv;
+// x: 1 where there is room depth; y: soft border, metres; z: how far behind the room something may be and still show, metres.
 uniform vec3 scrimOcclusion;
 varying vec4 scrimPositionClip;
 
 float scrimVisibility() {
   if ( scrimOcclusion.x == 0.0 ) return 1.0;
   vec3 uv = scrimRoomUvFromViewUv * vec3( scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5, 1.0 );
-  float room = texture2D( scrimRoomDepth, uv.xy / uv.z ).r;
-  if ( room <= 0.0 ) return 1.0;
-  return 1.0;
+  float roomM = texture2D( scrimRoomDepth, uv.xy / uv.z ).r;
+  // Unknown depth hides nothing.
+  if ( roomM <= 0.0 ) return 1.0;
+  float behindM = scrimPositionClip.w - roomM - scrimOcclusion.z;
+  return scrimOcclusion.y > 0.0 ? 1.0 - clamp( behindM / scrimOcclusion.y, 0.0, 1.0 ) : 1.0 - step( 0.0, behindM );
 }`,
   start: /* glsl */ `
   float scrimVisible = scrimVisibility();
@@ -50,9 +62,11 @@ export function createOcclusionPatch({ roomDepth, params }: OcclusionBinding): O
     scrimRoomUvFromViewUv: { value: new Matrix3() },
     scrimOcclusion: { value: new Vector3() },
   };
+  const softness = params.softnessM;
+  const bias = params.biasM;
   return {
     key: 'occlusion',
-    isSoft: () => true,
+    isSoft: () => (softness?.value ?? 0) > 0,
     apply: (shader) => {
       Object.assign(shader.uniforms, uniforms);
       shader.vertexShader = wrapMain(shader.vertexShader, VERTEX);
@@ -61,7 +75,7 @@ export function createOcclusionPatch({ roomDepth, params }: OcclusionBinding): O
     bind: ({ viewIndex }) => {
       const depth = roomDepth.views[viewIndex] ?? null;
       texture.sourceTexture = depth?.texture ?? null;
-      uniforms.scrimOcclusion.value.set(depth ? 1 : 0, params.x?.value ?? 0, 0);
+      uniforms.scrimOcclusion.value.set(depth ? 1 : 0, softness?.value ?? 0, bias?.value ?? 0);
       if (depth) uniforms.scrimRoomUvFromViewUv.value.fromArray(depth.uvFromViewUv);
     },
   };
