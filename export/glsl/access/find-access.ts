@@ -1,14 +1,13 @@
 import type { Access } from '../../../nodes/kit/definition.ts';
-import { type CheckedShader, checkShader } from '../check/check-shader.ts';
-import { givenSymbols } from '../isf/given-symbols.ts';
+import type { CheckedShader } from '../check/check-shader.ts';
+import { checkIsf } from '../isf/checked-isf.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import { classifyImageCall, type ImageCall } from '../link/image-call.ts';
 import { decideBranch, reachableStatements } from '../link/pass-condition.ts';
 import type { CallExpression, Expression, FunctionSymbol, Statement } from '../syntax/ast.ts';
-import { parseShader } from '../syntax/parse.ts';
 import { GlslError } from '../syntax/token.ts';
 import { partsOf } from '../syntax/walk.ts';
-import { positionOf } from './here.ts';
+import { createPositions, type Position } from './here.ts';
 
 /**
  * What a shader reads of its images (design §6), found in its text; `neighbourhood` wherever that cannot be told, because the
@@ -20,7 +19,7 @@ export function findAccess(shader: IsfShader): Access {
   const passIndex = shader.passes.length - 1;
   if (shader.passes.filter((pass, i) => pass.target !== null || i === passIndex).length > 1) return 'neighbourhood';
   try {
-    return accessOf(checkShader(parseShader(shader.source), givenSymbols(shader)), passIndex);
+    return accessOf(checkIsf(shader).checked, passIndex);
   } catch (error) {
     if (error instanceof GlslError) return 'neighbourhood';
     throw error;
@@ -39,8 +38,7 @@ type ReadsByImage = ReadonlyMap<string, Reads>;
 const DERIVATIVES: ReadonlySet<string> = new Set(['dFdx', 'dFdy', 'fwidth']);
 
 function accessOf(shader: CheckedShader, passIndex: number): Access {
-  const calls = collectCalls(shader, passIndex);
-  const reads = countReads(shader, passIndex, calls);
+  const reads = countReads(shader, passIndex, createPositions(collectCalls(shader, passIndex)));
   if (reads === null) return 'neighbourhood';
   let access: Access = 'pointwise';
   for (const { here, elsewhere } of reads.values()) {
@@ -52,11 +50,7 @@ function accessOf(shader: CheckedShader, passIndex: number): Access {
 }
 
 /** Null where an image is handed to a function or a derivative is taken. */
-function countReads(
-  shader: CheckedShader,
-  passIndex: number,
-  calls: ReadonlyMap<FunctionSymbol, readonly CallExpression[]>,
-): ReadsByImage | null {
+function countReads(shader: CheckedShader, passIndex: number, positionOf: (expression: Expression) => Position): ReadsByImage | null {
   const known = new Map<FunctionSymbol, ReadsByImage>();
   let unclear = false;
 
@@ -87,7 +81,7 @@ function countReads(
     const [image] = call.args;
     if (read === null || read.use === 'size' || image === undefined) return;
     if (image.kind !== 'name' || image.symbol?.role !== 'image') unclear = true;
-    const here = isHere(call, read, (symbol) => calls.get(symbol) ?? []);
+    const here = isHere(call, read, positionOf);
     add(into, image.token.text, here ? times : 0, here ? 0 : times);
   }
 
@@ -105,11 +99,11 @@ function add(into: Map<string, Reads>, image: string, here: number, elsewhere: n
   into.set(image, reads);
 }
 
-function isHere(call: CallExpression, read: ImageCall, callsOf: (symbol: FunctionSymbol) => readonly CallExpression[]): boolean {
+function isHere(call: CallExpression, read: ImageCall, positionOf: (expression: Expression) => Position): boolean {
   if (read.use === 'size' || (read.use === 'color' && read.position === 'here')) return true;
   const at = call.args[1];
   if (at === undefined) return false;
-  const position = positionOf(at, callsOf);
+  const position = positionOf(at);
   if (read.use === 'depth' || read.position === 'norm') return position === 'here-norm';
   return read.position === 'pixel' && position === 'here-pixel';
 }

@@ -39,8 +39,9 @@ const BROKEN: ReadonlyMap<number, string> = new Map([
 
 const UNCLOSED_TEXT = 12;
 const CONTROL_CHARACTER = 16;
-
-const PARSE_OPTIONS = { allowTrailingComma: true };
+const TRAILING_TEXT = 9;
+const MISSING_BRACE = 7;
+const MISSING_BRACKET = 8;
 
 const MAX_DEPTH = 100;
 
@@ -73,13 +74,12 @@ export function readHeader(source: string, file: string): HeaderReading {
     return { header: null, diagnostics };
   }
   const { root, errors } = parseLeniently(text);
-  const broken = errors.find((error) => !HARMLESS.has(error.error));
-  if (root === undefined || root.type !== 'object' || broken !== undefined) {
+  const [first] = errors;
+  if (root === undefined || root.type !== 'object' || errors.some(isFatal)) {
     const what =
-      broken === undefined
-        ? 'The first comment of the file is not a JSON object'
-        : (BROKEN.get(broken.error) ?? 'The JSON is not well formed');
-    report('error', start + (broken?.offset ?? Math.max(text.search(/\S/), 0)), `${what}, so the header cannot be read.`, SYNTAX_FIX);
+      first === undefined ? 'The first comment of the file is not a JSON object' : (BROKEN.get(first.error) ?? HARMLESS.get(first.error));
+    const offset = first?.offset ?? Math.max(text.search(/\S/), 0);
+    report('error', start + offset, `${what ?? 'The JSON is not well formed'}, so the header cannot be read.`, SYNTAX_FIX);
     return { header: null, diagnostics };
   }
   for (const error of errors) {
@@ -144,16 +144,30 @@ function finite(value: number): number | null {
 
 /** A text that runs over a line break is read on its second try, with the break as a space, so that offsets stay. */
 function parseLeniently(text: string): { root: Node | undefined; errors: readonly ParseError[] } {
-  const errors: ParseError[] = [];
-  const root = parseTree(text, errors, PARSE_OPTIONS);
-  const first = errors.find((error) => !HARMLESS.has(error.error));
-  if (first === undefined || first.error !== UNCLOSED_TEXT) return { root, errors };
+  const strict = parseOnce(text);
+  const fatal = strict.errors.find(isFatal);
+  if (fatal === undefined || fatal.error !== UNCLOSED_TEXT) return strict;
   const joined = text.replace(/"(?:[^"\\]|\\[\s\S])*"/g, (quoted) => quoted.replace(/[\r\n]/g, ' '));
-  if (!isShallow(joined)) return { root, errors };
-  const laterErrors: ParseError[] = [];
-  const laterRoot = parseTree(joined, laterErrors, PARSE_OPTIONS);
-  if (laterErrors.some((error) => !HARMLESS.has(error.error))) return { root, errors };
-  return { root: laterRoot, errors: [{ ...first, error: CONTROL_CHARACTER }, ...laterErrors] };
+  if (!isShallow(joined)) return strict;
+  const lenient = parseOnce(joined);
+  if (lenient.errors.some(isFatal)) return strict;
+  return { root: lenient.root, errors: [{ ...fatal, error: CONTROL_CHARACTER }, ...lenient.errors] };
+}
+
+/** Whatever stands behind the object is one mistake, and a harmless one. */
+function parseOnce(text: string): { root: Node | undefined; errors: readonly ParseError[] } {
+  const errors: ParseError[] = [];
+  const root = parseTree(text, errors, { allowTrailingComma: true });
+  const end = root === undefined ? text.length : root.offset + root.length;
+  const behind = errors.find((error) => error.offset >= end);
+  const inside = errors.filter((error) => error.offset < end);
+  const isOpen = errors.some((error) => error.error === MISSING_BRACE || error.error === MISSING_BRACKET);
+  if (behind === undefined || root?.type !== 'object' || isOpen) return { root, errors };
+  return { root, errors: [...inside, ...(inside.some(isFatal) ? [] : [{ ...behind, error: TRAILING_TEXT }])] };
+}
+
+function isFatal(error: ParseError): boolean {
+  return !HARMLESS.has(error.error);
 }
 
 /** The JSON reader calls itself for each level, so its stack has to be guarded. */

@@ -1,9 +1,7 @@
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
-import { checkShader } from '../check/check-shader.ts';
-import { givenSymbols } from '../isf/given-symbols.ts';
+import { checkIsf } from '../isf/checked-isf.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import type { FunctionSymbol, GlslSymbol, VariableSymbol } from '../syntax/ast.ts';
-import { parseShader } from '../syntax/parse.ts';
 import { GlslError } from '../syntax/token.ts';
 import { type LinkUnit, linkPass, reachOfPass } from './link-pass.ts';
 import type { LinkedPass, LinkOptions } from './linked-pass.ts';
@@ -17,21 +15,13 @@ export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonl
   const diagnostics = unsupported(shader, options);
   if (diagnostics.length > 0) return { output: null, diagnostics };
   try {
-    const unit = readUnit(shader, options);
+    const unit = { shader, options, ...checkIsf(shader) };
     return { output: linkPasses(unit, planPasses(shader)), diagnostics: strayUniforms(unit) };
   } catch (error) {
     if (!(error instanceof GlslError)) throw error;
-    return { output: null, diagnostics: [toDiagnostic(error, shader, options)] };
+    const { code, message, place } = error;
+    return { output: null, diagnostics: [{ code, severity: 'error', message, nodeId: options.node, file: shader.file, ...place }] };
   }
-}
-
-export function readUnit(shader: IsfShader, options: LinkOptions): LinkUnit {
-  const given = givenSymbols(shader);
-  return { shader, given, checked: checkShader(parseShader(shader.source), given), options };
-}
-
-export function toDiagnostic(error: GlslError, shader: IsfShader, options: LinkOptions): Diagnostic {
-  return { code: error.code, severity: 'error', message: error.message, nodeId: options.node, file: shader.file, ...error.place };
 }
 
 function linkPasses(unit: LinkUnit, passes: readonly PlannedPass[]): LinkedPass[] {

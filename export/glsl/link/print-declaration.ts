@@ -71,13 +71,13 @@ export function printFunctionHead(declaration: FunctionDeclaration, instance: In
 }
 
 function printParameter(parameter: Parameter, context: PrintContext): void {
-  const { writer } = context;
+  const { writer, names } = context;
   for (const qualifier of parameter.qualifiers) writer.write(`${qualifier.text} `, qualifier);
   printTypeName(parameter.type, context);
-  if (parameter.name !== null) {
-    const name = parameter.symbol === null ? `a_${parameter.name.text}` : context.names.of(parameter.symbol);
+  // A prototype's parameters have no symbols, and need no names.
+  if (parameter.name !== null && parameter.symbol !== null) {
     writer.write(' ');
-    writer.write(name, parameter.name);
+    writer.write(names.of(parameter.symbol), parameter.name);
   }
   printDimensions(parameter.dimensions, context);
 }
@@ -93,7 +93,7 @@ function printType(type: TypeSpecifier, context: PrintContext): void {
 
 function printStruct(struct: StructDeclaration, context: PrintContext): void {
   const { writer, names } = context;
-  writer.write('struct ', struct.name ?? undefined);
+  writer.write('struct ', struct.start);
   if (struct.symbol !== null) writer.write(names.of(struct.symbol));
   writer.write(' {');
   writer.indent(1);

@@ -30,6 +30,9 @@ export interface Reach {
 
 const NO_IMAGES: ImageBinding = new Map();
 
+/** A function with several images can be called with very many combinations of them; nobody means to. */
+const MAX_VERSIONS = 64;
+
 export interface ReachOptions {
   readonly passIndex: number;
   readonly images: ReadonlyMap<string, Image>;
@@ -53,6 +56,9 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
     const versions = instances.get(symbol) ?? [];
     const known = versions.find((version) => sameBinding(version.binding, binding));
     if (known !== undefined) return known;
+    if (versions.length >= MAX_VERSIONS) {
+      throw new GlslError(symbol.declaration.name, `"${symbol.name}" is called with more than ${MAX_VERSIONS} sets of images.`, 'SCR043');
+    }
     const instance = { symbol, binding, name: binding.size === 0 ? names.of(symbol) : names.fresh(symbol.name) };
     instances.set(symbol, [...versions, instance]);
     pending.push(instance);

@@ -44,6 +44,7 @@ export interface TypeSpecifier {
 }
 
 export interface StructDeclaration {
+  readonly start: Token;
   readonly name: Token | null;
   readonly members: readonly StructMember[];
   symbol: StructSymbol | null;
@@ -122,6 +123,8 @@ interface ExpressionBase {
   type: GlslType;
   /** Print it converted to this type; empty for as it is. */
   convertTo: GlslType;
+  /** Levels of the tree from here down. The parser bounds it, so that whoever walks the tree may call itself. */
+  readonly depth: number;
 }
 
 export interface NameExpression extends ExpressionBase {

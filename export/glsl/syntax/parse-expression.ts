@@ -14,17 +14,13 @@ export const ASSIGNMENTS: ReadonlySet<string> = new Set(['=', '+=', '-=', '*=', 
 
 const PREFIXES: ReadonlySet<string> = new Set(['+', '-', '!', '~', '++', '--']);
 
-/** Links of one chain such as `a + b + c + …`, which makes a tree as deep as it is long. */
-const MAX_CHAIN = 1000;
+/** A chain such as `a + b + c + …` makes a tree as deep as it is long. */
+const MAX_TREE_DEPTH = 1000;
 
 /** With commas: `i++, j--`. */
 export function parseExpression(cursor: Cursor): Expression {
   let left = parseAssignment(cursor);
-  for (let links = 0; cursor.at(','); links += 1) {
-    const token = cursor.next();
-    checkChain(links, token);
-    left = { kind: 'binary', token, left, right: parseAssignment(cursor), type: '', convertTo: '' };
-  }
+  while (cursor.at(',')) left = binary(cursor.next(), left, parseAssignment(cursor));
   return left;
 }
 
@@ -33,8 +29,7 @@ export function parseAssignment(cursor: Cursor): Expression {
   return cursor.nested(() => {
     const left = parseConditional(cursor);
     if (!ASSIGNMENTS.has(cursor.peek().text)) return left;
-    const token = cursor.next();
-    return { kind: 'binary', token, left, right: parseAssignment(cursor), type: '', convertTo: '' };
+    return binary(cursor.next(), left, parseAssignment(cursor));
   });
 }
 
@@ -62,49 +57,48 @@ function parseConditional(cursor: Cursor): Expression {
   if (token === null) return condition;
   const then = cursor.nested(() => parseExpression(cursor));
   cursor.expect(':', 'after the first choice of "?"');
-  return { kind: 'conditional', token, condition, then, otherwise: parseAssignment(cursor), type: '', convertTo: '' };
+  const otherwise = parseAssignment(cursor);
+  return { kind: 'conditional', token, condition, then, otherwise, ...made(token, condition, then, otherwise) };
 }
 
 function parseBinary(cursor: Cursor, minimum: number): Expression {
   let left = parseUnary(cursor);
-  for (let links = 0; ; links += 1) {
+  for (;;) {
     const token = cursor.peek();
     const precedence = token.kind === 'operator' ? (PRECEDENCE.get(token.text) ?? 0) : 0;
     if (precedence < minimum) return left;
-    checkChain(links, token);
-    cursor.next();
-    left = { kind: 'binary', token, left, right: parseBinary(cursor, precedence + 1), type: '', convertTo: '' };
+    left = binary(cursor.next(), left, parseBinary(cursor, precedence + 1));
   }
 }
 
 function parseUnary(cursor: Cursor): Expression {
   if (!PREFIXES.has(cursor.peek().text) || cursor.peek().kind !== 'operator') return parsePostfix(cursor);
   const token = cursor.next();
-  return cursor.nested(() => ({ kind: 'prefix', token, operand: parseUnary(cursor), type: '', convertTo: '' }));
+  const operand = cursor.nested(() => parseUnary(cursor));
+  return { kind: 'prefix', token, operand, ...made(token, operand) };
 }
 
 function parsePostfix(cursor: Cursor): Expression {
   let object = parsePrimary(cursor);
-  for (let links = 0; ; links += 1) {
+  for (;;) {
     const token = cursor.peek();
-    checkChain(links, token);
     if (cursor.accept('[')) {
       const index = cursor.nested(() => parseExpression(cursor));
       cursor.expect(']', 'after the index');
-      object = { kind: 'index', token, object, index, type: '', convertTo: '' };
+      object = { kind: 'index', token, object, index, ...made(token, object, index) };
     } else if (cursor.accept('.')) {
       const name = cursor.peek();
       if (name.kind !== 'word') throw cursor.unexpected('The name of a component or member is missing after "."');
       cursor.next();
       if (name.text === 'length' && cursor.accept('(')) {
         cursor.expect(')', 'after "length("');
-        object = { kind: 'length', token: name, object, type: 'int', convertTo: '' };
+        object = { kind: 'length', token: name, object, ...made(name, object) };
       } else {
-        object = { kind: 'member', token: name, object, name, type: '', convertTo: '' };
+        object = { kind: 'member', token: name, object, name, ...made(name, object) };
       }
     } else if (token.kind === 'operator' && (token.text === '++' || token.text === '--')) {
       cursor.next();
-      object = { kind: 'postfix', token, operand: object, type: '', convertTo: '' };
+      object = { kind: 'postfix', token, operand: object, ...made(token, object) };
     } else {
       return object;
     }
@@ -118,7 +112,7 @@ function parsePrimary(cursor: Cursor): Expression {
     case 'uint':
     case 'float':
       cursor.next();
-      return { kind: 'literal', token, type: token.kind, convertTo: '' };
+      return { kind: 'literal', token, ...made(token), type: token.kind };
     case 'word':
       return parseWord(cursor, token);
     default:
@@ -126,7 +120,7 @@ function parsePrimary(cursor: Cursor): Expression {
   if (cursor.accept('(')) {
     const inner = cursor.nested(() => parseExpression(cursor));
     const close = cursor.expect(')', `to close the bracket of line ${token.line}`);
-    return { kind: 'group', token, inner, close, type: '', convertTo: '' };
+    return { kind: 'group', token, inner, close, ...made(token, inner) };
   }
   throw cursor.unexpected('A value is missing');
 }
@@ -134,19 +128,21 @@ function parsePrimary(cursor: Cursor): Expression {
 function parseWord(cursor: Cursor, token: Token): Expression {
   if (token.text === 'true' || token.text === 'false') {
     cursor.next();
-    return { kind: 'literal', token, type: 'bool', convertTo: '' };
+    return { kind: 'literal', token, ...made(token), type: 'bool' };
   }
   if (isArrayConstructor(cursor)) {
     const of: TypeSpecifier = { name: parseTypeName(cursor), dimensions: parseDimensions(cursor), struct: null, type: '', symbol: null };
-    return { kind: 'array', token, of, args: parseArguments(cursor), type: '', convertTo: '' };
+    const args = parseArguments(cursor);
+    return { kind: 'array', token, of, args, ...made(token, ...args) };
   }
   const called = cursor.peek(1).text === '(';
   if (KEYWORDS.has(token.text) && !(called && TYPES.has(token.text))) {
     throw new GlslError(token, `"${token.text}" cannot stand here: a value is expected.`);
   }
   cursor.next();
-  if (!called) return { kind: 'name', token, symbol: null, type: '', convertTo: '' };
-  return { kind: 'call', token, args: parseArguments(cursor), symbol: null, type: '', convertTo: '' };
+  if (!called) return { kind: 'name', token, symbol: null, ...made(token) };
+  const args = parseArguments(cursor);
+  return { kind: 'call', token, args, symbol: null, ...made(token, ...args) };
 }
 
 function parseArguments(cursor: Cursor): Expression[] {
@@ -173,6 +169,14 @@ function isArrayConstructor(cursor: Cursor): boolean {
   }
 }
 
-function checkChain(links: number, token: Token): void {
-  if (links > MAX_CHAIN) throw new GlslError(token, 'This expression is too long.');
+function binary(token: Token, left: Expression, right: Expression): Expression {
+  return { kind: 'binary', token, left, right, ...made(token, left, right) };
+}
+
+/** What all expressions have in common; throws where the tree becomes too deep. */
+function made(token: Token, ...parts: readonly Expression[]): { type: ''; convertTo: ''; depth: number } {
+  let depth = 1;
+  for (const part of parts) depth = Math.max(depth, part.depth + 1);
+  if (depth > MAX_TREE_DEPTH) throw new GlslError(token, 'This expression is too long or nested too deeply.');
+  return { type: '', convertTo: '', depth };
 }

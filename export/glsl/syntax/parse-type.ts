@@ -7,15 +7,15 @@ import { DROPPED_QUALIFIERS, PRECISIONS } from './words.ts';
 export function parseType(cursor: Cursor): TypeSpecifier {
   while (PRECISIONS.has(cursor.peek().text)) cursor.next();
   if (cursor.at('struct')) {
-    const start = cursor.next();
     const struct = parseStruct(cursor);
-    return { name: struct.name ?? start, dimensions: parseDimensions(cursor), struct, type: '', symbol: null };
+    return { name: struct.name ?? struct.start, dimensions: parseDimensions(cursor), struct, type: '', symbol: null };
   }
   const name = parseTypeName(cursor);
   return { name, dimensions: parseDimensions(cursor), struct: null, type: '', symbol: null };
 }
 
 function parseStruct(cursor: Cursor): StructDeclaration {
+  const start = cursor.next();
   const name = cursor.at('{') ? null : cursor.name('the struct');
   cursor.expect('{', 'after the name of the struct');
   const members: StructMember[] = [];
@@ -27,5 +27,5 @@ function parseStruct(cursor: Cursor): StructDeclaration {
     } while (cursor.accept(','));
     cursor.expect(';', 'after the member of the struct');
   }
-  return { name, members, symbol: null };
+  return { start, name, members, symbol: null };
 }
