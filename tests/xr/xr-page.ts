@@ -1,0 +1,94 @@
+import { readFile } from 'node:fs/promises';
+import { resolve } from 'node:path';
+import { build } from 'esbuild';
+import type { Browser, Page } from 'playwright-core';
+import type { HeadPose } from '../../export/emulator/emulator.ts';
+// Brings the type of the global that the injected script makes.
+import type {} from '../../export/emulator/inject.ts';
+import type { EmulatorOptions } from '../../export/emulator/options.ts';
+import { collectErrors } from '../support/browser.ts';
+import type { Picture } from '../support/picture.ts';
+
+const ROOT = resolve(import.meta.dirname, '../..');
+
+/** A served page with an emulated device, whose frames come one by one from the test. */
+export interface XrPage {
+  readonly page: Page;
+  readonly errors: readonly string[];
+  /** Presses the page's own button and waits until it draws. */
+  enter(): Promise<void>;
+  setPose(pose: HeadPose): Promise<void>;
+  step(count?: number): Promise<void>;
+  /** What the page drew in the last frame, premultiplied. */
+  readLayer(): Promise<Picture>;
+  /** What the visitor saw in the last frame. */
+  readComposite(): Promise<Picture>;
+  /** Distance to the room along a ray, metres, or null. */
+  measure(originWorld: readonly number[], directionWorld: readonly number[]): Promise<number | null>;
+  close(): Promise<void>;
+}
+
+/** A capture of `@iwer/sem`, by name. */
+export async function readCapture(name: string): Promise<{ readonly capture: unknown }> {
+  return { capture: JSON.parse(await readFile(resolve(ROOT, `node_modules/@iwer/sem/captures/${name}.json`), 'utf8')) };
+}
+
+let injected: Promise<string> | undefined;
+
+/** Opens an exported page as a visitor with the emulated device would; the page itself knows nothing of it. */
+export async function openXrPage(
+  browser: Browser,
+  url: string,
+  options: EmulatorOptions,
+  viewport = { width: 480, height: 360 },
+): Promise<XrPage> {
+  injected ??= bundleEmulator();
+  const context = await browser.newContext({ viewport });
+  const page = await context.newPage();
+  const errors = collectErrors(page);
+  await page.addInitScript({ content: await injected });
+  await page.addInitScript((given: unknown) => void scrimEmulator?.install(given as EmulatorOptions), { clock: 'manual', ...options });
+  await page.goto(url);
+  return {
+    page,
+    errors,
+    enter: async () => {
+      await page.getByRole('button', { name: 'Enter AR' }).click();
+      await page.evaluate(() => scrimEmulator?.current?.frameRequested());
+      // Depth and pictures of a device come with its first frames.
+      await page.evaluate(() => scrimEmulator?.current?.stepFrame(3));
+    },
+    setPose: (pose) => page.evaluate((p) => scrimEmulator?.current?.setPose(p), pose),
+    step: (count = 1) => page.evaluate((n) => scrimEmulator?.current?.stepFrame(n), count),
+    readLayer: () => readPicture(page, 'readLayer'),
+    readComposite: () => readPicture(page, 'readComposite'),
+    measure: (origin, direction) => page.evaluate(([o, d]) => scrimEmulator?.current?.measure(o, d) ?? null, [origin, direction] as const),
+    close: () => context.close(),
+  };
+}
+
+/** Bytes as base64: as a list of numbers a picture takes ten times as long. */
+async function readPicture(page: Page, what: 'readLayer' | 'readComposite'): Promise<Picture> {
+  const { width, height, base64 } = await page.evaluate((method) => {
+    const pixels = scrimEmulator?.current?.[method]();
+    if (!pixels) throw new Error('There is no emulator.');
+    let text = '';
+    for (let i = 0; i < pixels.rgba.length; i += 8192) text += String.fromCharCode(...pixels.rgba.subarray(i, i + 8192));
+    return { width: pixels.widthPx, height: pixels.heightPx, base64: btoa(text) };
+  }, what);
+  return { width, height, data: new Uint8Array(Buffer.from(base64, 'base64')) };
+}
+
+async function bundleEmulator(): Promise<string> {
+  const { outputFiles } = await build({
+    entryPoints: [resolve(ROOT, 'export/emulator/inject.ts')],
+    bundle: true,
+    write: false,
+    format: 'iife',
+    target: 'chrome108',
+    minify: true,
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    logLevel: 'silent',
+  });
+  return outputFiles[0]?.text ?? '';
+}
