@@ -85,7 +85,7 @@ export interface VectorParam extends ParamBase {
 /** Display-referred sRGB, straight alpha, `[r, g, b, a]` in [0, 1]. */
 export interface ColorParam extends ParamBase {
   readonly type: 'color';
-  readonly stage: 'uniform';
+  readonly stage: 'uniform' | 'structure';
   readonly default: readonly [number, number, number, number];
 }
 

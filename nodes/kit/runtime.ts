@@ -172,7 +172,9 @@ type ConfigValue<P extends ParamDefinition> = P extends { type: 'choice'; option
     ? boolean
     : P['default'] extends number
       ? number
-      : string;
+      : P['default'] extends readonly number[]
+        ? readonly number[]
+        : string;
 
 // --- Services ---------------------------------------------------------------------------------------------------------
 

@@ -1,0 +1,43 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'source/camera-video',
+  version: 1,
+  title: 'Camera video',
+  doc: 'What the camera sees. As the background alone it asks for nothing, because the device shows the world by itself; only where a filter reads the picture is the visitor asked for the camera.',
+  keywords: ['video', 'camera', 'passthrough', 'world', 'background', 'real'],
+  inputs: {},
+  outputs: {
+    layer: { type: 'layer', label: 'Layer', doc: 'The camera picture, as wide as the view.', domain: 'view', depth: false },
+  },
+  params: {
+    withoutImage: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Without a picture',
+      doc: 'What to show where the device or the visitor gives no picture to filters.',
+      default: 'transparent',
+      options: [
+        { value: 'transparent', label: 'The world, unfiltered' },
+        { value: 'color', label: 'A colour' },
+      ],
+    },
+    color: {
+      type: 'color',
+      stage: 'uniform',
+      label: 'Colour',
+      doc: 'The colour to show without a picture, if a colour is chosen.',
+      default: [0.5, 0.5, 0.5, 1],
+    },
+  },
+  lowering: { kind: 'source', background: 'world' },
+  needs: [
+    {
+      capability: 'camera-image',
+      required: false,
+      when: 'sampled',
+      why: 'to change how the camera picture looks',
+      without: 'The camera picture is not changed: the world shows as it is, or a plain colour takes its place.',
+    },
+  ],
+});
