@@ -21,7 +21,8 @@ export type ToPreview =
 /** Addresses are on the preview's own origin. */
 export type PreviewSource =
   | { readonly kind: 'recorded'; readonly url: string; readonly assetBaseUrl: string }
-  | { readonly kind: 'room'; readonly name: string; readonly views: 1 | 2; readonly assetBaseUrl: string };
+  /** An emulated phone (one view) or headset (two). `captureUrl` null: the room that the emulator makes itself. */
+  | { readonly kind: 'room'; readonly captureUrl: string | null; readonly views: 1 | 2; readonly assetBaseUrl: string };
 
 export type FromPreview =
   | { readonly kind: 'ready' }

@@ -1,13 +1,17 @@
 import { BaseEdge, type ConnectionLineComponentProps, type EdgeProps, getBezierPath, Position } from '@xyflow/react';
 import { memo } from 'react';
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
+import { PORT_SIZE } from './node-shape.ts';
 import type { CanvasWire } from './project-canvas.ts';
 import './wire-view.css';
 
 /** A wire in its type's colour; a converting one runs from one colour into the other. */
 export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
-  const { id, sourceX, sourceY, targetX, targetY, data, selected } = props;
-  const [path] = getBezierPath({ sourceX, sourceY, sourcePosition: Position.Right, targetX, targetY, targetPosition: Position.Left, curvature: 0.35 });
+  const { id, sourceY, targetY, data, selected } = props;
+  // React Flow leads edges to the rim of a port's hit area; wires end at its mark, in the middle.
+  const sourceX = props.sourceX - PORT_SIZE / 2;
+  const targetX = props.targetX + PORT_SIZE / 2;
+  const path = wirePath(sourceX, sourceY, targetX, targetY);
   const from = data?.from ?? 'number';
   const to = data?.to ?? 'number';
   const gradientId = `wire-${id.replaceAll(/[^a-z0-9]/gi, '-')}`;
@@ -33,18 +37,24 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
 /** The wire in hand. */
 export function WireInHand({ fromX, fromY, toX, toY, fromHandle, connectionStatus, fromNode }: ConnectionLineComponentProps) {
   const output = fromHandle.type === 'source';
-  const [path] = getBezierPath({
-    sourceX: output ? fromX : toX,
-    sourceY: output ? fromY : toY,
-    sourcePosition: Position.Right,
-    targetX: output ? toX : fromX,
-    targetY: output ? toY : fromY,
-    targetPosition: Position.Left,
-    curvature: 0.35,
-  });
+  const path = output ? wirePath(fromX, fromY, toX, toY) : wirePath(toX, toY, fromX, fromY);
   const type = typeOfPort(fromNode.data, fromHandle.id ?? '', output ? 'output' : 'input');
   const color = type ? WIRE_TYPES[type].color : 'var(--text-3)';
   return <path className={`wire wire-in-hand wire-${connectionStatus ?? 'open'}`} d={path} style={{ stroke: color }} />;
+}
+
+/** From an output to an input: leaves to the right, arrives from the left. */
+function wirePath(sourceX: number, sourceY: number, targetX: number, targetY: number): string {
+  const [path] = getBezierPath({
+    sourceX,
+    sourceY,
+    sourcePosition: Position.Right,
+    targetX,
+    targetY,
+    targetPosition: Position.Left,
+    curvature: 0.35,
+  });
+  return path;
 }
 
 function typeOfPort(data: Record<string, unknown>, name: string, side: 'input' | 'output'): WireType | undefined {

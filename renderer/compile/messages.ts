@@ -1,13 +1,10 @@
-import type { Project } from '../../export/graph/project.ts';
+import type { ProjectLogic } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 
-/** What the compiler needs of a project: all but where things stand on the canvas. */
-export type CompilerInput = Omit<Project, 'layout'>;
-
 export interface CompileRequest {
   readonly revision: number;
-  readonly project: CompilerInput;
+  readonly project: ProjectLogic;
 }
 
 export interface CompileAnswer {

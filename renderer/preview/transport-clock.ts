@@ -13,8 +13,11 @@ export interface TransportClock extends FrameClock {
 /** While nothing changes, a held clock asks for a frame this often: what loads late shows up, and the processor rests. */
 const IDLE_S = 0.25;
 
-/** Runs with `base` while playing; held, it gives frames of the same time, few and far between. */
-export function createTransportClock(base: FrameClock): TransportClock {
+/**
+ * Runs with `base` while playing; held, it gives frames of the same time, few and far between. `beforeFrame` runs ahead of every
+ * frame's callbacks.
+ */
+export function createTransportClock(base: FrameClock, beforeFrame: () => void): TransportClock {
   let playing = true;
   let timeS = 0;
   let baseS = base.nowS();
@@ -36,6 +39,7 @@ export function createTransportClock(base: FrameClock): TransportClock {
     if (!idle) {
       woken = false;
       lastFrameS = baseS;
+      beforeFrame();
       const due = [...callbacks.values()];
       callbacks.clear();
       for (const callback of due) callback(timeS);

@@ -129,11 +129,6 @@ function previewSource(editor: Editor): PreviewSource | null {
   const source = chosenSource(state);
   if (source === null || open === null) return null;
   const { assetBaseUrl } = open;
-  if (source.kind === 'room') return { kind: 'room', name: roomName(source.id), views: state.views, assetBaseUrl };
+  if (source.kind === 'room') return { kind: 'room', captureUrl: source.url, views: state.views, assetBaseUrl };
   return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
-}
-
-/** `room/living_room` → `living_room`. */
-function roomName(id: string): string {
-  return id.slice(id.indexOf('/') + 1);
 }

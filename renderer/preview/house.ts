@@ -1,0 +1,71 @@
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { Program } from '../../export/program/program.ts';
+import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
+import type { FrameClock } from '../../export/runtime/clock.ts';
+import { createPlayer, type Player } from '../../export/runtime/player.ts';
+import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
+import { pageFetch } from './network.ts';
+
+/** A canvas, its context and the player on it: what cannot be changed without beginning anew. */
+export interface House {
+  readonly canvas: HTMLCanvasElement;
+  readonly gl: WebGL2RenderingContext;
+  readonly player: Player;
+  readonly fitter: CanvasFitter;
+  /** Whether a program can be played here: contexts are made with or without antialiasing, and assets come from one place. */
+  suits(program: Program, assetBaseUrl: string): boolean;
+  dispose(): void;
+}
+
+export interface HouseOptions {
+  readonly parent: HTMLElement;
+  readonly program: Program;
+  readonly assetBaseUrl: string;
+  readonly clock: FrameClock;
+  readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
+  readonly onContext: (state: 'lost' | 'restored') => void;
+}
+
+/** As the exported page has it, so that equal programs give equal pictures. */
+const SEED = 1;
+
+/** Throws where the browser has no WebGL 2. */
+export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext }: HouseOptions): House {
+  const canvas = document.createElement('canvas');
+  canvas.id = 'picture';
+  parent.prepend(canvas);
+  const { antialias } = program.presentation;
+  const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false, powerPreference: 'high-performance' });
+  if (!gl) throw new Error('This browser has no WebGL 2.');
+  const fitter = createCanvasFitter(canvas);
+  fitter.update();
+  const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
+  const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: SEED, onDiagnostics, clock });
+  const lost = (event: Event) => {
+    // Without this the browser never gives the context back.
+    event.preventDefault();
+    player.contextLost();
+    onContext('lost');
+  };
+  const restored = () => void player.restore().then(() => onContext('restored'));
+  canvas.addEventListener('webglcontextlost', lost);
+  canvas.addEventListener('webglcontextrestored', restored);
+  return {
+    canvas,
+    gl,
+    player,
+    fitter,
+    suits: (next, base) => next.presentation.antialias === antialias && base === assetBaseUrl,
+    dispose: () => {
+      canvas.removeEventListener('webglcontextlost', lost);
+      canvas.removeEventListener('webglcontextrestored', restored);
+      player.dispose();
+      fitter.dispose();
+      // Browsers keep few contexts; waiting for the collector would lose another page's.
+      gl.getExtension('WEBGL_lose_context')?.loseContext();
+      canvas.remove();
+    },
+  };
+}

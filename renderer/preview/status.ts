@@ -1,0 +1,51 @@
+import type { FrameClock } from '../../export/runtime/clock.ts';
+import type { SessionFrame } from '../../nodes/kit/session.ts';
+import type { FromPreview, PreviewStatus } from '../preview-protocol.ts';
+
+/** Tells the editor how the preview runs, at most ten times a second. */
+export interface Status {
+  setState(state: PreviewStatus['state']): void;
+  /** Around the drawing of a frame. */
+  begin(): void;
+  end(frame: SessionFrame): void;
+  /** Frames and time count from the next frame on. */
+  rewind(): void;
+}
+
+const INTERVAL_S = 0.1;
+/** Of a new frame's time in the mean. */
+const WEIGHT = 0.1;
+
+export function createStatus(clock: FrameClock, send: (message: FromPreview) => void): Status {
+  const status = { state: 'loading' as PreviewStatus['state'], frame: 0, timeS: 0, frameMs: 0, widthPx: 0, heightPx: 0 };
+  let sentS = Number.NEGATIVE_INFINITY;
+  let beganS = 0;
+  let origin: { readonly index: number; readonly timeS: number } | null = null;
+  const tell = () => {
+    sentS = clock.nowS();
+    send({ kind: 'status', status: { ...status } });
+  };
+  return {
+    setState: (state) => {
+      status.state = state;
+      tell();
+    },
+    begin: () => {
+      beganS = clock.nowS();
+    },
+    end: (frame) => {
+      const nowS = clock.nowS();
+      const tookMs = (nowS - beganS) * 1000;
+      origin ??= { index: frame.index, timeS: frame.timeS };
+      status.frame = frame.index - origin.index;
+      status.timeS = frame.timeS - origin.timeS;
+      status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
+      status.widthPx = frame.framebufferWidthPx;
+      status.heightPx = frame.framebufferHeightPx;
+      if (nowS - sentS >= INTERVAL_S) tell();
+    },
+    rewind: () => {
+      origin = null;
+    },
+  };
+}

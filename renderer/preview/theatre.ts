@@ -1,0 +1,191 @@
+import type { Program } from '../../export/program/program.ts';
+import type { FrameClock } from '../../export/runtime/clock.ts';
+import type { PlayResult } from '../../export/runtime/player.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { SessionFrame } from '../../nodes/kit/session.ts';
+import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import { createHouse, type House } from './house.ts';
+import { type OpenSession, openSession } from './open-session.ts';
+import { createStatus } from './status.ts';
+import { createThumbnails } from './thumbnails.ts';
+import { createTransportClock } from './transport-clock.ts';
+import { createTurns } from './turns.ts';
+
+export interface TheatreOptions {
+  /** Holds the canvas. */
+  readonly parent: HTMLElement;
+  /** Where an emulated device shows its picture. */
+  readonly screen: HTMLElement;
+  readonly clock: FrameClock;
+  readonly send: (message: FromPreview, transfer?: Transferable[]) => void;
+}
+
+export interface Theatre {
+  take(message: ToPreview): void;
+  /** The window changed its size. */
+  resized(): void;
+}
+
+interface Wanted {
+  readonly revision: number;
+  readonly program: Program;
+}
+
+/** A window that is being resized comes to rest before an emulated device, whose screen has a fixed size, is made anew. */
+const RESIZE_PAUSE_S = 0.25;
+
+/** Plays what the editor sends over the session it chose: what is wanted is noted down, and `settle` makes it so. */
+export function createTheatre({ parent, screen, clock: base, send }: TheatreOptions): Theatre {
+  let wanted: Wanted | null = null;
+  let source: PreviewSource | null = null;
+  let resizes = 0;
+
+  let house: House | null = null;
+  let open: OpenSession | null = null;
+  /** What `open` was opened for. */
+  let openKey = '';
+  let lost = false;
+  let sessionProblems: readonly Diagnostic[] = [];
+  let playerProblems: readonly Diagnostic[] = [];
+
+  const clock = createTransportClock(base, () => house?.fitter.update());
+  const status = createStatus(base, send);
+  const thumbnails = createThumbnails(base, send);
+
+  const tellProblems = () =>
+    send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblems] });
+  const tellState = () => {
+    const hasSession = open !== null && open.session !== null;
+    status.setState(lost ? 'lost' : !hasSession ? 'loading' : clock.playing ? 'playing' : 'paused');
+    clock.wake();
+  };
+  const fail = (error: unknown) => {
+    const reason = error instanceof Error ? error.message : String(error);
+    sessionProblems = [{ code: 'SCR053', severity: 'error', message: `The preview cannot draw: ${reason}` }];
+    tellProblems();
+  };
+  const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
+    if (outcome === 'superseded') return;
+    send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, log }) => ({ shaderId, log })) });
+    if (outcome === 'playing') send({ kind: 'playing', revision });
+    clock.wake();
+  };
+
+  const endSession = async () => {
+    const ending = open;
+    open = null;
+    openKey = '';
+    house?.player.setSession(null);
+    await ending?.end();
+  };
+  const build = async ({ revision, program }: Wanted, { assetBaseUrl }: PreviewSource) => {
+    await endSession();
+    house?.dispose();
+    house = null;
+    lost = false;
+    playerProblems = [];
+    const made = createHouse({
+      parent,
+      program,
+      assetBaseUrl,
+      clock,
+      onDiagnostics: (diagnostics) => {
+        playerProblems = diagnostics;
+        tellProblems();
+      },
+      onContext: (state) => {
+        lost = state === 'lost';
+        tellState();
+      },
+    });
+    house = made;
+    void made.player.ready.then((result) => report(revision, result));
+  };
+  const begin = async (place: House, { program }: Wanted, from: PreviewSource, key: string) => {
+    await endSession();
+    tellState();
+    const opened = await openSession(from, { gl: place.gl, clock, program, screen });
+    open = opened;
+    openKey = key;
+    sessionProblems = opened.diagnostics;
+    tellProblems();
+    place.player.reset();
+    place.player.setSession(opened.session);
+    status.rewind();
+    opened.session?.start(draw, (event) => {
+      if (event.kind === 'reset') place.player.reset();
+      if (event.kind !== 'problem') return;
+      sessionProblems = [...sessionProblems, { code: 'SCR054', severity: 'warning', message: event.message }];
+      tellProblems();
+    });
+    tellState();
+  };
+  const draw = (frame: SessionFrame) => {
+    if (!house || lost) return;
+    status.begin();
+    house.player.draw(frame);
+    status.end(frame);
+    thumbnails.afterFrame(house.player);
+  };
+  const settle = createTurns(async () => {
+    if (!wanted || !source) return;
+    if (!house?.suits(wanted.program, source.assetBaseUrl)) await build(wanted, source);
+    const key = sessionKey(source, wanted.program, resizes);
+    if (house && key !== openKey) await begin(house, wanted, source, key);
+  }, fail);
+
+  const takeProgram = (next: Wanted) => {
+    wanted = next;
+    if (source && house?.suits(next.program, source.assetBaseUrl)) {
+      void house.player.replaceProgram(next.program).then((result) => report(next.revision, result));
+    }
+    settle();
+  };
+  const transport = (action: Extract<ToPreview, { kind: 'transport' }>['action']) => {
+    if (action === 'reset') {
+      open?.rewind();
+      house?.player.reset();
+      status.rewind();
+    } else clock.setPlaying(action === 'play');
+    if (action === 'step') clock.step(open?.frameS ?? 0);
+    tellState();
+  };
+
+  return {
+    take: (message) => {
+      switch (message.kind) {
+        case 'program':
+          takeProgram(message);
+          return;
+        case 'param':
+          house?.player.setParam(message.node, message.param, message.value);
+          clock.wake();
+          return;
+        case 'session':
+          source = message.source;
+          settle();
+          return;
+        case 'thumbnails':
+          thumbnails.want(message.ports, message.heightPx);
+          return;
+        case 'transport':
+          transport(message.action);
+          return;
+      }
+    },
+    resized: () => {
+      clock.wake();
+      if (source?.kind !== 'room') return;
+      const mine = ++resizes;
+      void base.delay(RESIZE_PAUSE_S).then(() => {
+        if (mine === resizes) settle();
+      });
+    },
+  };
+}
+
+/** Sessions that differ in this cannot stand for each other. Recordings care for nothing but their folder. */
+function sessionKey(source: PreviewSource, program: Program, resizes: number): string {
+  if (source.kind === 'recorded') return `recorded ${source.url}`;
+  return JSON.stringify([source.captureUrl, source.views, program.needs, program.presentation.antialias, resizes]);
+}
