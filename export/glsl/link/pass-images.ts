@@ -21,7 +21,8 @@ export function passImages(shader: IsfShader, pass: PlannedPass, options: LinkOp
     if (input.type === 'image') add(input.name, absent.has(input.name) ? 'absent' : 'input', false);
     if (input.type === 'depth') add(input.name, absent.has(input.name) ? 'absent' : 'room', true);
   }
-  for (const { target } of shader.passes) {
+  const targets = new Set([...shader.passes.map((other) => other.target), ...pass.readable.keys()]);
+  for (const target of targets) {
     if (target === null || images.has(target)) continue;
     const buffer = pass.readable.get(target);
     add(target, buffer === undefined ? 'absent' : 'buffer', false, buffer);

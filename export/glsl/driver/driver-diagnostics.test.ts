@@ -1,0 +1,72 @@
+import { describe, expect, test } from '@jest/globals';
+import type { LinkedShader } from '../../program/program.ts';
+import { driverDiagnostics } from './driver-diagnostics.ts';
+
+const SOURCE = '/*{}*/\nfloat f() { return 1.0; }\nvoid main() {\n  gl_FragColor = vec4(tint, f(2.0),\n    tint);\n}';
+
+/** Printed lines 3 and 4 are the author's lines 4 and 5. */
+const LINKED: LinkedShader = {
+  id: 'x',
+  vertex: '',
+  fragment: '',
+  sourceMap: { sources: ['my.fs'], nodes: ['my-n0de'], lines: [null, null, [0, 4, 3], [0, 5, 5]] },
+};
+
+const sourceOf = () => SOURCE;
+
+describe('a driver’s log', () => {
+  test('of ANGLE, with what it quotes', () => {
+    const log =
+      "ERROR: 0:3: 'tint' : undeclared identifier\nERROR: 0:4: 'tint' : undeclared identifier\nERROR: 0:3: 'a_f' : no matching overloaded function found\n\0";
+    expect(driverDiagnostics(LINKED, log, sourceOf)).toEqual([
+      {
+        code: 'SCR042',
+        severity: 'error',
+        nodeId: 'my-n0de',
+        file: 'my.fs',
+        line: 4,
+        column: 23,
+        message: '"tint": undeclared identifier',
+      },
+      { code: 'SCR042', severity: 'error', nodeId: 'my-n0de', file: 'my.fs', line: 5, column: 5, message: '"tint": undeclared identifier' },
+      {
+        code: 'SCR042',
+        severity: 'error',
+        nodeId: 'my-n0de',
+        file: 'my.fs',
+        line: 4,
+        column: 29,
+        message: '"f": no matching overloaded function found',
+      },
+    ]);
+  });
+
+  test('of Mesa', () => {
+    expect(driverDiagnostics(LINKED, "0:4(17): error: `tint' undeclared", sourceOf)).toMatchObject([
+      { line: 5, column: 5, severity: 'error' },
+    ]);
+  });
+
+  test('without the author’s text, at the start of the statement', () => {
+    expect(driverDiagnostics(LINKED, "ERROR: 0:3: 'tint' : undeclared identifier")).toMatchObject([{ line: 4, column: 3 }]);
+  });
+
+  test('without a source map, as in an export, or on a line of the linker’s own, it still speaks', () => {
+    const { sourceMap: _, ...bare } = LINKED;
+    expect(driverDiagnostics(bare, "ERROR: 0:3: 'x' : bad")).toEqual([{ code: 'SCR042', severity: 'error', message: '"x": bad' }]);
+    expect(driverDiagnostics(LINKED, "ERROR: 0:1: 'x' : bad")).toEqual([
+      { code: 'SCR042', severity: 'error', nodeId: 'my-n0de', file: 'my.fs', message: '"x": bad' },
+    ]);
+  });
+
+  test('of a kind that nobody has seen is passed on, once; nothing gives nothing', () => {
+    expect(driverDiagnostics(LINKED, 'internal compiler failure\nmore')).toMatchObject([{ message: 'internal compiler failure' }]);
+    expect(driverDiagnostics(LINKED, "ERROR: 0:3: 'x' : bad\nERROR: 0:3: 'x' : bad")).toHaveLength(1);
+    expect(driverDiagnostics(LINKED, '')).toEqual([]);
+    expect(driverDiagnostics(LINKED, '\0\n')).toEqual([]);
+  });
+
+  test('warnings stay warnings', () => {
+    expect(driverDiagnostics(LINKED, "WARNING: 0:3: 'tint' : unused", sourceOf)).toMatchObject([{ severity: 'warning' }]);
+  });
+});
