@@ -1,6 +1,6 @@
 import { useCallback, useMemo, useState } from 'react';
-import { useEditor } from '../shell/editor-context.ts';
 import { showChord } from '../shell/chord.ts';
+import { useEditor } from '../shell/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
 import { selectOnly } from '../state/selection.ts';
 import { Menu, type MenuItem } from '../ui/menu.tsx';

@@ -1,7 +1,7 @@
 import { type DragEvent, useMemo, useState } from 'react';
 import { useEditor } from '../shell/editor-context.ts';
-import type { Place } from '../state/canvas.ts';
 import { addFiles } from '../state/add-files.ts';
+import type { Place } from '../state/canvas.ts';
 
 /** Files dragged in from outside: models, pictures and shaders become nodes where they are let go. */
 export function useFileDrop(toCanvas: (client: Place) => Place) {

@@ -1,8 +1,8 @@
 import { Handle, type NodeProps, Position } from '@xyflow/react';
 import { memo } from 'react';
+import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { toggleExpanded } from '../state/canvas.ts';
-import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { Icon } from '../ui/icon.tsx';
 import './node-view.css';
 import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from './node-shape.ts';

@@ -1,7 +1,7 @@
 import type { Edge, Node, NodeHandle } from '@xyflow/react';
 import type { Graph, GraphLayout, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
 import { valueText } from './value-text.ts';
@@ -126,7 +126,9 @@ function wiredPorts(wires: readonly Wire[]): Map<string, WiredPorts> {
     at(from.node).outputs.add(from.port);
     at(to.node).inputs.add(to.port);
   }
-  return new Map([...sets].map(([id, { inputs, outputs }]) => [id, { key: `${[...inputs].sort()}|${[...outputs].sort()}`, inputs, outputs }]));
+  return new Map(
+    [...sets].map(([id, { inputs, outputs }]) => [id, { key: `${[...inputs].sort()}|${[...outputs].sort()}`, inputs, outputs }]),
+  );
 }
 
 function canvasNode(

@@ -18,7 +18,16 @@ export function useCanvasView(): CanvasView {
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
   return useMemo(
     () =>
-      project({ graph, layout, library, selectedNodes: selection.nodes, selectedWires: selection.wires, expanded: shown, dragged, problems }),
+      project({
+        graph,
+        layout,
+        library,
+        selectedNodes: selection.nodes,
+        selectedWires: selection.wires,
+        expanded: shown,
+        dragged,
+        problems,
+      }),
     [project, graph, layout, library, selection, shown, dragged, problems],
   );
 }

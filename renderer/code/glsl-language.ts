@@ -32,7 +32,18 @@ const TOKENS: languages.IMonarchLanguage = {
       [/\/\*/, { token: 'comment', next: '@comment' }],
       [/\/\/.*$/, 'comment'],
       [/^\s*#\s*\w+/, 'keyword.directive'],
-      [/[a-zA-Z_]\w*/, { cases: { '@keywords': 'keyword', '@types': 'type', '@isf': 'variable.predefined', '@functions': 'support.function', '@default': 'identifier' } }],
+      [
+        /[a-zA-Z_]\w*/,
+        {
+          cases: {
+            '@keywords': 'keyword',
+            '@types': 'type',
+            '@isf': 'variable.predefined',
+            '@functions': 'support.function',
+            '@default': 'identifier',
+          },
+        },
+      ],
       [/(\d+\.\d*|\.\d+|\d+)([eE][-+]?\d+)?[fFuU]?/, 'number'],
       [/[{}()[\]]/, '@brackets'],
       [/[-+*/%=<>!&|^~?:;,.]/, 'delimiter'],
@@ -81,7 +92,8 @@ const complete: languages.CompletionItemProvider['provideCompletionItems'] = (mo
     endColumn: word.endColumn,
   };
   const { Keyword, Function: Builtin, Variable, Struct } = languages.CompletionItemKind;
-  const of = (words: readonly string[], kind: languages.CompletionItemKind) => words.map((label) => ({ label, kind, insertText: label, range }));
+  const of = (words: readonly string[], kind: languages.CompletionItemKind) =>
+    words.map((label) => ({ label, kind, insertText: label, range }));
   return {
     suggestions: [
       ...of(KEYWORDS, Keyword),

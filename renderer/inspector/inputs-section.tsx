@@ -4,7 +4,7 @@ import type { PortAddress, Wire } from '../../export/graph/project.ts';
 import type { InputPort, NodeDefinition } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { graphOf, titleOf } from '../state/document.ts';
+import { type DocumentState, graphOf, titleOf } from '../state/document.ts';
 import { connect, reorderWires } from '../state/edit-graph.ts';
 import { IconButton } from '../ui/button.tsx';
 import { SourceLink } from './source-link.tsx';
@@ -23,7 +23,13 @@ export function InputsSection({ node, definition, wires }: InputsSectionProps) {
     <section className="inspector-section" aria-label="Inputs">
       <h3>Inputs</h3>
       {entries.map(([name, port]) => (
-        <InputRow key={name} node={node} name={name} port={port} sources={wires.filter(({ to }) => to.port === name).map(({ from }) => from)} />
+        <InputRow
+          key={name}
+          node={node}
+          name={name}
+          port={port}
+          sources={wires.filter(({ to }) => to.port === name).map(({ from }) => from)}
+        />
       ))}
     </section>
   );
@@ -63,26 +69,29 @@ function InputRow({ node, name, port, sources }: InputRowProps) {
             )}
           </span>
         ))}
-        {(sources.length === 0 || port.multiple === true) && <SourcePicker to={to} port={port} empty={sources.length === 0} />}
+        {(sources.length === 0 || port.multiple === true) && (
+          <SourcePicker node={node} name={name} port={port} empty={sources.length === 0} />
+        )}
       </div>
     </div>
   );
 }
 
+interface SourcePickerProps {
+  readonly node: string;
+  readonly name: string;
+  readonly port: InputPort;
+  readonly empty: boolean;
+}
+
 /** All outputs that the port would take. */
-function SourcePicker({ to, port, empty }: { readonly to: PortAddress; readonly port: InputPort; readonly empty: boolean }) {
+function SourcePicker({ node, name, port, empty }: SourcePickerProps) {
   const editor = useEditor();
   const project = useDocument((state) => state.project);
-  const options = useMemo(() => {
-    const state = editor.document.getState();
-    return Object.entries(graphOf({ ...state, project }).nodes).flatMap(([id, node]) =>
-      Object.entries(state.library.definition(node.type)?.outputs ?? {}).flatMap(([name, output]) => {
-        const from = { node: id, port: name };
-        const fits = canConnect(project, state.library, state.graph, from, to).ok;
-        return fits ? [{ from, label: `${titleOf(state, id)} · ${output.label}` }] : [];
-      }),
-    );
-  }, [editor, project, to.node, to.port]);
+  const options = useMemo(
+    () => sourcesFor({ ...editor.document.getState(), project }, { node, port: name }),
+    [editor, project, node, name],
+  );
   const none = port.required ? 'Nothing wired (needed)' : 'Nothing wired';
   return (
     <select
@@ -91,7 +100,7 @@ function SourcePicker({ to, port, empty }: { readonly to: PortAddress; readonly 
       value=""
       onChange={(event) => {
         const chosen = options[Number(event.target.value)];
-        if (chosen) connect(editor, chosen.from, to);
+        if (chosen) connect(editor, chosen.from, { node, port: name });
       }}
     >
       <option value="">{empty ? none : 'Add another…'}</option>
@@ -101,5 +110,15 @@ function SourcePicker({ to, port, empty }: { readonly to: PortAddress; readonly 
         </option>
       ))}
     </select>
+  );
+}
+
+function sourcesFor(state: DocumentState, to: PortAddress): { readonly from: PortAddress; readonly label: string }[] {
+  return Object.entries(graphOf(state).nodes).flatMap(([id, { type }]) =>
+    Object.entries(state.library.definition(type)?.outputs ?? {}).flatMap(([port, output]) => {
+      const from = { node: id, port };
+      const fits = canConnect(state.project, state.library, state.graph, from, to).ok;
+      return fits ? [{ from, label: `${titleOf(state, id)} · ${output.label}` }] : [];
+    }),
   );
 }

@@ -117,7 +117,8 @@ function Facts({ definition: { needs = [], credit } }: { readonly definition: No
           <strong>{need.capability.replace('-', ' ')}</strong> {need.why}. Without it: {need.without}
         </p>
       ))}
-      {credit !== undefined && credit !== '' && <p className="inspector-note">{credit}</p>}
+      {credit !== undefined && <h3>Credit</h3>}
+      {credit !== undefined && <p className="inspector-note">{credit}</p>}
     </section>
   );
 }

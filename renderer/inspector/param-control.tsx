@@ -1,5 +1,14 @@
 import type { ParamValue } from '../../export/graph/project.ts';
-import type { AssetParam, ChoiceParam, ColorParam, NumberParam, ParamDefinition, TextParam, ToggleParam, VectorParam } from '../../nodes/kit/definition.ts';
+import type {
+  AssetParam,
+  ChoiceParam,
+  ColorParam,
+  NumberParam,
+  ParamDefinition,
+  TextParam,
+  ToggleParam,
+  VectorParam,
+} from '../../nodes/kit/definition.ts';
 import { ColorField } from '../ui/color-field.tsx';
 import type { Rgba } from '../ui/color-text.ts';
 import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
@@ -119,6 +128,7 @@ function ToggleControl({ param, value, id, onEdit, onEnd }: ControlProps<ToggleP
       role="switch"
       className="switch"
       aria-label={param.label}
+      aria-checked={value === true}
       checked={value === true}
       onChange={(event) => {
         onEdit(event.target.checked);

@@ -1,8 +1,8 @@
 import { memo, useId } from 'react';
 import type { Binding, PortAddress } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
-import { boundValue } from '../canvas/value-text.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
+import { boundValue } from '../canvas/value-text.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { endGesture } from '../state/apply.ts';
 import { editParam, resetParam } from '../state/edit-params.ts';

@@ -1,11 +1,11 @@
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { pageFetch } from './network.ts';
 
 /** A canvas, its context and the player on it: what cannot be changed without beginning anew. */

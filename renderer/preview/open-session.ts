@@ -1,12 +1,12 @@
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { Session } from '../../nodes/kit/session.ts';
-import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
+import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { Session } from '../../nodes/kit/session.ts';
 import type { PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
 import { createWalk } from './walk.ts';

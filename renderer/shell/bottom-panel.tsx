@@ -18,13 +18,7 @@ export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
     <section className="bottom-panel" aria-label={TABS.find(({ id }) => id === tab)?.label}>
       <div className="bottom-tabs">
         {TABS.map(({ id, label }) => (
-          <button
-            key={id}
-            type="button"
-            className="bottom-tab"
-            aria-pressed={id === tab}
-            onClick={() => ui.setState({ bottom: id })}
-          >
+          <button key={id} type="button" className="bottom-tab" aria-pressed={id === tab} onClick={() => ui.setState({ bottom: id })}>
             {label}
           </button>
         ))}

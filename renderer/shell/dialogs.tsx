@@ -143,7 +143,8 @@ function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
         </>
       }
     >
-      Another program, or another window, has written to this project since it was opened here. Nothing has been lost yet: decide which version stays.
+      Another program, or another window, has written to this project since it was opened here. Nothing has been lost yet: decide which
+      version stays.
     </Dialog>
   );
 }

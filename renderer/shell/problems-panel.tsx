@@ -1,9 +1,9 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { type DocumentState, titleOf } from '../state/document.ts';
 import { goToProblem, problemKey } from '../state/problems.ts';
-import { useProblems } from './use-problems.ts';
 import { Icon } from '../ui/icon.tsx';
 import { useDocument, useEditor } from './editor-context.ts';
+import { useProblems } from './use-problems.ts';
 import './problems-panel.css';
 
 /** Everything wrong with the project, errors first; each leads to its node, port or line. */

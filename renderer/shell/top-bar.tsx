@@ -1,9 +1,8 @@
-import { useMemo, useState } from 'react';
+import { useState } from 'react';
 import { useStore } from 'zustand';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
 import { isDirty } from '../state/document.ts';
-import { IconButton } from '../ui/button.tsx';
-import { Button } from '../ui/button.tsx';
+import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
 import { showChord } from './chord.ts';
 import { useDocument, useEditor } from './editor-context.ts';
@@ -45,15 +44,8 @@ export function TopBar() {
 function MenuBar() {
   const editor = useEditor();
   const [open, setOpen] = useState<string | null>(null);
-  const menus = useMemo(
-    () =>
-      MENUS.map(({ label, entries }) => ({
-        label,
-        items: () => entries.map((entry): MenuItem => (entry === 'line' ? { kind: 'line' } : itemOf(entry))),
-      })),
-    [],
-  );
-  const itemOf = (id: AppCommandId): MenuItem => {
+  const itemOf = (id: AppCommandId | 'line'): MenuItem => {
+    if (id === 'line') return { kind: 'line' };
     const { label, chords, enabled } = appCommand(id);
     return {
       kind: 'action',
@@ -65,8 +57,8 @@ function MenuBar() {
   };
   return (
     <nav className="menu-bar" aria-label="Menus">
-      {menus.map(({ label, items }) => (
-        <MenuButton key={label} label={label} items={open === label ? items() : []} openInBar={open} onOpenInBar={setOpen} />
+      {MENUS.map(({ label, entries }) => (
+        <MenuButton key={label} label={label} items={open === label ? entries.map(itemOf) : []} openInBar={open} onOpenInBar={setOpen} />
       ))}
     </nav>
   );

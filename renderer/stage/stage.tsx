@@ -1,5 +1,6 @@
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
+import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
 import { chosenSource } from '../state/preview.ts';
@@ -43,7 +44,9 @@ function Notice() {
   const state = useStore(editor.preview, (preview) => preview.status?.state ?? null);
   const playing = useStore(editor.preview, (preview) => preview.playing);
   const hasProgram = useStore(editor.compile, (compile) => compile.program !== null);
-  const broken = useStore(editor.compile, (compile) => compile.revision !== null && compile.diagnostics.some((d) => d.severity === 'error'));
+  const refused = useStore(editor.compile, (compile) => hasErrors(compile.diagnostics));
+  const unlinked = useStore(editor.preview, (preview) => hasErrors(preview.shaderDiagnostics));
+  const broken = refused || unlinked;
   if (state === 'lost') return <p className="stage-notice">The graphics device was lost. The preview comes back by itself when it does.</p>;
   if (playing === null && broken && !hasProgram) {
     return <p className="stage-notice">Nothing to show yet. The problems below the graph say what is missing.</p>;

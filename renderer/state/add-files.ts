@@ -1,7 +1,7 @@
 import { putAsset } from '../../export/graph/commands/assets.ts';
+import { inTurn } from '../../export/graph/commands/change.ts';
 import { addNode } from '../../export/graph/commands/nodes.ts';
 import { setSource } from '../../export/graph/commands/sources.ts';
-import { inTurn } from '../../export/graph/commands/change.ts';
 import { isShaderFile, makeAssetId, makeNodeId } from '../../export/graph/names.ts';
 import type { Asset, Project } from '../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../nodes/kit/definition.ts';
@@ -117,7 +117,11 @@ async function addShader(editor: Editor, file: DroppedFile, place: Place): Promi
   const read = readShader(`shaders/${name}`, text);
   if (read.output === null) {
     const [first] = read.diagnostics;
-    addToast(editor.ui, { tone: 'error', text: `${file.name}: ${first?.message ?? 'its header cannot be read.'}`, detail: first?.fix ?? '' });
+    addToast(editor.ui, {
+      tone: 'error',
+      text: `${file.name}: ${first?.message ?? 'its header cannot be read.'}`,
+      detail: first?.fix ?? '',
+    });
     return null;
   }
   const { type } = read.output;

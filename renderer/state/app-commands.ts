@@ -1,9 +1,9 @@
+import { redo, undo } from './apply.ts';
 import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from './clipboard.ts';
 import { deleteSelection, selectAll, toggleMuted } from './edit-graph.ts';
 import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { exportPage, openProject, save, saveAs } from './files.ts';
-import { redo, undo } from './apply.ts';
 import { type BottomTab, revealNodes } from './ui.ts';
 
 /** Something that a menu, a key or the window's own menu can ask for. */
@@ -58,8 +58,19 @@ const COMMANDS = {
     run: (editor) => toggleBottom(editor, 'code'),
     whileTyping: true,
   },
-  'view.problems': { label: 'Problems', chords: ['Mod+M'], enabled: always, run: (editor) => toggleBottom(editor, 'problems'), whileTyping: true },
-  'help.shortcuts': { label: 'Keyboard shortcuts', chords: ['?'], enabled: always, run: ({ ui }) => ui.setState({ dialog: { kind: 'shortcuts' } }) },
+  'view.problems': {
+    label: 'Problems',
+    chords: ['Mod+M'],
+    enabled: always,
+    run: (editor) => toggleBottom(editor, 'problems'),
+    whileTyping: true,
+  },
+  'help.shortcuts': {
+    label: 'Keyboard shortcuts',
+    chords: ['?'],
+    enabled: always,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'shortcuts' } }),
+  },
 } as const satisfies Record<string, AppCommand>;
 
 export type AppCommandId = keyof typeof COMMANDS;
@@ -96,4 +107,3 @@ function openPalette({ ui }: Editor): void {
 function toggleBottom({ ui }: Editor, tab: BottomTab): void {
   ui.setState(({ bottom }) => ({ bottom: bottom === tab ? null : tab }));
 }
-

@@ -1,9 +1,9 @@
-import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { Change } from '../../export/graph/commands/change.ts';
 import * as history from '../../export/graph/history.ts';
-import { printWire } from '../../export/graph/wires.ts';
 import { own } from '../../export/graph/own.ts';
 import type { Project } from '../../export/graph/project.ts';
+import { printWire } from '../../export/graph/wires.ts';
+import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { graphOf } from './document.ts';
 import type { Editor } from './editor.ts';
 import { keepInSelection } from './selection.ts';

@@ -1,5 +1,5 @@
-import { addNode, removeNodes } from '../../export/graph/commands/nodes.ts';
 import { type Change, inTurn, unchanged } from '../../export/graph/commands/change.ts';
+import { addNode, removeNodes } from '../../export/graph/commands/nodes.ts';
 import { bindParam } from '../../export/graph/commands/params.ts';
 import { connect } from '../../export/graph/commands/wires.ts';
 import { makeNodeId } from '../../export/graph/names.ts';

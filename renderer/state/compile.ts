@@ -18,5 +18,12 @@ export interface CompileState {
 export type CompileStore = StoreApi<CompileState>;
 
 export function createCompileState(): CompileStore {
-  return createStore<CompileState>(() => ({ busy: false, revision: null, program: null, programRevision: null, diagnostics: [], tookMs: 0 }));
+  return createStore<CompileState>(() => ({
+    busy: false,
+    revision: null,
+    program: null,
+    programRevision: null,
+    diagnostics: [],
+    tookMs: 0,
+  }));
 }

@@ -1,8 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { HostOutput, OpenProject } from '../../app/contract/contract.ts';
 import { emptyHistory, type History } from '../../export/graph/history.ts';
-import { EMPTY_GRAPH, EMPTY_LAYOUT, newProject } from '../../export/graph/new-project.ts';
 import type { ProjectLibrary } from '../../export/graph/library/project-library.ts';
+import { EMPTY_GRAPH, EMPTY_LAYOUT, newProject } from '../../export/graph/new-project.ts';
 import { own } from '../../export/graph/own.ts';
 import { type Graph, type GraphLayout, type GraphNode, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';

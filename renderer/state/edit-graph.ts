@@ -1,7 +1,7 @@
-import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
-import { moveNodes as moveNodesCommand } from '../../export/graph/commands/layout.ts';
-import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../export/graph/commands/wires.ts';
 import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
+import { moveNodes as moveNodesCommand } from '../../export/graph/commands/layout.ts';
+import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
+import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../export/graph/commands/wires.ts';
 import { canConnect } from '../../export/graph/connect.ts';
 import { createFaceLookup, inputOf } from '../../export/graph/library/faces.ts';
 import { makeNodeId } from '../../export/graph/names.ts';
@@ -73,7 +73,12 @@ export function moveNodes(editor: Editor, positions: Readonly<Record<string, Pla
 }
 
 /** Adds the chosen type at a place, wires what was in hand, and selects it; all one step. */
-export function addNodeFromPalette(editor: Editor, { definition, port }: PaletteEntry, place: Place, inHand: WireInHand | null): string | null {
+export function addNodeFromPalette(
+  editor: Editor,
+  { definition, port }: PaletteEntry,
+  place: Place,
+  inHand: WireInHand | null,
+): string | null {
   const { project, library, graph } = editor.document.getState();
   const id = makeNodeId(project, definition.type, editor.random);
   const change = inTurn(

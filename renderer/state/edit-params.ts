@@ -1,5 +1,5 @@
-import { bindParam, setParam } from '../../export/graph/commands/params.ts';
 import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
+import { bindParam, setParam } from '../../export/graph/commands/params.ts';
 import { disconnect } from '../../export/graph/commands/wires.ts';
 import { own } from '../../export/graph/own.ts';
 import type { ParamValue } from '../../export/graph/project.ts';

@@ -27,7 +27,7 @@ export function editableShader(editor: Editor): EditableShader | null {
 export function shaderOf(state: DocumentState, node: string): EditableShader | null {
   const type = nodeOf(state, node)?.type;
   const definition = type === undefined ? undefined : state.library.definition(type);
-  if (!definition || definition.lowering.kind !== 'image' || !SHADER_TYPES.test(definition.type)) return null;
+  if (definition?.lowering.kind !== 'image' || !SHADER_TYPES.test(definition.type)) return null;
   const name = definition.lowering.shader;
   const text = state.library.shader(name);
   if (text === undefined) return null;
@@ -43,12 +43,16 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
   const { base, readShader } = editor.libraries;
   const shader = shaderOf(state, node);
   if (!shader || shader.text === text) return false;
-  const set = (file: string) => (before: typeof state.project) =>
-    setSource(before, { base, readShader, file, text });
+  const set = (file: string) => (before: typeof state.project) => setSource(before, { base, readShader, file, text });
   if (shader.file !== null) return apply(editor, `Edit ${shader.file}`, set(shader.file)(state.project), `source ${shader.file}`);
 
   const forked = forkShader(state.project, { library: state.library, graph: state.graph, node });
   const [file] = Object.keys(forked.project.sources).filter((name) => name.endsWith('.fs') && !Object.hasOwn(state.project.sources, name));
   if (file === undefined) return apply(editor, 'Edit shader', forked);
-  return apply(editor, `Edit ${file}`, inTurn(state.project, () => forked, set(file)), `source ${file}`);
+  return apply(
+    editor,
+    `Edit ${file}`,
+    inTurn(state.project, () => forked, set(file)),
+    `source ${file}`,
+  );
 }

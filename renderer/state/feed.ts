@@ -1,6 +1,10 @@
-import { type CompilerLink, createCompilerLink, type CompilerWorker } from '../compile/compiler-link.ts';
+import { driverDiagnostics } from '../../export/glsl/driver/driver-diagnostics.ts';
+import type { Program } from '../../export/program/program.ts';
+import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { type CompilerLink, type CompilerWorker, createCompilerLink } from '../compile/compiler-link.ts';
 import type { CompileAnswer } from '../compile/messages.ts';
-import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import type { FromPreview, PreviewShaderError, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { consequenceOf, type ParamEdit } from './changes.ts';
 import type { Editor } from './editor.ts';
 import { chosenSource } from './preview.ts';
@@ -59,13 +63,16 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     if (reopened) {
       pending = [];
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
-      editor.preview.setState({ diagnostics: [], playing: null });
+      editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null });
     }
     const consequence = reopened ? { kind: 'program' as const } : consequenceOf(before.project, state.project, state.library);
     if (consequence.kind === 'program') compile();
     if (consequence.kind === 'params') {
       for (const edit of consequence.edits) {
-        pending = [...pending.filter(({ node, param }) => node !== edit.node || param !== edit.param), { ...edit, revision: state.revision }];
+        pending = [
+          ...pending.filter(({ node, param }) => node !== edit.node || param !== edit.param),
+          { ...edit, revision: state.revision },
+        ];
         postEdit(edit);
       }
     }
@@ -100,10 +107,12 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
 
 /** The last good program stays what the preview plays. */
 function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: CompileAnswer, busy: boolean): void {
+  // What the driver said was about a text that is gone.
+  if (program === null) editor.preview.setState({ shaderDiagnostics: [] });
   editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
 }
 
-function takeMessage({ preview }: Editor, message: FromPreview): void {
+function takeMessage({ preview, compile, document }: Editor, message: FromPreview): void {
   switch (message.kind) {
     case 'ready':
       preview.setState({ ready: true });
@@ -112,8 +121,16 @@ function takeMessage({ preview }: Editor, message: FromPreview): void {
       preview.setState({ playing: message.revision });
       return;
     case 'diagnostics':
-      preview.setState({ diagnostics: message.diagnostics, diagnosed: message.revision });
+      preview.setState({ diagnostics: message.diagnostics });
       return;
+    case 'shader-errors': {
+      const { program, programRevision } = compile.getState();
+      // An answer about an older program is of no use any more.
+      if (program !== null && message.revision === programRevision) {
+        preview.setState({ shaderDiagnostics: readShaderErrors(program, message.errors, document.getState().library) });
+      }
+      return;
+    }
     case 'status':
       preview.setState({ status: message.status });
       return;
@@ -121,6 +138,13 @@ function takeMessage({ preview }: Editor, message: FromPreview): void {
       message.image.close();
       return;
   }
+}
+
+function readShaderErrors(program: Program, errors: readonly PreviewShaderError[], library: NodeLibrary): Diagnostic[] {
+  return errors.flatMap(({ shaderId, log }) => {
+    const linked = program.shaders.find(({ id }) => id === shaderId);
+    return linked ? driverDiagnostics(linked, log, (file) => library.shader(file)) : [];
+  });
 }
 
 function previewSource(editor: Editor): PreviewSource | null {

@@ -81,7 +81,12 @@ export async function save(editor: Editor, overwrite = false): Promise<boolean> 
   const { open, history } = editor.document.getState();
   if (open === null) return false;
   try {
-    const { revision } = await editor.host.call('project.save', { handle: open.handle, files: filesOf(editor), revision: open.revision, overwrite });
+    const { revision } = await editor.host.call('project.save', {
+      handle: open.handle,
+      files: filesOf(editor),
+      revision: open.revision,
+      overwrite,
+    });
     editor.document.setState((state) => ({ open: state.open && { ...state.open, revision }, savedState: history.state }));
     return true;
   } catch (error) {
@@ -127,7 +132,11 @@ export async function exportPage(editor: Editor, chosen?: string): Promise<boole
     editor.ui.setState({ exportDiagnostics: result.diagnostics as readonly Diagnostic[] });
     if (!result.ok || hasErrors(result.diagnostics as readonly Diagnostic[])) {
       const first = result.diagnostics.find((diagnostic) => diagnostic.severity === 'error');
-      addToast(editor.ui, { tone: 'error', text: first?.message ?? 'The page could not be exported.', detail: first?.fix ?? 'All reasons are under Problems.' });
+      addToast(editor.ui, {
+        tone: 'error',
+        text: first?.message ?? 'The page could not be exported.',
+        detail: first?.fix ?? 'All reasons are under Problems.',
+      });
       editor.ui.setState({ bottom: 'problems' });
       return false;
     }

@@ -1,7 +1,7 @@
-import { type ProjectLibrary, projectLibrary, type ReadShader, rememberShaders } from '../../export/graph/library/project-library.ts';
-import type { Project } from '../../export/graph/project.ts';
 import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { type ProjectLibrary, projectLibrary, type ReadShader, rememberShaders } from '../../export/graph/library/project-library.ts';
+import type { Project } from '../../export/graph/project.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 
 /** Node types and shader texts as `nodes/generated` has them. */

@@ -9,9 +9,10 @@ export interface PreviewState {
   readonly status: PreviewStatus | null;
   /** Document revision of the program on screen; null before the first. */
   readonly playing: number | null;
+  /** Of the session and of what plays. */
   readonly diagnostics: readonly Diagnostic[];
-  /** Revision that the diagnostics are about. */
-  readonly diagnosed: number | null;
+  /** What the graphics driver said of the newest program's shaders, on their authors' lines. */
+  readonly shaderDiagnostics: readonly Diagnostic[];
   readonly sources: readonly SessionSource[];
   readonly sourceId: string | null;
   /** Of an emulated headset. */
@@ -26,7 +27,7 @@ export function createPreviewState(): PreviewStore {
     status: null,
     playing: null,
     diagnostics: [],
-    diagnosed: null,
+    shaderDiagnostics: [],
     sources: [],
     sourceId: null,
     views: 1,

@@ -1,8 +1,8 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeProblem } from '../canvas/project-canvas.ts';
 import { graphOf, nodeOf } from './document.ts';
-import type { Editor } from './editor.ts';
 import { shaderOf } from './edit-shader.ts';
+import type { Editor } from './editor.ts';
 import { selectOnly } from './selection.ts';
 import { revealCode, revealNodes } from './ui.ts';
 

@@ -1,7 +1,7 @@
 import { debounce } from '../clock.ts';
+import { type AppCommandId, runCommand } from './app-commands.ts';
 import { isDirty } from './document.ts';
 import type { Editor } from './editor.ts';
-import { type AppCommandId, runCommand } from './app-commands.ts';
 import { filesOf, openPath, showRefusal, withoutUnsaved } from './files.ts';
 import { addToast } from './ui.ts';
 
@@ -28,7 +28,9 @@ export function autosave(editor: Editor): () => void {
     const state = editor.document.getState();
     if (state.open === null || !isDirty(state) || state.history.state === last) return;
     last = state.history.state;
-    editor.host.call('project.autosave', { handle: state.open.handle, files: filesOf(editor) }).catch((error: unknown) => showRefusal(editor, error));
+    editor.host
+      .call('project.autosave', { handle: state.open.handle, files: filesOf(editor) })
+      .catch((error: unknown) => showRefusal(editor, error));
   });
   const stop = editor.document.subscribe((state, before) => {
     if (state.history.state !== before.history.state) keep.trigger();
@@ -80,4 +82,3 @@ async function close(editor: Editor): Promise<void> {
 export function hasUnsavedWork(editor: Editor): boolean {
   return isDirty(editor.document.getState());
 }
-

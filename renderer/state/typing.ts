@@ -1,7 +1,7 @@
 import { debounce } from '../clock.ts';
 import { endGesture } from './apply.ts';
-import type { Editor } from './editor.ts';
 import { editShader } from './edit-shader.ts';
+import type { Editor } from './editor.ts';
 
 /** A pause this long takes the text over: long enough not to compile every letter, short enough to feel live. */
 const PAUSE_MS = 300;

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { ProjectFiles } from '../../app/contract/contract.ts';
-import type { WireInHand } from './canvas.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { WireInHand } from './canvas.ts';
 
 /** Sizes and choices that outlive the window. CSS pixels. */
 export interface PanelSizes {
