@@ -369,6 +369,7 @@ describe('the loop budget', () => {
   int i = 0;
   while (i >= 0) { for (;;) { i = (i + 1) % 7; if (i > 9) break; } }
   do { i++; } while (i < 1000000000 || i > 0);
+  while (bool again = i != 0) i = again ? 1 : 1;
   gl_FragColor = vec4(0.0, 1.0, 0.0, 1.0);
 }`;
   const brief = `${header({ INPUTS: [{ NAME: 'n', TYPE: 'long' }] })}void main() {

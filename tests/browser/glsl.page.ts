@@ -66,6 +66,16 @@ export function compile(shaders: readonly LinkedShader[]): string[] {
   });
 }
 
+/** The log of WebGL 1 for a fragment shader's text: what hosts that never heard of Scrim would make of it. */
+export function compileElsewhere(fragment: string): string {
+  const other = document.createElement('canvas').getContext('webgl');
+  const shader = other?.createShader(other.FRAGMENT_SHADER);
+  if (!other || !shader) throw new Error('This browser has no WebGL.');
+  other.shaderSource(shader, fragment);
+  other.compileShader(shader);
+  return other.getShaderParameter(shader, other.COMPILE_STATUS) ? '' : (other.getShaderInfoLog(shader) ?? 'failed without a word');
+}
+
 export function draw(job: DrawJob): Drawing {
   const programs = job.passes.map((pass) => link(pass.shader));
   const logs = programs.map(({ log }) => log);

@@ -88,10 +88,28 @@ describe.each(Object.keys(SHADERS))('%s', (file) => {
     }
   });
 
-  test('includes nothing and reads no name that other hosts lack, outside of SCRIM guards', () => {
-    const text = (SHADERS[file] ?? '').replace(/\/\*[\s\S]*?\*\//, '');
-    const elsewhere = text.replace(/#ifdef SCRIM[\s\S]*?#(?:else|endif)/g, '');
-    expect(elsewhere).not.toMatch(/#include|LAYER_DEPTH|ROOM_DEPTH|scrim_/);
+  test('compiles in a host that only puts ISF’s own macros before it', async () => {
+    const shader = made(readIsf(SHADERS[file] ?? '', file));
+    const types = { image: 'sampler2D', float: 'float', bool: 'bool', long: 'int', point2D: 'vec2', color: 'vec4' } as Record<
+      string,
+      string
+    >;
+    const images = [
+      ...shader.inputs.filter((input) => input.type === 'image').map((input) => input.name),
+      ...shader.passes.flatMap((pass) => pass.target ?? []),
+    ];
+    const prelude = [
+      'precision highp float;',
+      'precision highp int;',
+      'varying vec2 isf_FragNormCoord;',
+      'uniform vec2 RENDERSIZE;',
+      'uniform int PASSINDEX;',
+      ...shader.inputs.filter((input) => input.type !== 'image').map((input) => `uniform ${types[input.type]} ${input.name};`),
+      ...images.map((name) => `uniform sampler2D ${name};`),
+      '#define IMG_NORM_PIXEL(image, uv) texture2D(image, uv)',
+      '#define IMG_THIS_PIXEL(image) texture2D(image, isf_FragNormCoord)',
+    ].join('\n');
+    expect(await page.call<string>('compileElsewhere', `${prelude}\n${SHADERS[file]}`)).toBe('');
   });
 });
 

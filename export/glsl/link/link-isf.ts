@@ -68,14 +68,15 @@ function unsupported(shader: IsfShader, options: LinkOptions): Diagnostic[] {
   return diagnostics;
 }
 
-/** Other hosts leave them at 0, and so does Scrim. */
+/** Other hosts leave them at 0, or at what they are declared with, and so does Scrim. */
 function strayUniforms(unit: LinkUnit): Diagnostic[] {
   const diagnostics: Diagnostic[] = [];
   for (const declaration of unit.checked.declarations) {
     if (declaration.kind !== 'variables' || !declaration.qualifiers.some((qualifier) => qualifier.text === 'uniform')) continue;
-    for (const { name, symbol } of declaration.declarators) {
+    for (const { name, symbol, initializer } of declaration.declarators) {
       if (symbol?.role !== 'global') continue;
-      const message = `Nothing sets the uniform "${name.text}", so it stays 0. Declare it under INPUTS in the header.`;
+      const stays = initializer === null ? '0' : 'what it is';
+      const message = `Nothing sets the uniform "${name.text}", so it stays ${stays}. Declare it under INPUTS in the header.`;
       const place = { file: unit.shader.file, line: name.line, column: name.column };
       diagnostics.push({ code: 'SCR043', severity: 'warning', message, nodeId: unit.options.node, ...place });
     }

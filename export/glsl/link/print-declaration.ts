@@ -4,8 +4,11 @@ import type { PrintContext } from './print-context.ts';
 import { printDimensions, printExpression, printTypeName } from './print-expression.ts';
 import type { Instance } from './reach.ts';
 
-/** A local declaration, without its semicolon. ES 3.00 wants constants in a `const`: where one is not, the word goes. */
-export function printVariables(declaration: VariableDeclaration, context: PrintContext): void {
+/**
+ * A local declaration, without its semicolon. ES 3.00 wants constants in a `const`: where one is not, the word goes. `guard`
+ * stands before the value, which is then in brackets.
+ */
+export function printVariables(declaration: VariableDeclaration, context: PrintContext, guard = ''): void {
   const { writer } = context;
   const constant = declaration.declarators.every((declarator) => declarator.symbol?.constant === true);
   for (const qualifier of declaration.qualifiers) {
@@ -14,7 +17,7 @@ export function printVariables(declaration: VariableDeclaration, context: PrintC
   printType(declaration.type, context);
   declaration.declarators.forEach((declarator, i) => {
     writer.write(i === 0 ? ' ' : ', ');
-    printDeclarator(declarator, context, true);
+    printDeclarator(declarator, context, true, guard);
   });
 }
 
@@ -31,7 +34,9 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
     const { symbol } = declarator;
     if (symbol?.role !== 'global' || !context.reach.globals.has(symbol)) continue;
     for (const qualifier of declaration.qualifiers) {
-      if (qualifier.text !== 'const' || symbol.constant) writer.write(`${qualifier.text} `, qualifier);
+      // A `uniform` that is given a value, as desktop GLSL allows, is a variable.
+      const stays = qualifier.text === 'uniform' ? declarator.initializer === null : qualifier.text !== 'const' || symbol.constant;
+      if (stays) writer.write(`${qualifier.text} `, qualifier);
     }
     printTypeName(declaration.type, context);
     writer.write(' ');
@@ -109,11 +114,12 @@ function printStruct(struct: StructDeclaration, context: PrintContext): void {
   writer.write('}');
 }
 
-function printDeclarator(declarator: Declarator, context: PrintContext, withInitializer: boolean): void {
+function printDeclarator(declarator: Declarator, context: PrintContext, withInitializer: boolean, guard = ''): void {
   const { writer, names } = context;
   writer.write(declarator.symbol === null ? declarator.name.text : names.of(declarator.symbol), declarator.name);
   printDimensions(declarator.dimensions, context);
   if (declarator.initializer === null || !withInitializer) return;
-  writer.write(' = ');
+  writer.write(guard === '' ? ' = ' : ` = ${guard}(`);
   printExpression(declarator.initializer, context);
+  if (guard !== '') writer.write(')');
 }

@@ -147,16 +147,21 @@ function printHead(head: Expression | VariableDeclaration | null, context: Print
 
 /** Under a budget every round of every loop is paid for first; see `prelude.ts`. */
 function printCondition(condition: Expression | VariableDeclaration | null, context: PrintContext): void {
-  if (!context.loopBudget || condition?.kind === 'variables') {
+  const { writer } = context;
+  if (!context.loopBudget) {
     printHead(condition, context);
   } else if (condition === null) {
-    context.writer.write('scrim_spend()');
+    writer.write(PAY);
+  } else if (condition.kind === 'variables') {
+    printVariables(condition, context, `${PAY} && `);
   } else {
-    context.writer.write('scrim_spend() && (');
+    writer.write(`${PAY} && (`);
     printExpression(condition, context);
-    context.writer.write(')');
+    writer.write(')');
   }
 }
+
+const PAY = 'scrim_spend()';
 
 /**
  * `discard` would leave what happens to be in the target. Elsewhere it means "nothing here", so the function returns, the
