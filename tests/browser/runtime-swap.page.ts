@@ -206,9 +206,13 @@ export async function contextLoss() {
   });
   const { player } = await stand(tinted, { gl });
   player.setParam('flat', 'color', [0, 1, 0, 1]);
-  const event = (name: string) =>
-    new Promise<void>((resolve) => {
-      canvas.addEventListener(name, (e) => (e.preventDefault(), resolve()), { once: true });
+  const event = (name: string): Promise<void> =>
+    new Promise((resolve) => {
+      const listener = (e: Event): void => {
+        e.preventDefault();
+        resolve();
+      };
+      canvas.addEventListener(name, listener, { once: true });
     });
   const lost = event('webglcontextlost');
   lose?.loseContext();

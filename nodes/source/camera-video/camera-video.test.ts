@@ -1,0 +1,53 @@
+import { describe, expect, test } from '@jest/globals';
+import { type FakeContext, fakeContext } from '../../../tests/support/node-context.ts';
+import type { LayerTexture, Writable } from '../../kit/runtime.ts';
+import type { CameraImage, SessionFrame } from '../../kit/session.ts';
+import { definition } from './definition.ts';
+import { create } from './runtime.ts';
+
+const UPRIGHT = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+function image(name: string): CameraImage {
+  return {
+    texture: { name } as unknown as WebGLTexture,
+    widthPx: 640,
+    heightPx: 480,
+    uvFromViewUv: Float32Array.of(1, 0, 0, 0, -1, 0, 0, 1, 1),
+  };
+}
+
+function frame(...images: (CameraImage | null)[]): SessionFrame {
+  return { viewCount: images.length, views: images.map((cameraImage) => ({ cameraImage })) } as unknown as SessionFrame;
+}
+
+function start(): FakeContext<typeof definition> {
+  const fake = fakeContext(definition);
+  const views = fake.ctx.outputs.layer.views as Writable<LayerTexture>[];
+  for (let i = 0; i < 2; i++) views.push({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) });
+  return fake;
+}
+
+describe('camera video', () => {
+  test('is the picture of each view, as it lies', () => {
+    const { ctx } = start();
+    const [left, right] = [image('left'), image('right')];
+    create(ctx).update(frame(left, right));
+    expect(ctx.outputs.layer.views.map((view) => view.texture)).toEqual([left.texture, right.texture]);
+    expect(ctx.outputs.layer.views[1]).toMatchObject({ widthPx: 640, heightPx: 480 });
+    expect([...(ctx.outputs.layer.views[0]?.uvFromViewUv ?? [])]).toEqual([...left.uvFromViewUv]);
+  });
+
+  test('is transparent where there is no picture, so that the world shows', () => {
+    const { ctx } = start();
+    const node = create(ctx);
+    node.update(frame(image('left'), image('right')));
+    node.update(frame(null));
+    expect(ctx.outputs.layer.views.map((view) => view.texture)).toEqual([null, null]);
+    expect([...(ctx.outputs.layer.views[0]?.uvFromViewUv ?? [])]).toEqual(UPRIGHT);
+  });
+
+  test('asks for the camera only where a filter reads the picture, and never insists', () => {
+    expect(definition.needs).toEqual([expect.objectContaining({ capability: 'camera-image', when: 'sampled', required: false })]);
+    expect(definition.lowering).toEqual({ kind: 'source', background: 'world' });
+  });
+});
