@@ -14,6 +14,9 @@ export interface Project {
   readonly assets: Readonly<Record<string, Asset>>;
 }
 
+/** All that a picture depends on: what the compiler and validation take. */
+export type ProjectLogic = Omit<Project, 'layout'>;
+
 export interface PageInfo {
   readonly description: string;
   /** BCP 47. */

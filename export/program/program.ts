@@ -180,6 +180,8 @@ export interface PassOperation extends OperationBase {
   readonly uniforms: readonly PassUniform[];
   /** ISF `PASSINDEX`. */
   readonly passIndex: number;
+  /** What it reads of its inputs, from the cheapest. Says what could be fused; playing needs it not. */
+  readonly access?: 'pointwise' | 'displaced' | 'neighbourhood' | 'persistent' | 'resize';
 }
 
 export interface PassSampler {

@@ -16,11 +16,11 @@ import { parseWire, sortWires } from '../wires.ts';
 import { ENTRY_ID, GRAPH_NAME, NODE_ID, NODE_TYPE, PORT_NAME } from './name-rules.ts';
 import { readBinding } from './read-binding.ts';
 
-/** The logic of a project: all of it that `project.scrim.json` holds. */
-export type ProjectLogic = Pick<Project, 'title' | 'page' | 'graphs' | 'assets'>;
+/** What `project.scrim.json` holds of a project. */
+export type ProjectDocument = Omit<Project, 'layout' | 'sources'>;
 
 /** Reads the newest version of the document; `format` and `version` have been looked at. */
-export function readProject(reader: ShapeReader, json: unknown): ProjectLogic {
+export function readProject(reader: ShapeReader, json: unknown): ProjectDocument {
   const fields = reader.fields(json, [], ['format', 'version', 'title', 'page', 'graphs', 'assets']);
   const graphs = reader.record(fields('graphs'), ['graphs'], GRAPH_NAME, (item, path) => readGraph(reader, item, path));
   if (isObject(json) && own(graphs, MAIN_GRAPH) === undefined) reader.problem(['graphs'], `the graph "${MAIN_GRAPH}" is missing.`);

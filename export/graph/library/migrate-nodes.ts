@@ -7,8 +7,8 @@ import { createShapeReader } from '../json/shape-reader.ts';
 import type { Binding, Graph, GraphNode, Project } from '../project.ts';
 import { saveBinding } from '../save.ts';
 
-export interface MigratedProject {
-  readonly project: Project;
+export interface Migrated<P> {
+  readonly project: P;
   readonly diagnostics: readonly Diagnostic[];
 }
 
@@ -17,7 +17,7 @@ export interface MigratedProject {
  * nodes that do, stay the same objects. Nodes of unknown types and of newer versions stay as they are; `validateProject` names
  * them.
  */
-export function migrateNodes(project: Project, library: NodeLibrary): MigratedProject {
+export function migrateNodes<P extends Pick<Project, 'graphs'>>(project: P, library: NodeLibrary): Migrated<P> {
   const diagnostics: Diagnostic[] = [];
   let graphs: Record<string, Graph> | null = null;
   for (const [name, graph] of Object.entries(project.graphs)) {

@@ -1,11 +1,11 @@
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { assetPathProblem } from '../asset-path.ts';
 import { usesOfGraphs } from '../liveness.ts';
-import { MAIN_GRAPH, type Project } from '../project.ts';
+import { MAIN_GRAPH, type ProjectLogic } from '../project.ts';
 import { findCycles } from '../topology.ts';
 
 /** Asset paths stay inside the project folder. */
-export function checkAssetPaths(project: Project): Diagnostic[] {
+export function checkAssetPaths(project: ProjectLogic): Diagnostic[] {
   return Object.entries(project.assets).flatMap(([id, { path }]): Diagnostic[] => {
     const problem = assetPathProblem(path);
     if (problem === null) return [];
@@ -16,7 +16,7 @@ export function checkAssetPaths(project: Project): Diagnostic[] {
 }
 
 /** No subgraph within itself, directly or through others; and nothing is shown outside the main graph. */
-export function checkGraphs(project: Project): Diagnostic[] {
+export function checkGraphs(project: ProjectLogic): Diagnostic[] {
   const uses = usesOfGraphs(project);
   const cycles = findCycles(uses.keys(), (name) => uses.get(name) ?? []);
   const diagnostics = cycles.map((cycle): Diagnostic => {

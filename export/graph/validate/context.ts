@@ -1,11 +1,11 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic, DiagnosticCode } from '../../../nodes/kit/diagnostics.ts';
 import type { FaceLookup } from '../library/faces.ts';
-import { type Graph, MAIN_GRAPH, type Project } from '../project.ts';
+import { type Graph, MAIN_GRAPH, type ProjectLogic } from '../project.ts';
 
 /** One graph under examination. */
 export interface GraphCheck {
-  readonly project: Project;
+  readonly project: ProjectLogic;
   readonly library: NodeLibrary;
   readonly faceOf: FaceLookup;
   readonly name: string;

@@ -3,7 +3,7 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { createFaceLookup } from '../library/faces.ts';
 import { nodesBehind, screensOf } from '../liveness.ts';
 import { sortedEntries } from '../own.ts';
-import { type Graph, MAIN_GRAPH, type Project } from '../project.ts';
+import { type Graph, MAIN_GRAPH, type ProjectLogic } from '../project.ts';
 import { checkNodeTypes, checkScreens } from './check-nodes.ts';
 import { checkParams } from './check-params.ts';
 import { checkAssetPaths, checkGraphs } from './check-project.ts';
@@ -17,7 +17,7 @@ const GRAPH_CHECKS = [checkNodeTypes, checkScreens, checkWires, checkCycles, che
  * (`projectLibrary`). What only is unfinished, and nothing on screen depends on it, is a warning. Params of older versions are
  * not judged: `migrateNodes` first.
  */
-export function validateProject(project: Project, library: NodeLibrary): Diagnostic[] {
+export function validateProject(project: ProjectLogic, library: NodeLibrary): Diagnostic[] {
   const diagnostics = [...checkAssetPaths(project), ...checkGraphs(project)];
   const faceOf = createFaceLookup(project, library);
   for (const [name, graph] of sortedEntries(project.graphs)) {

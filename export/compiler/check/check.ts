@@ -1,0 +1,100 @@
+import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import { topologicalOrder } from '../../graph/topology.ts';
+import { validateProject } from '../../graph/validate/validate.ts';
+import type { FlatGraph, FlatNode, Source } from '../flat-graph.ts';
+import type { Resolved } from '../resolve/resolve.ts';
+
+/** A graph that can be lowered. */
+export interface Checked {
+  readonly graph: FlatGraph;
+  readonly screen: FlatNode;
+  /** Nodes that the screen depends on, each after those it depends on itself. */
+  readonly live: readonly FlatNode[];
+  /** The same for everything that is looked at besides. */
+  readonly tapped: readonly FlatNode[];
+  readonly taps: readonly Source[];
+}
+
+/**
+ * Second phase: whatever is wrong with the project, and with what *resolve* made of it. Taps on layers that are not there or
+ * not whole are dropped: to look at something unfinished is no mistake.
+ */
+export function check({ project, library, graph }: Resolved, taps: readonly string[]): Result<Checked> {
+  const diagnostics = validateProject(project, library);
+  const { screen } = graph;
+  if (!screen && !hasErrors(diagnostics))
+    diagnostics.push({ code: 'SCR017', severity: 'error', message: 'The screen is muted.', fix: 'Unmute it.' });
+  if (!screen || hasErrors(diagnostics)) return { output: null, diagnostics };
+  const order = orderOf(graph);
+  const liveIds = nodesBehind(graph, [screen.id]);
+  const live = order.filter(({ id }) => liveIds.has(id));
+  diagnostics.push(...live.flatMap(checkNode));
+  if (hasErrors(diagnostics)) return { output: null, diagnostics };
+  const whole = wholeTaps(order, taps);
+  const tappedIds = nodesBehind(
+    graph,
+    whole.map(({ node }) => node),
+  );
+  return { output: { graph, screen, live, tapped: order.filter(({ id }) => tappedIds.has(id)), taps: whole }, diagnostics };
+}
+
+/** By depth and then by id, so that equal graphs make equal programs whatever order their nodes were added in. */
+function orderOf({ nodes }: FlatGraph): FlatNode[] {
+  const followers = new Map<string, string[]>();
+  for (const id of [...nodes.keys()].sort()) followers.set(id, []);
+  for (const node of nodes.values()) {
+    for (const sources of node.inputs.values()) for (const { node: from } of sources) followers.get(from)?.push(node.id);
+  }
+  const { order, left } = topologicalOrder(followers.keys(), (id) => followers.get(id) ?? []);
+  if (left.size > 0) throw new Error('A graph without loops has got one by being flattened.');
+  return order.flatMap((id) => nodes.get(id) ?? []);
+}
+
+export function nodesBehind({ nodes }: FlatGraph, roots: Iterable<string>): ReadonlySet<string> {
+  const behind = new Set(roots);
+  // The set grows while it is walked.
+  for (const id of behind) {
+    for (const sources of nodes.get(id)?.inputs.values() ?? []) for (const { node } of sources) behind.add(node);
+  }
+  return behind;
+}
+
+/** What only shows in the flat graph, and what this compiler cannot lower. */
+function checkNode(node: FlatNode): Diagnostic[] {
+  const { id: nodeId, definition } = node;
+  const diagnostics: Diagnostic[] = [];
+  for (const [port, muted] of node.cutOff) {
+    if (definition.inputs[port]?.required !== true) continue;
+    const message = `${nodeId} has nothing at “${definition.inputs[port].label}”, because ${muted} is muted and lets nothing through.`;
+    diagnostics.push({ code: 'SCR015', severity: 'error', nodeId, port, message, fix: `Unmute ${muted}, or mute ${nodeId} too.` });
+  }
+  for (const [port, binding] of node.bindings) {
+    if ('value' in binding || 'port' in binding) continue;
+    const what = 'track' in binding ? 'Keyframe tracks' : 'Expressions';
+    const label = definition.params[port]?.label ?? port;
+    const message = `“${label}” of ${nodeId} cannot be played: ${what} are not compiled yet.`;
+    diagnostics.push({ code: 'SCR019', severity: 'error', nodeId, port, message, fix: 'Bind it to a value, or wire value nodes to it.' });
+  }
+  return diagnostics;
+}
+
+function wholeTaps(order: readonly FlatNode[], taps: readonly string[]): Source[] {
+  const whole = taps.length === 0 ? new Map<string, FlatNode>() : wholeNodes(order);
+  return [...new Set(taps)].sort().flatMap((tap): Source[] => {
+    const dot = tap.lastIndexOf('.');
+    const source = { node: tap.slice(0, dot), port: tap.slice(dot + 1) };
+    const outputs = whole.get(source.node)?.definition.outputs ?? {};
+    return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer' ? [source] : [];
+  });
+}
+
+/** Nodes that have all they require, all the way back. */
+function wholeNodes(order: readonly FlatNode[]): ReadonlyMap<string, FlatNode> {
+  const whole = new Map<string, FlatNode>();
+  for (const node of order) {
+    const complete = Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));
+    const sources = [...node.inputs.values()].flat();
+    if (complete && sources.every((source) => whole.has(source.node)) && checkNode(node).length === 0) whole.set(node.id, node);
+  }
+  return whole;
+}

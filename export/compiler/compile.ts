@@ -1,0 +1,84 @@
+import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
+import { type ProjectLibrary, projectLibrary } from '../graph/library/project-library.ts';
+import type { ProjectLogic } from '../graph/project.ts';
+import type { Program } from '../program/program.ts';
+import { check } from './check/check.ts';
+import type { FlatGraph } from './flat-graph.ts';
+import { link } from './link/link.ts';
+import { print } from './print/print.ts';
+import { resolve } from './resolve/resolve.ts';
+import { schedule } from './schedule/schedule.ts';
+import { createShaderStore } from './shaders/shader-store.ts';
+
+export interface CompileOptions {
+  /** Layers to look at, as `node.port`; those that are not there are left out of `program.taps`. */
+  readonly taps?: readonly string[];
+  /** Bound the loops of shaders (design §8): for previews, never for exports. */
+  readonly loopBudget?: boolean;
+  /** Keep what maps printed lines to the authors'; true when left out. */
+  readonly sourceMaps?: boolean;
+  /** Tell of nodes that nothing on screen depends on (SCR021). */
+  readonly reportUnused?: boolean;
+}
+
+export interface CompileInput {
+  readonly project: ProjectLogic;
+  /** Node types and shader texts; the project's own shaders need not be in it. */
+  readonly library: NodeLibrary;
+  readonly options?: CompileOptions;
+}
+
+export interface Compiler {
+  compile(input: CompileInput): Result<Program>;
+}
+
+/** Compiles one project after the other, reading each shader text once. The output is null where there are errors. */
+export function createCompiler(): Compiler {
+  const shaders = createShaderStore();
+  return {
+    compile: ({ project, library: base, options = {} }) => {
+      const { taps = [], loopBudget = false, sourceMaps = true, reportUnused = false } = options;
+      const diagnostics: Diagnostic[] = [];
+      const library = projectLibrary(base, project.sources, shaders.readDefinition);
+
+      const resolved = resolve(project, library);
+      diagnostics.push(...resolved.diagnostics);
+      if (resolved.output === null) return { output: null, diagnostics };
+      const checked = check(resolved.output, taps);
+      diagnostics.push(...headerDiagnostics(library, resolved.output.project), ...checked.diagnostics);
+      if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics };
+      const scheduled = schedule(checked.output, { library, shaders, loopBudget });
+      diagnostics.push(...scheduled.diagnostics);
+      if (scheduled.output === null) return { output: null, diagnostics };
+      const linked = link(scheduled.output.operations, { sourceMaps });
+      if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, scheduled.output.live));
+      return { output: print(resolved.output.project, scheduled.output, linked), diagnostics };
+    },
+  };
+}
+
+export function compile(input: CompileInput): Result<Program> {
+  return createCompiler().compile(input);
+}
+
+/** A shader of the project that cannot be read is an error where a node uses it, and otherwise work in progress. */
+function headerDiagnostics({ diagnostics }: ProjectLibrary, { graphs }: ProjectLogic): Diagnostic[] {
+  const used = new Set(
+    Object.values(graphs).flatMap(({ nodes }) => Object.values(nodes).map(({ type }) => type.slice(type.indexOf('/') + 1))),
+  );
+  return diagnostics.map((diagnostic) => {
+    const name = diagnostic.file?.replace(/^shaders\//, '').replace(/\.fs$/, '');
+    return name === undefined || used.has(name) ? diagnostic : { ...diagnostic, severity: 'warning' };
+  });
+}
+
+function unusedNodes({ nodes }: FlatGraph, live: readonly { readonly id: string }[]): Diagnostic[] {
+  const used = new Set(live.map(({ id }) => id));
+  return [...nodes.keys()].sort().flatMap((nodeId): Diagnostic[] => {
+    if (used.has(nodeId)) return [];
+    return [
+      { code: 'SCR021', severity: 'info', nodeId, message: `Nothing on screen depends on ${nodeId}.`, fix: 'Wire it, or delete it.' },
+    ];
+  });
+}

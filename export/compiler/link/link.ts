@@ -1,0 +1,38 @@
+import type { LinkedShader, Operation } from '../../program/program.ts';
+import type { ScheduledOperation } from '../schedule/scheduled.ts';
+
+export interface LinkedOperations {
+  readonly operations: readonly Operation[];
+  readonly shaders: readonly LinkedShader[];
+}
+
+/**
+ * Fourth phase: shaders to a table, equal ones once, however many nodes they stand for. Their texts were made while scheduling,
+ * because a shader's own passes and buffers are known only by then. The source map of a shared one names the first of its nodes;
+ * operations name their own.
+ */
+export function link(operations: readonly ScheduledOperation[], options: { readonly sourceMaps: boolean }): LinkedOperations {
+  const shaders: LinkedShader[] = [];
+  const places = new Map<string, number>();
+  const placeOf = (shader: LinkedShader, node: string): number => {
+    const known = places.get(shader.id);
+    if (known !== undefined) return known;
+    places.set(shader.id, shaders.length);
+    return shaders.push(options.sourceMaps ? named(shader, node) : withoutSourceMap(shader)) - 1;
+  };
+  const linked = operations.map((operation): Operation => {
+    if (operation.kind !== 'pass') return operation;
+    const { shader, ...rest } = operation;
+    return { ...rest, shader: placeOf(shader, operation.node) };
+  });
+  return { operations: linked, shaders };
+}
+
+function named(shader: LinkedShader, node: string): LinkedShader {
+  if (!shader.sourceMap) return shader;
+  return { ...shader, sourceMap: { ...shader.sourceMap, nodes: shader.sourceMap.sources.map(() => node) } };
+}
+
+function withoutSourceMap({ id, vertex, fragment }: LinkedShader): LinkedShader {
+  return { id, vertex, fragment };
+}

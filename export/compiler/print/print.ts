@@ -1,0 +1,37 @@
+import type { ProjectLogic } from '../../graph/project.ts';
+import { type Operation, PROGRAM_VERSION, type Program, type ProgramAsset } from '../../program/program.ts';
+import type { LinkedOperations } from '../link/link.ts';
+import type { Schedule } from '../schedule/schedule.ts';
+import { collectNeeds } from './needs.ts';
+import { findTiers } from './tiers.ts';
+
+/** Last phase: the program. Equal projects give equal text, because everything in it has an order. */
+export function print(project: ProjectLogic, scheduled: Schedule, { operations, shaders }: LinkedOperations): Program {
+  const needs = collectNeeds(scheduled.live, scheduled.working);
+  return {
+    format: 'scrim-program',
+    version: PROGRAM_VERSION,
+    title: project.title,
+    slots: scheduled.slots,
+    resources: scheduled.resources,
+    operations,
+    shaders,
+    assets: usedAssets(project, operations),
+    presentation: scheduled.presentation,
+    needs,
+    tiers: findTiers(needs, scheduled.presentation),
+    taps: scheduled.taps,
+  };
+}
+
+function usedAssets({ assets }: ProjectLogic, operations: readonly Operation[]): ProgramAsset[] {
+  const used = new Set<string>();
+  for (const operation of operations) {
+    if (operation.kind === 'pass' || operation.kind === 'shadow-maps') continue;
+    for (const id of Object.values(operation.assets)) if (id !== null) used.add(id);
+  }
+  return [...used].sort().flatMap((id): ProgramAsset[] => {
+    const asset = Object.hasOwn(assets, id) ? assets[id] : undefined;
+    return asset ? [{ id, kind: asset.kind, path: asset.path }] : [];
+  });
+}

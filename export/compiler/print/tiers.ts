@@ -1,0 +1,25 @@
+import type { Capability, Presentation, ProgramNeed, Tier } from '../../program/program.ts';
+
+/** What kinds of session offer beside drawing, best first (design §9; devices: what WebXR implementations have in 2026). */
+const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capability[] }[] = [
+  { id: 'ar-camera', offers: ['camera-image', 'depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands'] },
+  { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands'] },
+  { id: 'camera', offers: ['camera-image'] },
+  { id: 'authored-vr', offers: ['hands'] },
+  { id: 'orbit', offers: [] },
+];
+
+/**
+ * The tiers that can play the program, with what each lacks. One that asks the visitor for the camera is there only where the
+ * program has a use for it, and none that lacks what is required.
+ */
+export function findTiers(needs: readonly ProgramNeed[], { background }: Pick<Presentation, 'background'>): Tier[] {
+  const samplesCamera = needs.some(({ capability }) => capability === 'camera-image');
+  return TIERS.flatMap(({ id, offers }): Tier[] => {
+    if (id === 'ar-camera' && !samplesCamera) return [];
+    if (id === 'camera' && !samplesCamera && background !== 'world') return [];
+    const missing = needs.filter(({ capability }) => !offers.includes(capability));
+    if (missing.some(({ required }) => required)) return [];
+    return [{ id, without: missing.map(({ capability, without }) => ({ capability, effect: without })) }];
+  });
+}

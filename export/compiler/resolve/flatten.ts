@@ -1,0 +1,79 @@
+import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { subgraphName } from '../../graph/names.ts';
+import { sortedEntries } from '../../graph/own.ts';
+import type { Binding } from '../../graph/project.ts';
+import type { Source } from '../flat-graph.ts';
+import { createDescend, type Instance } from './instances.ts';
+
+/** A node of the flat graph while it is put together. */
+export interface DraftNode {
+  readonly id: string;
+  readonly definition: NodeDefinition;
+  readonly muted: boolean;
+  readonly inputs: Map<string, Source[]>;
+  readonly bindings: Map<string, Binding>;
+}
+
+export interface Draft {
+  readonly nodes: Map<string, DraftNode>;
+  readonly aliases: Map<string, string>;
+}
+
+/**
+ * Takes all instances apart into one graph. Where a port for several has wires from within its subgraph and from outside, those
+ * from outside come first.
+ */
+export function flatten(instances: readonly Instance[], library: NodeLibrary): Draft {
+  const draft: Draft = { nodes: new Map(), aliases: new Map() };
+  for (const instance of instances) addNodes(draft, instance, library);
+  addWires(draft, instances);
+  addOuterBindings(draft, instances);
+  return draft;
+}
+
+function addNodes({ nodes }: Draft, { prefix, graph }: Instance, library: NodeLibrary): void {
+  for (const [id, node] of sortedEntries(graph.nodes)) {
+    const definition = subgraphName(node.type) === null ? library.definition(node.type) : undefined;
+    if (!definition) continue;
+    const bindings = new Map(Object.entries(node.params));
+    nodes.set(prefix + id, { id: prefix + id, definition, muted: node.muted === true, inputs: new Map(), bindings });
+  }
+}
+
+function addWires({ nodes }: Draft, instances: readonly Instance[]): void {
+  const findSource = createDescend('outputs');
+  const findTarget = createDescend('inputs');
+  for (const instance of instances) {
+    for (const { from, to } of instance.graph.wires) {
+      const source = findSource(instance, from);
+      const target = findTarget(instance, to);
+      const node = target && nodes.get(target.node);
+      if (!source || !node || !nodes.has(source.node)) continue;
+      const wires = node.inputs.get(target.port);
+      if (wires) wires.push(source);
+      else node.inputs.set(target.port, [source]);
+    }
+  }
+}
+
+/** What is set at a subgraph's node counts inside; the outermost where several do. */
+function addOuterBindings({ nodes, aliases }: Draft, instances: readonly Instance[]): void {
+  const findTarget = createDescend('inputs');
+  const set = new Set<string>();
+  for (const instance of instances) {
+    for (const [id, child] of instance.children) {
+      const outer = instance.graph.nodes[id];
+      for (const { name } of child.graph.exposed.inputs) {
+        const place = findTarget(instance, { node: id, port: name });
+        const inner = place && nodes.get(place.node);
+        if (!inner || !Object.hasOwn(inner.definition.params, place.port)) continue;
+        const address = `${place.node}.${place.port}`;
+        aliases.set(`${instance.prefix}${id}.${name}`, address);
+        const binding = outer && Object.hasOwn(outer.params, name) ? outer.params[name] : undefined;
+        if (binding === undefined || set.has(address)) continue;
+        set.add(address);
+        inner.bindings.set(place.port, binding);
+      }
+    }
+  }
+}

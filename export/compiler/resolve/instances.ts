@@ -1,0 +1,75 @@
+import { subgraphName } from '../../graph/names.ts';
+import { own, sortedEntries } from '../../graph/own.ts';
+import { type ExposedPort, type Graph, type GraphNode, MAIN_GRAPH, type PortAddress, type ProjectLogic } from '../../graph/project.ts';
+
+/** One use of a graph: the main graph, or a subgraph in the place of one node. */
+export interface Instance {
+  /** Goes before the ids of its nodes: empty, or `outer/`. */
+  readonly prefix: string;
+  readonly graph: Graph;
+  /** Instances in the place of its nodes, by their ids. */
+  readonly children: Map<string, Instance>;
+}
+
+/** A port of a node that is no subgraph. */
+export interface Place {
+  readonly node: string;
+  readonly port: string;
+}
+
+/**
+ * A few nested subgraphs that each use the next one twice make any number of nodes. Nobody draws so many, and the tab should
+ * not die of a file.
+ */
+export const MAX_FLAT_NODES = 200_000;
+
+export type Instances = { readonly ok: true; readonly list: readonly Instance[] } | { readonly ok: false };
+
+/** All uses of graphs, each before those within it. Not ok where they would be more than `MAX_FLAT_NODES`; must not be recursive. */
+export function listInstances(project: ProjectLogic): Instances {
+  const main = own(project.graphs, MAIN_GRAPH);
+  const list: Instance[] = main ? [{ prefix: '', graph: main, children: new Map() }] : [];
+  let count = 0;
+  // The list grows while it is walked.
+  for (const instance of list) {
+    for (const [id, node] of sortedEntries(instance.graph.nodes)) {
+      count++;
+      const graph = subgraphOf(project, node);
+      if (!graph) continue;
+      const child: Instance = { prefix: `${instance.prefix}${id}/`, graph, children: new Map() };
+      instance.children.set(id, child);
+      list.push(child);
+    }
+    if (count > MAX_FLAT_NODES) return { ok: false };
+  }
+  return { ok: true, list };
+}
+
+function subgraphOf(project: ProjectLogic, node: GraphNode): Graph | undefined {
+  const name = subgraphName(node.type);
+  return name === null ? undefined : own(project.graphs, name);
+}
+
+/** Finds the port behind one that may be shown by a subgraph, within however many; null where it leads nowhere. */
+export type Descend = (instance: Instance, address: PortAddress) => Place | null;
+
+/** Remembers the ports that each graph shows, by name. */
+export function createDescend(side: 'inputs' | 'outputs'): Descend {
+  const shown = new Map<Graph, ReadonlyMap<string, ExposedPort>>();
+  const shownBy = (graph: Graph): ReadonlyMap<string, ExposedPort> => {
+    const known = shown.get(graph) ?? new Map(graph.exposed[side].map((port) => [port.name, port]));
+    shown.set(graph, known);
+    return known;
+  };
+  return (start, address) => {
+    let instance = start;
+    let at = address;
+    for (let child = instance.children.get(at.node); child; child = instance.children.get(at.node)) {
+      const next = shownBy(child.graph).get(at.port);
+      if (!next) return null;
+      instance = child;
+      at = next;
+    }
+    return own(instance.graph.nodes, at.node) ? { node: instance.prefix + at.node, port: at.port } : null;
+  };
+}

@@ -1,0 +1,63 @@
+import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
+import { drawBehind, layerInputs } from './layers.ts';
+
+/** What has to be there for some layers to be shown. */
+export interface Demand {
+  /** Nodes that have work to do. */
+  readonly nodes: ReadonlySet<string>;
+  /** Layers that have to be pictures, as `node.port`. */
+  readonly images: ReadonlySet<string>;
+  /** Occlusions that sink into the draw they hide a part of: occlusion → draw. */
+  readonly sunk: ReadonlyMap<string, FlatNode>;
+}
+
+export interface DemandStart {
+  readonly nodes: readonly string[];
+  readonly images: readonly Source[];
+  readonly sunk: readonly { readonly occlusion: FlatNode; readonly draw: FlatNode }[];
+}
+
+/**
+ * Walks from what is shown to where it comes from. `order` is topological; `canSink` says whether a draw may be drawn with its
+ * occlusion alone; what is in `already` is not asked for again.
+ */
+export function findDemand(
+  graph: FlatGraph,
+  order: readonly FlatNode[],
+  start: DemandStart,
+  canSink: (hidden: Source) => boolean,
+  already: Demand | null = null,
+): Demand {
+  const nodes = new Set(start.nodes);
+  const images = new Set<string>();
+  const sunk = new Map<string, FlatNode>();
+  const demandImage = (source: Source) => {
+    if (already?.images.has(portKey(source))) return;
+    images.add(portKey(source));
+    nodes.add(source.node);
+  };
+  for (const source of start.images) demandImage(source);
+  for (const { occlusion, draw } of start.sunk) {
+    sunk.set(occlusion.id, draw);
+    nodes.add(occlusion.id).add(draw.id);
+  }
+  for (let i = order.length - 1; i >= 0; i--) {
+    const node = order[i];
+    if (!node || !nodes.has(node.id)) continue;
+    const [hidden] = layerInputs(node);
+    const draw = drawBehind(graph, node);
+    if (draw && hidden && !sunk.has(node.id) && canSink(hidden)) {
+      sunk.set(node.id, draw);
+      nodes.add(draw.id);
+    }
+    for (const [port, sources] of node.inputs) {
+      const isLayer = node.definition.inputs[port]?.type === 'layer';
+      if (isLayer && sunk.has(node.id)) continue;
+      for (const source of sources) {
+        if (isLayer) demandImage(source);
+        else nodes.add(source.node);
+      }
+    }
+  }
+  return { nodes, images, sunk };
+}

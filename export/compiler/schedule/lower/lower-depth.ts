@@ -1,0 +1,99 @@
+import type { LayerDepthRef } from '../../../program/program.ts';
+import { type FlatNode, portKey, type Source } from '../../flat-graph.ts';
+import { layerInputs } from '../layers.ts';
+import { addResource, addStep, type Lowering, nodeAt, valueSteps } from './lowering.ts';
+import { passSamplers, passUniforms, shaderOf, sizeOf } from './pass-parts.ts';
+
+/**
+ * Where the depth of a layer can be read, or null where it has none. A depth that has to be computed, as that of `over`, gets its
+ * pass the first time somebody asks, because most pictures are never asked.
+ */
+export function depthAt(lowering: Lowering, layer: Source): LayerDepthRef | null {
+  const origin = originOf(lowering, layer);
+  if (origin === null || origin.kind === 'drawn') return origin?.depth ?? null;
+  const key = portKey(origin.layer);
+  if (!lowering.computedDepth.has(key)) {
+    for (const missing of missingDepths(lowering, origin.layer)) lowerComputedDepth(lowering, missing);
+  }
+  return lowering.computedDepth.get(key) ?? null;
+}
+
+type DepthOrigin =
+  | { readonly kind: 'drawn'; readonly depth: LayerDepthRef }
+  /** Of an image node that makes one of its inputs'. */
+  | { readonly kind: 'computed'; readonly layer: Source };
+
+function originOf({ layers, graph, drawn, resourceOf }: Lowering, layer: Source): DepthOrigin | null {
+  let at = layers.get(portKey(layer))?.depth ?? null;
+  while (at) {
+    const key = portKey(at);
+    const resource = resourceOf.get(key);
+    if (resource !== undefined && drawn.has(key)) return { kind: 'drawn', depth: { resource, encoding: 'window' } };
+    const node = graph.nodes.get(at.node);
+    if (node?.definition.lowering.kind !== 'image') return null;
+    if (node.definition.outputs[at.port]?.depth === true) return { kind: 'computed', layer: at };
+    // An occlusion that did not sink hands on the depth of what it hides a part of.
+    const [hidden] = layerInputs(node);
+    at = hidden ? (layers.get(portKey(hidden))?.depth ?? null) : null;
+  }
+  return null;
+}
+
+/** Depths to be computed for that of `layer`, each after those it is made of. A list, because stacks of `over` can be deep. */
+function missingDepths(lowering: Lowering, layer: Source): Source[] {
+  const missing = new Map([[portKey(layer), layer]]);
+  // The map grows while it is walked.
+  for (const { node } of missing.values()) {
+    for (const input of layerInputs(nodeAt(lowering, node))) {
+      const origin = originOf(lowering, input);
+      if (origin?.kind === 'computed' && !lowering.computedDepth.has(portKey(origin.layer)))
+        missing.set(portKey(origin.layer), origin.layer);
+    }
+  }
+  const rankOf = ({ node }: Source) => lowering.rank.get(node) ?? 0;
+  return [...missing.values()].sort((a, b) => rankOf(a) - rankOf(b));
+}
+
+function lowerComputedDepth(lowering: Lowering, layer: Source): void {
+  const node = nodeAt(lowering, layer.node);
+  const resource = addResource(lowering, {
+    id: `${portKey(layer)}.depth`,
+    kind: 'target',
+    domain: lowering.layers.get(portKey(layer))?.domain ?? 'view',
+    size: sizeOf(lowering, node, null, null),
+    format: 'r32f',
+    depth: 'none',
+    samples: 1,
+    lifetime: 'frame',
+  });
+  lowering.computedDepth.set(portKey(layer), { resource, encoding: 'metres' });
+  lowering.writerOf.set(resource, resource);
+  const { file, source, variant } = shaderOf(lowering, node, (input) => depthAt(lowering, input) !== null);
+  const pass = lowering.shaders.linkDepth(file, source, variant);
+  const samplers = passSamplers(lowering, node, pass, new Map(), (input) => depthAt(lowering, input));
+  addStep(
+    lowering,
+    {
+      id: resource,
+      node: node.id,
+      kind: 'pass',
+      view: lowering.layers.get(portKey(layer))?.domain === 'image' ? 'once' : 'each',
+      reads: samplers.reads,
+      writes: [resource],
+      shader: pass.shader,
+      target: resource,
+      blend: 'replace',
+      samplers: samplers.samplers,
+      uniforms: passUniforms(lowering, node, pass),
+      passIndex: pass.passIndex,
+      access: 'pointwise',
+    },
+    valueSteps(lowering, node),
+  );
+}
+
+/** Whether the layer at a port of the node has depth at all, for shaders that ask. */
+export function hasDepth(lowering: Lowering, node: FlatNode, port: string): boolean {
+  const [source] = node.inputs.get(port) ?? [];
+  return source !== undefined && originOf(lowering, source) !== null;
+}

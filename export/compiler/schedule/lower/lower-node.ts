@@ -1,0 +1,173 @@
+import type { ParamDefinition } from '../../../../nodes/kit/definition.ts';
+import { isValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
+import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
+import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
+import { isDraw, layerOutput } from '../layers.ts';
+import { startValue } from '../slots.ts';
+import { depthAt } from './lower-depth.ts';
+import { shadowMapsOf } from './lower-shadow-maps.ts';
+import { addResource, addStep, type Lowering, layerAt, resourceAt, valueSteps } from './lowering.ts';
+
+type NodeKind = 'value' | 'source' | 'behaviour' | 'geometry';
+
+/** A node that its runtime plays, and that draws nothing. */
+export function lowerNode(lowering: Lowering, node: FlatNode): void {
+  const { kind } = node.definition.lowering;
+  if (kind === 'image' || kind === 'present') throw new Error(`${node.id} is not played by a runtime of its own.`);
+  const outputs: Record<string, OutputRef> = {};
+  const writes: ResourceId[] = [];
+  for (const [port, { type }] of Object.entries(node.definition.outputs)) {
+    const source = { node: node.id, port };
+    if (isValueType(type)) {
+      outputs[port] = { kind: 'slot', slot: lowering.slots.ofOutput(source, type) };
+      continue;
+    }
+    const resource = addResource(lowering, outputResource(lowering, source, type));
+    lowering.resourceOf.set(portKey(source), resource);
+    lowering.writerOf.set(resource, node.id);
+    writes.push(resource);
+    outputs[port] = type === 'layer' ? { kind: 'layer', layer: { color: resource, depth: null } } : { kind: 'resource', resource };
+  }
+  lowering.computedBy.set(node.id, node.id);
+  const operation = { ...nodeOperation(lowering, node, node.id, kind), outputs, writes };
+  addStep(lowering, operation, valueSteps(lowering, node));
+}
+
+export interface DrawRequest {
+  readonly node: FlatNode;
+  /** Sinks into the draw. */
+  readonly occlusion: FlatNode | null;
+  readonly target: 'screen' | 'picture';
+  /** For a draw besides the one that the screen needs. */
+  readonly extra: boolean;
+}
+
+/** A node that draws objects: straight onto the screen, or into a picture that stands for its layer, or its occlusion's. */
+export function lowerDraw(lowering: Lowering, { node, occlusion, target, extra }: DrawRequest): DrawOperation {
+  const shown = layerOutput(occlusion ?? node);
+  const drawn = layerOutput(node);
+  if (!shown || !drawn) throw new Error(`${node.id} draws no layer.`);
+  const id = extra ? `${portKey(shown)}.tap` : node.id;
+  const picture = target === 'picture' ? addPicture(lowering, shown, id) : null;
+  const shadowMaps = shadowMapsOf(lowering, node);
+  const base = nodeOperation(lowering, node, id, 'draw');
+  const hiding = occlusion && drawOcclusion(lowering, occlusion);
+  const reads = [...base.reads, ...(shadowMaps === null ? [] : [shadowMaps]), ...(hiding ? [hiding.roomDepth] : [])];
+  const operation: DrawOperation = {
+    ...base,
+    kind: 'draw',
+    view: 'each',
+    reads,
+    writes: picture === null ? [] : [picture],
+    outputs:
+      picture === null
+        ? {}
+        : { [drawn.port]: { kind: 'layer', layer: { color: picture, depth: { resource: picture, encoding: 'window' } } } },
+    target: picture ?? 'screen',
+    shadowMaps,
+    occlusion: hiding,
+  };
+  addStep(lowering, operation, [...valueSteps(lowering, node), ...(occlusion ? valueSteps(lowering, occlusion) : [])]);
+  return operation;
+}
+
+function addPicture(lowering: Lowering, shown: Source, operation: string): ResourceId {
+  const key = portKey(shown);
+  addResource(lowering, {
+    id: key,
+    kind: 'target',
+    domain: 'view',
+    size: { base: 'view', width: [{ op: 'width' }], height: [{ op: 'height' }] },
+    format: 'rgba8',
+    depth: 'window',
+    samples: lowering.samples,
+    lifetime: 'frame',
+  });
+  lowering.resourceOf.set(key, key);
+  lowering.writerOf.set(key, operation);
+  lowering.drawn.add(key);
+  return key;
+}
+
+function drawOcclusion(lowering: Lowering, occlusion: FlatNode): NonNullable<DrawOperation['occlusion']> {
+  const { inputs, params } = occlusion.definition;
+  const port = Object.keys(inputs).find((name) => inputs[name]?.type === 'depth');
+  const [roomDepth] = port === undefined ? [] : sourcesAt(occlusion, port);
+  if (!roomDepth) throw new Error(`${occlusion.id} hides nothing without room depth.`);
+  const slots = uniformParams(lowering, occlusion, params);
+  return { node: occlusion.id, roomDepth: resourceAt(lowering, roomDepth), params: slots };
+}
+
+/** All of the operation but its outputs. */
+function nodeOperation<K extends NodeKind | 'draw'>(
+  lowering: Lowering,
+  node: FlatNode,
+  id: string,
+  kind: K,
+): NodeOperation & { readonly kind: K; readonly view: 'once' } {
+  const { type, inputs: ports, params } = node.definition;
+  const inputs = Object.fromEntries(
+    Object.entries(ports).map(([port, { type: wire }]) => [port, sourcesAt(node, port).map((source) => inputRef(lowering, source, wire))]),
+  );
+  return {
+    id,
+    node: node.id,
+    kind,
+    view: 'once',
+    reads: [...new Set(Object.values(inputs).flat().flatMap(resourcesIn))],
+    writes: [],
+    type,
+    inputs,
+    multiple: Object.keys(ports).filter((port) => ports[port]?.multiple === true),
+    outputs: {},
+    params: uniformParams(lowering, node, params),
+    config: Object.fromEntries(
+      Object.entries(params).flatMap(([name, param]) =>
+        param.stage === 'structure' ? [[name, startValue(node, name, param) as string | number | boolean]] : [],
+      ),
+    ),
+    assets: Object.fromEntries(
+      Object.entries(params).flatMap(([name, param]) =>
+        param.stage === 'asset' ? [[name, String(startValue(node, name, param)) || null]] : [],
+      ),
+    ),
+  };
+}
+
+function uniformParams(lowering: Lowering, node: FlatNode, params: Readonly<Record<string, ParamDefinition>>): Record<string, number> {
+  const uniform = Object.keys(params).filter((name) => params[name]?.stage === 'uniform');
+  return Object.fromEntries(uniform.map((name) => [name, lowering.slots.ofParam(node, name)]));
+}
+
+function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef {
+  if (isValueType(type)) return { kind: 'slot', slot: lowering.slots.ofInput(source, type) };
+  if (type !== 'layer') return { kind: 'resource', resource: resourceAt(lowering, source) };
+  return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
+}
+
+function resourcesIn(ref: InputRef): ResourceId[] {
+  if (ref.kind === 'slot') return [];
+  if (ref.kind === 'resource') return [ref.resource];
+  return ref.layer.depth && ref.layer.depth.resource !== ref.layer.color ? [ref.layer.color, ref.layer.depth.resource] : [ref.layer.color];
+}
+
+function outputResource({ layers }: Lowering, source: Source, type: WireType): Resource {
+  const id = portKey(source);
+  switch (type) {
+    case 'layer':
+      return { id, kind: 'external', domain: layers.get(id)?.domain ?? 'view' };
+    case 'depth':
+      return { id, kind: 'room-depth' };
+    case 'objects':
+    case 'lights':
+      return { id, kind: type };
+    default:
+      throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);
+  }
+}
+
+/** Whether a node is one of these. */
+export function isPlayed(node: FlatNode): boolean {
+  const { kind } = node.definition.lowering;
+  return kind !== 'image' && kind !== 'present' && !isDraw(node);
+}

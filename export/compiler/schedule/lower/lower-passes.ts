@@ -1,0 +1,163 @@
+import type { LinkedPass } from '../../../glsl/link/linked-pass.ts';
+import type { ResourceId } from '../../../program/program.ts';
+import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
+import { layerOutput } from '../layers.ts';
+import type { ScheduledPass } from '../scheduled.ts';
+import { depthAt, hasDepth } from './lower-depth.ts';
+import { addResource, addStep, type Lowering, valueSteps } from './lowering.ts';
+import { isBuffer, passSamplers, passUniforms, shaderOf, sizeOf } from './pass-parts.ts';
+
+/** An image node, linked, with its buffers in place. */
+export interface LoweredPasses {
+  readonly passes: readonly LinkedPass[];
+  readonly buffers: ReadonlyMap<string, ResourceId>;
+}
+
+/**
+ * Links an image node and draws all of its passes, the last one into a picture or straight onto the screen. Where the shader
+ * cannot be linked, diagnostics say why, and the picture exists in name alone.
+ */
+export function lowerPasses(lowering: Lowering, node: FlatNode, target: 'screen' | 'picture'): LoweredPasses {
+  const passes = linkPasses(lowering, node);
+  // Every uniform param can be set while running, whether a pass uses it or not.
+  for (const [name, param] of Object.entries(node.definition.params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
+  const lowered = { passes, buffers: addBuffers(lowering, node, passes) };
+  let before: string | undefined;
+  passes.forEach((pass, i) => {
+    const id = `${node.id}.pass${i}`;
+    const drawsInto = isBuffer(pass.target) ? bufferOf(lowered, pass.target) : lastTarget(lowering, node, pass, id, target);
+    // The passes of a node run one after the other, whoever reads what: a persistent buffer is read before it is drawn.
+    addPass(lowering, node, lowered, { pass, id, target: drawsInto, after: before });
+    before = id;
+  });
+  return lowered;
+}
+
+/** Draws the last pass once more, into a picture, because the first time it went onto the screen. */
+export function lowerLastPassAgain(lowering: Lowering, node: FlatNode, lowered: LoweredPasses): void {
+  const last = lowered.passes.length - 1;
+  const pass = lowered.passes[last];
+  if (!pass) return;
+  const id = `${node.id}.pass${last}.tap`;
+  const target = lastTarget(lowering, node, pass, id, 'picture');
+  addPass(lowering, node, lowered, { pass, id, target, after: last > 0 ? `${node.id}.pass${last - 1}` : undefined });
+}
+
+/** Whether the shader of a node can be linked; it is linked only once. */
+export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
+  if (node.definition.lowering.kind !== 'image') return true;
+  const { file, source, variant } = shaderOf(lowering, node, () => true);
+  return lowering.shaders.link(file, source, variant).output !== null;
+}
+
+function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
+  // Linked as if every layer had depth, so that the samplers say whether the shader asks for it.
+  const asking = shaderOf(lowering, node, () => true);
+  const { output, diagnostics } = lowering.shaders.link(asking.file, asking.source, asking.variant);
+  lowering.diagnostics.push(...diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
+  if (output === null) {
+    const broken = layerOutput(node);
+    if (broken) lowering.resourceOf.set(portKey(broken), portKey(broken));
+    return [];
+  }
+  const asked = new Set(
+    output.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'input-depth' ? [source.input] : []))),
+  );
+  const missing = [...asked].filter((port) => !hasDepth(lowering, node, port));
+  if (missing.length === 0) return output;
+  for (const port of missing) warnOfMissingDepth(lowering, node, port);
+  return lowering.shaders.link(asking.file, asking.source, { ...asking.variant, withoutDepth: missing }).output ?? [];
+}
+
+function warnOfMissingDepth({ diagnostics }: Lowering, node: FlatNode, port: string): void {
+  const [source] = sourcesAt(node, port);
+  const message = `${node.id} looks at the depth of ${source ? portKey(source) : port}, which has none: nothing is near or far in it.`;
+  const fix = 'Wire a layer that still has its depth: scenes have, and filters that move no pixels keep it.';
+  diagnostics.push({ code: 'SCR043', severity: 'warning', nodeId: node.id, port, message, fix });
+}
+
+function addBuffers(lowering: Lowering, node: FlatNode, passes: readonly LinkedPass[]): Map<string, ResourceId> {
+  const buffers = new Map<string, ResourceId>();
+  const domain = domainOf(lowering, node);
+  for (const { target } of passes) {
+    if (!isBuffer(target) || buffers.has(target.name)) continue;
+    const id = `${node.id}.${target.name}`;
+    const resource = addResource(lowering, {
+      // Authors may call a buffer as our ports are called.
+      id: Object.hasOwn(node.definition.outputs, target.name) ? `${id}.buffer` : id,
+      kind: 'target',
+      domain,
+      size: sizeOf(lowering, node, target.width, target.height),
+      format: target.format,
+      depth: 'none',
+      samples: 1,
+      lifetime: target.persistent ? 'persistent' : 'frame',
+    });
+    buffers.set(target.name, resource);
+  }
+  return buffers;
+}
+
+function bufferOf({ buffers }: LoweredPasses, { name }: { readonly name: string }): ResourceId {
+  const resource = buffers.get(name);
+  if (resource === undefined) throw new Error(`There is no buffer ${name}.`);
+  return resource;
+}
+
+function lastTarget(
+  lowering: Lowering,
+  node: FlatNode,
+  pass: LinkedPass,
+  writer: string,
+  target: 'screen' | 'picture',
+): ResourceId | 'screen' {
+  const output = layerOutput(node);
+  if (target === 'screen' || !output) return 'screen';
+  const key = portKey(output);
+  addResource(lowering, {
+    id: key,
+    kind: 'target',
+    domain: domainOf(lowering, node),
+    size: sizeOf(lowering, node, null, null),
+    format: pass.target.format,
+    depth: 'none',
+    samples: 1,
+    lifetime: 'frame',
+  });
+  lowering.resourceOf.set(key, key);
+  lowering.writerOf.set(key, writer);
+  return key;
+}
+
+interface PassRequest {
+  readonly pass: LinkedPass;
+  readonly id: string;
+  readonly target: ResourceId | 'screen';
+  readonly after: string | undefined;
+}
+
+function addPass(lowering: Lowering, node: FlatNode, { buffers }: LoweredPasses, { pass, id, target, after }: PassRequest): void {
+  const { samplers, reads } = passSamplers(lowering, node, pass, buffers, (layer) => depthAt(lowering, layer));
+  const { lowering: kind } = node.definition;
+  const operation: ScheduledPass = {
+    id,
+    node: node.id,
+    kind: 'pass',
+    view: domainOf(lowering, node) === 'image' ? 'once' : 'each',
+    reads,
+    writes: target === 'screen' ? [] : [target],
+    shader: pass.shader,
+    target,
+    blend: target === 'screen' ? 'over' : 'replace',
+    samplers,
+    uniforms: passUniforms(lowering, node, pass),
+    passIndex: pass.passIndex,
+    ...(kind.kind === 'image' && { access: kind.access }),
+  };
+  addStep(lowering, operation, [after, ...valueSteps(lowering, node)]);
+}
+
+function domainOf({ layers }: Lowering, node: FlatNode): 'view' | 'image' {
+  const output = layerOutput(node);
+  return (output && layers.get(portKey(output))?.domain) ?? 'view';
+}

@@ -1,0 +1,92 @@
+import type { NodeLibrary } from '../../../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
+import type { LayerDepthRef, LayerRef, Resource, ResourceId } from '../../../program/program.ts';
+import { type FlatGraph, type FlatNode, portKey, type Source } from '../../flat-graph.ts';
+import type { ShaderStore } from '../../shaders/shader-store.ts';
+import type { LayerTable } from '../layers.ts';
+import type { ScheduledOperation, Step } from '../scheduled.ts';
+import { createSlotAllocator, type SlotAllocator } from '../slots.ts';
+
+/** The program while it grows: what the lowering of one node leaves for that of the next. */
+export interface Lowering {
+  readonly graph: FlatGraph;
+  readonly library: NodeLibrary;
+  readonly shaders: ShaderStore;
+  readonly loopBudget: boolean;
+  readonly layers: LayerTable;
+  /** Place of every node in topological order. */
+  readonly rank: ReadonlyMap<string, number>;
+  readonly slots: SlotAllocator;
+  readonly samples: 1 | 4;
+  readonly resources: Resource[];
+  readonly steps: Step[];
+  /** What an output port is, as `node.port`: the colour of a layer, a list, room depth. */
+  readonly resourceOf: Map<string, ResourceId>;
+  /** Which of those are drawn into by a draw, and so have a depth buffer. */
+  readonly drawn: Set<string>;
+  /** Depth computed by a pass of its own. */
+  readonly computedDepth: Map<string, LayerDepthRef | null>;
+  /** Resource → the operation that completes it. */
+  readonly writerOf: Map<ResourceId, string>;
+  /** Node → the operation that computes its values. */
+  readonly computedBy: Map<string, string>;
+  readonly diagnostics: Diagnostic[];
+}
+
+/** Four samples are what every device has, and what its own framebuffer takes. */
+const DRAW_SAMPLES = 4;
+
+export function createLowering(
+  start: Pick<Lowering, 'graph' | 'library' | 'shaders' | 'loopBudget' | 'layers'> & { readonly order: readonly FlatNode[] },
+): Lowering {
+  return {
+    ...start,
+    rank: new Map(start.order.map((node, index) => [node.id, index])),
+    slots: createSlotAllocator(start.graph),
+    samples: DRAW_SAMPLES,
+    resources: [],
+    steps: [],
+    resourceOf: new Map(),
+    drawn: new Set(),
+    computedDepth: new Map(),
+    writerOf: new Map(),
+    computedBy: new Map(),
+    diagnostics: [],
+  };
+}
+
+export function addResource(lowering: Lowering, resource: Resource): ResourceId {
+  lowering.resources.push(resource);
+  return resource.id;
+}
+
+/** Adds an operation; it waits for whoever completes what it reads, and for `after`. */
+export function addStep(lowering: Lowering, operation: ScheduledOperation, after: readonly (string | undefined)[] = []): void {
+  const waits = new Set<string>();
+  for (const id of operation.reads) waits.add(lowering.writerOf.get(id) ?? '');
+  for (const id of after) waits.add(id ?? '');
+  waits.delete('');
+  waits.delete(operation.id);
+  lowering.steps.push({ operation, after: [...waits] });
+}
+
+/** Operations that compute the values wired to a node. */
+export function valueSteps({ computedBy }: Lowering, node: FlatNode): (string | undefined)[] {
+  return [...node.inputs.values()].flatMap((sources) => sources.map((source) => computedBy.get(source.node)));
+}
+
+export function resourceAt({ resourceOf }: Lowering, source: Source): ResourceId {
+  const resource = resourceOf.get(portKey(source));
+  if (resource === undefined) throw new Error(`${portKey(source)} is read before it is there.`);
+  return resource;
+}
+
+export function layerAt(lowering: Lowering, source: Source, depthOf: (source: Source) => LayerDepthRef | null): LayerRef {
+  return { color: resourceAt(lowering, source), depth: depthOf(source) };
+}
+
+export function nodeAt({ graph }: Lowering, id: string): FlatNode {
+  const node = graph.nodes.get(id);
+  if (!node) throw new Error(`There is no node ${id}.`);
+  return node;
+}

@@ -1,0 +1,109 @@
+import type { NamedSize } from '../../../glsl/isf/isf-shader.ts';
+import type { LinkedPass, LinkedSampler, PassTarget } from '../../../glsl/link/linked-pass.ts';
+import type { LayerDepthRef, PassSampler, PassUniform, ResourceId, SizeExpression, TargetSize } from '../../../program/program.ts';
+import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
+import type { LinkVariant } from '../../shaders/shader-store.ts';
+import { fitOf } from '../fit.ts';
+import { layerInputs, layerOutput } from '../layers.ts';
+import { type Lowering, resourceAt } from './lowering.ts';
+
+/** The text behind an image node and how it is to be linked there. */
+export interface NodeShader {
+  readonly file: string;
+  readonly source: string;
+  readonly variant: LinkVariant;
+}
+
+export function shaderOf(lowering: Lowering, node: FlatNode, hasDepth: (layer: Source) => boolean): NodeShader {
+  const { lowering: kind, inputs, type } = node.definition;
+  if (kind.kind !== 'image') throw new Error(`${node.id} has no shader.`);
+  const source = lowering.library.shader(kind.shader);
+  if (source === undefined) throw new Error(`The library has no shader ${kind.shader} for ${type}.`);
+  const ports = Object.keys(inputs).filter((port) => inputs[port]?.type === 'layer' || inputs[port]?.type === 'depth');
+  const absent = ports.filter((port) => !node.inputs.has(port));
+  const withoutDepth = ports.filter((port) => {
+    const [layer] = inputs[port]?.type === 'layer' ? sourcesAt(node, port) : [];
+    return layer !== undefined && !hasDepth(layer);
+  });
+  return { file: kind.shader, source, variant: { loopBudget: lowering.loopBudget, absent, withoutDepth } };
+}
+
+export interface PassSamplers {
+  readonly samplers: readonly PassSampler[];
+  readonly reads: readonly ResourceId[];
+}
+
+/** Resources in the place of inputs and buffers. `buffers` names the node's own. */
+export function passSamplers(
+  lowering: Lowering,
+  node: FlatNode,
+  pass: LinkedPass,
+  buffers: ReadonlyMap<string, ResourceId>,
+  depthOf: (layer: Source) => LayerDepthRef | null,
+): PassSamplers {
+  const samplers = pass.samplers.map(({ name, source }) => ({ name, ...sampled(lowering, node, source, buffers, depthOf) }));
+  return {
+    samplers,
+    reads: [...new Set(samplers.map(({ source }) => (source.kind === 'depth' ? source.depth.resource : source.resource)))],
+  };
+}
+
+function sampled(
+  lowering: Lowering,
+  node: FlatNode,
+  from: LinkedSampler['source'],
+  buffers: ReadonlyMap<string, ResourceId>,
+  depthOf: (layer: Source) => LayerDepthRef | null,
+): Omit<PassSampler, 'name'> {
+  if (from.kind === 'buffer') {
+    const resource = buffers.get(from.target);
+    if (resource === undefined) throw new Error(`The shader of ${node.id} reads the buffer ${from.target}, which nobody makes.`);
+    return { source: { kind: 'color', resource }, fit: 'none' };
+  }
+  const [input] = sourcesAt(node, from.input);
+  if (!input) throw new Error(`The shader of ${node.id} reads ${from.input}, which has no wire.`);
+  if (from.kind === 'input-depth') {
+    const depth = depthOf(input);
+    if (!depth) throw new Error(`${node.id} was linked to read a depth that is not there.`);
+    return { source: { kind: 'depth', depth }, fit: 'none' };
+  }
+  const resource = resourceAt(lowering, input);
+  if (from.kind === 'room-depth') return { source: { kind: 'room-depth', resource }, fit: 'none' };
+  return { source: { kind: 'color', resource }, fit: fitAt(lowering, node, input) };
+}
+
+/** Slots in the place of params. */
+export function passUniforms({ slots }: Lowering, node: FlatNode, pass: LinkedPass): PassUniform[] {
+  return pass.uniforms.map(({ name, type, source }) => ({
+    name,
+    type,
+    source: 'param' in source ? { slot: slots.ofParam(node, source.param) } : source,
+  }));
+}
+
+/** A picture of its own size is laid onto the view where a node of the view reads it. */
+function fitAt({ layers }: Lowering, node: FlatNode, layer: Source): PassSampler['fit'] {
+  const output = layerOutput(node);
+  const isView = !output || layers.get(portKey(output))?.domain !== 'image';
+  return isView && layers.get(portKey(layer))?.domain === 'image' ? fitOf(node) : 'none';
+}
+
+/** Pixels of a node's own pictures: the view's, or those of its first layer; or as an expression in its header says, of these. */
+export function sizeOf(lowering: Lowering, node: FlatNode, width: NamedSize | null, height: NamedSize | null): TargetSize {
+  const output = layerOutput(node);
+  const isImage = output && lowering.layers.get(portKey(output))?.domain === 'image';
+  const [first] = layerInputs(node);
+  return {
+    base: isImage && first ? resourceAt(lowering, first) : 'view',
+    width: width === null ? [{ op: 'width' }] : sizeExpression(lowering, node, width),
+    height: height === null ? [{ op: 'height' }] : sizeExpression(lowering, node, height),
+  };
+}
+
+function sizeExpression({ slots }: Lowering, node: FlatNode, named: NamedSize): SizeExpression {
+  return named.map((token) => (typeof token === 'object' && 'param' in token ? { slot: slots.ofParam(node, token.param) } : token));
+}
+
+export function isBuffer(target: PassTarget): target is Extract<PassTarget, { kind: 'buffer' }> {
+  return target.kind === 'buffer';
+}

@@ -1,0 +1,110 @@
+import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import type { LayerRef, Presentation, Resource, SlotTable } from '../../program/program.ts';
+import { type Checked, nodesBehind } from '../check/check.ts';
+import { type FlatNode, portKey, type Source } from '../flat-graph.ts';
+import type { ShaderStore } from '../shaders/shader-store.ts';
+import { type DemandStart, findDemand } from './demand.ts';
+import { describeLayers } from './layers.ts';
+import { depthAt } from './lower/lower-depth.ts';
+import { lowerShown, lowerTapped } from './lower/lower-graph.ts';
+import { isLinkable } from './lower/lower-passes.ts';
+import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
+import { orderOperations } from './order.ts';
+import { isDrawOperation, isPass, type ScheduledOperation } from './scheduled.ts';
+import { countUses, type Leaf, planScreen, type ScreenPlan } from './screen-plan.ts';
+
+export interface ScheduleOptions {
+  readonly library: NodeLibrary;
+  readonly shaders: ShaderStore;
+  readonly loopBudget: boolean;
+}
+
+/** The operations in order, with what they read and write, and all that is known of the program but its shaders' places. */
+export interface Schedule {
+  readonly operations: readonly ScheduledOperation[];
+  readonly resources: readonly Resource[];
+  readonly slots: SlotTable;
+  readonly presentation: Presentation;
+  readonly taps: Readonly<Record<string, LayerRef>>;
+  /** Nodes that the screen depends on. */
+  readonly live: readonly FlatNode[];
+  /** Those of them that have work to do for it: a world that is the background has none. */
+  readonly working: ReadonlySet<string>;
+}
+
+/**
+ * Third phase: nodes to operations with explicit resources, in order. Only what the screen needs; what is looked at besides gets
+ * operations of its own, so that looking never changes the picture.
+ */
+export function schedule(checked: Checked, options: ScheduleOptions): Result<Schedule> {
+  const { graph, live, tapped, screen } = checked;
+  const order = [...new Map([...live, ...tapped].map((node) => [node.id, node])).values()];
+  const layers = describeLayers(order);
+  const lowering = createLowering({ graph, layers, order, ...options });
+  const uses = countUses(live);
+  const plan = planScreen(graph, screen, layers, uses);
+  const demand = findDemand(graph, live, startOf(plan), (hidden) => uses.get(portKey(hidden)) === 1);
+  const shown = lowerShown(lowering, live, plan.leaves, demand);
+  if (hasErrors(lowering.diagnostics)) return { output: null, diagnostics: lowering.diagnostics };
+  const presentation = presentationOf(plan, lowering);
+
+  const taps = linkableTaps(lowering, checked);
+  const behind = nodesBehind(
+    graph,
+    taps.map(({ node }) => node),
+  );
+  const besides = tapped.filter(({ id }) => behind.has(id));
+  const looked = findDemand(graph, besides, { nodes: [], images: taps, sunk: [] }, () => true, demand);
+  lowerTapped(lowering, besides, looked, shown);
+  const tappedLayers = taps.map((tap) => [portKey(tap), layerAt(lowering, tap, (layer) => depthAt(lowering, layer))] as const);
+  return {
+    output: {
+      operations: orderOperations(lowering.steps, shown.onScreen),
+      resources: lowering.resources,
+      slots: lowering.slots.table(),
+      presentation,
+      taps: Object.fromEntries(tappedLayers),
+      live,
+      working: demand.nodes,
+    },
+    diagnostics: lowering.diagnostics,
+  };
+}
+
+function startOf({ leaves }: ScreenPlan): DemandStart {
+  const of = <K extends Leaf['kind']>(kind: K) => leaves.filter((leaf): leaf is Extract<Leaf, { kind: K }> => leaf.kind === kind);
+  return {
+    nodes: [...of('draw'), ...of('passes')].map(({ node }) => node.id),
+    images: of('picture').map(({ source }) => source),
+    sunk: of('draw').flatMap(({ node: draw, occlusion }) => (occlusion ? [{ occlusion, draw }] : [])),
+  };
+}
+
+function presentationOf({ background }: ScreenPlan, { steps }: Lowering): Presentation {
+  const draws = steps.map(({ operation }) => operation).filter(isDrawOperation);
+  const composed = steps.some(({ operation }) => isPass(operation)) || draws.some(({ target }) => target !== 'screen');
+  // Passes cover whole pixels: a multisampled framebuffer would cost them a resolve and show no difference.
+  const antialias = draws.some(({ target }) => target === 'screen');
+  return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
+}
+
+/** A shader that cannot be linked takes the pictures behind it, and no others: the screen does not depend on it. */
+function linkableTaps(lowering: Lowering, { graph, tapped, taps }: Checked): readonly Source[] {
+  const broken = new Set<string>();
+  for (const node of tapped) {
+    const after = [...node.inputs.values()].flat().some((source) => broken.has(source.node));
+    if (after || !isLinkable(lowering, node)) broken.add(node.id);
+    if (!after && broken.has(node.id)) lowering.diagnostics.push(brokenShader(node));
+  }
+  return taps.filter(({ node }) => graph.nodes.has(node) && !broken.has(node));
+}
+
+function brokenShader({ id, definition }: FlatNode): Diagnostic {
+  return {
+    code: 'SCR041',
+    severity: 'warning',
+    nodeId: id,
+    message: `The shader of ${id} (${definition.title}) cannot be read, so nothing is to be seen of it.`,
+  };
+}

@@ -1,0 +1,20 @@
+import type { DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
+
+/** A pass that holds its shader itself; *link* puts an index in its place. */
+export type ScheduledPass = Omit<PassOperation, 'shader'> & { readonly shader: LinkedShader };
+
+export type ScheduledOperation = NodeOperation | DrawOperation | ShadowMapOperation | ScheduledPass;
+
+/** An operation and what has to run before it, as ids of operations. */
+export interface Step {
+  readonly operation: ScheduledOperation;
+  readonly after: readonly string[];
+}
+
+export function isPass(operation: ScheduledOperation): operation is ScheduledPass {
+  return operation.kind === 'pass';
+}
+
+export function isDrawOperation(operation: ScheduledOperation): operation is DrawOperation {
+  return operation.kind === 'draw';
+}

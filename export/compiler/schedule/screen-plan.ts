@@ -1,0 +1,104 @@
+import type { Presentation } from '../../program/program.ts';
+import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
+import { type Fit, fitOf } from './fit.ts';
+import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput } from './layers.ts';
+import { startValue } from './slots.ts';
+
+/** One thing laid onto the screen, over those before it. */
+export type Leaf =
+  /** Drawn straight into the session's framebuffer. */
+  | { readonly kind: 'draw'; readonly node: FlatNode; readonly occlusion: FlatNode | null }
+  /** An image node whose last pass draws there. */
+  | { readonly kind: 'passes'; readonly node: FlatNode }
+  /** A picture that has to be there first, and is then copied. */
+  | { readonly kind: 'picture'; readonly source: Source; readonly fit: Fit };
+
+export interface ScreenPlan {
+  /** In painter's order. */
+  readonly leaves: readonly Leaf[];
+  readonly background: Presentation['background'];
+}
+
+/** The library's own: blending does the same, so that on the way to the screen its layers need not be pictures. */
+const OVER_SHADER = 'operators/over.fs';
+
+/** Where nothing is drawn and the world is not the background. */
+const BLACK = [0, 0, 0, 1] as const;
+
+/**
+ * Takes apart what the screen shows. A stack of `over` nodes is a list of layers, which can be laid over each other in the
+ * session's framebuffer; whatever is drawn there directly needs no picture of its own, which saves a full-size target, its
+ * resolve and its bandwidth (design §6). The world at the very bottom is the background and nothing to be drawn.
+ */
+export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): ScreenPlan {
+  const [shown] = layerInputs(screen);
+  if (!shown) return { leaves: [], background: BLACK };
+  const leaves: Leaf[] = [];
+  const open: { readonly source: Source; readonly fit: Fit }[] = [{ source: shown, fit: fitOf(screen) }];
+  for (let next = open.pop(); next; next = open.pop()) {
+    const node = graph.nodes.get(next.source.node);
+    const once = uses.get(portKey(next.source)) === 1;
+    const over = node && once && layers.get(portKey(next.source))?.domain === 'view' ? layersOfOver(node) : null;
+    if (node && over) open.push({ source: over.top, fit: fitOf(node) }, { source: over.bottom, fit: fitOf(node) });
+    else leaves.push((node && once && directLeaf(graph, node, layers, uses)) || { kind: 'picture', ...next });
+  }
+  const [lowest] = leaves;
+  const source = lowest && sourceOf(lowest);
+  const onlyWorld = lowest?.kind === 'picture' && source && isWorld(source);
+  return { leaves: onlyWorld ? leaves.slice(1) : leaves, background: restsOnWorld(graph, source) ? 'world' : BLACK };
+
+  function sourceOf(leaf: Leaf): FlatNode | undefined {
+    return leaf.kind === 'picture' ? graph.nodes.get(leaf.source.node) : leaf.node;
+  }
+}
+
+/** An `over` that blending can take the place of: nothing set that blending does not do. */
+function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: Source } | null {
+  if (!isOver(node)) return null;
+  const [top] = sourcesAt(node, 'top');
+  const [bottom] = sourcesAt(node, 'bottom');
+  const plain = Object.entries(node.definition.params).every(
+    ([name, param]) => param.stage !== 'uniform' || (!node.inputs.has(name) && startValue(node, name, param) === param.default),
+  );
+  return plain && top && bottom ? { top, bottom } : null;
+}
+
+/** What needs no picture on its way to the screen, if nobody else needs one of it. */
+function directLeaf(graph: FlatGraph, node: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): Leaf | null {
+  if (isDraw(node)) return { kind: 'draw', node, occlusion: null };
+  if (node.definition.lowering.kind !== 'image') return null;
+  const draw = drawBehind(graph, node);
+  const [hidden] = layerInputs(node);
+  if (draw && hidden && uses.get(portKey(hidden)) === 1) return { kind: 'draw', node: draw, occlusion: node };
+  const output = layerOutput(node);
+  // A picture of its own size is drawn once for all views.
+  return output && layers.get(portKey(output))?.domain === 'view' ? { kind: 'passes', node } : null;
+}
+
+/**
+ * Whether the picture is a picture of the world, filtered or not. Then the world is its background too: where a session gives
+ * no camera image, the visitor sees what is there rather than black (design §9, tier B).
+ */
+function restsOnWorld(graph: FlatGraph, lowest: FlatNode | undefined): boolean {
+  for (let node = lowest; node; ) {
+    if (isWorld(node)) return true;
+    const [below] = isOver(node) ? sourcesAt(node, 'bottom') : layerInputs(node);
+    node = below && graph.nodes.get(below.node);
+  }
+  return false;
+}
+
+function isOver({ definition: { lowering } }: FlatNode): boolean {
+  return lowering.kind === 'image' && lowering.shader === OVER_SHADER;
+}
+
+/** How many wires each output has among `nodes`. */
+export function countUses(nodes: Iterable<FlatNode>): ReadonlyMap<string, number> {
+  const uses = new Map<string, number>();
+  for (const node of nodes) {
+    for (const sources of node.inputs.values()) {
+      for (const source of sources) uses.set(portKey(source), (uses.get(portKey(source)) ?? 0) + 1);
+    }
+  }
+  return uses;
+}

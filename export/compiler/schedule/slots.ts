@@ -1,0 +1,92 @@
+import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
+import { VALUE_SIZES, type ValueType } from '../../../nodes/kit/wire-types.ts';
+import { boundValue, clampToRange } from '../../graph/library/param-value.ts';
+import type { ParamValue } from '../../graph/project.ts';
+import type { Slot, SlotTable } from '../../program/program.ts';
+import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
+
+/** Gives every value of the program its place. */
+export interface SlotAllocator {
+  /** The slot that an output writes; the same for every call. */
+  ofOutput(source: Source, type: ValueType): number;
+  /** The slot that a uniform param reads: its own, or that of the output wired to it. */
+  ofParam(node: FlatNode, name: string): number;
+  /** The slot of an output as another type that converts without loss. */
+  ofInput(source: Source, type: ValueType): number;
+  table(): SlotTable;
+}
+
+export function createSlotAllocator(graph: FlatGraph): SlotAllocator {
+  const numbers: number[] = [];
+  const texts: string[] = [];
+  const slots: Slot[] = [];
+  const params: [string, number][] = [];
+  const outputs = new Map<string, number>();
+  const own = new Map<string, number>();
+  const converted = new Map<string, number>();
+  const outerNames = namesFromOutside(graph);
+
+  function add(type: ValueType, value: ParamValue): number {
+    const isText = type === 'text';
+    slots.push({ type, offset: isText ? texts.length : numbers.length });
+    if (isText) texts.push(String(value));
+    else numbers.push(...(typeof value === 'object' ? value : [Number(value)]));
+    return slots.length - 1;
+  }
+
+  function ofOutput(source: Source, type: ValueType): number {
+    const key = portKey(source);
+    const slot = outputs.get(key) ?? add(type, type === 'text' ? '' : new Array<number>(VALUE_SIZES[type]).fill(0));
+    outputs.set(key, slot);
+    return slot;
+  }
+
+  /** A toggle is 0 or 1 and a colour four numbers, so the same place can be read as either type. */
+  function ofInput(source: Source, type: ValueType): number {
+    const output = graph.nodes.get(source.node)?.definition.outputs[source.port];
+    const slot = ofOutput(source, output?.type as ValueType);
+    const offset = slots[slot]?.offset ?? 0;
+    if (slots[slot]?.type === type) return slot;
+    const key = `${slot} ${type}`;
+    const known = converted.get(key) ?? slots.push({ type, offset }) - 1;
+    converted.set(key, known);
+    return known;
+  }
+
+  return {
+    ofOutput,
+    ofInput,
+    ofParam: (node, name) => {
+      const definition = node.definition.params[name];
+      const type = definition && paramWireType(definition);
+      if (!definition || !type) throw new Error(`${node.id} has no uniform param ${name}.`);
+      const [source] = sourcesAt(node, name);
+      if (source) return ofInput(source, type);
+      const key = `${node.id}.${name}`;
+      const known = own.get(key);
+      if (known !== undefined) return known;
+      const slot = add(type, startValue(node, name, definition));
+      own.set(key, slot);
+      for (const address of [key, ...(outerNames.get(key) ?? [])]) params.push([address, slot]);
+      return slot;
+    },
+    table: () => ({ numbers, texts, slots, params: Object.fromEntries(params) }),
+  };
+}
+
+/** What a param that is not wired begins with; for those that are fixed, what it is. */
+export function startValue(node: FlatNode, name: string, definition: ParamDefinition): ParamValue {
+  const binding = node.bindings.get(name);
+  const value = (binding && boundValue(binding)) ?? definition.default;
+  return clampToRange(definition, value);
+}
+
+function namesFromOutside({ aliases }: FlatGraph): ReadonlyMap<string, readonly string[]> {
+  const names = new Map<string, string[]>();
+  for (const [outside, inside] of aliases) {
+    const list = names.get(inside);
+    if (list) list.push(outside);
+    else names.set(inside, [outside]);
+  }
+  return names;
+}

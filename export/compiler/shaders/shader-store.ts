@@ -1,0 +1,80 @@
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import type { Result } from '../../../nodes/kit/diagnostics.ts';
+import { isfDefinition, shaderName } from '../../glsl/isf/isf-definition.ts';
+import type { IsfShader } from '../../glsl/isf/isf-shader.ts';
+import { readIsf } from '../../glsl/isf/read-isf.ts';
+import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
+import { linkIsf } from '../../glsl/link/link-isf.ts';
+import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
+
+/** What of its inputs a shader has to do without. */
+export interface LinkVariant {
+  readonly loopBudget: boolean;
+  /** Optional inputs without a wire. */
+  readonly absent: readonly string[];
+  /** Image inputs whose layer has no depth. */
+  readonly withoutDepth: readonly string[];
+}
+
+/**
+ * All that the compiler asks of `export/glsl`, with a memory: a text is read, analysed and linked once for as long as its file
+ * holds it, however many nodes use it. So an edit recompiles in the time that the edited shader takes. Diagnostics name no
+ * nodes, because they are everybody's who uses the shader.
+ */
+export interface ShaderStore {
+  /** The node type that an ISF file is. */
+  readDefinition(file: string, source: string): Result<NodeDefinition>;
+  read(file: string, source: string): Result<IsfShader>;
+  link(file: string, source: string, variant: LinkVariant): Result<readonly LinkedPass[]>;
+  /** Only for shaders whose `depth` is `over`. */
+  linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
+}
+
+interface Entry {
+  readonly source: string;
+  readonly shader: Result<IsfShader>;
+  definition: Result<NodeDefinition> | null;
+  readonly links: Map<string, Result<readonly LinkedPass[]>>;
+  readonly depths: Map<string, LinkedPass>;
+}
+
+export function createShaderStore(): ShaderStore {
+  const entries = new Map<string, Entry>();
+
+  function entryOf(file: string, source: string): Entry {
+    const known = entries.get(file);
+    if (known?.source === source) return known;
+    const made: Entry = { source, shader: readIsf(source, file), definition: null, links: new Map(), depths: new Map() };
+    entries.set(file, made);
+    return made;
+  }
+
+  return {
+    read: (file, source) => entryOf(file, source).shader,
+    readDefinition: (file, source) => {
+      const entry = entryOf(file, source);
+      entry.definition ??= { ...entry.shader, output: entry.shader.output && isfDefinition(entry.shader.output, shaderName(file)) };
+      return entry.definition;
+    },
+    link: (file, source, variant) => {
+      const { shader, links } = entryOf(file, source);
+      if (shader.output === null) return { output: null, diagnostics: shader.diagnostics };
+      const key = keyOf(variant);
+      const known = links.get(key) ?? linkIsf(shader.output, { node: '', ...variant });
+      links.set(key, known);
+      return known;
+    },
+    linkDepth: (file, source, variant) => {
+      const { shader, depths } = entryOf(file, source);
+      if (shader.output === null) throw new Error(`${file} has been linked and cannot be read.`);
+      const key = keyOf(variant);
+      const known = depths.get(key) ?? linkIsfDepth(shader.output, { node: '', ...variant });
+      depths.set(key, known);
+      return known;
+    },
+  };
+}
+
+function keyOf({ loopBudget, absent, withoutDepth }: LinkVariant): string {
+  return [String(loopBudget), absent.join(), withoutDepth.join()].join(';');
+}

@@ -1,0 +1,75 @@
+import type { Program, Resource, SizeExpression, SizeToken } from '../program/program.ts';
+
+/** At which sizes are given in pixels and bytes, per view. */
+export interface ReferenceSize {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/** A phone held sideways. */
+export const REFERENCE_SIZE: ReferenceSize = { widthPx: 1920, heightPx: 1080 };
+
+export type Target = Extract<Resource, { kind: 'target' }>;
+
+export function targetsOf({ resources }: Program): Target[] {
+  return resources.filter((resource): resource is Target => resource.kind === 'target');
+}
+
+/** Null where it depends on the size of a file. */
+export function targetSize(target: Target, { slots }: Program, { widthPx, heightPx }: ReferenceSize): ReferenceSize | null {
+  if (target.size.base !== 'view') return null;
+  const slotNumber = (slot: number) => slots.numbers[slots.slots[slot]?.offset ?? -1] ?? 0;
+  const pixels = (expression: SizeExpression) => Math.max(1, Math.floor(evaluate(expression, widthPx, heightPx, slotNumber)) || 1);
+  return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };
+}
+
+const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, rgba16f: 8, r32f: 4 };
+const DEPTH_BYTES_PER_PIXEL = 4;
+
+/** Texture memory of a target per view, or null; multisampled ones are resolved into a second one, persistent ones are two. */
+export function targetBytes(target: Target, program: Program, reference: ReferenceSize): number | null {
+  const size = targetSize(target, program, reference);
+  if (size === null) return null;
+  const perSample = BYTES_PER_PIXEL[target.format] + (target.depth === 'window' ? DEPTH_BYTES_PER_PIXEL : 0);
+  const samples = target.samples > 1 ? target.samples + 1 : 1;
+  const copies = target.lifetime === 'persistent' ? 2 : 1;
+  return size.widthPx * size.heightPx * perSample * samples * copies;
+}
+
+type Operator = Extract<SizeToken, { op: string }>['op'];
+
+const UNARY: Readonly<Partial<Record<Operator, (x: number) => number>>> = {
+  negate: (x) => -x,
+  floor: Math.floor,
+  ceil: Math.ceil,
+  abs: Math.abs,
+  round: Math.round,
+  sqrt: Math.sqrt,
+};
+
+const BINARY: Readonly<Partial<Record<Operator, (a: number, b: number) => number>>> = {
+  '+': (a, b) => a + b,
+  '-': (a, b) => a - b,
+  '*': (a, b) => a * b,
+  '/': (a, b) => a / b,
+  '%': (a, b) => a % b,
+  min: Math.min,
+  max: Math.max,
+};
+
+/** Postfix, as the runtime evaluates it each frame. */
+function evaluate(expression: SizeExpression, width: number, height: number, slotNumber: (slot: number) => number): number {
+  const stack: number[] = [];
+  for (const token of expression) {
+    if (typeof token === 'number') stack.push(token);
+    else if ('slot' in token) stack.push(slotNumber(token.slot));
+    else if (token.op === 'width') stack.push(width);
+    else if (token.op === 'height') stack.push(height);
+    else {
+      const b = stack.pop() ?? Number.NaN;
+      const unary = UNARY[token.op];
+      stack.push(unary ? unary(b) : (BINARY[token.op]?.(stack.pop() ?? Number.NaN, b) ?? Number.NaN));
+    }
+  }
+  return stack.pop() ?? Number.NaN;
+}
