@@ -113,6 +113,24 @@ describe.each(Object.keys(SHADERS))('%s', (file) => {
   });
 });
 
+test('the filter that the README teaches works', async () => {
+  const readme = await readFile('shader-library/README.md', 'utf8');
+  const vignette = /```glsl\n([\s\S]*?)```/.exec(readme)?.[1]?.replace(/^ {3}/gm, '') ?? '';
+  const { output, diagnostics } = readIsf(vignette, 'filters/vignette.fs');
+  expect(diagnostics).toEqual([]);
+  const white = paint(32, 32, () => [255, 255, 255, 255]);
+  const passes = made(linkIsf(made({ output, diagnostics }), { node: 'test' }));
+  const drawn = await drawPicture(page, {
+    width: 32,
+    height: 32,
+    passes,
+    pictures: { inputImage: toPage(white) },
+    params: { amount: 0.5 },
+  });
+  expect(pixelAt(drawn, 16, 16)[0]).toBeGreaterThan(253);
+  expect(pixelAt(drawn, 0, 0)[0]).toBeCloseTo(135, -1);
+});
+
 describe.each(['photograph', 'generated'])('over the %s', (name) => {
   test.each([1.3, 6])('a blur of radius %d is OpenCV’s Gaussian of that sigma', async (radius) => {
     const blurred = await apply('filters/gaussian-blur.fs', { inputImage: await expected(name) }, { radius });

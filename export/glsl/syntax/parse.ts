@@ -12,7 +12,7 @@ import { GlslError } from './token.ts';
  * `GlslError` at the first mistake.
  *
  * A parser of our own, by recursive descent: `@shaderfrog/glsl-parser` 7 (a PEG) took 300 ms for 105 lines and 1.0–1.8 s for
- * 505 on two busy cores where this one takes 3 and 10, and an editor parses at every pause in typing. It also loses the place
+ * 505 on two busy cores where this one takes 2 and 6, and an editor parses at every pause in typing. It also loses the place
  * of everything that a macro touches.
  */
 export function parseShader(source: string): ParsedShader {
