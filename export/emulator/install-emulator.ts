@@ -88,7 +88,7 @@ function settle(said: EmulatorOptions & SettledDefaults): WorldSettings {
     views: said.views ?? views,
     features: new Set([...features, ...said.extra].filter((feature) => !refused.has(feature))),
     sizePx: said.sizePx,
-    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, transform: {} }, said.depth ?? {}),
+    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, transform: {}, gpuValues: 'metres' }, said.depth ?? {}),
     display: said.display,
     requireGesture: said.requireGesture,
   };

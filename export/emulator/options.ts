@@ -42,6 +42,11 @@ export interface DepthOptions {
   readonly sizePx?: readonly [width: number, height: number];
   /** How the depth buffer lies against the view; default: upright, covering it exactly. */
   readonly transform?: DepthTransform;
+  /**
+   * What depth textures hold. `metres`: as the specification says. `window`: as Quest Browser does, values of a depth buffer with
+   * an endless far plane, its first row at the bottom, and attributes `depthNear` and `depthFar` that no specification has.
+   */
+  readonly gpuValues?: 'metres' | 'window';
 }
 
 export type DepthUsage = 'cpu-optimized' | 'gpu-optimized';

@@ -31,6 +31,10 @@ export async function enter(options: EmulatorOptions, init: XRSessionInit = {}):
 /** With a device that stays when the session is left. */
 export async function enterWith(emulator: Emulator, init: XRSessionInit = {}, gl = createContext()): Promise<Stage> {
   const session = await requestSession(init);
+  let ended = false;
+  session.addEventListener('end', () => {
+    ended = true;
+  });
   const layer = new XRWebGLLayer(session, gl);
   session.updateRenderState({ baseLayer: layer });
   const space = await session.requestReferenceSpace('local-floor');
@@ -54,7 +58,9 @@ export async function enterWith(emulator: Emulator, init: XRSessionInit = {}, gl
       await emulator.stepFrame();
       return result;
     },
-    leave: () => session.end(),
+    leave: async () => {
+      if (!ended) await session.end();
+    },
   };
 }
 
@@ -73,14 +79,28 @@ export function createContext(
   return gl;
 }
 
-/** The name of the error that `act` throws or rejects with, or null. */
+/** The name of the error that `act` rejects with or throws, or null. */
 export async function nameOfError(act: () => unknown): Promise<string | null> {
   try {
     await act();
     return null;
   } catch (error) {
-    return error instanceof Error || error instanceof DOMException ? error.name : String(error);
+    return nameOf(error);
   }
+}
+
+/** At once, as is needed while a frame lasts. */
+export function nameOfThrow(act: () => unknown): string | null {
+  try {
+    act();
+    return null;
+  } catch (error) {
+    return nameOf(error);
+  }
+}
+
+function nameOf(error: unknown): string {
+  return error instanceof Error || error instanceof DOMException ? error.name : String(error);
 }
 
 export function first<T>(list: readonly T[]): T {

@@ -20,6 +20,18 @@ export function encodeDepth(metres: Float32Array, format: DepthFormat): EncodedD
   return { data: units.buffer, rawValueToMeters: METRES_PER_UNIT };
 }
 
+/** Metres → what a depth buffer with an endless far plane holds, rows from the bottom; 0 stays unknown. */
+export function encodeWindowDepth(metres: Float32Array, widthPx: number, nearM: number): EncodedDepth {
+  const values = new Float32Array(metres.length);
+  const rows = metres.length / widthPx;
+  for (let i = 0; i < metres.length; i++) {
+    const row = rows - 1 - Math.floor(i / widthPx);
+    const at = metres[i] ?? 0;
+    values[row * widthPx + (i % widthPx)] = at > 0 ? Math.max(1 - nearM / at, 0) : 0;
+  }
+  return { data: values.buffer, rawValueToMeters: 1 };
+}
+
 export function readDepth(data: ArrayBuffer, format: DepthFormat, index: number): number {
   return (format === 'float32' ? new Float32Array(data) : new Uint16Array(data))[index] ?? 0;
 }

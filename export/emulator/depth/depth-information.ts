@@ -1,7 +1,7 @@
 import type { XRRigidTransform } from 'iwer';
 import type { DepthFormat } from '../options.ts';
 import type { EmulatedView } from '../session/emulated-view.ts';
-import { type EncodedDepth, readDepth } from './depth-encoding.ts';
+import { encodeDepth, readDepth } from './depth-encoding.ts';
 import { MatrixTransform } from './matrix-transform.ts';
 import type { SessionDepth } from './session-depth.ts';
 
@@ -40,9 +40,10 @@ export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
   readonly #data: ArrayBuffer;
   readonly #format: DepthFormat;
 
-  constructor(view: EmulatedView, depth: SessionDepth, encoded: EncodedDepth) {
-    super(view, depth, encoded.rawValueToMeters);
-    this.#data = encoded.data;
+  constructor(view: EmulatedView, depth: SessionDepth, metres: Float32Array) {
+    const { data, rawValueToMeters } = encodeDepth(metres, depth.format);
+    super(view, depth, rawValueToMeters);
+    this.#data = data;
     this.#format = depth.format;
   }
 
@@ -71,10 +72,21 @@ function toIndex(normalised: number, count: number): number {
 export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
   readonly textureType: 'texture' | 'texture-array';
   readonly imageIndex: number | null;
+  /** There with `window` values alone. */
+  declare readonly depthNear?: number;
+  declare readonly depthFar?: number;
   readonly #texture: WebGLTexture;
 
-  constructor(view: EmulatedView, depth: SessionDepth, rawValueToMeters: number, texture: WebGLTexture, imageIndex: number | null) {
+  constructor(
+    view: EmulatedView,
+    depth: SessionDepth,
+    rawValueToMeters: number,
+    texture: WebGLTexture,
+    imageIndex: number | null,
+    windowNearM: number | null,
+  ) {
     super(view, depth, rawValueToMeters);
+    if (windowNearM !== null) Object.assign(this, { depthNear: windowNearM, depthFar: Number.POSITIVE_INFINITY });
     this.#texture = texture;
     this.imageIndex = imageIndex;
     this.textureType = imageIndex === null ? 'texture' : 'texture-array';

@@ -3,7 +3,6 @@ import type { RoomView } from '../display/room-view.ts';
 import type { DepthConfiguration } from '../features.ts';
 import type { DepthOptions } from '../options.ts';
 import { createDepthCamera } from './depth-camera.ts';
-import { type EncodedDepth, encodeDepth } from './depth-encoding.ts';
 import { affineToMatrix, depthUvFromViewUv } from './depth-transform.ts';
 
 /** Depth sensing as one session was granted it. */
@@ -12,7 +11,9 @@ export interface SessionDepth extends DepthConfiguration {
   readonly heightPx: number;
   /** Column-major 4×4. */
   readonly bufferFromView: Float32Array;
-  measure(eye: Eye): EncodedDepth;
+  readonly gpuValues: 'metres' | 'window';
+  /** Metres, row-major from the top; the same array every time. */
+  measure(eye: Eye): Float32Array;
   dispose(): void;
 }
 
@@ -25,7 +26,8 @@ export function createSessionDepth(view: RoomView, granted: DepthConfiguration, 
     widthPx,
     heightPx,
     bufferFromView: affineToMatrix(map),
-    measure: (eye) => encodeDepth(camera.measure(eye), granted.format),
+    gpuValues: options.gpuValues,
+    measure: camera.measure,
     dispose: camera.dispose,
   };
 }

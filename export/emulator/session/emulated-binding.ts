@@ -1,4 +1,5 @@
 import { P_FRAME, P_SESSION } from 'iwer';
+import { encodeDepth, encodeWindowDepth } from '../depth/depth-encoding.ts';
 import { EmulatedWebGlDepthInformation } from '../depth/depth-information.ts';
 import { createDepthTexture, type DepthTexture } from '../depth/depth-texture.ts';
 import { borrowGl } from '../display/app-gl.ts';
@@ -38,14 +39,17 @@ export class EmulatedBinding {
     const { world, eyes } = this.#session[P_EMULATED];
     if (!world.tracked) return null;
     const { frame, index } = view[P_EYE];
-    const encoded = frame.measureDepth(view);
+    const metres = frame.measureDepth(view);
+    const windowNearM = depth.gpuValues === 'window' ? this.#session.renderState.depthNear : null;
+    const encoded = windowNearM === null ? encodeDepth(metres, depth.format) : encodeWindowDepth(metres, depth.widthPx, windowNearM);
     const layers = eyes.length === 2 ? 2 : 1;
     const texture = borrowGl(this.#gl, () => {
-      this.#depth ??= createDepthTexture(this.#gl, depth.widthPx, depth.heightPx, layers, depth.format);
+      const format = windowNearM === null ? depth.format : 'float32';
+      this.#depth ??= createDepthTexture(this.#gl, depth.widthPx, depth.heightPx, layers, format);
       this.#depth.upload(encoded, index);
       return this.#depth.texture;
     });
-    return new EmulatedWebGlDepthInformation(view, depth, encoded.rawValueToMeters, texture, layers === 2 ? index : null);
+    return new EmulatedWebGlDepthInformation(view, depth, encoded.rawValueToMeters, texture, layers === 2 ? index : null, windowNearM);
   }
 
   /** WebXR Raw Camera Access §3.3. Row 0 of the texture is the bottom of the picture. */

@@ -1,6 +1,5 @@
 import type { XRReferenceSpace } from 'iwer';
 import { P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRViewerPose } from 'iwer';
-import type { EncodedDepth } from '../depth/depth-encoding.ts';
 import { EmulatedCpuDepthInformation } from '../depth/depth-information.ts';
 import {
   computeHits,
@@ -17,7 +16,7 @@ import { EmulatedView } from './emulated-view.ts';
 /** A frame whose answers are this frame's: depth and hits are worked out when asked for, from this frame's poses. */
 export class EmulatedFrame extends XRFrame {
   readonly #session: EmulatedSession;
-  readonly #depths = new Map<number, EncodedDepth>();
+  readonly #depths = new Map<number, Float32Array>();
 
   constructor(session: EmulatedSession, id: number, timeMs: number) {
     super(session, id, true, true, timeMs);
@@ -55,11 +54,11 @@ export class EmulatedFrame extends XRFrame {
   }
 
   /** Measured once per view, whoever asks. */
-  measureDepth(view: EmulatedView): EncodedDepth {
+  measureDepth(view: EmulatedView): Float32Array {
     const { eye, index } = view[P_EYE];
     const known = this.#depths.get(index);
     if (known) return known;
-    const measured = this.#session.requireDepth().measure(eye);
+    const measured = this.#session.requireDepth().measure(eye).slice();
     this.#depths.set(index, measured);
     return measured;
   }

@@ -1,0 +1,204 @@
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+
+// The clauses of the WebXR specifications that pages meet, one by one.
+const chromium = useBrowser();
+let page: PageModule;
+
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/emulator-session.page.ts');
+}, 60_000);
+afterAll(async () => {
+  await page?.close();
+});
+
+function ask<T>(name: string, ...args: readonly unknown[]): Promise<T> {
+  return page.call<T>(name, ...args);
+}
+
+describe('requestSession', () => {
+  test('grants what the device has and refuses what it lacks', async () => {
+    const { errors, second, granted, supported } = await ask<
+      Record<'errors' | 'granted', unknown> & { second: string; supported: boolean }
+    >('requests');
+    expect(errors).toEqual({
+      refusedRequired: 'NotSupportedError',
+      unknownRequired: 'NotSupportedError',
+      inline: 'NotSupportedError',
+      depthWithoutWishes: 'NotSupportedError',
+      depthInAnotherFormat: 'NotSupportedError',
+      overlayWithoutRoot: 'NotSupportedError',
+      plain: null,
+    });
+    expect(granted).toEqual({
+      features: ['viewer', 'local', 'local-floor', 'depth-sensing', 'hit-test'],
+      depth: ['cpu-optimized', 'luminance-alpha'],
+    });
+    expect(second).toBe('InvalidStateError');
+    expect(supported).toBe(true);
+  });
+});
+
+describe('a page that oversteps hears of it', () => {
+  test('after the frame, in the wrong frame, after the end', async () => {
+    const { stale, within, ended } = await ask<Record<'stale' | 'within' | 'ended', object>>('trespasses');
+    expect(Object.entries(stale).filter(([, name]) => name !== 'InvalidStateError')).toEqual([]);
+    expect(Object.keys(stale)).toHaveLength(9);
+    expect(within).toEqual({ viewOfAnotherFrame: 'InvalidStateError', outsideTheView: 'RangeError', depthOfTheGpu: 'InvalidStateError' });
+    expect(ended).toEqual({
+      renderState: 'InvalidStateError',
+      end: 'InvalidStateError',
+      layer: 'InvalidStateError',
+      space: 'NotSupportedError',
+      hitTest: 'InvalidStateError',
+    });
+  });
+
+  test('without the features', async () => {
+    expect(await ask('trespassesWithoutFeatures')).toEqual({
+      depth: 'NotSupportedError',
+      gpuDepth: 'NotSupportedError',
+      usage: 'InvalidStateError',
+      format: 'InvalidStateError',
+      probe: 'NotSupportedError',
+      camera: null,
+      plainContext: 'InvalidStateError',
+    });
+    expect(await ask('contextMadeCompatible')).toBeNull();
+  });
+});
+
+interface FoundViews {
+  readonly size: number[];
+  readonly blend: string;
+  readonly interaction: string;
+  readonly views: readonly { eye: string; viewport: number[]; projection: number[]; position: number[] }[];
+}
+
+describe('views', () => {
+  test('a phone has one, over all of the framebuffer', async () => {
+    const found = await ask<FoundViews>('views', { device: 'phone', sizePx: [300, 600], fovYRad: 1 });
+    expect(found).toMatchObject({ size: [300, 600], blend: 'alpha-blend', interaction: 'screen-space' });
+    expect(found.views).toHaveLength(1);
+    const [view] = found.views;
+    expect(view).toMatchObject({ eye: 'none', viewport: [0, 0, 300, 600], position: [0.5, 1.5, 1] });
+    // 1 / tan(fov / 2), and half the width of that at half the aspect.
+    expect(view?.projection[5]).toBeCloseTo(1 / Math.tan(0.5), 6);
+    expect(view?.projection[0]).toBeCloseTo(2 / Math.tan(0.5), 6);
+    expect(view?.projection[8]).toBeCloseTo(0, 6);
+  });
+
+  test('a headset has two side by side, apart by the distance of the eyes, each seeing further outwards', async () => {
+    const { views, size } = await ask<FoundViews>('views', { device: 'headset', sizePx: [640, 320], ipdM: 0.06 });
+    expect(size).toEqual([640, 320]);
+    expect(views.map(({ eye, viewport, position }) => [eye, viewport, position])).toEqual([
+      ['left', [0, 0, 320, 320], [0.47, 1.5, 1]],
+      ['right', [320, 0, 320, 320], [0.53, 1.5, 1]],
+    ]);
+    const [left, right] = views;
+    expect(left?.projection[8]).toBeLessThan(-0.05);
+    expect(right?.projection[8]).toBe(-(left?.projection[8] ?? 0));
+  });
+
+  test('a headset can be asked for one, and glasses add light', async () => {
+    expect((await ask<FoundViews>('views', { device: 'headset', views: 1 })).views.map(({ eye }) => eye)).toEqual(['none']);
+    expect(await ask<FoundViews>('views', { device: 'glasses' })).toMatchObject({ blend: 'additive', interaction: 'world-space' });
+  });
+});
+
+test('tracking is lost and found, hidden sessions rest, errors in callbacks reach the page', async () => {
+  const found = await ask<Record<string, unknown>>('troubles');
+  expect(found).toMatchObject({ lost: null, found: true, hidden: 0, shown: 1, told: ['hidden', 'visible', 'reset'] });
+  const [first = 0, second = 0] = found.times as number[];
+  expect(first).toBe(0);
+  expect(second).toBeCloseTo(1000 / 60, 6);
+  expect(String(found.errors)).toMatch(/the page stumbled/);
+  expect(found.stumbled).toBe('Error');
+});
+
+test('spaces are level and stay where they are until re-centred', async () => {
+  const { before, after, recentred } = await ask<Record<string, Record<string, number[]>>>('spaces');
+  // The head looks along −x and down; `local` begins there, upright.
+  expect(before).toMatchObject({ floor: [1, 1.5, 2], local: [0, 0, 0], localUp: [0, 1, 0], localForward: [-1, 0, 0], viewer: [0, 0, 0] });
+  // In a space moved by (1, 0, 2) and turned by 90° about y.
+  expect(before?.shifted).toEqual([0, 1.5, 0]);
+  // From (1, 1.5, 2) to (2, 1.6, 0): 2 m to the right and 1 m back of someone facing −x.
+  expect(after).toMatchObject({ floor: [2, 1.6, 0], local: [2, 0.1, 1], viewer: [0, 0, 0] });
+  expect(recentred).toMatchObject({ floor: [2, 1.6, 0], local: [0, 0, 0], localForward: [0, 0, -1] });
+});
+
+test('hit tests find planes by default and solids when asked, in this frame', async () => {
+  const found = await ask<Record<string, number[][]> & { cancelledTwice: string }>('hits');
+  // From (0, 1.6, 0) towards (0, 0.8, −1.8): the table's top, then the floor behind it at twice the way.
+  expect(found.planes).toEqual([
+    [0, 0.8, -1.8],
+    [0, 0, -3.6],
+  ]);
+  expect(found.normals).toEqual([
+    [0, 1, 0],
+    [0, 1, 0],
+  ]);
+  expect(found.solids?.[0]).toEqual([0, 0.8, -1.8]);
+  expect(found.straightDown).toEqual([[0, 0, 1]]);
+  // Column-major: −z turned to −y, then moved.
+  expect((found.ray as unknown as number[]).map((x) => Math.round(x) + 0)).toEqual([1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 3, 1, 1]);
+  expect(found.anchored).toEqual([0, 0.8, -1.8]);
+  expect(found.cancelledTwice).toBe('InvalidStateError');
+});
+
+test('a touch comes, selects and goes, and its ray goes through its point', async () => {
+  const { heard, hit } = await ask<{ heard: string[]; hit: { at: number[]; halfWidth: number } }>('touches');
+  expect(heard).toEqual(['+1 -0', 'selectstart screen', 'select screen', 'selectend screen', '+0 -1']);
+  // Looking straight down from 2 m with the view's right towards −x: half of the half width to the right.
+  expect(hit.at[0]).toBeCloseTo(-hit.halfWidth, 2);
+  expect(hit.at[1]).toBeCloseTo(0, 3);
+  expect(hit.at[2]).toBeCloseTo(0, 2);
+});
+
+test('a controller’s select comes with its release', async () => {
+  const { held, heard, sources } = await ask<{ held: string[]; heard: string[]; sources: number }>('controllers');
+  expect(held).toEqual(['selectstart right']);
+  expect(heard).toEqual(['selectstart right', 'select right', 'selectend right']);
+  expect(sources).toBe(2);
+});
+
+test('a DOM overlay is laid over the picture, may keep a touch, and is put back', async () => {
+  const { during, heard, after } = await ask<Record<'during' | 'heard' | 'after', unknown>>('overlay');
+  expect(during).toEqual({ background: 'transparent', position: 'fixed', state: 'screen' });
+  expect(heard).toEqual(['selectstart']);
+  expect(after).toEqual({ background: 'red', position: '' });
+});
+
+test('planes and meshes are where the room has them, and do not change from frame to frame', async () => {
+  const { same, planes, meshes } = await ask<{
+    same: boolean;
+    planes: { label: string; orientation: string; heights: number[] }[];
+    meshes: [number, number, number][];
+  }>('surfaces');
+  expect(same).toBe(true);
+  const floor = planes.find(({ label }) => label === 'floor');
+  expect(floor).toEqual({ label: 'floor', orientation: 'horizontal', heights: [0, 0, 0, 0] });
+  expect(planes.find(({ label }) => label === 'table')?.heights).toEqual([0.4225, 0.4225, 0.4225, 0.4225]);
+  const walls = planes.filter(({ label }) => label === 'wall');
+  expect(walls).toHaveLength(4);
+  for (const { orientation, heights } of walls) {
+    expect(orientation).toBe('vertical');
+    expect([...heights].sort()).toEqual([0, 0, 2.6, 2.6]);
+  }
+  expect(meshes).toHaveLength(1);
+  const [[vertices, triangles, lastIndex] = [0, 0, 0]] = meshes;
+  expect(triangles).toBeGreaterThan(10_000);
+  expect(lastIndex).toBeLessThan(vertices);
+});
+
+test('five sessions leave nothing behind, and the device goes without a trace', async () => {
+  const { counts, before, during, after } = await ask<Record<'before' | 'during' | 'after', object> & { counts: object[] }>('leavings');
+  expect(counts).toHaveLength(5);
+  for (const count of counts) expect(count).toEqual({ ...counts[0], page: 0 });
+  expect(during).not.toEqual(before);
+  expect(after).toEqual(before);
+});
+
+test('nothing was complained about', () => {
+  expect(page.errors.filter((error) => !error.includes('the page stumbled'))).toEqual([]);
+});
