@@ -19,7 +19,7 @@ import {
   SphereGeometry,
   WebGLRenderer,
 } from 'three';
-import type { LightList, NumberView, ObjectList } from '../../nodes/kit/runtime.ts';
+import type { DrawnScene, LightList, NumberView, ObjectList } from '../../nodes/kit/runtime.ts';
 import type { ViewFrame } from '../../nodes/kit/session.ts';
 import { upset } from './runtime-kit.ts';
 import {
@@ -236,25 +236,32 @@ export function live() {
   return { first, green, hidden, behind, faded, gone, recompiled: compiledAfter - compiled, error: gl.getError() };
 }
 
-/** Whatever others did to the context, and what is left to them. */
+/** Whatever others did to the context, also between frames, and what is left to them. */
 export function state() {
-  const stand = createStand();
-  const { gl, backend, layer } = stand;
+  const { gl, backend, layer } = createStand();
   const material = new MeshStandardMaterial({ color: 0x88ccff });
-  const list = objects(
-    item(new Mesh(new SphereGeometry(0.5), material)),
-    item(new Mesh(new SphereGeometry(0.2), material), { role: 'phantom', at: translation(0.2, 0, 0.6) }),
-  );
-  const scene = backend.serviceFor(NO_SHADOWS).createScene({ kind: 'shaded' });
-  scene.update([list], [lights(sun([0, 0, 1]))]);
-  const draw = (): Uint8Array => {
+  const ball = item(new Mesh(new SphereGeometry(0.5), material));
+  const phantom = item(new Mesh(new SphereGeometry(0.2), material), { role: 'phantom', at: translation(0.2, 0, 0.6) });
+  const begin = () => backend.serviceFor(NO_SHADOWS).createScene({ kind: 'shaded' });
+  const draw = (scene: DrawnScene): Uint8Array => {
     layer.clear();
     backend.invalidateState();
     scene.draw(drawView(viewOf(FRONT), layer.framebuffer));
     return layer.pixels();
   };
-  const before = draw();
+  // Something unlit first, so that the surroundings are made between two frames, in whatever state the context is then.
+  const late = begin();
+  const list = objects(item(new Mesh(new BoxGeometry(), new MeshBasicMaterial())));
+  late.update([list], []);
+  draw(late);
+  list.items.splice(0, 1, ball, phantom);
+  list.version++;
   upset(gl);
+  late.update([list], [lights(sun([0, 0, 1]))]);
+  const lateSurroundings = draw(late);
+  const scene = begin();
+  scene.update([list], [lights(sun([0, 0, 1]))]);
+  const before = draw(scene);
   layer.clear();
   upset(gl);
   backend.invalidateState();
@@ -262,7 +269,19 @@ export function state() {
   const bound = gl.getParameter(gl.FRAMEBUFFER_BINDING) === layer.framebuffer;
   const scissor = gl.isEnabled(gl.SCISSOR_TEST);
   const after = layer.pixels();
-  return { difference: difference(before, after, 0), drawn: covered(before), bound, scissor, error: gl.getError() };
+  const other = createStand();
+  const elsewhere = other.backend.serviceFor(NO_SHADOWS).createScene({ kind: 'shaded' });
+  elsewhere.update([list], [lights(sun([0, 0, 1]))]);
+  other.layer.clear();
+  elsewhere.draw(drawView(viewOf(FRONT), other.layer.framebuffer));
+  return {
+    upset: difference(before, after, 0),
+    late: difference(lateSurroundings, other.layer.pixels(), 0),
+    drawn: covered(before),
+    bound,
+    scissor,
+    error: gl.getError(),
+  };
 }
 
 /** Straight into the canvas, as a page without layers does. */

@@ -2,7 +2,7 @@ import { Box3, Matrix4, type Object3D, PerspectiveCamera, Sphere, Vector3 } from
 import type { LoadedModel, SceneBackend } from '../../export/runtime/scene-backend.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import type { DrawView, LightItem, LightList, ObjectItem, ObjectList } from '../../nodes/kit/runtime.ts';
-import type { ViewFrame } from '../../nodes/kit/session.ts';
+import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 
 /** A canvas, a layer to draw into and the scene backend over them: what the player would give, without the player. */
 
@@ -214,4 +214,17 @@ export async function loadUrl(backend: SceneBackend, url: string): Promise<Loade
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status}`);
   return await backend.loadModel(await response.arrayBuffer(), url);
+}
+
+const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+/** Room depth as sessions give it: metres per texel, bottom row first, 0 where unknown. */
+export function room(gl: WebGL2RenderingContext, widthPx: number, heightPx: number, metres: number[], uvFromViewUv = IDENTITY): RoomDepth {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, new Float32Array(metres));
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+  return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(uvFromViewUv), worldFromDepth: new Float32Array(16) };
 }

@@ -1,6 +1,5 @@
 import {
   AdditiveBlending,
-  BoxGeometry,
   BufferGeometry,
   Float32BufferAttribute,
   Group,
@@ -19,16 +18,12 @@ import {
   PlaneGeometry,
   Points,
   PointsMaterial,
-  SphereGeometry,
-  TorusKnotGeometry,
 } from 'three';
 import type { ObjectList, RoomDepthOutput } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth } from '../../nodes/kit/session.ts';
 import {
   covered,
-  createLayer,
   createStand,
-  difference,
   drawView,
   HEIGHT,
   item,
@@ -36,6 +31,7 @@ import {
   lookingAt,
   objects,
   pixel,
+  room,
   type Stand,
   sun,
   translation,
@@ -44,19 +40,6 @@ import {
 } from './scenes-kit.ts';
 
 const FRONT = lookingAt([0, 0, 2], [0, 0, 0]);
-const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
-
-/** Metres per texel, bottom row first. */
-function room(gl: WebGL2RenderingContext, widthPx: number, heightPx: number, metres: number[], uvFromViewUv = IDENTITY): RoomDepth {
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, new Float32Array(metres));
-  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
-  return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(uvFromViewUv), worldFromDepth: new Float32Array(16) };
-}
-
 interface Params {
   softnessM?: { value: number };
   biasM?: { value: number };
@@ -106,80 +89,6 @@ export function border() {
     error: gl.getError(),
   };
   return result;
-}
-
-const LAYER_FORM = `#version 300 es
-precision highp float;
-uniform sampler2D color, depth, room;
-uniform mat3 roomUvFromViewUv;
-uniform float nearM, farM, softnessM, biasM;
-out vec4 result;
-void main() {
-  ivec2 at = ivec2(gl_FragCoord.xy);
-  vec3 uv = roomUvFromViewUv * vec3(gl_FragCoord.xy / vec2(${WIDTH}, ${HEIGHT}), 1.0);
-  float window = texelFetch(depth, at, 0).r;
-  float depthM = nearM * farM / (farM - window * (farM - nearM));
-  float roomM = texture(room, uv.xy / uv.z).r;
-  float behindM = depthM - roomM - biasM;
-  float hidden = roomM <= 0.0 ? 0.0 : softnessM > 0.0 ? clamp(behindM / softnessM, 0.0, 1.0) : step(0.0, behindM);
-  result = texelFetch(color, at, 0) * (1.0 - hidden);
-}`;
-
-/** The layer form, written down a second time: a finished layer times the visibility of its nearest surface. */
-function layerForm(stand: Stand, depth: RoomDepth, softnessM: number, biasM: number): Uint8Array {
-  const { gl, layer } = stand;
-  const program = gl.createProgram();
-  const vertex = '#version 300 es\nvoid main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0); }';
-  for (const [type, source] of [[gl.VERTEX_SHADER, vertex] as const, [gl.FRAGMENT_SHADER, LAYER_FORM] as const]) {
-    const shader = gl.createShader(type);
-    if (!shader) throw new Error('no shader');
-    gl.shaderSource(shader, source);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  const out = createLayer(gl, WIDTH, HEIGHT);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, out.framebuffer);
-  gl.viewport(0, 0, WIDTH, HEIGHT);
-  for (const capability of [gl.BLEND, gl.DEPTH_TEST, gl.CULL_FACE, gl.SCISSOR_TEST]) gl.disable(capability);
-  gl.bindVertexArray(null);
-  gl.useProgram(program);
-  [layer.color, layer.depth, depth.texture].forEach((texture, unit) => {
-    gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.uniform1i(gl.getUniformLocation(program, ['color', 'depth', 'room'][unit] ?? ''), unit);
-  });
-  gl.uniformMatrix3fv(gl.getUniformLocation(program, 'roomUvFromViewUv'), false, depth.uvFromViewUv);
-  for (const [name, value] of Object.entries({ nearM: 0.1, farM: 50, softnessM, biasM }))
-    gl.uniform1f(gl.getUniformLocation(program, name), value);
-  gl.drawArrays(gl.TRIANGLES, 0, 3);
-  const pixels = out.pixels();
-  out.dispose();
-  return pixels;
-}
-
-/** Overlapping, self-overlapping and intersecting opaque things through a slanted room. */
-export function equalForms() {
-  const stand = createStand();
-  const { gl } = stand;
-  const thing = (mesh: Mesh, x: number, y: number, z: number) => item(mesh, { at: translation(x, y, z) });
-  const list = objects(
-    thing(new Mesh(new TorusKnotGeometry(0.35, 0.12, 96, 12), new MeshStandardMaterial({ color: 0xcc5533 })), -0.3, 0.1, 0),
-    thing(new Mesh(new BoxGeometry(0.8, 0.5, 0.5), new MeshPhongMaterial({ color: 0x3355cc })), 0.3, -0.2, -0.2),
-    thing(new Mesh(new SphereGeometry(0.4, 32, 24), new MeshLambertMaterial({ color: 0x55cc33 })), 0.2, 0.3, 0.2),
-    item(new Mesh(new PlaneGeometry(9, 9), new MeshBasicMaterial({ color: 0x888888 })), { at: translation(0, 0, -0.6) }),
-    item(new Mesh(new SphereGeometry(0.2), new MeshBasicMaterial()), { role: 'phantom', at: translation(-0.1, -0.2, 0.5) }),
-  );
-  // From 1.4 m on the left to 2.8 m on the right, with holes, at a coarse resolution.
-  const metres = Array.from({ length: 20 * 15 }, (_, i) => (i % 17 === 0 ? 0 : 1.4 + ((i % 20) / 19) * 1.4));
-  const depth = room(gl, 20, 15, metres, [0.9, 0.05, 0, -0.05, 0.9, 0, 0.07, 0.02, 1]);
-  const compare = (softnessM: number, biasM: number) => {
-    const early = shoot(stand, list, depth, { softnessM: { value: softnessM }, biasM: { value: biasM } });
-    const whole = shoot(stand, list, null);
-    const late = layerForm(stand, depth, softnessM, biasM);
-    return { ...difference(early, late), hidden: covered(whole) - covered(late), shown: covered(late) };
-  };
-  return { hard: compare(0, 0), biased: compare(0, 0.15), soft: compare(0.4, 0), error: gl.getError() };
 }
 
 /** Every kind of material, hidden by the left half of the room; and what it took to compile them. */

@@ -1,8 +1,12 @@
+import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { DrawOperation, NodeOperation, Program, ShadowMapOperation, Slot } from '../../export/program/program.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES } from '../../nodes/kit/wire-types.ts';
+import { definition as occlusionDefinition } from '../../nodes/layer/depth-occlusion/definition.ts';
+import occlusionSource from '../../nodes/layer/depth-occlusion/occlusion.fs';
 import { definition as sceneDefinition } from '../../nodes/layer/scene/definition.ts';
 import * as sceneLayer from '../../nodes/layer/scene/runtime.ts';
 import { definition as shadowDefinition } from '../../nodes/layer/shadow/definition.ts';
@@ -17,9 +21,11 @@ import { definition as transformDefinition } from '../../nodes/objects/transform
 import * as transform from '../../nodes/objects/transform/runtime.ts';
 import { definition as modelDefinition } from '../../nodes/source/model/definition.ts';
 import * as model from '../../nodes/source/model/runtime.ts';
+import { definition as roomDefinition } from '../../nodes/world/depth/definition.ts';
+import * as roomDepth from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
 import { colorSampler, frame, pass, program, shader, stand, target } from './runtime-kit.ts';
-import { createGl, HEIGHT, lookingAt, pixel, project, readPixels, viewOf, WIDTH } from './scenes-kit.ts';
+import { covered, createGl, difference, HEIGHT, lookingAt, pixel, project, readPixels, room, viewOf, WIDTH } from './scenes-kit.ts';
 
 const MODULES = {
   'layer/scene': sceneLayer,
@@ -29,6 +35,7 @@ const MODULES = {
   'objects/primitive': primitive,
   'objects/transform': transform,
   'source/model': model,
+  'world/depth': roomDepth,
 } satisfies Record<string, NodeModule>;
 
 type Value = number | boolean | string | readonly number[];
@@ -197,4 +204,86 @@ export async function brokenModel() {
   const told = diagnostics();
   player.dispose();
   return told;
+}
+
+const FACING = lookingAt([0, 0, 2], [0, 0, 0]);
+
+/** Overlapping, self-overlapping and intersecting opaque things, hidden while they are drawn or after. */
+function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>): Program {
+  const { node, table } = createBuilder();
+  const thing = (id: string, shape: string, positionM: readonly number[], color: readonly number[], size: number): NodeOperation[] => [
+    node(`${id}-shape`, primitiveDefinition, {}, { shape, sizeM: [size, size, size], color }),
+    node(id, transformDefinition, { objects: [`${id}-shape.objects`] }, { positionM, rotationRad: [0.5, 0.4, 0] }),
+  ];
+  const things = [
+    ...thing('ring', 'torus', [-0.3, 0.1, 0], [0.8, 0.3, 0.2, 1], 1),
+    ...thing('box', 'box', [0.3, -0.2, -0.2], [0.2, 0.3, 0.8, 1], 0.7),
+    ...thing('ball', 'sphere', [0.2, 0.3, 0.2], [0.3, 0.8, 0.2, 1], 0.8),
+    ...thing('back', 'box', [0, 0, -1.2], [0.5, 0.5, 0.5, 1], 1.6),
+    ...thing('cone', 'cone', [-0.1, -0.2, 0.3], [1, 1, 1, 1], 0.4),
+  ];
+  const phantoms = node('ghost', phantomDefinition, { objects: ['cone.objects'] });
+  const scene = node('scene', sceneDefinition, {
+    objects: ['ring.objects', 'box.objects', 'ball.objects', 'back.objects', 'ghost.objects'],
+    lights: ['sun.lights'],
+  });
+  const occlusion = node('hide', occlusionDefinition, {}, params);
+  const [linked] = linkIsf(readIsf(occlusionSource, 'occlusion.fs').output as never, { node: 'hide' }).output ?? [];
+  if (!linked) throw new Error('occlusion.fs does not link');
+  const sources = {
+    input: { kind: 'color', resource: 'scene.layer' },
+    'input-depth': { kind: 'depth', depth: { resource: 'scene.layer', encoding: 'window' } },
+    'room-depth': { kind: 'room-depth', resource: 'room.depth' },
+  } as const;
+  const late = pass('hide', 0, 'screen', {
+    samplers: linked.samplers.map(({ name, source }) => ({ name, source: sources[source.kind as keyof typeof sources], fit: 'none' })),
+    uniforms: linked.uniforms.map(({ name, type, source }) => ({
+      name,
+      type,
+      source: 'param' in source ? { slot: occlusion.params[source.param] ?? -1 } : source,
+    })),
+  });
+  const early: DrawOperation = {
+    ...drawn(scene, 'screen', null),
+    writes: [],
+    occlusion: { node: 'hide', roomDepth: 'room.depth', params: occlusion.params },
+  };
+  const objects = [...things, phantoms].flatMap((operation) => operation.writes);
+  return program({
+    slots: table(),
+    shaders: [linked.shader],
+    resources: [
+      ...objects.map((id) => ({ id, kind: 'objects' }) as const),
+      { id: 'sun.lights', kind: 'lights' },
+      { id: 'room.depth', kind: 'room-depth' },
+      target('scene.layer', { depth: 'window' }),
+    ],
+    operations: [
+      ...things,
+      phantoms,
+      node('sun', lightDefinition),
+      node('room', roomDefinition),
+      ...(form === 'early' ? [early] : [drawn(scene, 'scene.layer', null), late]),
+    ],
+  });
+}
+
+/** The occlusion's shader over a finished layer, and the same params sunk into the draw, through a slanted room with holes. */
+export async function equalForms(params: Readonly<Record<string, number>>) {
+  const pictures: Uint8Array[] = [];
+  const errors: number[] = [];
+  for (const form of ['early', 'late'] as const) {
+    const gl = createGl();
+    // From 1.2 m on the left to 2.6 m on the right, coarse, turned a little, and reaching beyond the view's edges.
+    const metres = Array.from({ length: 20 * 15 }, (_, i) => (i % 17 === 0 ? 0 : 1.2 + ((i % 20) / 19) * 1.4));
+    const depth = room(gl, 20, 15, metres, [0.95, 0.1, 0, -0.1, 0.95, 0, 0.12, -0.03, 1]);
+    const { player } = await stand(hidden(form, params), { gl, modules: MODULES, createScenes });
+    player.draw(frame(0, [{ ...viewOf(FACING), depth }], { framebufferWidthPx: WIDTH, framebufferHeightPx: HEIGHT }));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    pictures.push(readPixels(gl, WIDTH, HEIGHT));
+    player.dispose();
+    errors.push(gl.getError());
+  }
+  const [early = new Uint8Array(), late = new Uint8Array()] = pictures;
+  return { ...difference(early, late), covered: covered(late), errors };
 }

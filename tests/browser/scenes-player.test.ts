@@ -38,3 +38,15 @@ test('a broken model is told at its node', async () => {
     }),
   ]);
 });
+
+test.each([
+  ['a hard border', { biasM: 0, softnessM: 0 }],
+  ['tolerance', { biasM: 0.15, softnessM: 0 }],
+  ['a soft border', { biasM: 0.01, softnessM: 0.4 }],
+])('with %s, hiding fragments gives the picture of hiding the finished layer', async (_what, params) => {
+  const { pixels, covered, errors } = await page.call<{ pixels: number; covered: number; errors: number[] }>('equalForms', params);
+  expect(errors).toEqual([0, 0]);
+  expect(covered).toBeGreaterThan(3000);
+  // A border that passes exactly through a pixel's middle may round apart.
+  expect(pixels).toBeLessThanOrEqual(3);
+});

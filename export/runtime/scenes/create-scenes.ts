@@ -37,7 +37,6 @@ export const createScenes: CreateSceneBackend = (host) => {
       return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
     },
     dispose: () => {
-      renderer.restoreState();
       environment.dispose();
       renderer.dispose();
     },

@@ -19,8 +19,9 @@ export interface SceneRenderer {
   draw(view: DrawView, scene: Scene, camera: Camera): void;
   /** Clears the depth of a target of three's own and draws into it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
-  /** To be called before any other work on the GPU: forgets what three believes of the GL state if others have drawn. */
-  restoreState(): void;
+  /** Lets three do other work on the GPU, at any time between draws; leaves no framebuffer bound. */
+  work(task: (three: ThreeRenderer) => void): void;
+  /** Others have drawn since three last did. */
   invalidateState(): void;
   dispose(): void;
 }
@@ -90,7 +91,13 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       three.render(scene, camera);
       three.setRenderTarget(null);
     },
-    restoreState,
+    work: (task) => {
+      // Nobody announces passes that were drawn before it.
+      stale = true;
+      restoreState();
+      task(three);
+      three.setRenderTarget(null);
+    },
     invalidateState: () => {
       stale = true;
     },

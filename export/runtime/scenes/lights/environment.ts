@@ -46,7 +46,6 @@ export function createNeutralEnvironment(renderer: SceneRenderer): NeutralEnviro
 
 /** In three's own layout: one level per step of roughness, from a mirror to roughness 1 (`PMREMGenerator.fromScene`). */
 function render(renderer: SceneRenderer): WebGLCubeRenderTarget {
-  renderer.restoreState();
   const target = new WebGLCubeRenderTarget(FACE_PX, {
     type: HalfFloatType,
     colorSpace: LinearSRGBColorSpace,
@@ -73,16 +72,17 @@ function render(renderer: SceneRenderer): WebGLCubeRenderTarget {
   });
   const box = new Mesh(new BoxGeometry(2, 2, 2), material);
   const camera = new CubeCamera(0.1, 10, target);
-  sizes.forEach((size, level) => {
-    uniforms.roughness.value = roughnessOf(level, sizes.length - 1);
-    target.viewport.set(0, 0, size, size);
-    camera.activeMipmapLevel = level;
-    camera.update(renderer.three, box);
+  renderer.work((three) => {
+    sizes.forEach((size, level) => {
+      uniforms.roughness.value = roughnessOf(level, sizes.length - 1);
+      target.viewport.set(0, 0, size, size);
+      camera.activeMipmapLevel = level;
+      camera.update(three, box);
+    });
   });
   target.viewport.set(0, 0, FACE_PX, FACE_PX);
   box.geometry.dispose();
   material.dispose();
-  renderer.three.setRenderTarget(null);
   return target;
 }
 

@@ -64,8 +64,10 @@ export function createShadowMaps(renderer: SceneRenderer, casters: readonly Obje
     for (let i = 0; i < bounds.length; i++) {
       const proxy = proxies.proxies[i];
       const sphere = bounds[i];
-      if (!sphere || !proxy?.object.visible || boundsInObject(proxy.master, sphere).isEmpty()) continue;
-      shown.push(sphere.applyMatrix4(proxy.item.worldFromObject));
+      if (!sphere || !proxy?.object.visible) continue;
+      boundsInObject(proxy.master, sphere);
+      // Neither empty nor of broken vertices.
+      if (sphere.radius >= 0) shown.push(sphere.applyMatrix4(proxy.item.worldFromObject));
     }
   }
 

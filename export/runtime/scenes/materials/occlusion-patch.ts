@@ -37,11 +37,14 @@ varying vec4 scrimPositionClip;
 float scrimVisibility() {
   if ( scrimOcclusion.x == 0.0 ) return 1.0;
   vec3 uv = scrimRoomUvFromViewUv * vec3( scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5, 1.0 );
-  float roomM = texture2D( scrimRoomDepth, uv.xy / uv.z ).r;
-  // Unknown depth hides nothing.
+  vec2 at = uv.xy / uv.z;
+  // What is unknown hides nothing, and so does what the depth camera does not see.
+  if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return 1.0;
+  float roomM = texture2D( scrimRoomDepth, at ).r;
   if ( roomM <= 0.0 ) return 1.0;
   float behindM = scrimPositionClip.w - roomM - scrimOcclusion.z;
-  return scrimOcclusion.y > 0.0 ? 1.0 - clamp( behindM / scrimOcclusion.y, 0.0, 1.0 ) : 1.0 - step( 0.0, behindM );
+  if ( scrimOcclusion.y <= 0.0 ) return behindM > 0.0 ? 0.0 : 1.0;
+  return 1.0 - clamp( behindM / scrimOcclusion.y, 0.0, 1.0 );
 }`,
   start: /* glsl */ `
   float scrimVisible = scrimVisibility();
