@@ -1,14 +1,52 @@
-import type { HostOutput, ProjectFiles } from '../contract/contract.ts';
+import { readFile } from 'node:fs/promises';
+import { bundlePage } from '../../export/bundle/bundle-page.ts';
+import type { ExportReport } from '../../export/bundle/report.ts';
+import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import type { ProjectFiles } from '../contract/contract.ts';
+import { HostError } from '../contract/host-error.ts';
+import { compileProject } from './compile-project.ts';
+import { resolveInside } from './confine.ts';
+import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { Installation } from './installation.ts';
+import { writePageFolder } from './page-folder.ts';
 
 export interface ExportJob {
   /** The project's real folder, where its assets are. */
   readonly root: string;
-  readonly files: ProjectFiles;
+  readonly projectFiles: ProjectFiles;
+  /** Folder for the page. */
   readonly out: string;
   readonly installation: Installation;
+  readonly files?: FileLayer;
 }
 
-export function exportProject(_job: ExportJob): Promise<HostOutput<'export.run'>> {
-  throw new Error('exportProject is written when the compiler and bundler are there');
+export interface ExportOutcome {
+  /** Null where nothing was written. */
+  readonly report: ExportReport | null;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** Compiles, bundles, and puts the page into `out` in one step. Never rejects for what a user can mend. */
+export async function exportProject({ root, projectFiles, out, installation, files = NODE_FILES }: ExportJob): Promise<ExportOutcome> {
+  const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false }));
+  if (project === null || program === null || hasErrors(diagnostics)) return { report: null, diagnostics };
+  const all = [...diagnostics];
+  try {
+    const report = await writePageFolder(out, files, async (sink) => {
+      const bundled = await bundlePage({
+        program,
+        page: project.page,
+        generator: `Scrim ${installation.version}`,
+        root: installation.root,
+        readAsset: async (path) => readFile(await resolveInside(root, path)),
+        sink,
+      });
+      all.push(...bundled.diagnostics);
+      return bundled.output;
+    });
+    return { report, diagnostics: all };
+  } catch (error) {
+    if (error instanceof HostError) return { report: null, diagnostics: [...all, error.diagnostic as Diagnostic] };
+    throw error;
+  }
 }

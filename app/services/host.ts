@@ -104,8 +104,11 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         })),
       ];
     },
-    'export.run': ({ handle, files: projectFiles, out }) =>
-      exportProject({ root: projects.rootOf(handle), files: projectFiles, out, installation }),
+    'export.run': async ({ handle, files: projectFiles, out }) => {
+      const job = { root: projects.rootOf(handle), projectFiles, out, installation, files };
+      const { report, diagnostics } = await exportProject(job);
+      return { ok: report !== null, out, diagnostics: [...diagnostics], bytes: report?.bytes.raw ?? 0 };
+    },
   };
 
   return {

@@ -1,0 +1,88 @@
+import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { type Call, type Command, failed, type Outcome, UsageError } from '../command.ts';
+import { compileFolder } from '../compile-folder.ts';
+import { createFrameWriter } from '../render/frame-writer.ts';
+import { renderFrames } from '../render/render-frames.ts';
+import { readRange, readSize, subjectOf, tapsFor } from '../render/render-options.ts';
+import { findRenderSession } from '../render/render-session.ts';
+
+/** `scene-k7q2.layer`, also inside subgraphs; a file name is none. */
+const NODE_PORT = /^(?!.*\.(?:png|json)$)[a-z][a-z0-9/-]*-[a-z0-9]+\.[A-Za-z_]\w*$/;
+
+export const renderCommand: Command = {
+  name: 'render',
+  usage: 'PROJECT --out FILE.png|DIR',
+  summary: 'Render frames of a project to pictures',
+  doc: 'Plays PROJECT over a recorded session or in an emulated room, in a headless browser with fixed time, date and chance, and writes what a visitor would see: the same pixels each time. One frame goes to FILE.png, several to DIR/000000.png and so on, RGBA with straight alpha. With any error nothing is written.',
+  project: 'required',
+  options: {
+    out: { type: 'string', value: 'FILE.png|DIR', doc: 'Where the pictures go.' },
+    session: {
+      type: 'string',
+      value: 'FOLDER|room:NAME',
+      doc: 'A folder with session.json, or an emulated room: room:studio, room:living_room, room:meeting_room, room:music_room, room:office_large, room:office_small. Without it, the project’s own first session, else the studio that comes with Scrim.',
+    },
+    frames: { type: 'string', value: 'A..B', doc: 'From 0, both included; frame 0 unless given.' },
+    size: { type: 'string', value: 'WxH', doc: 'In pixels; the session’s own unless given.' },
+    layer: { type: 'string', value: 'NODE.PORT', doc: 'Write this layer instead of the screen.' },
+    depth: {
+      type: 'string',
+      value: '[NODE.PORT]',
+      optionalValue: NODE_PORT,
+      doc: 'Write depth instead of colour, in millimetres, 16 bits: 0 is nothing, 65535 is 65.5 m or more. Of the layer named here or by --layer, else of the one on the screen.',
+    },
+  },
+  examples: [
+    { line: 'scrim render my-project --out picture.png', says: 'The first frame.' },
+    {
+      line: 'scrim render my-project --session recordings/desk --frames 0..59 --out frames',
+      says: 'A second of a recording, to frames/000000.png and on.',
+    },
+    { line: 'scrim render my-project --layer scene-k7q2.layer --out scene.png', says: 'What one node draws, before everything after it.' },
+    {
+      line: 'scrim render my-project --out depth.png --session room:living_room --depth',
+      says: 'How far away the picture’s virtual parts are.',
+    },
+  ],
+  run: async (call, { installation, say }): Promise<Outcome> => {
+    const out = readOut(call);
+    const range = readRange(call.text('frames'));
+    const size = readSize(call.text('size'));
+    const isFile = out.toLowerCase().endsWith('.png');
+    if (isFile && range.first !== range.last) throw new UsageError(`${out} is one picture, but --frames asks for several: give a folder.`);
+
+    const compiled = await compileFolder(call.project, (project) => ({ taps: tapsFor(call, project) }));
+    const { project, program } = compiled;
+    if (project === null || program === null) return failed(compiled.diagnostics);
+    const subject = subjectOf(call, project, program);
+    if (subject.output === null) return failed(subject.diagnostics);
+    const session = await findRenderSession(call.text('session'), compiled.root, installation, size);
+    if (session.output === null) return failed(session.diagnostics);
+
+    const writer = await createFrameWriter(out, isFile, subject.output.kind === 'depth');
+    try {
+      const diagnostics = await renderFrames({
+        ...session.output,
+        ...range,
+        root: installation.root,
+        projectRoot: compiled.root,
+        job: { program, session: session.output.session, ...session.output.sizePx, subject: subject.output },
+        onPicture: writer.add,
+        say,
+      });
+      const all = [...compiled.diagnostics, ...diagnostics];
+      if (hasErrors(all)) return failed(all);
+      const files = await writer.finish();
+      const text = files.length === 1 ? `Wrote ${files[0]}` : `Wrote ${files.length} pictures to ${out}`;
+      return { status: 0, json: { ok: true, out, files, diagnostics: all }, text, diagnostics: all };
+    } finally {
+      await writer.dispose();
+    }
+  },
+};
+
+function readOut(call: Call): string {
+  const out = call.text('out');
+  if (out === null || out === '') throw new UsageError('--out FILE.png or --out DIR is missing: where the pictures go.');
+  return out;
+}

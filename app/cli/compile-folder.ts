@@ -1,0 +1,17 @@
+import type { CompileOptions } from '../../export/compiler/compile.ts';
+import type { Project } from '../../export/graph/project.ts';
+import type { ProjectFiles } from '../contract/contract.ts';
+import { type CompiledProject, compileProject } from '../services/compile-project.ts';
+import { findProject, readProjectFiles } from '../services/project-files.ts';
+
+export interface CompiledFolder extends CompiledProject {
+  readonly root: string;
+  readonly files: ProjectFiles;
+}
+
+/** Reads and compiles the project that a command line names. Throws SCR004 and SCR005. */
+export async function compileFolder(path: string, optionsOf?: (project: Project) => CompileOptions): Promise<CompiledFolder> {
+  const root = await findProject(path);
+  const files = await readProjectFiles(root);
+  return { root, files, ...(await compileProject(root, files, optionsOf)) };
+}

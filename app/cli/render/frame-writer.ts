@@ -1,0 +1,45 @@
+import { mkdir, mkdtemp, rename, rm, writeFile } from 'node:fs/promises';
+import { basename, dirname, join, resolve } from 'node:path';
+import { writeRefusal } from '../../services/file-errors.ts';
+import { encodeDepth, encodeLayer } from '../pictures.ts';
+import type { PictureHead } from './render.page.ts';
+
+/** Keeps pictures aside until all are there, so that a render that fails leaves nothing. */
+export interface FrameWriter {
+  /** `bytes`: premultiplied RGBA, or 32-bit floats in metres. */
+  add(index: number, head: PictureHead, bytes: Uint8Array): Promise<void>;
+  /** Puts them where they belong, and answers with their paths. */
+  finish(): Promise<readonly string[]>;
+  dispose(): Promise<void>;
+}
+
+/** Throws SCR060 where `out` cannot be written, before anything is rendered. */
+export async function createFrameWriter(out: string, isFile: boolean, isDepth: boolean): Promise<FrameWriter> {
+  const folder = isFile ? dirname(resolve(out)) : resolve(out);
+  const refuse = (error: unknown): never => {
+    throw writeRefusal(error, out);
+  };
+  const firstMade = await mkdir(folder, { recursive: true }).catch(refuse);
+  const aside = await mkdtemp(join(folder, '.scrim-render-')).catch(refuse);
+  const names: string[] = [];
+  let finished = false;
+  return {
+    add: async (index, { widthPx, heightPx }, bytes) => {
+      const name = isFile ? basename(out) : `${String(index).padStart(6, '0')}.png`;
+      const png = isDepth
+        ? encodeDepth({ widthPx, heightPx, metres: new Float32Array(bytes.slice().buffer) })
+        : encodeLayer({ widthPx, heightPx, pixels: bytes });
+      await writeFile(join(aside, name), png).catch(refuse);
+      names.push(name);
+    },
+    finish: async () => {
+      for (const name of names) await rename(join(aside, name), join(folder, name)).catch(refuse);
+      finished = true;
+      return names.map((name) => (isFile ? out : join(out, name)));
+    },
+    dispose: async () => {
+      await rm(aside, { recursive: true, force: true });
+      if (!finished && firstMade !== undefined) await rm(firstMade, { recursive: true, force: true });
+    },
+  };
+}

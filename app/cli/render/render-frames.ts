@@ -1,0 +1,108 @@
+import process from 'node:process';
+import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
+import type { Program } from '../../../export/program/program.ts';
+import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { bundleScript } from '../../services/bundle-script.ts';
+import { type Chromium, findChromium } from '../../services/chromium.ts';
+import type * as RenderPage from './render.page.ts';
+import { type RenderServer, startRenderServer } from './render-server.ts';
+
+export interface RenderOptions {
+  /** Holds Scrim's sources. */
+  readonly root: string;
+  /** The project's real folder. */
+  readonly projectRoot: string;
+  readonly job: Omit<RenderPage.RenderJob, 'assetBaseUrl'>;
+  /** Real folders that the session is in, by the first part of its address. */
+  readonly sessionFolders: Readonly<Record<string, string>>;
+  readonly first: number;
+  /** Included. */
+  readonly last: number;
+  readonly onPicture: (index: number, head: RenderPage.PictureHead, bytes: Uint8Array) => Promise<void>;
+  readonly say: (text: string) => void;
+}
+
+type PageApi = typeof RenderPage;
+
+const PAGE_ENTRY = 'app/cli/render/render.page.ts';
+
+/**
+ * Plays frames in a headless browser and hands over their pictures, in order. Time, date and chance are fixed, so that the same
+ * project gives the same pixels. Answers with what went wrong; with an error among it, fewer pictures came, or none.
+ */
+export async function renderFrames(options: RenderOptions): Promise<readonly Diagnostic[]> {
+  const found = await findChromium();
+  if (found === null) return [NO_BROWSER];
+  const script = await bundleScript(options.root, PAGE_ENTRY, 'scrimRender');
+  const server = await startRenderServer({ script, folders: { project: options.projectRoot, ...options.sessionFolders } });
+  try {
+    return await inBrowser(found, server, options);
+  } finally {
+    await server.close();
+  }
+}
+
+const NO_BROWSER: Diagnostic = {
+  code: 'SCR071',
+  severity: 'error',
+  message: 'No browser was found to render with.',
+  fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
+};
+
+async function inBrowser(found: Chromium, server: RenderServer, options: RenderOptions): Promise<readonly Diagnostic[]> {
+  // Loaded here, because other commands start faster without it.
+  const { chromium } = await import('playwright-core');
+  const browser = await chromium.launch({
+    executablePath: found.executablePath,
+    args: [...found.args],
+    env: { ...process.env, ...found.env } as Record<string, string>,
+  });
+  try {
+    const page = await browser.newPage();
+    await page.goto(server.url);
+    const call = <K extends 'open' | 'play' | 'diagnostics'>(name: K, ...args: Parameters<PageApi[K]>) =>
+      page.evaluate(
+        ([n, a]) =>
+          (globalThis as unknown as { scrimRender: Record<string, (...x: readonly unknown[]) => unknown> }).scrimRender[n]?.(...a),
+        [name, args] as const,
+      ) as Promise<Awaited<ReturnType<PageApi[K]>>>;
+
+    const opened = await call('open', { ...options.job, assetBaseUrl: 'project/' });
+    const early = [...opened.diagnostics, ...shaderDiagnostics(options.job.program, opened.shaderErrors), ...(await call('diagnostics'))];
+    if (hasErrors(early)) return early;
+    if (opened.frameCount !== null && options.last >= opened.frameCount) return [...early, noSuchFrame(options.last, opened.frameCount)];
+    for (let index = firstPlayed(options); index <= options.last; index++) {
+      const keep = index >= options.first;
+      const head = await call('play', index, keep);
+      const now = await call('diagnostics');
+      if (hasErrors(now)) return [...early, ...now];
+      if (!keep) continue;
+      if (head === null) throw new Error(`Frame ${index} has no picture, and nothing says why.`);
+      await options.onPicture(index, head, server.takePicture());
+      if (options.last > options.first) options.say(`Frame ${index} of ${options.first}..${options.last}`);
+    }
+    return [...early, ...(await call('diagnostics'))];
+  } finally {
+    await browser.close();
+  }
+}
+
+/** What depends on earlier frames needs them all; all else only the one before, which tells how much time has passed. */
+function firstPlayed({ first, job: { program, session } }: RenderOptions): number {
+  const remembers =
+    session.kind === 'room' ||
+    program.operations.some(({ kind }) => kind === 'behaviour') ||
+    program.resources.some((resource) => resource.kind === 'target' && resource.lifetime === 'persistent');
+  return remembers ? 0 : Math.max(0, first - 1);
+}
+
+function shaderDiagnostics({ shaders }: Program, errors: Awaited<ReturnType<PageApi['open']>>['shaderErrors']): Diagnostic[] {
+  return errors.flatMap(({ shaderId, log }) => {
+    const shader = shaders.find(({ id }) => id === shaderId);
+    return shader ? driverDiagnostics(shader, log) : [];
+  });
+}
+
+function noSuchFrame(index: number, count: number): Diagnostic {
+  return { code: 'SCR070', severity: 'error', message: `The session has no frame ${index}: its frames are 0 to ${count - 1}.` };
+}

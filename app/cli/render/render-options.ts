@@ -1,0 +1,89 @@
+import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
+import type { Program } from '../../../export/program/program.ts';
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { LIBRARY } from '../../services/compile-project.ts';
+import { type Call, UsageError } from '../command.ts';
+import type { Subject } from './render.page.ts';
+
+export interface FrameRange {
+  readonly first: number;
+  /** Included. */
+  readonly last: number;
+}
+
+export interface SizePx {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/** WebGL 2 has at least 2,048; browsers draw larger canvases smaller without a word. */
+const MAX_SIDE_PX = 8192;
+const MAX_FRAMES = 100_000;
+
+/** `A..B` or `A`. Throws `UsageError`. */
+export function readRange(text: string | null): FrameRange {
+  if (text === null) return { first: 0, last: 0 };
+  const [, a, b] = /^(\d{1,9})(?:\.\.(\d{1,9}))?$/.exec(text) ?? [];
+  if (a === undefined) throw new UsageError(`--frames ${text} is no range: write 0..59, or one number.`);
+  const first = Number(a);
+  const last = b === undefined ? first : Number(b);
+  if (last < first) throw new UsageError(`--frames ${text} ends before it begins.`);
+  if (last - first >= MAX_FRAMES) throw new UsageError(`--frames ${text} are more than ${MAX_FRAMES} frames.`);
+  return { first, last };
+}
+
+/** `WxH`. Throws `UsageError`. */
+export function readSize(text: string | null): SizePx | null {
+  if (text === null) return null;
+  const [, width, height] = /^(\d{1,5})[x×](\d{1,5})$/i.exec(text) ?? [];
+  const widthPx = Number(width);
+  const heightPx = Number(height);
+  if (widthPx >= 1 && heightPx >= 1 && widthPx <= MAX_SIDE_PX && heightPx <= MAX_SIDE_PX) return { widthPx, heightPx };
+  throw new UsageError(`--size ${text} is no size: write 1280x720, each side from 1 to ${MAX_SIDE_PX}.`);
+}
+
+/** Layers that the compiler has to keep for what is asked. */
+export function tapsFor(call: Call, project: Project): readonly string[] {
+  const tap = tapOf(call, project);
+  return tap === null ? [] : [tap];
+}
+
+/** What is to be written; SCR012 where there is no such layer. */
+export function subjectOf(call: Call, project: Project, program: Program): Result<Subject> {
+  const tap = tapOf(call, project);
+  if (tap === null) return { output: { kind: 'screen' }, diagnostics: [] };
+  const layer = Object.hasOwn(program.taps, tap) ? program.taps[tap] : undefined;
+  if (!layer) {
+    const some = layersOf(project).join(', ');
+    return wrong(`There is no layer ${tap}, or something before it is not finished.`, `Layers of this project: ${some}.`);
+  }
+  if (call.text('depth') === null) return { output: { kind: 'layer', tap }, diagnostics: [] };
+  if (layer.depth === null) return wrong(`The layer ${tap} has no depth.`, 'Name the layer of a scene.');
+  return { output: { kind: 'depth', tap }, diagnostics: [] };
+}
+
+function tapOf(call: Call, project: Project): string | null {
+  const depth = call.text('depth');
+  if (depth !== null && depth !== '') return depth;
+  const layer = call.text('layer');
+  if (layer !== null || depth === null) return layer;
+  return screenLayer(project);
+}
+
+/** What the screen shows. */
+function screenLayer({ graphs }: Project): string | null {
+  const { nodes = {}, wires = [] } = graphs[MAIN_GRAPH] ?? {};
+  const wire = wires.find(({ to }) => LIBRARY.definition(nodes[to.node]?.type ?? '')?.lowering.kind === 'present');
+  return wire ? `${wire.from.node}.${wire.from.port}` : null;
+}
+
+function layersOf({ graphs }: Project): string[] {
+  return Object.entries(graphs[MAIN_GRAPH]?.nodes ?? {}).flatMap(([id, { type }]) =>
+    Object.entries(LIBRARY.definition(type)?.outputs ?? {}).flatMap(([port, output]) => (output.type === 'layer' ? [`${id}.${port}`] : [])),
+  );
+}
+
+function wrong(message: string, fix: string): Result<Subject> {
+  const diagnostic: Diagnostic = { code: 'SCR012', severity: 'error', message, fix };
+  return { output: null, diagnostics: [diagnostic] };
+}

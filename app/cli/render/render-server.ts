@@ -1,0 +1,75 @@
+import { randomBytes } from 'node:crypto';
+import { readFile } from 'node:fs/promises';
+import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { resolveInside } from '../../services/confine.ts';
+import { passiveMediaTypeOf } from '../../services/media-types.ts';
+
+export interface RenderServer {
+  /** The page; ends in `/`, and cannot be guessed. */
+  readonly url: string;
+  /** The picture that the page has sent last. */
+  takePicture(): Uint8Array;
+  close(): Promise<void>;
+}
+
+export interface RenderServerOptions {
+  readonly script: string;
+  /** Real folders, by the name they have below the page's address. */
+  readonly folders: Readonly<Record<string, string>>;
+}
+
+const PAGE = '<!doctype html><meta charset="utf-8"><title>Scrim</title><script src="render.js"></script>';
+
+/** What the headless browser loads, on loopback: the page, a project's assets, a session. */
+export async function startRenderServer({ script, folders }: RenderServerOptions): Promise<RenderServer> {
+  const prefix = `/${randomBytes(16).toString('hex')}/`;
+  let picture: Uint8Array | null = null;
+
+  const answer = async (request: IncomingMessage, response: ServerResponse) => {
+    const [path = ''] = (request.url ?? '').split('?');
+    if (!path.startsWith(prefix)) return send(response, 404, 'text/plain', 'There is nothing here.');
+    const rest = path.slice(prefix.length);
+    if (request.method === 'POST' && rest === 'picture') {
+      picture = await readAll(request);
+      return send(response, 200, 'text/plain', '');
+    }
+    if (rest === '') return send(response, 200, 'text/html', PAGE);
+    if (rest === 'render.js') return send(response, 200, 'text/javascript', script);
+    const [folder = '', ...parts] = rest.split('/').map(decodeURIComponent);
+    const root = Object.hasOwn(folders, folder) ? folders[folder] : undefined;
+    if (root === undefined) return send(response, 404, 'text/plain', 'There is nothing here.');
+    const file = parts.join('/');
+    return send(response, 200, passiveMediaTypeOf(file), await readFile(await resolveInside(root, file)));
+  };
+
+  const server = createServer((request, response) => {
+    answer(request, response).catch(() => send(response, 404, 'text/plain', 'There is nothing here.'));
+  });
+  await new Promise<void>((resolve, reject) => {
+    server.once('error', reject);
+    server.listen(0, '127.0.0.1', resolve);
+  });
+  return {
+    url: `http://127.0.0.1:${(server.address() as AddressInfo).port}${prefix}`,
+    takePicture: () => {
+      if (picture === null) throw new Error('The page has sent no picture.');
+      return picture;
+    },
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
+  };
+}
+
+function send(response: ServerResponse, status: number, type: string, body: string | Uint8Array): void {
+  response.writeHead(status, { 'content-type': `${type}`, 'cache-control': 'no-store', 'x-content-type-options': 'nosniff' }).end(body);
+}
+
+async function readAll(request: IncomingMessage): Promise<Uint8Array> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of request as AsyncIterable<Buffer>) chunks.push(chunk);
+  return Buffer.concat(chunks);
+}

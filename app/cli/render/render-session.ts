@@ -1,0 +1,84 @@
+import { readFile } from 'node:fs/promises';
+import { join, resolve } from 'node:path';
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { realFolder } from '../../services/confine.ts';
+import type { Installation } from '../../services/installation.ts';
+import { ROOMS } from '../../services/rooms.ts';
+import { findSessions } from '../../services/session-list.ts';
+import type { RenderSession } from './frame-source.page.ts';
+import type { SizePx } from './render-options.ts';
+
+export interface FoundSession {
+  readonly session: RenderSession;
+  readonly sizePx: SizePx;
+  /** Real folders, by the first part of the session's address. */
+  readonly sessionFolders: Readonly<Record<string, string>>;
+}
+
+/** Where nothing says how large a room is to be seen. */
+const ROOM_SIZE: SizePx = { widthPx: 1280, heightPx: 720 };
+
+const ROOM_PREFIX = 'room:';
+
+/** What `--session` names, or what is played without it. SCR054 where there is no such thing. */
+export async function findRenderSession(
+  named: string | null,
+  projectRoot: string,
+  installation: Installation,
+  size: SizePx | null,
+): Promise<Result<FoundSession>> {
+  if (named?.startsWith(ROOM_PREFIX)) return findRoom(named.slice(ROOM_PREFIX.length), installation, size);
+  const folder = named === null ? await defaultFolder(projectRoot, installation) : resolve(named);
+  if (folder === null) return findRoom('studio', installation, size);
+  const text = await readFile(join(folder, 'session.json'), 'utf8').catch(() => null);
+  if (text === null) {
+    return broken(`${named ?? folder} is no session: it has no session.json.`, 'Name a folder that holds one, or room:studio.');
+  }
+  return {
+    output: {
+      session: { kind: 'recorded', url: 'session/' },
+      sizePx: size ?? sizeOf(text),
+      sessionFolders: { session: await realFolder(folder) },
+    },
+    diagnostics: [],
+  };
+}
+
+async function defaultFolder(projectRoot: string, { sessionsDir }: Installation): Promise<string | null> {
+  const [own] = await findSessions(join(projectRoot, 'sessions'));
+  if (own) return own.folder;
+  const shipped = await findSessions(sessionsDir);
+  return (shipped.find(({ name }) => name === 'studio') ?? shipped[0])?.folder ?? null;
+}
+
+function findRoom(name: string, { roomsDir }: Installation, size: SizePx | null): Result<FoundSession> {
+  const room = ROOMS.find((candidate) => candidate.name === name);
+  if (!room) return broken(`There is no room ${JSON.stringify(name)}.`, `There are ${ROOMS.map((r) => r.name).join(', ')}.`);
+  const sizePx = size ?? ROOM_SIZE;
+  const captureUrl = room.capture === null ? null : `rooms/${room.capture}`;
+  return {
+    output: {
+      session: { kind: 'room', captureUrl, sizePx: [sizePx.widthPx, sizePx.heightPx] },
+      sizePx,
+      sessionFolders: { rooms: roomsDir },
+    },
+    diagnostics: [],
+  };
+}
+
+/** What is wrong with the file is for the session itself to say, when it is opened. */
+function sizeOf(text: string): SizePx {
+  try {
+    const { color } = JSON.parse(text) as { color?: Partial<SizePx> };
+    const { widthPx, heightPx } = color ?? {};
+    if (Number.isInteger(widthPx) && Number.isInteger(heightPx)) return { widthPx: widthPx as number, heightPx: heightPx as number };
+  } catch {
+    // Said when it is opened.
+  }
+  return ROOM_SIZE;
+}
+
+function broken(message: string, fix: string): Result<never> {
+  const diagnostic: Diagnostic = { code: 'SCR054', severity: 'error', message, fix };
+  return { output: null, diagnostics: [diagnostic] };
+}

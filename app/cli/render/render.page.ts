@@ -1,0 +1,152 @@
+import type { Program } from '../../../export/program/program.ts';
+import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
+import { createBrowserClock, createManualClock, type FrameClock } from '../../../export/runtime/clock.ts';
+import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
+import { createPlayer, type Player } from '../../../export/runtime/player.ts';
+import { createScenes } from '../../../export/runtime/scenes/create-scenes.ts';
+import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
+
+/** What is rendered, as Node tells the page. Addresses are relative to the page. */
+export interface RenderJob {
+  readonly program: Program;
+  readonly assetBaseUrl: string;
+  readonly session: RenderSession;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly subject: Subject;
+}
+
+/** `tap` is `node.port`. */
+export type Subject =
+  | { readonly kind: 'screen' }
+  | { readonly kind: 'layer'; readonly tap: string }
+  | { readonly kind: 'depth'; readonly tap: string };
+
+export interface OpenedJob {
+  /** Null: there is no end. */
+  readonly frameCount: number | null;
+  readonly shaderErrors: readonly ShaderError[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** Premultiplied RGBA bytes, or metres as 32-bit floats, rows from the top; the numbers themselves are sent to `picture`. */
+export interface PictureHead {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/** 1 January 2024, 12:00, whatever the machine's clock says. */
+const DATE_MS = Date.UTC(2024, 0, 1, 12);
+
+const SEED = 1;
+
+interface Stage {
+  readonly gl: WebGL2RenderingContext;
+  readonly player: Player;
+  readonly source: FrameSource;
+  readonly subject: Subject;
+}
+
+interface Picture extends PictureHead {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+let stage: Stage | null = null;
+let taken: Picture | null = null;
+let take = false;
+let problems: readonly Diagnostic[] = [];
+const events: Diagnostic[] = [];
+
+/** Sets everything up; nothing is drawn before the assets are there or have failed. */
+export async function open(job: RenderJob): Promise<OpenedJob> {
+  const canvas = document.createElement('canvas');
+  canvas.width = job.widthPx;
+  canvas.height = job.heightPx;
+  const { antialias } = job.program.presentation;
+  const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
+  if (!gl) throw new Error('The browser has no WebGL 2.');
+  const player = createPlayer({
+    gl,
+    canvas,
+    program: job.program,
+    modules: RUNTIMES,
+    createScenes,
+    assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetch.bind(globalThis)),
+    seed: SEED,
+    clock: createFrozenClock(),
+    onDiagnostics: (diagnostics) => {
+      problems = diagnostics;
+    },
+  });
+  const { shaderErrors } = await player.ready;
+  const { output, diagnostics } = await openFrameSource(job.session, gl, job.program, {
+    onFrame: (frame) => {
+      player.draw(frame);
+      // Now, because what a device lends is only there during the frame.
+      if (take && stage) taken = readSubject(stage);
+    },
+    onEvent: (event) => {
+      if (event.kind === 'problem') events.push({ code: 'SCR054', severity: 'error', message: event.message });
+    },
+  });
+  if (output) {
+    player.setSession(output.session);
+    stage = { gl, player, source: output, subject: job.subject };
+  }
+  return { frameCount: output?.frameCount ?? null, shaderErrors, diagnostics };
+}
+
+/** Plays one frame. With `keep`, its picture is sent; null where there is none to send. */
+export async function play(index: number, keep: boolean): Promise<PictureHead | null> {
+  if (!stage) throw new Error('Nothing is open.');
+  take = keep;
+  taken = null;
+  const stepped = await stage.source.step(index);
+  if (!keep || !stepped) return null;
+  const seen = stage.subject.kind === 'screen' ? stage.source.seen?.() : undefined;
+  const picture: Picture | null = seen ? { widthPx: seen.widthPx, heightPx: seen.heightPx, bytes: Uint8Array.from(seen.rgba) } : taken;
+  if (!picture) return null;
+  await fetch('picture', { method: 'POST', body: picture.bytes });
+  return { widthPx: picture.widthPx, heightPx: picture.heightPx };
+}
+
+/** Everything wrong by now. */
+export function diagnostics(): readonly Diagnostic[] {
+  return [...problems, ...events];
+}
+
+/** Time is the frames'; waiting for drivers and files is not part of it. */
+function createFrozenClock(): FrameClock {
+  const { delay } = createBrowserClock();
+  return { ...createManualClock(0, DATE_MS), delay };
+}
+
+function readSubject({ gl, player, subject }: Stage): Picture | null {
+  switch (subject.kind) {
+    case 'screen':
+      return readScreen(gl);
+    case 'layer': {
+      const layer = player.readLayer(subject.tap, 0);
+      return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: layer.pixels };
+    }
+    case 'depth': {
+      const layer = player.readLayerDepth(subject.tap, 0);
+      return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: new Uint8Array(layer.metres.buffer) };
+    }
+  }
+}
+
+function readScreen(gl: WebGL2RenderingContext): Picture {
+  const { drawingBufferWidth: widthPx, drawingBufferHeight: heightPx } = gl;
+  const rows = new Uint8Array(widthPx * heightPx * 4);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
+  gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, rows);
+  const bytes = new Uint8Array(rows.length);
+  const rowBytes = widthPx * 4;
+  for (let y = 0; y < heightPx; y++) bytes.set(rows.subarray(y * rowBytes, (y + 1) * rowBytes), (heightPx - 1 - y) * rowBytes);
+  return { widthPx, heightPx, bytes };
+}

@@ -1,0 +1,20 @@
+import { join } from 'node:path';
+import { build } from 'esbuild';
+
+/** Bundles a page's script from Scrim's sources; its exports stand under `globalName`. */
+export async function bundleScript(root: string, entry: string, globalName: string): Promise<string> {
+  const { outputFiles } = await build({
+    entryPoints: [join(root, entry)],
+    absWorkingDir: root,
+    bundle: true,
+    write: false,
+    format: 'iife',
+    globalName,
+    target: 'es2022',
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    logLevel: 'silent',
+  });
+  const [file] = outputFiles;
+  if (!file) throw new Error(`esbuild made nothing of ${entry}.`);
+  return file.text;
+}

@@ -1,0 +1,45 @@
+import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import type { Project } from '../../export/graph/project.ts';
+import type { Program } from '../../export/program/program.ts';
+import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
+import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import type { ProjectFiles } from '../contract/contract.ts';
+import { checkAssets } from './check-assets.ts';
+
+export interface CompiledProject {
+  /** Null where the files could not be read as a project. */
+  readonly project: Project | null;
+  /** Null where something is wrong that no page can be made of. */
+  readonly program: Program | null;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** A project's files as a program, or what is wrong with them: documents, graph, shaders, and the asset files in `root`. */
+export async function compileProject(
+  root: string,
+  files: ProjectFiles,
+  optionsOf: (project: Project) => CompileOptions = () => ({}),
+): Promise<CompiledProject> {
+  const loaded = loadProject(files);
+  const project = loaded.output;
+  if (project === null) return { project, program: null, diagnostics: loaded.diagnostics };
+  const compiled = compile({ project, library: LIBRARY, options: optionsOf(project) });
+  const used = new Set(compiled.output?.assets.map(({ id }) => id) ?? Object.keys(project.assets));
+  // A path that the compiler refused already is not told of twice.
+  const assets = (await checkAssets(root, project.assets, used)).filter(
+    ({ code }) => code !== 'SCR031' || !hasErrors(compiled.diagnostics),
+  );
+  const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets];
+  return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
+}
+
+const byType = new Map(DEFINITIONS.map((definition) => [definition.type, definition]));
+
+/** The node types of this Scrim; a project's own shaders are put before them by the compiler. */
+export const LIBRARY: NodeLibrary = {
+  definition: (type) => byType.get(type),
+  shader: (name) => (Object.hasOwn(SHADERS, name) ? SHADERS[name] : undefined),
+  types: () => byType.keys(),
+};
