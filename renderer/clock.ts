@@ -17,6 +17,9 @@ export const pageClock: EditorClock = {
   },
 };
 
+/** For measuring. */
+export const workerClock = { nowMs: () => performance.now() };
+
 export interface Debounced {
   /** Starts the wait anew. */
   trigger(): void;

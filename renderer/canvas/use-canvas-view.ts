@@ -1,5 +1,6 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
+import { placeNodes } from '../../export/graph/place-nodes.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useNodeProblems } from '../shell/use-problems.ts';
 import { graphOf, layoutOf } from '../state/document.ts';
@@ -10,7 +11,9 @@ export function useCanvasView(): CanvasView {
   const editor = useEditor();
   const project = useMemo(createCanvasProjection, []);
   const graph = useDocument(graphOf);
-  const layout = useDocument(layoutOf);
+  const saved = useDocument(layoutOf);
+  // A project that was written by hand, or merged, may say of some nodes not where they stand.
+  const layout = useMemo(() => ({ ...saved, nodes: placeNodes(graph, saved) }), [graph, saved]);
   const library = useDocument((state) => state.library);
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged } = useStore(editor.canvas);

@@ -8,16 +8,12 @@ import { useDocument, useEditor } from './editor-context.ts';
 /** Everything wrong, worst first. */
 export function useProblems(): readonly Diagnostic[] {
   const editor = useEditor();
-  const library = useDocument((state) => state.library);
   const load = useDocument((state) => state.loadDiagnostics);
   const compile = useStore(editor.compile, (state) => state.diagnostics);
   const preview = useStore(editor.preview, (state) => state.diagnostics);
   const driver = useStore(editor.preview, (state) => state.shaderDiagnostics);
   const exported = useStore(editor.ui, (state) => state.exportDiagnostics);
-  return useMemo(
-    () => collectProblems([library.diagnostics, load, compile, driver, preview, exported]),
-    [library, load, compile, driver, preview, exported],
-  );
+  return useMemo(() => collectProblems([load, compile, driver, preview, exported]), [load, compile, driver, preview, exported]);
 }
 
 /** The same by node, as the canvas marks it. */

@@ -1,0 +1,106 @@
+import { describe, expect, test } from '@jest/globals';
+import { openTestEditor } from '../../tests/support/test-editor.ts';
+import { setTitle } from '../../export/graph/commands/project-info.ts';
+import { addFiles } from './add-files.ts';
+import { apply } from './apply.ts';
+import { graphOf } from './document.ts';
+import type { Editor } from './editor.ts';
+import { openPath, openProject, reload, save } from './files.ts';
+import { autosave, followHost } from './start.ts';
+
+function retitle(editor: Editor, title: string): void {
+  apply(editor, 'Title', setTitle(editor.document.getState().project, { title }));
+}
+
+describe('files', () => {
+  test('a save over someone else’s change asks, and can go ahead', async () => {
+    const { editor, host } = await openTestEditor();
+    retitle(editor, 'Mine');
+    host.refuse('project.save', 'SCR063', 'Changed.');
+    expect(await save(editor)).toBe(false);
+    expect(editor.ui.getState().dialog).toEqual({ kind: 'changed-outside' });
+    expect(await save(editor, true)).toBe(true);
+    expect(host.calls.at(-1)?.input).toMatchObject({ overwrite: true });
+  });
+
+  test('other refusals are shown with their words', async () => {
+    const { editor, host } = await openTestEditor();
+    host.refuse('project.save', 'SCR060', 'The folder cannot be written.');
+    expect(await save(editor)).toBe(false);
+    expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual(['The folder cannot be written.']);
+  });
+
+  test('a project that cannot be read leaves the open one alone', async () => {
+    const { editor, host } = await openTestEditor();
+    retitle(editor, 'Kept');
+    host.refuse('project.open', 'SCR004', 'There is no project.');
+    expect(await openPath(editor, '/nowhere')).toBe(false);
+    expect(editor.document.getState().project.title).toBe('Kept');
+  });
+
+  test('opening another project asks about unsaved work first', async () => {
+    const { editor } = await openTestEditor();
+    openProject(editor);
+    expect(editor.ui.getState().dialog?.kind).toBe('open');
+    editor.ui.setState({ dialog: null });
+    retitle(editor, 'Mine');
+    openProject(editor);
+    const { dialog } = editor.ui.getState();
+    expect(dialog?.kind).toBe('unsaved');
+    if (dialog?.kind === 'unsaved') dialog.proceed();
+    expect(editor.ui.getState().dialog?.kind).toBe('open');
+  });
+
+  test('reload takes the version on disk and forgets the unsaved one', async () => {
+    const { editor, host } = await openTestEditor();
+    retitle(editor, 'Mine');
+    expect(await reload(editor)).toBe(true);
+    expect(editor.document.getState().project.title).toBe('Test');
+    expect(host.calls.some(({ method, input }) => method === 'project.autosave' && (input as { files: unknown }).files === null)).toBe(
+      true,
+    );
+  });
+
+  test('unsaved work is kept after a pause, once', async () => {
+    const { editor, host, clock } = await openTestEditor();
+    autosave(editor);
+    retitle(editor, 'A');
+    clock.pass(500);
+    retitle(editor, 'B');
+    clock.pass(2000);
+    clock.pass(2000);
+    const kept = host.calls.filter(({ method }) => method === 'project.autosave');
+    expect(kept).toHaveLength(1);
+    expect(JSON.stringify(kept[0]?.input)).toContain('\\"B\\"');
+  });
+
+  test('the window closes at once when all is saved, and asks when not', async () => {
+    const { editor, host } = await openTestEditor();
+    followHost(editor);
+    retitle(editor, 'Mine');
+    host.emit({ kind: 'close-requested' });
+    expect(editor.ui.getState().dialog?.kind).toBe('unsaved');
+    expect(host.calls.some(({ method }) => method === 'app.close')).toBe(false);
+    await save(editor);
+    host.emit({ kind: 'close-requested' });
+    await Promise.resolve();
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    expect(host.calls.at(-1)?.method).toBe('app.close');
+  });
+
+  test('dropped files become assets, shaders and nodes; what cannot be used is named', async () => {
+    const { editor } = await openTestEditor();
+    const file = (name: string, text = '') => ({ name, arrayBuffer: async () => new TextEncoder().encode(text).buffer as ArrayBuffer });
+    const isf =
+      '/*{"ISFVSN":"2","INPUTS":[{"NAME":"inputImage","TYPE":"image"}]}*/\nvoid main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }\n';
+    await addFiles(editor, [file('robot.glb'), file('glow.fs', isf), file('notes.txt')], { x: 0, y: 0 });
+    const { project } = editor.document.getState();
+    const [asset] = Object.entries(project.assets);
+    expect(asset?.[1]).toEqual({ path: 'assets/robot.glb', kind: 'model' });
+    const nodes = Object.values(graphOf(editor.document.getState()).nodes);
+    expect(nodes.map(({ type }) => type).sort()).toEqual(['filter/glow', 'source/model']);
+    expect(nodes.find(({ type }) => type === 'source/model')?.params.model).toEqual({ value: asset?.[0] });
+    expect(project.sources['glow.fs']).toBe(isf);
+    expect(editor.ui.getState().toasts.at(-1)?.text).toContain('notes.txt');
+  });
+});

@@ -1,0 +1,81 @@
+import { HOST_CONTRACT, type Host, type HostEvent, type HostInput, type HostMethod, type HostOutput } from '../../app/contract/contract.ts';
+import { HostError } from '../../app/contract/host-error.ts';
+
+type Handlers = { [M in HostMethod]?: (input: HostInput<M>) => HostOutput<M> | Promise<HostOutput<M>> };
+
+export interface FakeHost extends Host {
+  /** Every call, in order. */
+  readonly calls: { readonly method: HostMethod; readonly input: unknown }[];
+  /** Makes the next call of a method be refused. */
+  refuse(method: HostMethod, code: string, message: string): void;
+  emit(event: HostEvent): void;
+}
+
+const HANDLE = 'abcdef0123456789';
+
+/** A host in memory with one project; whatever crosses is checked against the contract, both ways. */
+export function createFakeHost(files: HostOutput<'project.open'>['files'], handlers: Handlers = {}): FakeHost {
+  const calls: FakeHost['calls'] = [];
+  const listeners = new Set<(event: HostEvent) => void>();
+  const refusals = new Map<HostMethod, HostError>();
+  let saved = files;
+  let revision = 1;
+  const open = (path: string) => ({
+    handle: HANDLE,
+    displayPath: path,
+    files: saved,
+    revision: `r${revision}`,
+    assetBaseUrl: 'http://127.0.0.1:1/projects/x/',
+    assetFiles: [],
+    recovery: null,
+  });
+  const all: Required<Handlers> = {
+    'app.info': () => ({
+      shell: 'server',
+      version: '0',
+      previewUrl: 'http://127.0.0.1:1/',
+      startPath: '/project',
+      examples: [],
+      canPickFolders: false,
+    }),
+    'app.close': () => ({}),
+    'folder.pick': () => ({ path: null }),
+    'project.open': ({ path }) => open(path),
+    'project.save': (input) => {
+      saved = input.files;
+      revision++;
+      return { revision: `r${revision}` };
+    },
+    'project.save-as': ({ path, files: next }) => {
+      saved = next;
+      return open(path);
+    },
+    'project.autosave': () => ({}),
+    'project.close': () => ({}),
+    'asset.import': ({ name }) => ({ path: `assets/${name}` }),
+    'session.list': () => [],
+    'export.run': ({ out }) => ({ ok: true, out, diagnostics: [], bytes: 1 }),
+    ...handlers,
+  };
+  return {
+    calls,
+    refuse: (method, code, message) => refusals.set(method, new HostError({ code, severity: 'error', message })),
+    emit: (event) => {
+      for (const listener of listeners) listener(event);
+    },
+    call: async <M extends HostMethod>(method: M, input: HostInput<M>) => {
+      calls.push({ method, input });
+      HOST_CONTRACT[method].input.parse(input);
+      const refusal = refusals.get(method);
+      refusals.delete(method);
+      if (refusal) throw refusal;
+      const output = await (all[method] as (given: HostInput<M>) => HostOutput<M> | Promise<HostOutput<M>>)(input);
+      HOST_CONTRACT[method].output.parse(output);
+      return output;
+    },
+    subscribe: (listener) => {
+      listeners.add(listener);
+      return () => listeners.delete(listener);
+    },
+  };
+}

@@ -1,0 +1,71 @@
+import { newProject } from '../../export/graph/new-project.ts';
+import type { Project } from '../../export/graph/project.ts';
+import { saveProject } from '../../export/graph/save.ts';
+import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
+import type { EditorClock } from '../../renderer/clock.ts';
+import { createEditor, type Editor } from '../../renderer/state/editor.ts';
+import { openPath } from '../../renderer/state/files.ts';
+import { DEFAULT_SIZES } from '../../renderer/state/ui.ts';
+import { createFakeHost, type FakeHost } from './fake-host.ts';
+
+/** Time that stands until `pass`. */
+export interface TestClock extends EditorClock {
+  pass(ms: number): void;
+}
+
+export function createTestClock(): TestClock {
+  let nowMs = 0;
+  let waiting: { readonly atMs: number; readonly run: () => void }[] = [];
+  const after: EditorClock['after'] = (ms, run) => {
+    const entry = { atMs: nowMs + ms, run };
+    waiting.push(entry);
+    return () => {
+      waiting = waiting.filter((other) => other !== entry);
+    };
+  };
+  return {
+    after,
+    nextFrame: (run) => after(16, run),
+    pass: (ms) => {
+      nowMs += ms;
+      const due = waiting.filter(({ atMs }) => atMs <= nowMs);
+      waiting = waiting.filter(({ atMs }) => atMs > nowMs);
+      for (const { run } of due) run();
+    },
+  };
+}
+
+export interface TestEditor {
+  readonly editor: Editor;
+  readonly host: FakeHost;
+  readonly clock: TestClock;
+}
+
+/** The editor without its page, over the library that ships and a host in memory. Random numbers repeat. */
+export async function openTestEditor(project: Project = newProject('Test')): Promise<TestEditor> {
+  const host = createFakeHost(saveProject(project));
+  const clock = createTestClock();
+  let seed = 1;
+  const random = () => {
+    seed = (seed * 48_271) % 2_147_483_647;
+    return seed / 2_147_483_647;
+  };
+  let copied = '';
+  const editor = createEditor({
+    host,
+    clock,
+    random,
+    library: { definitions: DEFINITIONS, shaders: SHADERS },
+    mac: false,
+    clipboard: {
+      read: async () => copied,
+      write: async (text) => {
+        copied = text;
+      },
+    },
+    sizes: DEFAULT_SIZES,
+  });
+  if (!(await openPath(editor, '/project'))) throw new Error('The project did not open.');
+  return { editor, host, clock };
+}
+
