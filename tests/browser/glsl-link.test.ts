@@ -103,6 +103,12 @@ describe('older and looser GLSL runs as its author meant it', () => {
       0.5,
     ],
     [
+      'an array of its own length, set from what is not constant',
+      'float w[] = float[](0.1, RENDERSIZE.x / 16.0);\nfloat[] v = float[](w[0], w[1]);',
+      'v[v.length() - 1]',
+      0.5,
+    ],
+    [
       'out parameters',
       'void f(in float a, out float b, inout float c) { b = a; c += a; }\nfloat g() { float b; float c = 0.1; f(0.2, b, c); return b + c; }',
       'g()',
@@ -116,6 +122,7 @@ describe('older and looser GLSL runs as its author meant it', () => {
       'f(1)',
       0.5,
     ],
+    ['a uniform with a value', 'uniform float level = 0.5;', 'level', 0.5],
     [
       'precision and version lines',
       '#version 120\n#ifdef GL_ES\nprecision mediump float;\n#endif\nlowp float f(mediump float x) { highp float y = x; return y; }',

@@ -63,8 +63,9 @@ function allNumerics(): [GlslType, Numeric][] {
   return numerics;
 }
 
-/** `mat2x2` is another name of `mat2`. */
+/** `mat2x2` is another name of `mat2`; a rectangle texture, which has pixels for coordinates, is an image like any other here. */
 export function canonicalType(name: string): GlslType {
+  if (name === 'sampler2DRect') return 'sampler2D';
   const square = /^mat([234])x\1$/.exec(name);
   return square === null ? name : `mat${square[1]}`;
 }

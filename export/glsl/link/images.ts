@@ -120,7 +120,7 @@ float ${depthFunction(image)}(vec2 uv) {
  *   clip w = -z, so with m = -z metres 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); that holds for off-axis and
  *   infinite projections alike. Where d is still 1 nothing was drawn, which is 0.
  */
-export const IMAGE_HELPERS = {
+const IMAGE_HELPERS = {
   scrim_place: `vec2 scrim_place(mat3 uvFromViewUv, vec2 uv) {
   vec3 at = uvFromViewUv * vec3(clamp(uv, 0.0, 1.0), 1.0);
   return at.xy / at.z;

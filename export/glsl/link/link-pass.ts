@@ -90,7 +90,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     samplers: samplersOf(needed.images, images),
     uniforms: [
       ...builtinUniforms(needed).map((name) => ({ name, type: GLSL_UNIFORM_TYPES[name], source: { builtin: name } })),
-      ...params.filter((uniform) => needed.params.has((uniform.source as { param: string }).param)),
+      ...params.filter(({ source }) => 'param' in source && needed.params.has(source.param)),
     ],
   };
 }

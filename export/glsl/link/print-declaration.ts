@@ -17,7 +17,7 @@ export function printVariables(declaration: VariableDeclaration, context: PrintC
   printType(declaration.type, context);
   declaration.declarators.forEach((declarator, i) => {
     writer.write(i === 0 ? ' ' : ', ');
-    printDeclarator(declarator, context, true, guard);
+    printDeclarator(declarator, context, guard);
   });
 }
 
@@ -38,9 +38,17 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
       const stays = qualifier.text === 'uniform' ? declarator.initializer === null : qualifier.text !== 'const' || symbol.constant;
       if (stays) writer.write(`${qualifier.text} `, qualifier);
     }
-    printTypeName(declaration.type, context);
-    writer.write(' ');
-    printDeclarator(declarator, context, !needsHoisting(declarator));
+    if (needsHoisting(declarator)) {
+      const length = declarator.initializer?.kind === 'array' ? declarator.initializer.args.length : null;
+      printTypeName(declaration.type, context, length);
+      writer.write(' ');
+      writer.write(context.names.of(symbol), declarator.name);
+      printDimensions(declarator.dimensions, context, length);
+    } else {
+      printTypeName(declaration.type, context);
+      writer.write(' ');
+      printDeclarator(declarator, context);
+    }
     writer.write(';');
     writer.endLine();
   }
@@ -114,11 +122,11 @@ function printStruct(struct: StructDeclaration, context: PrintContext): void {
   writer.write('}');
 }
 
-function printDeclarator(declarator: Declarator, context: PrintContext, withInitializer: boolean, guard = ''): void {
+function printDeclarator(declarator: Declarator, context: PrintContext, guard = ''): void {
   const { writer, names } = context;
   writer.write(declarator.symbol === null ? declarator.name.text : names.of(declarator.symbol), declarator.name);
   printDimensions(declarator.dimensions, context);
-  if (declarator.initializer === null || !withInitializer) return;
+  if (declarator.initializer === null) return;
   writer.write(guard === '' ? ' = ' : ` = ${guard}(`);
   printExpression(declarator.initializer, context);
   if (guard !== '') writer.write(')');

@@ -1,5 +1,4 @@
 import type { CallExpression, Expression, TypeSpecifier } from '../syntax/ast.ts';
-import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
 import { GlslError } from '../syntax/token.ts';
 import { classifyImageCall, type ImageCall, positionCount } from './image-call.ts';
 import { colorFunction, depthFunction, sizeUniform } from './images.ts';
@@ -30,7 +29,7 @@ export function printExpression(expression: Expression, context: PrintContext): 
   }
 }
 
-export function printList(expressions: readonly Expression[], context: PrintContext): void {
+function printList(expressions: readonly Expression[], context: PrintContext): void {
   expressions.forEach((expression, i) => {
     if (i > 0) context.writer.write(', ');
     printExpression(expression, context);
@@ -38,16 +37,18 @@ export function printList(expressions: readonly Expression[], context: PrintCont
 }
 
 /** `vec3`, `a_Ray`, `float[4]`; a struct declared in place is printed by `print-declaration.ts`. */
-export function printTypeName(type: TypeSpecifier, context: PrintContext): void {
+export function printTypeName(type: TypeSpecifier, context: PrintContext, length: number | null = null): void {
   const name = type.symbol === null ? type.name.text : context.names.of(type.symbol);
   context.writer.write(name, type.name);
-  printDimensions(type.dimensions, context);
+  printDimensions(type.dimensions, context, length);
 }
 
-export function printDimensions(dimensions: TypeSpecifier['dimensions'], context: PrintContext): void {
+/** `length` is written where the author left the size of an array to its initialiser. */
+export function printDimensions(dimensions: TypeSpecifier['dimensions'], context: PrintContext, length: number | null = null): void {
   for (const dimension of dimensions) {
     context.writer.write('[');
     if (dimension !== null) printExpression(dimension, context);
+    else if (length !== null) context.writer.write(String(length));
     context.writer.write(']');
   }
 }
@@ -234,8 +235,4 @@ function convertedLiteral(text: string, to: string): string {
   const isDecimal = /^(?:0|[1-9][0-9]*)$/.test(text);
   if (to === 'float') return isDecimal ? `${text}.0` : `float(${text})`;
   return to === 'uint' && isDecimal ? `${text}u` : `${to}(${text})`;
-}
-
-export function isAssignment(expression: Expression): boolean {
-  return expression.kind === 'binary' && ASSIGNMENTS.has(expression.token.text);
 }

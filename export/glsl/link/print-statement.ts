@@ -7,7 +7,7 @@ import { printExpression } from './print-expression.ts';
 import { zeroOf } from './zero.ts';
 
 /** One statement, beginning on a line of its own. */
-export function printStatement(statement: Statement, context: PrintContext): void {
+function printStatement(statement: Statement, context: PrintContext): void {
   const { writer } = context;
   writer.endLine();
   switch (statement.kind) {

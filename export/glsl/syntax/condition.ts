@@ -65,7 +65,7 @@ export function evaluateCondition(tokens: readonly Token[], directive: Token): n
 }
 
 /** Decimal, octal with a leading 0, or hexadecimal; 32 bits. */
-export function integerValue(text: string): number {
+function integerValue(text: string): number {
   const digits = text.replace(/[uU]$/, '');
   if (/^0[0-7]+$/.test(digits)) return Number.parseInt(digits, 8) | 0;
   return Number(digits) | 0;

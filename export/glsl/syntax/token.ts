@@ -35,7 +35,3 @@ export class GlslError extends Error {
     this.code = code;
   }
 }
-
-export function isToken(token: Token, text: string): boolean {
-  return token.text === text && token.kind !== 'end';
-}
