@@ -44,11 +44,6 @@ export function affineToMatrix({ a, b, c, d, tx, ty }: Affine): Float32Array {
   return new Float32Array([a, b, 0, 0, c, d, 0, 0, 0, 0, 1, 0, tx, ty, 0, 1]);
 }
 
-export function invertAffine({ a, b, c, d, tx, ty }: Affine): Affine {
-  const det = a * d - b * c;
-  return { a: d / det, b: -b / det, c: -c / det, d: a / det, tx: (c * ty - d * tx) / det, ty: (b * tx - a * ty) / det };
-}
-
 /**
  * The projection to draw a depth buffer with: `clipFromView` followed by the map in normalised coordinates. Row 0 of the drawn
  * target is the buffer's top row, so reading it back needs no turning over.
