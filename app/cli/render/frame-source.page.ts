@@ -1,4 +1,4 @@
-import type { Emulator } from '../../../export/emulator/emulator.ts';
+import type { Emulator, HeadPose } from '../../../export/emulator/emulator.ts';
 import { installEmulator } from '../../../export/emulator/install-emulator.ts';
 import type { Program } from '../../../export/program/program.ts';
 import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
@@ -6,6 +6,9 @@ import { createRecordedSession } from '../../../export/runtime/sessions/recorded
 import { requestWebXrSession } from '../../../export/runtime/sessions/webxr/request-session.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../nodes/kit/session.ts';
+
+/** Where the viewer stands in a room: where the editor's preview begins its walk. Metres; 0.15 rad down, as a quaternion. */
+const ROOM_POSE: HeadPose = { position: [0, 1.5, 1], quaternion: [-Math.sin(0.075), 0, 0, Math.cos(0.075)] };
 
 /** Where frames come from; addresses are relative to the page. */
 export type RenderSession =
@@ -55,6 +58,7 @@ async function openRoom(
 ): Promise<Result<FrameSource>> {
   const room = captureUrl === null ? 'studio' : { capture: await (await fetch(captureUrl)).json() };
   const emulator = installEmulator({ device: 'phone', room, clock: 'manual', sizePx, display: false });
+  emulator.setPose(ROOM_POSE);
   const { antialias } = program.presentation;
   const { output, diagnostics } = await requestWebXrSession({ xr: navigator.xr, gl, needs: program.needs, antialias });
   if (output === null) return { output: null, diagnostics };
