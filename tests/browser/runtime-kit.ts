@@ -1,4 +1,4 @@
-import type { PassOperation, Program, Resource, TargetSize } from '../../export/program/program.ts';
+import type { NodeOperation, PassOperation, Program, Resource, TargetSize } from '../../export/program/program.ts';
 import { createPlayer, type Player, type PlayerOptions } from '../../export/runtime/player.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
@@ -58,6 +58,26 @@ export function pass(id: string, index: number, targetId: string, more: Partial<
     samplers: [],
     uniforms: [],
     passIndex: 0,
+    ...more,
+  };
+}
+
+/** The operation of a source node that bears its type's name and fills one resource. */
+export function sourceOperation(type: string, output: string, resource: string, more: Partial<NodeOperation> = {}): NodeOperation {
+  return {
+    kind: 'source',
+    id: type,
+    node: type,
+    type,
+    reads: [],
+    writes: [resource],
+    view: 'once',
+    inputs: {},
+    multiple: [],
+    outputs: { [output]: { kind: 'resource', resource } },
+    params: {},
+    config: {},
+    assets: {},
     ...more,
   };
 }

@@ -2,7 +2,7 @@ import { encode } from 'fast-png';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { LinkedSampler } from '../../export/glsl/link/linked-pass.ts';
-import type { NodeOperation, PassOperation, PassSampler, ProgramAsset } from '../../export/program/program.ts';
+import type { PassOperation, PassSampler, ProgramAsset } from '../../export/program/program.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import { definition as occlusion } from '../../nodes/layer/depth-occlusion/definition.ts';
@@ -11,7 +11,22 @@ import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
 import * as imageFile from '../../nodes/source/image-file/runtime.ts';
 import * as roomDepth from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { colorSampler, createGl, frame, HEIGHT, pass, pixel, program, shader, stand, target, texture, view, WIDTH } from './runtime-kit.ts';
+import {
+  colorSampler,
+  createGl,
+  frame,
+  HEIGHT,
+  pass,
+  pixel,
+  program,
+  shader,
+  sourceOperation,
+  stand,
+  target,
+  texture,
+  view,
+  WIDTH,
+} from './runtime-kit.ts';
 
 const SHOW = shader(
   'show',
@@ -19,31 +34,12 @@ const SHOW = shader(
   'uniform sampler2D picture; uniform mat3 picture_uvFromViewUv;',
 );
 
-/** What the generated registry would hand a page; a node's own context is narrower than the contract's. */
+/** What the generated registry would hand a page. */
 const MODULES = {
   'source/camera-video': cameraVideo,
   'source/image-file': imageFile,
   'world/depth': roomDepth,
-} as unknown as Record<string, NodeModule>;
-
-function source(type: string, output: string, resource: string, more: Partial<NodeOperation> = {}): NodeOperation {
-  return {
-    kind: 'source',
-    id: type,
-    node: type,
-    type,
-    reads: [],
-    writes: [resource],
-    view: 'once',
-    inputs: {},
-    multiple: [],
-    outputs: { [output]: { kind: 'resource', resource } },
-    params: {},
-    config: {},
-    assets: {},
-    ...more,
-  };
-}
+} satisfies Record<string, NodeModule>;
 
 /** The camera's picture, and what takes its place. */
 export async function camera() {
@@ -55,7 +51,7 @@ export async function camera() {
       resources: [{ id: 'video', kind: 'external', domain: 'view' }],
       shaders: [SHOW],
       operations: [
-        source('source/camera-video', 'layer', 'video', { params: { color: 0 }, config: { withoutImage } }),
+        sourceOperation('source/camera-video', 'layer', 'video', { params: { color: 0 }, config: { withoutImage } }),
         pass('show', 0, 'screen', { samplers: [colorSampler('picture', 'video')] }),
       ],
     });
@@ -97,7 +93,7 @@ function showing(assetId: string | null, title = 'test') {
     resources: [{ id: 'picture', kind: 'external', domain: 'image' }],
     shaders: [SHOW],
     operations: [
-      source('source/image-file', 'layer', 'picture', { assets: { file: assetId } }),
+      sourceOperation('source/image-file', 'layer', 'picture', { assets: { file: assetId } }),
       pass('show', 0, 'screen', { samplers: [colorSampler('picture', 'picture')] }),
     ],
     assets: ASSETS.filter((asset) => asset.id === assetId),
@@ -170,7 +166,7 @@ export async function hide(biasM: number, softnessM: number, roomM: number[]) {
     resources: [target('layer'), target('metres', { format: 'r32f' }), { id: 'room', kind: 'room-depth' }],
     shaders: [shader('red', 'color = vec4(1.0, 0.0, 0.0, 1.0);'), shader('metres', 'color = vec4(floor(uv.x * 4.0));'), linked.shader],
     operations: [
-      source('world/depth', 'depth', 'room'),
+      sourceOperation('world/depth', 'depth', 'room'),
       pass('red', 0, 'layer'),
       pass('metres', 1, 'metres'),
       pass('hide', 2, 'screen', { samplers: linked.samplers.map(samplerOf), uniforms }),

@@ -62,7 +62,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   const tick = (timeMs: number, xrFrame: XRFrame): void => {
     session.requestAnimationFrame(tick);
     const pose = xrFrame.getViewerPose(world);
-    setTracked(pose !== undefined && !pose.emulatedPosition);
+    setTracked(pose ? !pose.emulatedPosition : false);
     if (!pose) return;
     startMs ??= timeMs;
     const timeS = (timeMs - startMs) / 1000;
@@ -85,8 +85,12 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
       resolve();
     });
   });
+  let visible = true;
   session.addEventListener('visibilitychange', () => {
-    onEvent?.({ kind: 'visibility', visible: session.visibilityState !== 'hidden' });
+    // Blurred behind a menu of the system, it is still seen.
+    const next = session.visibilityState !== 'hidden';
+    if (next !== visible) onEvent?.({ kind: 'visibility', visible: next });
+    visible = next;
   });
   world.addEventListener('reset', () => onEvent?.({ kind: 'reset' }));
   return {
