@@ -124,7 +124,7 @@ test('spaces are level and stay where they are until re-centred', async () => {
   expect(before?.shifted).toEqual([0, 1.5, 0]);
   // From (1, 1.5, 2) to (2, 1.6, 0): 2 m to the right and 1 m back of someone facing −x.
   expect(after).toMatchObject({ floor: [2, 1.6, 0], local: [2, 0.1, 1], viewer: [0, 0, 0] });
-  expect(recentred).toMatchObject({ floor: [2, 1.6, 0], local: [0, 0, 0], localForward: [0, 0, -1] });
+  expect(recentred).toMatchObject({ floor: [0, 1.6, 0], local: [0, 0, 0], localUp: [0, 1, 0], localForward: [0, 0, -1] });
 });
 
 test('hit tests find planes by default and solids when asked, in this frame', async () => {

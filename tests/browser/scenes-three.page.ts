@@ -1,14 +1,18 @@
 import {
   BackSide,
   BoxGeometry,
+  type BufferAttribute,
   BufferGeometry,
+  Color,
   DirectionalLight,
   DoubleSide,
   Float32BufferAttribute,
   Group,
+  InstancedMesh,
   LineBasicMaterial,
   LineSegments,
   type Material,
+  Matrix4,
   Mesh,
   MeshBasicMaterial,
   MeshLambertMaterial,
@@ -107,6 +111,25 @@ function zoo(): Group {
   blended(new MeshStandardMaterial({ color: 0xffffff, transparent: true, opacity: 0.4, depthWrite: false }), -0.5, 0.7);
   blended(new MeshStandardMaterial({ color: 0x2266ff, transparent: true, opacity: 0.6, side: DoubleSide, depthWrite: false }), 0.6, 0.9);
   blended(new MeshBasicMaterial({ color: 0xff0000, side: BackSide }), 1.5, 0);
+  const crowd = new InstancedMesh(new BoxGeometry(0.15, 0.15, 0.15), new MeshStandardMaterial(), 3);
+  for (let i = 0; i < 3; i++) {
+    crowd.setMatrixAt(i, new Matrix4().makeTranslation(0.9 + i * 0.25, -0.7, 0.4));
+    crowd.setColorAt(i, new Color().setHSL(i / 3, 1, 0.5));
+  }
+  group.add(crowd);
+  const sides = ['red', 'lime', 'blue', 'cyan', 'magenta', 'yellow'].map((color) => new MeshLambertMaterial({ color }));
+  const dice = new Mesh(new BoxGeometry(0.3, 0.3, 0.3), sides);
+  dice.position.set(0.4, -0.75, 0.5);
+  dice.rotation.set(0.4, 0.5, 0);
+  group.add(dice);
+  const swelling = new SphereGeometry(0.15, 24, 16);
+  const twice = (swelling.getAttribute('position') as BufferAttribute).clone();
+  for (let i = 0; i < twice.array.length; i++) twice.array[i] = (twice.array[i] ?? 0) * 2;
+  swelling.morphAttributes.position = [twice];
+  const morphed = new Mesh(swelling, new MeshPhongMaterial({ color: 0xff8800 }));
+  morphed.morphTargetInfluences = [0.5];
+  morphed.position.set(-0.5, -0.8, 0.5);
+  group.add(morphed);
   const hidden = new Group();
   hidden.visible = false;
   hidden.add(new Mesh(new BoxGeometry(9, 9, 0.1), new MeshBasicMaterial()));

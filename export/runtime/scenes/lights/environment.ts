@@ -31,7 +31,7 @@ const ROUGHEST_FACE_PX = 8;
  *
  * All of it is given as spherical Gaussians, whose blur by a rough surface has a closed form, so each level of three's
  * prefiltered cube map is drawn directly. Filtering a rendered room instead (`RoomEnvironment` through `PMREMGenerator`) took 2.5 s
- * on SwiftShader; this takes 20 ms.
+ * on SwiftShader; this takes 25 ms.
  */
 export function createNeutralEnvironment(renderer: SceneRenderer): NeutralEnvironment {
   let target: WebGLCubeRenderTarget | null = null;
