@@ -57,7 +57,7 @@ export function readHeader(source: string, file: string): HeaderReading {
     diagnostics.push({ code: 'SCR040', severity, message, file, line, column, ...(fix === undefined ? {} : { fix }) });
   }
 
-  const open = source.indexOf('/*');
+  const open = findHeader(source);
   if (open < 0) {
     report('error', 0, 'The shader has no header.', SYNTAX_FIX);
     return { header: null, diagnostics };
@@ -140,6 +140,12 @@ export function flagOf(node: Node | undefined): boolean {
 
 function finite(value: number): number | null {
   return Number.isFinite(value) ? value : null;
+}
+
+/** The first comment is to be the header; a licence may stand before it, so the first that begins with a brace counts. */
+function findHeader(source: string): number {
+  const brace = /\/\*\s*\{/.exec(source);
+  return brace?.index ?? source.indexOf('/*');
 }
 
 /** A text that runs over a line break is read on its second try, with the break as a space, so that offsets stay. */

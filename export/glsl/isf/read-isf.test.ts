@@ -193,6 +193,13 @@ describe('the header as a whole', () => {
     expect(diagnostics[0]?.message.length).toBeGreaterThan(20);
   });
 
+  test('a licence before it is passed over', () => {
+    expect(readIsf('/* MIT */\n// by me\n/*{ "CREDIT": "me" }*/ void main() {}', 'x.fs')).toMatchObject({
+      output: { credit: 'me' },
+      diagnostics: [],
+    });
+  });
+
   test('a byte order mark before it counts for nothing', () => {
     expect(readIsf('\ufeff/*{ "CREDIT": "me" }*/ void main() {}', 'bom.fs')).toMatchObject({ output: { credit: 'me' }, diagnostics: [] });
   });
