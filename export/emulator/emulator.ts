@@ -11,7 +11,7 @@ export interface Emulator {
   /** While false, frames come without a viewer pose. */
   setTracked(tracked: boolean): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
-  /** The user re-centres: `local` spaces begin anew where the viewer is, and say so with `reset`. */
+  /** The user re-centres: `local` and `local-floor` spaces begin anew where the viewer is, and say so with `reset`. */
   recenter(): void;
   /** The system ends the session, as a home button does. */
   endSession(): Promise<void>;

@@ -124,8 +124,12 @@ function recenter({ device, session }: World): void {
   const state = device[P_DEVICE];
   state.updateViews();
   const origin = levelPose(state.viewerSpace[P_SPACE].offsetMatrix);
+  const onFloor = origin.slice();
+  onFloor[13] = 0;
   for (const space of session?.[P_SESSION].referenceSpaces ?? []) {
-    if (space[P_REF_SPACE].type === XRReferenceSpaceType.Local) moveOrigin(space, origin);
+    const { type } = space[P_REF_SPACE];
+    if (type === XRReferenceSpaceType.Local) moveOrigin(space, origin);
+    if (type === XRReferenceSpaceType.LocalFloor) moveOrigin(space, onFloor);
   }
   if (session) session[P_EMULATED].localOrigin = origin;
   state.pendingReferenceSpaceReset = true;
