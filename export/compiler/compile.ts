@@ -33,7 +33,12 @@ export interface Compiler {
   compile(input: CompileInput): Result<Program>;
 }
 
-/** Compiles one project after the other, reading each shader text once. The output is null where there are errors. */
+/**
+ * Compiles one project after the other, reading each shader text once. The output is null where there are errors.
+ *
+ * Every uniform param that can be set while the program runs is in `program.slots.params`. One that is not there either does
+ * nothing for the picture or decided how it is drawn (the opacity of an `over` that blending stands for): compile again.
+ */
 export function createCompiler(): Compiler {
   const shaders = createShaderStore();
   return {

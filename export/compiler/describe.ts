@@ -68,14 +68,14 @@ function describeOperation(operation: Operation, program: Program): string {
 
 function describePass({ id, reads, target, blend, access, shader }: PassOperation, program: Program): string {
   const from = reads.length === 0 ? '' : ` from ${reads.join(', ')}`;
-  const onto = target === 'screen' ? (blend === 'over' ? ' over the screen' : ' onto the screen') : ` into ${target}`;
+  const onto = target === 'screen' ? (blend === 'over' ? ' over what is on the screen' : ' onto the screen') : ` into ${target}`;
   const file = program.shaders[shader]?.sourceMap?.sources[0];
   return `${id}: ${access ?? 'full-screen'} pass${from}${onto}${file === undefined ? '' : ` (${file})`}`;
 }
 
 function describeDraw({ id, type, target, shadowMaps, occlusion }: DrawOperation): string {
   const parts = [
-    `${id}: draws objects ${target === 'screen' ? 'over the screen' : `into ${target}`}`,
+    `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer, by ${occlusion.node}`]),
   ];

@@ -12,6 +12,7 @@ import { isLinkable } from './lower/lower-passes.ts';
 import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
 import { orderOperations } from './order.ts';
 import { isDrawOperation, isPass, type ScheduledOperation } from './scheduled.ts';
+import { readScreen } from './screen-options.ts';
 import { countUses, type Leaf, planScreen, type ScreenPlan } from './screen-plan.ts';
 
 export interface ScheduleOptions {
@@ -33,6 +34,9 @@ export interface Schedule {
   readonly working: ReadonlySet<string>;
 }
 
+/** What every device has. */
+const DRAW_SAMPLES = 4;
+
 /**
  * Third phase: nodes to operations with explicit resources, in order. Only what the screen needs; what is looked at besides gets
  * operations of its own, so that looking never changes the picture.
@@ -41,9 +45,10 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const { graph, live, tapped, screen } = checked;
   const order = [...new Map([...live, ...tapped].map((node) => [node.id, node])).values()];
   const layers = describeLayers(order);
-  const lowering = createLowering({ graph, layers, order, ...options });
   const uses = countUses(live);
   const plan = planScreen(graph, screen, layers, uses);
+  const samples = readScreen(screen).antialias ? DRAW_SAMPLES : 1;
+  const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, samples, ...options });
   const demand = findDemand(graph, live, startOf(plan), (hidden) => uses.get(portKey(hidden)) === 1);
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   if (hasErrors(lowering.diagnostics)) return { output: null, diagnostics: lowering.diagnostics };
@@ -81,11 +86,11 @@ function startOf({ leaves }: ScreenPlan): DemandStart {
   };
 }
 
-function presentationOf({ background }: ScreenPlan, { steps }: Lowering): Presentation {
+function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering): Presentation {
   const draws = steps.map(({ operation }) => operation).filter(isDrawOperation);
   const composed = steps.some(({ operation }) => isPass(operation)) || draws.some(({ target }) => target !== 'screen');
   // Passes cover whole pixels: a multisampled framebuffer would cost them a resolve and show no difference.
-  const antialias = draws.some(({ target }) => target === 'screen');
+  const antialias = samples > 1 && draws.some(({ target }) => target === 'screen');
   return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
 }
 

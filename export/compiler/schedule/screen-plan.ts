@@ -2,6 +2,7 @@ import type { Presentation } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 import { type Fit, fitOf } from './fit.ts';
 import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput } from './layers.ts';
+import { readScreen } from './screen-options.ts';
 import { startValue } from './slots.ts';
 
 /** One thing laid onto the screen, over those before it. */
@@ -17,13 +18,12 @@ export interface ScreenPlan {
   /** In painter's order. */
   readonly leaves: readonly Leaf[];
   readonly background: Presentation['background'];
+  /** Nodes that blending stands for. Their params are compiled in: another value is another plan. */
+  readonly blended: ReadonlySet<string>;
 }
 
 /** The library's own: blending does the same, so that on the way to the screen its layers need not be pictures. */
 const OVER_SHADER = 'operators/over.fs';
-
-/** Where nothing is drawn and the world is not the background. */
-const BLACK = [0, 0, 0, 1] as const;
 
 /**
  * Takes apart what the screen shows. A stack of `over` nodes is a list of layers, which can be laid over each other in the
@@ -32,24 +32,23 @@ const BLACK = [0, 0, 0, 1] as const;
  */
 export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): ScreenPlan {
   const [shown] = layerInputs(screen);
-  if (!shown) return { leaves: [], background: BLACK };
+  if (!shown) throw new Error('A screen without a layer has not been checked.');
   const leaves: Leaf[] = [];
+  const blended = new Set<string>();
   const open: { readonly source: Source; readonly fit: Fit }[] = [{ source: shown, fit: fitOf(screen) }];
   for (let next = open.pop(); next; next = open.pop()) {
     const node = graph.nodes.get(next.source.node);
     const once = uses.get(portKey(next.source)) === 1;
     const over = node && once && layers.get(portKey(next.source))?.domain === 'view' ? layersOfOver(node) : null;
-    if (node && over) open.push({ source: over.top, fit: fitOf(node) }, { source: over.bottom, fit: fitOf(node) });
-    else leaves.push((node && once && directLeaf(graph, node, layers, uses)) || { kind: 'picture', ...next });
+    if (node && over) {
+      blended.add(node.id);
+      open.push({ source: over.top, fit: fitOf(node) }, { source: over.bottom, fit: fitOf(node) });
+    } else leaves.push((node && once && directLeaf(graph, node, layers, uses)) || { kind: 'picture', ...next });
   }
   const [lowest] = leaves;
-  const source = lowest && sourceOf(lowest);
-  const onlyWorld = lowest?.kind === 'picture' && source && isWorld(source);
-  return { leaves: onlyWorld ? leaves.slice(1) : leaves, background: restsOnWorld(graph, source) ? 'world' : BLACK };
-
-  function sourceOf(leaf: Leaf): FlatNode | undefined {
-    return leaf.kind === 'picture' ? graph.nodes.get(leaf.source.node) : leaf.node;
-  }
+  const source = lowest?.kind === 'picture' ? graph.nodes.get(lowest.source.node) : undefined;
+  if (source && isWorld(source)) return { leaves: leaves.slice(1), background: 'world', blended };
+  return { leaves, background: readScreen(screen).background, blended };
 }
 
 /** An `over` that blending can take the place of: nothing set that blending does not do. */
@@ -73,19 +72,6 @@ function directLeaf(graph: FlatGraph, node: FlatNode, layers: LayerTable, uses: 
   const output = layerOutput(node);
   // A picture of its own size is drawn once for all views.
   return output && layers.get(portKey(output))?.domain === 'view' ? { kind: 'passes', node } : null;
-}
-
-/**
- * Whether the picture is a picture of the world, filtered or not. Then the world is its background too: where a session gives
- * no camera image, the visitor sees what is there rather than black (design §9, tier B).
- */
-function restsOnWorld(graph: FlatGraph, lowest: FlatNode | undefined): boolean {
-  for (let node = lowest; node; ) {
-    if (isWorld(node)) return true;
-    const [below] = isOver(node) ? sourcesAt(node, 'bottom') : layerInputs(node);
-    node = below && graph.nodes.get(below.node);
-  }
-  return false;
 }
 
 function isOver({ definition: { lowering } }: FlatNode): boolean {

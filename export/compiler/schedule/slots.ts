@@ -16,7 +16,8 @@ export interface SlotAllocator {
   table(): SlotTable;
 }
 
-export function createSlotAllocator(graph: FlatGraph): SlotAllocator {
+/** Params of `compiledIn` nodes get slots, but no names to be set by: the program does not follow them everywhere. */
+export function createSlotAllocator(graph: FlatGraph, compiledIn: ReadonlySet<string>): SlotAllocator {
   const numbers: number[] = [];
   const texts: string[] = [];
   const slots: Slot[] = [];
@@ -67,7 +68,7 @@ export function createSlotAllocator(graph: FlatGraph): SlotAllocator {
       if (known !== undefined) return known;
       const slot = add(type, startValue(node, name, definition));
       own.set(key, slot);
-      for (const address of [key, ...(outerNames.get(key) ?? [])]) params.push([address, slot]);
+      if (!compiledIn.has(node.id)) for (const address of [key, ...(outerNames.get(key) ?? [])]) params.push([address, slot]);
       return slot;
     },
     table: () => ({ numbers, texts, slots, params: Object.fromEntries(params) }),

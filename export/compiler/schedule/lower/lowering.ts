@@ -17,6 +17,7 @@ export interface Lowering {
   /** Place of every node in topological order. */
   readonly rank: ReadonlyMap<string, number>;
   readonly slots: SlotAllocator;
+  /** Of pictures that objects are drawn into. */
   readonly samples: 1 | 4;
   readonly resources: Resource[];
   readonly steps: Step[];
@@ -33,17 +34,17 @@ export interface Lowering {
   readonly diagnostics: Diagnostic[];
 }
 
-/** Four samples are what every device has, and what its own framebuffer takes. */
-const DRAW_SAMPLES = 4;
-
 export function createLowering(
-  start: Pick<Lowering, 'graph' | 'library' | 'shaders' | 'loopBudget' | 'layers'> & { readonly order: readonly FlatNode[] },
+  start: Pick<Lowering, 'graph' | 'library' | 'shaders' | 'loopBudget' | 'layers' | 'samples'> & {
+    readonly order: readonly FlatNode[];
+    readonly compiledIn: ReadonlySet<string>;
+  },
 ): Lowering {
+  const { order, compiledIn, ...given } = start;
   return {
-    ...start,
-    rank: new Map(start.order.map((node, index) => [node.id, index])),
-    slots: createSlotAllocator(start.graph),
-    samples: DRAW_SAMPLES,
+    ...given,
+    rank: new Map(order.map((node, index) => [node.id, index])),
+    slots: createSlotAllocator(start.graph, compiledIn),
     resources: [],
     steps: [],
     resourceOf: new Map(),

@@ -1,0 +1,19 @@
+import type { Presentation } from '../../program/program.ts';
+import type { FlatNode } from '../flat-graph.ts';
+import { startValue } from './slots.ts';
+
+export interface ScreenOptions {
+  readonly antialias: boolean;
+  readonly background: Presentation['background'];
+}
+
+/** What the screen's own params say. They are fixed before a session starts, so the program holds them as they are. */
+export function readScreen(screen: FlatNode): ScreenOptions {
+  const read = (name: string) => {
+    const param = Object.hasOwn(screen.definition.params, name) ? screen.definition.params[name] : undefined;
+    return param && startValue(screen, name, param);
+  };
+  const color = read('color');
+  const [r = 0, g = 0, b = 0, a = 1] = typeof color === 'object' ? color : [];
+  return { antialias: read('antialias') !== false, background: read('background') === 'color' ? [r, g, b, a] : 'world' };
+}
