@@ -105,7 +105,42 @@ export async function open(url: string) {
   return { output, diagnostics, leaks: leaks.report() };
 }
 
-/** Plays three frames of 0.1 s in time, over the end, with a pause and a jump. */
+/** The context goes and comes back: pixels of frame 1 before and after. */
+export async function contextLoss(url: string) {
+  const gl = createGl();
+  const { player } = await stand(program({}), { gl });
+  const session = createRecordedSession({ gl, files: files(url), mode: { kind: 'manual' } });
+  await session.ready;
+  player.setSession(session);
+  session.start(player.draw, () => {});
+  await session.step(1);
+  const before = pixel(gl, 20, 20);
+  const lose = gl.getExtension('WEBGL_lose_context');
+  const heard = (name: string): Promise<void> =>
+    new Promise((resolve) => {
+      const listener = (event: Event): void => {
+        event.preventDefault();
+        resolve();
+      };
+      gl.canvas.addEventListener(name, listener, { once: true });
+    });
+  const lost = heard('webglcontextlost');
+  lose?.loseContext();
+  await lost;
+  player.contextLost();
+  await session.step(2);
+  const restored = heard('webglcontextrestored');
+  lose?.restoreContext();
+  await restored;
+  await player.restore();
+  await session.step(1);
+  const after = pixel(gl, 20, 20);
+  await session.end();
+  player.dispose();
+  return { before, after, error: gl.getError() };
+}
+
+/** Plays three frames of 0.1 s in time, over the end, with a jump. */
 export async function play(url: string) {
   const gl = createGl();
   const clock = createManualClock();
@@ -122,10 +157,7 @@ export async function play(url: string) {
   move(0.1);
   move(0.15);
   move(0.1);
-  session.setPlaying(false);
-  move(1);
-  move(1);
-  session.setPlaying(true);
+  move(0);
   session.seek(1);
   move(0.02);
   move(0.02);

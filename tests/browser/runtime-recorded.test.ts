@@ -184,7 +184,7 @@ describe('a recorded session', () => {
     expect(result.leaks).toEqual([]);
   });
 
-  test('plays in time, starts over at the end, pauses and jumps', async () => {
+  test('plays in time, starts over at the end, and jumps', async () => {
     expect(await page.call('play', 'sessions/ramp/')).toEqual([
       '0: 0.00 +0.00 at x 0',
       '1: 0.10 +0.10 at x 1',
@@ -192,12 +192,18 @@ describe('a recorded session', () => {
       'reset',
       '3: 0.35 +0.10 at x 0',
       '4: 0.35 +0.00 at x 0',
-      '5: 0.35 +0.00 at x 0',
       'reset',
       '0: 0.12 +0.00 at x 1',
       '1: 0.14 +0.02 at x 1',
       'ended',
     ]);
+  });
+
+  test('is there again after the graphics were lost', async () => {
+    const { before, after, error } = await page.call<{ before: number[]; after: number[]; error: number }>('contextLoss', 'sessions/ramp/');
+    expect(before[3]).toBe(255);
+    expect(after).toEqual(before);
+    expect(error).toBe(0);
   });
 
   test('with torn pictures says which, and goes on without them', async () => {

@@ -90,7 +90,8 @@ function isSame(old: LiveResource, resource: Resource, tapped: boolean): boolean
   const was = old.target.resource;
   // The size is not compared: a target takes on any size.
   return (
-    old.tapped === tapped &&
+    // Persistent pictures are kept per view in any case.
+    (old.tapped === tapped || was.lifetime === 'persistent') &&
     was.domain === resource.domain &&
     was.format === resource.format &&
     was.depth === resource.depth &&

@@ -6,6 +6,7 @@ import type { FrameClock } from '../../clock.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
 import { createPictureTextures, type PictureTextures } from './picture-textures.ts';
+import { createPlayback } from './playback.ts';
 import { brokenSession } from './read-session-file.ts';
 import { createRecordedView, type RecordedView } from './recorded-view.ts';
 import { frameAt, openRecording, type Recording, timeOfFrame } from './recording.ts';
@@ -38,8 +39,6 @@ export interface RecordedSession extends Session {
   step(index: number): Promise<boolean>;
   /** Goes on from frame `index`, and says so with a `reset`. */
   seek(index: number): void;
-  /** Clock only: while not playing, the same frame comes again and again, with no time in between. */
-  setPlaying(playing: boolean): void;
   /** Decodes all frames that the budget holds. */
   preload(): Promise<void>;
 }
@@ -49,20 +48,22 @@ const DEFAULT_BUDGET_BYTES = 512 * 1024 * 1024;
 /** Frames decoded ahead of the one shown, so that playing rarely waits. */
 const LOOK_AHEAD = 4;
 
-interface Player extends Recording {
+/** An open recording. */
+interface Reel extends Recording {
   readonly cache: FrameCache;
-  readonly textures: PictureTextures;
-  readonly view: RecordedView;
+  textures: PictureTextures;
+  view: RecordedView;
 }
 
 export function createRecordedSession(options: RecordedSessionOptions): RecordedSession {
   const { gl, files, mode } = options;
   const capabilities = new Set<Capability>();
   const frame = createSessionFrame();
-  let player: Player | null = null;
+  let reel: Reel | null = null;
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
   let ended = false;
+  /** What the textures hold. */
   let shown: DecodedFrame | null = null;
   /** Null after a jump: no time has passed since. */
   let deliveredS: number | null = null;
@@ -72,6 +73,32 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     if (onEvent) onEvent({ kind: 'problem', message });
     else problems.push(message);
   };
+  const deliver = (current: Reel, decoded: DecodedFrame, index: number, timeS: number): boolean => {
+    if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return false;
+    if (decoded !== shown) current.textures.upload(decoded);
+    shown = decoded;
+    frame.index = index;
+    frame.timeS = timeS;
+    frame.deltaS = deliveredS === null ? 0 : Math.max(0, timeS - deliveredS);
+    frame.light = current.lights[decoded.index] ?? null;
+    deliveredS = timeS;
+    current.view.fill(frame, decoded);
+    onFrame?.(frame);
+    return true;
+  };
+  const show = (timeS: number, playheadS: number, count: number): boolean => {
+    if (!reel) return false;
+    const { file, cache } = reel;
+    const index = frameAt(file, timeS);
+    for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
+    // What is not decoded yet holds nothing up: the frame before stays.
+    const decoded = cache.get(index) ?? shown ?? cache.get(0);
+    return decoded !== null && deliver(reel, decoded, count, playheadS);
+  };
+  const playback =
+    mode.kind === 'clock'
+      ? createPlayback(mode.clock, { durationS: () => reel?.durationS ?? null, show, onRepeat: () => onEvent?.({ kind: 'reset' }) })
+      : null;
   const open = async (): Promise<Result<RecordingInfo>> => {
     const { output: recording, diagnostics } = await openRecording(files);
     if (!recording) return { output: null, diagnostics };
@@ -83,35 +110,21 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       return { output: null, diagnostics: [...diagnostics, brokenSession(problems[0] ?? 'The session ended before it was read.')] };
     }
     const textures = createPictureTextures(gl, file);
-    player = { ...recording, cache, textures, view: createRecordedView(gl, file, textures) };
+    reel = { ...recording, cache, textures, view: createRecordedView(gl, file, textures) };
     capabilities.add('camera-image');
     if (file.depth) capabilities.add('depth');
     if (recording.lights.some((light) => light !== null)) capabilities.add('light-estimation');
-    if (onFrame) loop?.start();
+    if (onFrame) playback?.start();
     return { output: { title: file.title, frameCount: file.frames.length, durationS: recording.durationS }, diagnostics };
   };
-  const deliver = (current: Player, decoded: DecodedFrame, index: number, timeS: number): void => {
-    if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return;
-    if (decoded !== shown) current.textures.upload(decoded);
-    shown = decoded;
-    frame.index = index;
-    frame.timeS = timeS;
-    frame.deltaS = deliveredS === null ? 0 : Math.max(0, timeS - deliveredS);
-    frame.light = current.lights[decoded.index] ?? null;
-    deliveredS = timeS;
-    current.view.fill(frame, decoded);
-    onFrame?.(frame);
+  /** The context is back, and empty. */
+  const restore = (): void => {
+    if (!reel) return;
+    reel.textures = createPictureTextures(gl, reel.file);
+    reel.view = createRecordedView(gl, reel.file, reel.textures);
+    shown = null;
   };
-  const loop =
-    mode.kind === 'clock'
-      ? createLoop(
-          mode.clock,
-          () => player,
-          () => shown,
-          deliver,
-          () => onEvent?.({ kind: 'reset' }),
-        )
-      : null;
+  gl.canvas.addEventListener('webglcontextrestored', restore);
   return {
     kind: 'recorded',
     capabilities,
@@ -122,89 +135,35 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       onFrame = frameHandler;
       onEvent = eventHandler;
       for (const message of problems.splice(0)) say(message);
-      if (player) loop?.start();
+      if (reel) playback?.start();
     },
     step: async (index) => {
-      if (mode.kind !== 'manual' || !player || !onFrame) throw new Error('Only a manual session that is ready and started can be stepped.');
-      const current = player;
+      const current = reel;
+      if (mode.kind !== 'manual' || !current || !onFrame)
+        throw new Error('Only a manual session that is ready and started can be stepped.');
       if (!current.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
       const decoded = await current.cache.request(index);
-      if (!decoded || ended) return false;
-      deliver(current, decoded, index, timeOfFrame(current.file, index));
-      return true;
+      return decoded !== null && !ended && deliver(current, decoded, index, timeOfFrame(current.file, index));
     },
     seek: (index) => {
-      if (player) loop?.seek(timeOfFrame(player.file, index));
+      if (reel) playback?.seek(timeOfFrame(reel.file, index));
       deliveredS = null;
       onEvent?.({ kind: 'reset' });
     },
-    setPlaying: (playing) => loop?.setPlaying(playing),
     preload: async () => {
-      const current = player;
-      const count = current ? Math.min(current.file.frames.length, current.cache.capacity) : 0;
-      for (let i = 0; i < count && !ended; i++) await current?.cache.request(i);
+      const count = reel ? Math.min(reel.file.frames.length, reel.cache.capacity) : 0;
+      for (let i = 0; i < count; i++) await reel?.cache.request(i);
     },
     end: async () => {
       if (ended) return;
       ended = true;
-      loop?.stop();
-      player?.cache.dispose();
-      player?.textures.dispose();
-      player = null;
+      playback?.stop();
+      gl.canvas.removeEventListener('webglcontextrestored', restore);
+      reel?.cache.dispose();
+      reel?.textures.dispose();
+      reel = null;
       shown = null;
       onEvent?.({ kind: 'ended', by: 'page' });
-    },
-  };
-}
-
-interface Loop {
-  start(): void;
-  stop(): void;
-  seek(timeS: number): void;
-  setPlaying(playing: boolean): void;
-}
-
-/** Delivers a frame for each repaint. */
-function createLoop(
-  clock: FrameClock,
-  player: () => Player | null,
-  shown: () => DecodedFrame | null,
-  deliver: (player: Player, decoded: DecodedFrame, index: number, timeS: number) => void,
-  onRepeat: () => void,
-): Loop {
-  let playing = true;
-  /** Runs on over the repeats. */
-  let playheadS = 0;
-  let lastS: number | null = null;
-  let count = 0;
-  let handle = 0;
-  const tick = (nowS: number): void => {
-    handle = clock.requestFrame(tick);
-    const current = player();
-    if (!current) return;
-    const { file, cache, durationS } = current;
-    const round = Math.floor(playheadS / durationS);
-    if (playing && lastS !== null) playheadS += Math.max(0, nowS - lastS);
-    lastS = nowS;
-    if (Math.floor(playheadS / durationS) !== round) onRepeat();
-    const index = frameAt(file, playheadS % durationS);
-    for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
-    // What is not decoded yet holds nothing up: the frame before stays.
-    const decoded = cache.get(index) ?? shown() ?? cache.get(0);
-    if (decoded) deliver(current, decoded, count++, playheadS);
-  };
-  return {
-    start: () => {
-      lastS = null;
-      handle = clock.requestFrame(tick);
-    },
-    stop: () => clock.cancelFrame(handle),
-    seek: (timeS) => {
-      playheadS = timeS;
-      count = 0;
-    },
-    setPlaying: (next) => {
-      playing = next;
     },
   };
 }
