@@ -43,7 +43,7 @@ export const LAYERS: readonly Layer[] = [
 
   { name: 'program', files: ['export/program/**'] },
   { name: 'graph', files: ['export/graph/**'], imports: ['kit'], packages: ['immer', 'jsonc-parser'] },
-  { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['@shaderfrog/glsl-parser', 'jsonc-parser'] },
+  { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['jsonc-parser'] },
   { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
   // Image passes need no three.js: only the scenes load it, and a page without objects leaves them out.
   { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'runtime'], packages: ['three', 'cannon-es'] },
