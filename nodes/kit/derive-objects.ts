@@ -1,4 +1,5 @@
 import type { ObjectItem, ObjectList } from './runtime.ts';
+import { createVersionWatch } from './version-watch.ts';
 
 /** Keeps an output list in step with the lists that it is made from. */
 export interface DerivedObjects {
@@ -15,24 +16,12 @@ export interface DerivedObjects {
  */
 export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => void): DerivedObjects {
   const sources: ObjectItem[] = [];
-  let seen: ObjectList[] = [];
-  const versions: number[] = [];
-
-  function isSame(inputs: readonly ObjectList[]): boolean {
-    if (inputs.length !== seen.length) return false;
-    for (let i = 0; i < inputs.length; i++) {
-      if (inputs[i] !== seen[i] || inputs[i]?.version !== versions[i]) return false;
-    }
-    return true;
-  }
+  const watch = createVersionWatch();
 
   function rebuild(inputs: readonly ObjectList[]): void {
-    seen = [...inputs];
-    versions.length = 0;
     sources.length = 0;
     output.items.length = 0;
     inputs.forEach((list, i) => {
-      versions.push(list.version);
       for (const source of list.items) {
         sources.push(source);
         // A list may be wired in twice.
@@ -44,7 +33,7 @@ export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => 
 
   return {
     update: (inputs) => {
-      if (!isSame(inputs)) rebuild(inputs);
+      if (watch.changed(inputs)) rebuild(inputs);
       for (let i = 0; i < sources.length; i++) {
         const source = sources[i];
         const item = output.items[i];

@@ -95,7 +95,8 @@ export function blending() {
 export function phantoms() {
   const stand = createStand();
   const wall = objects(sheet(new MeshBasicMaterial({ color: 0xff0000 }), -1));
-  const half = item(new Mesh(new PlaneGeometry(4, 9), new MeshBasicMaterial({ color: 0x00ff00 })), {
+  const ghost = new MeshBasicMaterial({ color: 0x00ff00, transparent: true, opacity: 0.2 });
+  const half = item(new Mesh(new PlaneGeometry(4, 9), ghost), {
     role: 'phantom',
     at: translation(-2, 0, 0),
   });

@@ -3,7 +3,7 @@ import type { DrawnScene, NumberView, ObjectItem } from '../../../nodes/kit/runt
 import type { NeutralEnvironment } from './lights/environment.ts';
 import { createLightRig } from './lights/light-rig.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
-import { createPhantomTwin } from './materials/depth-twin.ts';
+import { createDepthTwin } from './materials/depth-twin.ts';
 import { isOpaque } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
@@ -46,7 +46,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     const features = programFeatures(master);
     const depth = (): Material | Material[] =>
-      mapMaterials(master, (part) => twins.get(part, `${features}|depth`, () => createPhantomTwin(part)));
+      mapMaterials(master, (part) => twins.get(part, `${features}|depth`, () => createDepthTwin(part, 'surface')));
     if (item.role === 'phantom') return [{ material: depth(), renderOrder: PHANTOMS_FIRST }];
     const draw = (side: Side): ProxyPlan => ({
       material: mapMaterials(master, (part) =>

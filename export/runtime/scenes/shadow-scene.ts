@@ -1,7 +1,7 @@
 import { Scene } from 'three';
 import type { DrawnScene, LightList, NumberView, ObjectItem, VectorView } from '../../../nodes/kit/runtime.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
-import { createPhantomTwin } from './materials/depth-twin.ts';
+import { createDepthTwin } from './materials/depth-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
 import { createShadowCatcher } from './materials/shadow-catcher.ts';
 import { createTwinCache } from './materials/twins.ts';
@@ -38,7 +38,7 @@ export function createShadowScene(options: ShadowSceneOptions): DrawnScene {
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     if (item.role !== 'phantom') return [];
     const features = programFeatures(master);
-    const depth = mapMaterials(master, (part) => twins.get(part, `${features}|depth`, () => createPhantomTwin(part)));
+    const depth = mapMaterials(master, (part) => twins.get(part, `${features}|depth`, () => createDepthTwin(part, 'surface')));
     const shadow = mapMaterials(master, (part) => twins.get(part, features, () => catcher.createTwin(part)));
     return [
       { material: depth, renderOrder: 0 },

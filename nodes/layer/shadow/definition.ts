@@ -8,7 +8,13 @@ export const definition = defineNode({
   keywords: ['shadow catcher', 'contact', 'ground', 'floor', 'darken'],
   inputs: {
     casters: { type: 'objects', label: 'Objects', doc: 'What throws shadows.', required: true, multiple: true },
-    receivers: { type: 'objects', label: 'Phantoms', doc: 'Where they fall: phantoms alone count.', required: true, multiple: true },
+    receivers: {
+      type: 'objects',
+      label: 'Phantoms',
+      doc: 'Where they fall. Phantoms alone count, so a group of both will do.',
+      required: true,
+      multiple: true,
+    },
     lights: { type: 'lights', label: 'Lights', doc: 'Lights that the shadows fall away from.', required: true, multiple: true },
   },
   outputs: {

@@ -1,6 +1,6 @@
 import { type Color, DirectionalLight, type Scene, Vector3 } from 'three';
 import type { LightItem, LightList } from '../../../../nodes/kit/runtime.ts';
-import { createVersionWatch } from '../proxies/proxy-set.ts';
+import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import type { RenderedShadowMaps } from './shadow-maps.ts';
 
 /** three's lights for the light lists of one scene. */

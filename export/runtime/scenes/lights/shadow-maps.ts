@@ -47,7 +47,7 @@ export function createShadowMaps(renderer: SceneRenderer, casters: readonly Obje
   const twins = createTwinCache();
   const proxies = createProxySet(scene, (master) => {
     const features = programFeatures(master);
-    const material = mapMaterials(master, (part) => twins.get(part, features, () => createDepthTwin(part, 'both')));
+    const material = mapMaterials(master, (part) => twins.get(part, features, () => createDepthTwin(part, 'shadow')));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
   const camera = createLightCamera();

@@ -26,8 +26,8 @@ const MAIN = 'void main() {';
 export function wrapMain(source: string, parts: { readonly before: string; readonly start: string; readonly end: string }): string {
   const main = source.indexOf(MAIN);
   const close = source.lastIndexOf('}');
-  if (main < 0 || source.indexOf(MAIN, main + 1) >= 0 || close < main)
-    throw new Error('A shader of three.js has another main than expected.');
+  const isOne = main >= 0 && source.indexOf(MAIN, main + 1) < 0 && close > main;
+  if (!isOne) throw new Error('A shader of three.js has another main than expected.');
   const body = source.slice(main + MAIN.length, close);
   return `${source.slice(0, main)}${parts.before}\n${MAIN}\n${parts.start}\n${body}\n${parts.end}\n}\n`;
 }

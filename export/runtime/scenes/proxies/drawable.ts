@@ -51,6 +51,7 @@ export function programFeatures(object: Drawable): string {
   const features: string[] = [];
   if (isSkinned(object)) features.push('skin');
   if (isInstanced(object)) features.push(`instance${object.instanceColor === null ? '' : 'color'}${object.morphTexture ? 'morph' : ''}`);
+  if (!attributes.normal) features.push('flat');
   if (attributes.tangent) features.push('tangent');
   if (attributes.color?.itemSize === 4) features.push('alpha');
   for (const [name, targets] of Object.entries(morphAttributes)) features.push(`${name}${targets?.length ?? 0}`);

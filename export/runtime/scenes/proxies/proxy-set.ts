@@ -1,5 +1,6 @@
 import type { Scene } from 'three';
 import type { ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { type Drawable, isDrawable } from './drawable.ts';
 import { createProxy, type FlatProxy, type ProxyPlan } from './proxy.ts';
 
@@ -44,33 +45,5 @@ export function createProxySet(scene: Scene, plan: PlanProxies): ProxySet {
       return changed;
     },
     dispose: clear,
-  };
-}
-
-interface Versioned {
-  readonly version: number;
-}
-
-/** Answers whether the lists, their number or their versions differ from those of the last call. */
-export function createVersionWatch(): { changed(lists: readonly Versioned[]): boolean } {
-  let seen: Versioned[] = [];
-  const versions: number[] = [];
-
-  function isSame(lists: readonly Versioned[]): boolean {
-    if (lists.length !== seen.length) return false;
-    for (let i = 0; i < lists.length; i++) {
-      if (lists[i] !== seen[i] || lists[i]?.version !== versions[i]) return false;
-    }
-    return true;
-  }
-
-  return {
-    changed: (lists) => {
-      if (isSame(lists)) return false;
-      seen = [...lists];
-      versions.length = 0;
-      for (const list of lists) versions.push(list.version);
-      return true;
-    },
   };
 }
