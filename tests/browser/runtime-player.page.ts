@@ -1,5 +1,6 @@
-import type { PassUniform } from '../../export/program/program.ts';
+import type { DrawOperation, PassUniform } from '../../export/program/program.ts';
 import { createManualClock } from '../../export/runtime/clock.ts';
+import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import {
   colorSampler,
   createGl,
@@ -9,6 +10,7 @@ import {
   pixel,
   program,
   shader,
+  sourceOperation,
   stand,
   target,
   texture,
@@ -204,4 +206,95 @@ export async function views() {
   const coloured = [pixel(gl, 4, 4), pixel(gl, 60, 4)];
   player.dispose();
   return { world, device, coloured, error: gl.getError() };
+}
+
+/** Fills the left or right half of its view at a window depth, tested against what the target holds. */
+function painter(red: number, half: 0 | 1): NodeModule {
+  return {
+    create: ({ gl }) => ({
+      update: () => {},
+      draw: ({ viewport: { x, y, widthPx, heightPx } }) => {
+        gl.enable(gl.SCISSOR_TEST);
+        gl.scissor(x + (half * widthPx) / 2, y, widthPx / 2, heightPx);
+        const depth = new Float32Array(1);
+        gl.clearBufferfv(gl.COLOR, 0, new Float32Array([red, 1, 0, 1]));
+        // As near as can be: nothing drawn later would pass a depth test, were it not cleared.
+        gl.clearBufferfv(gl.DEPTH, 0, depth);
+        gl.disable(gl.SCISSOR_TEST);
+      },
+      dispose: () => {},
+    }),
+  };
+}
+
+/** Draws the whole view at half the depth, in blue, where the depth test lets it. */
+const tested: NodeModule = {
+  create: ({ gl }) => {
+    const program = gl.createProgram();
+    const sources = [
+      [
+        gl.VERTEX_SHADER,
+        '#version 300 es\nvoid main() { gl_Position = vec4(float(gl_VertexID == 1) * 4.0 - 1.0, float(gl_VertexID == 2) * 4.0 - 1.0, 0.0, 1.0); }',
+      ],
+      [gl.FRAGMENT_SHADER, '#version 300 es\nprecision highp float; out vec4 color; void main() { color = vec4(0.0, 0.0, 1.0, 1.0); }'],
+    ] as const;
+    for (const [type, source] of sources) {
+      const made = gl.createShader(type) as WebGLShader;
+      gl.shaderSource(made, source);
+      gl.compileShader(made);
+      gl.attachShader(program, made);
+    }
+    gl.linkProgram(program);
+    return {
+      update: () => {},
+      draw: () => {
+        gl.useProgram(program);
+        gl.enable(gl.DEPTH_TEST);
+        gl.depthFunc(gl.LESS);
+        gl.disable(gl.BLEND);
+        gl.bindVertexArray(null);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+      },
+      dispose: () => gl.deleteProgram(program),
+    };
+  },
+};
+
+function drawing(type: string): DrawOperation {
+  const { kind: _kind, ...rest } = sourceOperation(type, 'none', 'none', { writes: [], outputs: {} });
+  return { ...rest, kind: 'draw', view: 'each', target: 'screen', shadowMaps: null, occlusion: null };
+}
+
+/** Nodes that draw to the screen: each finds a depth of its own in its view, and the other view untouched. */
+export async function screenDraws() {
+  const gl = createGl({ depth: true });
+  const modules = { left: painter(1, 0), tested, right: painter(0, 1) };
+  const { player } = await stand(program({ operations: [drawing('left'), drawing('tested'), drawing('right')] }), { gl, modules });
+  upset(gl);
+  player.draw(frame(0, [view(0, 0, 32, HEIGHT)]));
+  const result = { over: pixel(gl, 4, 4), last: pixel(gl, 28, 4), beside: pixel(gl, 40, 4), error: gl.getError() };
+  player.dispose();
+  return result;
+}
+
+/** Two views of different sizes do not share their targets. */
+export async function unequalViews() {
+  const show = 'color = vec4(vec2(textureSize(picture, 0)) / 255.0, 0.0, 1.0);';
+  const { gl, player } = await stand(
+    program({
+      resources: [target('out')],
+      shaders: [shader('fill', 'color = vec4(1.0);'), shader('show', show, PICTURE)],
+      operations: [pass('fill', 0, 'out'), pass('show', 1, 'screen', { samplers: [colorSampler('picture', 'out')] })],
+    }),
+  );
+  const unequal = [view(0, 0, 40, 30), view(40, 0, 20, 10)];
+  player.draw(frame(0, unequal));
+  const made = player.counts().textures;
+  for (let i = 1; i < 10; i++) player.draw(frame(i, unequal));
+  const shown = [pixel(gl, 1, 1), pixel(gl, 41, 1)];
+  const kept = player.counts().textures === made;
+  player.draw(frame(10, [view(0, 0, 20, 20), view(20, 0, 20, 20)]));
+  const shared = made - player.counts().textures;
+  player.dispose();
+  return { shown, kept, shared, error: gl.getError() };
 }

@@ -65,3 +65,24 @@ test('each view has its own part of the screen and its own world behind', async 
     error: NO_ERROR,
   });
 });
+
+test('nodes that draw to the screen come one over the other, inside their view', async () => {
+  expect(await page.call('screenDraws')).toEqual({
+    over: [0, 0, 255, 255],
+    last: [0, 255, 0, 255],
+    beside: [0, 0, 0, 0],
+    error: NO_ERROR,
+  });
+});
+
+test('views of different sizes have targets of their own, equal ones share', async () => {
+  expect(await page.call('unequalViews')).toEqual({
+    shown: [
+      [40, 30, 0, 255],
+      [20, 10, 0, 255],
+    ],
+    kept: true,
+    shared: 1,
+    error: NO_ERROR,
+  });
+});

@@ -1,11 +1,11 @@
 /**
- * Sets all GL state that a full-screen triangle depends on, and assumes nothing about what others left: three.js, the
- * browser's XR code and nodes use the same context.
+ * Sets all GL state that a full-screen triangle depends on, mostly to GL's own defaults, and assumes nothing about what others
+ * left: three.js, the browser's XR code and nodes use the same context.
  */
 export function setPassState(
   gl: WebGL2RenderingContext,
   framebuffer: WebGLFramebuffer | null,
-  vertexArray: WebGLVertexArrayObject,
+  vertexArray: WebGLVertexArrayObject | null,
   x: number,
   y: number,
   widthPx: number,

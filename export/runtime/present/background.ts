@@ -1,5 +1,6 @@
 import type { Session } from '../../../nodes/kit/session.ts';
 import type { Presentation } from '../../program/program.ts';
+import { clearRectangle } from '../gl/clear.ts';
 import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
@@ -13,8 +14,6 @@ export interface Background {
   /** Clears the view's part of the screen, depth included. */
   draw(state: PlayState, session: SessionTraits | null): void;
 }
-
-const FARTHEST = new Float32Array([1]);
 
 /**
  * A colour; or the camera's picture, where the session shows the world as one; else transparent, through which a device shows
@@ -33,10 +32,7 @@ export function createBackground(
       const { view } = state;
       if (!view) return;
       const { x, y, widthPx, heightPx } = view.viewport;
-      gl.bindFramebuffer(gl.FRAMEBUFFER, state.frame.framebuffer);
-      clearDepth(gl, x, y, widthPx, heightPx);
-      gl.colorMask(true, true, true, true);
-      gl.clearBufferfv(gl.COLOR, 0, premultiplied);
+      clearRectangle(gl, state.frame.framebuffer, x, y, widthPx, heightPx, premultiplied);
       const picture = background === 'world' && session?.world === 'image' ? view.cameraImage : null;
       const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
       if (!picture || !location) return;
@@ -48,12 +44,4 @@ export function createBackground(
       drawer.end();
     },
   };
-}
-
-/** Of the bound framebuffer, inside the rectangle only. Leaves the scissor on. */
-export function clearDepth(gl: WebGL2RenderingContext, x: number, y: number, widthPx: number, heightPx: number): void {
-  gl.enable(gl.SCISSOR_TEST);
-  gl.scissor(x, y, widthPx, heightPx);
-  gl.depthMask(true);
-  gl.clearBufferfv(gl.DEPTH, 0, FARTHEST);
 }

@@ -2,10 +2,10 @@ import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { DrawOperation } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
+import { clearAll, clearRectangle } from '../gl/clear.ts';
+import { setPassState } from '../gl/pass-state.ts';
 import type { NodeInstance } from '../operations/node-instance.ts';
-import { clearDepth } from '../present/background.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
-import { clearForDrawing } from '../targets/target.ts';
 import type { Step } from './step.ts';
 
 /** Lets a node draw one view, into its target or over what the screen already shows. */
@@ -22,10 +22,9 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
     viewport,
   };
   const draw = (view: ViewFrame, viewIndex: number, framebuffer: WebGLFramebuffer | null): void => {
-    // Clearing went past three.js, and whoever draws expects the target bound.
+    // Whoever draws finds the target bound and GL's own defaults; three.js has to be told that it did not set them.
+    setPassState(gl, framebuffer, null, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
     engine.scenesIfMade()?.invalidateState();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    gl.viewport(viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
     drawView.view = view;
     drawView.viewIndex = viewIndex;
     drawView.framebuffer = framebuffer;
@@ -37,7 +36,7 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
       if (!view) return;
       if (destination) {
         const buffer = destination.target.back(viewIndex);
-        clearForDrawing(gl, buffer);
+        clearAll(gl, buffer.framebuffer, buffer.depth !== null);
         viewport.x = 0;
         viewport.y = 0;
         viewport.widthPx = buffer.widthPx;
@@ -49,10 +48,9 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
         viewport.y = view.viewport.y;
         viewport.widthPx = view.viewport.widthPx;
         viewport.heightPx = view.viewport.heightPx;
-        gl.bindFramebuffer(gl.FRAMEBUFFER, state.frame.framebuffer);
-        clearDepth(gl, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
-        gl.disable(gl.SCISSOR_TEST);
-        draw(view, viewIndex, state.frame.framebuffer);
+        const { framebuffer } = state.frame;
+        clearRectangle(gl, framebuffer, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx, null);
+        draw(view, viewIndex, framebuffer);
       }
     },
   };

@@ -1,3 +1,4 @@
+import { clearAll } from '../gl/clear.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createTargetBuffer, type TargetBuffer, type TargetResource } from './target-buffer.ts';
 
@@ -35,9 +36,6 @@ interface ViewState {
   unresolved: boolean;
 }
 
-const TRANSPARENT = new Float32Array(4);
-const FARTHEST = new Float32Array([1]);
-
 export function createTarget(objects: GlObjects, resource: TargetResource, ownPerView: boolean): Target {
   const { gl } = objects;
   const persistent = resource.lifetime === 'persistent';
@@ -54,12 +52,6 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
     state.front = null;
     state.back = null;
     state.unresolved = false;
-  };
-  const clearBuffer = (buffer: TargetBuffer): void => {
-    gl.disable(gl.SCISSOR_TEST);
-    gl.colorMask(true, true, true, true);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, buffer.resolvedFramebuffer);
-    gl.clearBufferfv(gl.COLOR, 0, TRANSPARENT);
   };
   return {
     resource,
@@ -92,7 +84,7 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
       state.unresolved = true;
     },
     clear: () => {
-      for (const { front } of states) if (front) clearBuffer(front);
+      for (const { front } of states) if (front) clearAll(gl, front.resolvedFramebuffer, false);
     },
     trim: (viewCount) => {
       for (let i = viewCount; i < states.length; i++) {
@@ -104,16 +96,6 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
       for (const state of states) free(state);
     },
   };
-}
-
-/** Colour transparent, depth as far as it goes. Leaves the framebuffer bound and the scissor off. */
-export function clearForDrawing(gl: WebGL2RenderingContext, buffer: TargetBuffer): void {
-  gl.disable(gl.SCISSOR_TEST);
-  gl.colorMask(true, true, true, true);
-  gl.depthMask(true);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, buffer.framebuffer);
-  gl.clearBufferfv(gl.COLOR, 0, TRANSPARENT);
-  if (buffer.depth) gl.clearBufferfv(gl.DEPTH, 0, FARTHEST);
 }
 
 function resolved(state: ViewState): TargetBuffer | null {
