@@ -96,7 +96,7 @@ function CanvasInside() {
           ariaLabel="Overview of the graph"
           nodeColor={(node) => (node.data.type ? WIRE_TYPES[node.data.type].color : 'var(--line-strong)')}
           nodeBorderRadius={6}
-          maskColor="var(--scrim)"
+          maskColor="var(--minimap-mask)"
         />
         <CanvasControls />
         <ConnectionHint />

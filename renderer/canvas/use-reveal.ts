@@ -1,19 +1,41 @@
-import { useReactFlow } from '@xyflow/react';
+import { type Rect, useReactFlow, useStoreApi } from '@xyflow/react';
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../shell/editor-context.ts';
+import type { Reveal } from '../state/ui.ts';
 
 const DURATION_MS = 260;
 
-/** Brings nodes into view when something outside the canvas points at them; an empty list means all. */
+/** Brings nodes into view when something outside the canvas points at them. */
 export function useReveal(): void {
   const { ui } = useEditor();
   const reveal = useStore(ui, (state) => state.reveal);
-  const { fitView } = useReactFlow();
+  const { fitView, getNodesBounds, setCenter } = useReactFlow();
+  const store = useStoreApi();
   useEffect(() => {
     if (reveal === null) return;
-    const calm = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    const nodes = reveal.nodes.length === 0 ? {} : { nodes: reveal.nodes.map((id) => ({ id })) };
-    void fitView({ ...nodes, padding: 0.2, maxZoom: 1, duration: calm ? 0 : DURATION_MS });
-  }, [reveal, fitView]);
+    const duration = window.matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : DURATION_MS;
+    if (reveal.how === 'fit') {
+      void fitView({ ...nodesOf(reveal), padding: 0.15, maxZoom: 1, duration });
+      return;
+    }
+    const bounds = getNodesBounds([...reveal.nodes]);
+    const { transform, width, height } = store.getState();
+    const [x, y, zoom] = transform;
+    if (bounds.width === 0 || isInside(bounds, { x: -x / zoom, y: -y / zoom, width: width / zoom, height: height / zoom })) return;
+    void setCenter(bounds.x + bounds.width / 2, bounds.y + bounds.height / 2, { zoom, duration });
+  }, [reveal, fitView, getNodesBounds, setCenter, store]);
+}
+
+function nodesOf({ nodes }: Reveal): { nodes?: { id: string }[] } {
+  return nodes.length === 0 ? {} : { nodes: nodes.map((id) => ({ id })) };
+}
+
+function isInside(inner: Rect, outer: Rect): boolean {
+  return (
+    inner.x >= outer.x &&
+    inner.y >= outer.y &&
+    inner.x + inner.width <= outer.x + outer.width &&
+    inner.y + inner.height <= outer.y + outer.height
+  );
 }

@@ -8,7 +8,7 @@ export interface Status {
   /** Around the drawing of a frame. */
   begin(): void;
   end(frame: SessionFrame): void;
-  /** Frames and time count from the next frame on. */
+  /** Frames and time count from the next frame on; frames that repeat a held moment do not count. */
   rewind(): void;
 }
 
@@ -20,7 +20,8 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   const status = { state: 'loading' as PreviewStatus['state'], frame: 0, timeS: 0, frameMs: 0, widthPx: 0, heightPx: 0 };
   let sentS = Number.NEGATIVE_INFINITY;
   let beganS = 0;
-  let origin: { readonly index: number; readonly timeS: number } | null = null;
+  let originS: number | null = null;
+  let lastS = 0;
   const tell = () => {
     sentS = clock.nowS();
     send({ kind: 'status', status: { ...status } });
@@ -36,16 +37,18 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
     end: (frame) => {
       const nowS = clock.nowS();
       const tookMs = (nowS - beganS) * 1000;
-      origin ??= { index: frame.index, timeS: frame.timeS };
-      status.frame = frame.index - origin.index;
-      status.timeS = frame.timeS - origin.timeS;
+      if (originS === null) status.frame = 0;
+      else if (frame.timeS !== lastS) status.frame++;
+      originS ??= frame.timeS;
+      lastS = frame.timeS;
+      status.timeS = frame.timeS - originS;
       status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
       status.widthPx = frame.framebufferWidthPx;
       status.heightPx = frame.framebufferHeightPx;
       if (nowS - sentS >= INTERVAL_S) tell();
     },
     rewind: () => {
-      origin = null;
+      originS = null;
     },
   };
 }

@@ -44,12 +44,12 @@ const COMMANDS = {
   'edit.select-all': { label: 'Select all', chords: ['Mod+A'], enabled: isOpen, run: selectAll },
   'edit.mute': { label: 'Mute', chords: ['M'], enabled: hasNodes, run: (editor) => void toggleMuted(editor) },
   'graph.add': { label: 'Add node…', chords: ['Tab'], enabled: isOpen, run: openPalette },
-  'view.fit': { label: 'Show the whole graph', chords: ['F'], enabled: isOpen, run: ({ ui }) => revealNodes(ui, []) },
+  'view.fit': { label: 'Show the whole graph', chords: ['F'], enabled: isOpen, run: ({ ui }) => revealNodes(ui, [], 'fit') },
   'view.fit-selection': {
     label: 'Show the selection',
     chords: ['Shift+F'],
     enabled: hasNodes,
-    run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes]),
+    run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes], 'fit'),
   },
   'view.code': {
     label: 'Shader source',

@@ -1,15 +1,14 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { redo, undo } from './apply.ts';
+import { endGesture, redo, undo } from './apply.ts';
+import type { WireInHand } from './canvas.ts';
 import { clipSelection, duplicateSelection, parseClipping, pasteClipping } from './clipboard.ts';
 import { graphOf, isDirty, layoutOf } from './document.ts';
 import { addNodeFromPalette, connect, deleteSelection, moveNodes, refusalOf, rewire, toggleMuted } from './edit-graph.ts';
 import { editParam, resetParam, setExposed } from './edit-params.ts';
-import { endGesture } from './apply.ts';
 import type { Editor } from './editor.ts';
 import { filesOf, save } from './files.ts';
 import { selectOnly } from './selection.ts';
-import type { WireInHand } from './canvas.ts';
 
 function add(editor: Editor, type: string, inHand: WireInHand | null = null, port: string | null = null): string {
   const definition = editor.document.getState().library.definition(type);

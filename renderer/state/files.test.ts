@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { setTitle } from '../../export/graph/commands/project-info.ts';
+import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { addFiles } from './add-files.ts';
 import { apply } from './apply.ts';
 import { graphOf } from './document.ts';

@@ -40,10 +40,13 @@ export interface Toast {
   readonly detail?: string;
 }
 
-/** Where the code panel should go, and the canvas should look. */
+/** Where the canvas should look. */
 export interface Reveal {
   readonly serial: number;
+  /** None means all. */
   readonly nodes: readonly string[];
+  /** `show`: moves no more than is needed to see them. `fit`: fills the canvas with them. */
+  readonly how: 'show' | 'fit';
 }
 
 export interface CodePosition {
@@ -100,8 +103,8 @@ export function removeToast(store: UiStore, id: number): void {
   store.setState(({ toasts }) => ({ toasts: toasts.filter((toast) => toast.id !== id) }));
 }
 
-export function revealNodes(store: UiStore, nodes: readonly string[]): void {
-  store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes } }));
+export function revealNodes(store: UiStore, nodes: readonly string[], how: Reveal['how'] = 'show'): void {
+  store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
 }
 
 export function revealCode(store: UiStore, line: number, column: number): void {

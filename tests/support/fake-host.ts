@@ -69,7 +69,7 @@ export function createFakeHost(files: HostOutput<'project.open'>['files'], handl
       const refusal = refusals.get(method);
       refusals.delete(method);
       if (refusal) throw refusal;
-      const output = await (all[method] as (given: HostInput<M>) => HostOutput<M> | Promise<HostOutput<M>>)(input);
+      const output = await (all[method] as unknown as (given: HostInput<M>) => HostOutput<M> | Promise<HostOutput<M>>)(input);
       HOST_CONTRACT[method].output.parse(output);
       return output;
     },

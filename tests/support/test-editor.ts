@@ -68,4 +68,3 @@ export async function openTestEditor(project: Project = newProject('Test')): Pro
   if (!(await openPath(editor, '/project'))) throw new Error('The project did not open.');
   return { editor, host, clock };
 }
-

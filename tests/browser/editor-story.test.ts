@@ -1,0 +1,57 @@
+import { cp, mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { type EditorServer, startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { playEditorStory } from '../support/editor-story.ts';
+import { serveStatic } from '../support/serve.ts';
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const browser = useBrowser();
+let base = '';
+let server: EditorServer;
+
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-story-'));
+  await cp(process.env.STORY_PROJECT ?? join(ROOT, 'examples', 'first-light'), join(base, 'project'), { recursive: true });
+  server = await startServer({
+    installation: installationAt(ROOT, '0.0.0'),
+    startPath: join(base, 'project'),
+    log: (message) => process.stderr.write(`${message}\n`),
+  });
+});
+afterAll(async () => {
+  await server.close();
+  await rm(base, { recursive: true, force: true });
+});
+
+test('a designer’s afternoon, in the browser', async () => {
+  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const errors = collectErrors(page);
+  await page.goto(server.url);
+  const exportTo = join(base, 'page');
+  await playEditorStory({
+    page,
+    project: join(base, 'project'),
+    exportTo,
+    answerFolder: async (path) => {
+      const dialog = page.getByRole('dialog', { name: 'Export the page' });
+      await dialog.getByRole('textbox').fill(path);
+      await dialog.getByRole('button', { name: 'Export' }).click();
+    },
+  });
+  expect(errors).toEqual([]);
+  await page.close();
+
+  const host = await serveStatic({ '/': exportTo });
+  const visitor = await browser.browser.newPage({ viewport: { width: 640, height: 480 } });
+  const visitorErrors = collectErrors(visitor);
+  await visitor.goto(host.origin);
+  await visitor.locator('canvas').first().waitFor();
+  await visitor.waitForLoadState('networkidle');
+  expect(visitorErrors).toEqual([]);
+  await visitor.close();
+  await host.close();
+}, 180_000);

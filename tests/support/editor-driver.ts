@@ -1,0 +1,134 @@
+import type { FrameLocator, Locator, Page } from 'playwright-core';
+import { decodePicture, type Picture } from './picture.ts';
+import { countDifferent } from './pixels.ts';
+
+const WAIT_MS = 20_000;
+const FLAG_PX = 40;
+
+/** Hands and eyes on a running editor: pointer and keys in, what is on the page out. */
+export class EditorDriver {
+  readonly page: Page;
+
+  constructor(page: Page) {
+    this.page = page;
+  }
+
+  get preview(): FrameLocator {
+    return this.page.frameLocator('iframe[title="Preview"]');
+  }
+
+  get inspector(): Locator {
+    return this.page.getByRole('complementary', { name: 'Inspector' });
+  }
+
+  node(idOrStem: string): Locator {
+    return this.page.locator(`[data-node^="${idOrStem}"]`);
+  }
+
+  async nodeId(stem: string): Promise<string> {
+    const id = await this.node(stem).first().getAttribute('data-node');
+    if (id === null) throw new Error(`There is no node ${stem} on the canvas.`);
+    return id;
+  }
+
+  port(node: string, port: string, side: 'source' | 'target'): Locator {
+    return this.page.locator(`.react-flow__handle.${side}[data-nodeid="${node}"][data-handleid="${port}"]`);
+  }
+
+  /** Drags a wire from one port to another. */
+  async wire(from: readonly [node: string, port: string], to: readonly [node: string, port: string]): Promise<void> {
+    await this.drag(await centreOf(this.port(from[0], from[1], 'source')), await centreOf(this.port(to[0], to[1], 'target')));
+  }
+
+  async drag(from: Point, to: Point): Promise<void> {
+    const { mouse } = this.page;
+    await mouse.move(from.x, from.y);
+    await mouse.down();
+    await mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 4 });
+    await mouse.move(to.x, to.y, { steps: 4 });
+    await mouse.up();
+  }
+
+  /** A point on the canvas with nothing but canvas around it. */
+  async emptyPlace(): Promise<Point> {
+    return this.page.evaluate(() => {
+      const box = document.querySelector('.canvas')?.getBoundingClientRect();
+      if (!box) throw new Error('There is no canvas.');
+      const isPane = (x: number, y: number) => document.elementFromPoint(x, y)?.classList.contains('react-flow__pane') ?? false;
+      for (let y = box.top + 60; y < box.bottom - 130; y += 20) {
+        for (let x = box.left + 20; x < box.right - 240; x += 20) {
+          const around = [0, 70, 140, 210].flatMap((dx) => [-30, 0, 40, 80].map((dy) => isPane(x + dx, y + dy)));
+          if (around.every(Boolean)) return { x, y };
+        }
+      }
+      throw new Error('The canvas is full.');
+    });
+  }
+
+  /** Opens the palette at an empty place, types, and takes what is first. */
+  async addNode(search: string): Promise<void> {
+    const { x, y } = await this.emptyPlace();
+    await this.page.mouse.dblclick(x, y);
+    await this.page.getByRole('combobox', { name: 'Search nodes' }).fill(search);
+    await this.page.keyboard.press('Enter');
+  }
+
+  /** The preview plays the newest program, and nothing is on its way. */
+  async settled(): Promise<void> {
+    await this.page.waitForFunction(
+      () => {
+        const text = (selector: string) => document.querySelector(selector)?.textContent ?? '';
+        return (
+          /\d s/.test(text('.transport-time')) && !/Compiling/.test(text('.status-bar')) && document.querySelector('.stage-notice') === null
+        );
+      },
+      undefined,
+      { timeout: WAIT_MS },
+    );
+  }
+
+  async frame(): Promise<number> {
+    return Number(await this.page.locator('.transport-time span').textContent());
+  }
+
+  async press(name: string): Promise<void> {
+    await this.page.getByRole('button', { name, exact: true }).click();
+  }
+
+  /** The preview below the strip at its top, where the editor may put a flag. */
+  async picture(): Promise<Picture> {
+    const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
+    if (!box) throw new Error('There is no preview.');
+    const clip = { x: box.x, y: box.y + FLAG_PX, width: box.width, height: box.height - FLAG_PX };
+    return decodePicture(await this.page.screenshot({ clip }));
+  }
+
+  /** The picture as soon as it differs from another one in at least `pixels` pixels. */
+  async pictureOtherThan(before: Picture, pixels = 1000): Promise<Picture> {
+    return this.pictureThat((picture) => countDifferent(picture, before, 4).pixels >= pixels, 'The picture did not change.');
+  }
+
+  async pictureSameAs(expected: Picture): Promise<Picture> {
+    return this.pictureThat((picture) => countDifferent(picture, expected, 1).pixels === 0, 'The picture is another one.');
+  }
+
+  private async pictureThat(accept: (picture: Picture) => boolean, otherwise: string): Promise<Picture> {
+    const endMs = Date.now() + WAIT_MS;
+    for (;;) {
+      const picture = await this.picture();
+      if (accept(picture)) return picture;
+      if (Date.now() > endMs) throw new Error(otherwise);
+    }
+  }
+}
+
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+export async function centreOf(locator: Locator): Promise<Point> {
+  const box = await locator.boundingBox();
+  if (!box) throw new Error(`${locator} is not on screen.`);
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}

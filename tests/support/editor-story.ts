@@ -1,0 +1,168 @@
+import { mkdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { expect } from '@jest/globals';
+import type { Page } from 'playwright-core';
+import { EditorDriver } from './editor-driver.ts';
+import { OUTPUT_FOLDER } from './this-test.ts';
+
+export interface StoryOptions {
+  /** The editor, about to open `project`. */
+  readonly page: Page;
+  /** A copy that may be written to: its main graph has a screen with a layer wired to it. */
+  readonly project: string;
+  /** A folder that does not exist yet. */
+  readonly exportTo: string;
+  /** Answers the shell's question for a folder, before or after it is asked. */
+  readonly answerFolder: (path: string) => Promise<void>;
+}
+
+const WORKING = 'gl_FragColor = ';
+
+/**
+ * What a designer does in an afternoon, by pointer and keys: adds a filter, wires it, turns its dials, breaks its shader and
+ * mends it, gives it an input, saves, reloads and exports. Runs in every shell.
+ */
+export async function playEditorStory(options: StoryOptions): Promise<void> {
+  try {
+    await play(options);
+  } catch (error) {
+    const path = join(OUTPUT_FOLDER, 'editor-story.png');
+    await mkdir(OUTPUT_FOLDER, { recursive: true });
+    await options.page.screenshot({ path });
+    throw new Error(`The story broke off; the window then: ${path}`, { cause: error });
+  }
+}
+
+async function play({ page, project, exportTo, answerFolder }: StoryOptions): Promise<void> {
+  const editor = new EditorDriver(page);
+  const { screen, source } = await readScreen(project);
+
+  // The example plays.
+  await editor.settled();
+  await editor.press('Pause');
+  await editor.press('Back to the first frame');
+  const untouched = await editor.picture();
+  expect(countColours(untouched.data)).toBeGreaterThan(100);
+
+  // A filter by search, wired by hand, changes the picture.
+  await editor.addNode('sepia');
+  const sepia = await editor.nodeId('sepia');
+  await editor.wire(source, [sepia, 'inputImage']);
+  await editor.wire([sepia, 'layer'], [screen, 'layer']);
+  const brown = await editor.pictureOtherThan(untouched);
+
+  // A dial in the inspector does, too, without a compile; and undo takes both back.
+  const compiled = await compileStatus(page);
+  await editor.node(sepia).locator('.node-title').click();
+  const slider = editor.inspector.getByRole('slider').first();
+  await slider.focus();
+  await page.keyboard.press('Home');
+  await editor.pictureSameAs(untouched);
+  expect(await compileStatus(page)).toBe(compiled);
+  await page.locator('.react-flow').focus();
+  await page.keyboard.press('Control+z');
+  await editor.pictureSameAs(brown);
+  await page.keyboard.press('Control+Shift+Z');
+  await editor.pictureSameAs(untouched);
+  await page.keyboard.press('Control+z');
+  await editor.pictureSameAs(brown);
+
+  // A broken shader is marked on its line, and the last good one plays on.
+  await editor.press('Edit shader');
+  await page.locator('.monaco-editor .view-line').first().waitFor();
+  const broken = await typeIntoLine(page, WORKING, 'nonsense ');
+  await page.locator('.monaco-editor .squiggly-error').first().waitFor();
+  await page.getByText('Showing the last version that worked').waitFor();
+  await page.locator('.status-bar').getByText('error').click();
+  const problem = page.getByRole('list', { name: 'Problems' }).getByRole('button').first();
+  expect(await problem.textContent()).toMatch(new RegExp(`shaders/sepia[^:]*\\.fs:${broken}`));
+  await editor.pictureSameAs(brown);
+  await editor.press('Play');
+  const frame = await editor.frame();
+  await page.waitForFunction((f) => Number(document.querySelector('.transport-time span')?.textContent) > f + 1, frame);
+  await editor.press('Pause');
+  await editor.press('Back to the first frame');
+  await editor.pictureSameAs(brown);
+
+  // A click on the problem leads to the line; mending it takes the mark away.
+  await problem.click();
+  await page.locator('.monaco-editor.focused').waitFor();
+  for (let i = 0; i < 'nonsense '.length; i++) await page.keyboard.press('Delete');
+  await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
+  await page.getByText('Showing the last version that worked').waitFor({ state: 'detached' });
+  await editor.pictureSameAs(brown);
+
+  // Another input in the header is a port and a dial at once.
+  await typeIntoLine(page, '"INPUTS"', '', ' { "NAME": "darken", "TYPE": "float", "LABEL": "Darken", "MIN": 0, "MAX": 1, "DEFAULT": 0 },');
+  await editor.inspector.getByRole('textbox', { name: 'Darken' }).waitFor();
+  await typeIntoLine(page, WORKING, '', ' gl_FragColor.rgb *= 1.0 - darken;');
+  await editor.settled();
+  await editor.inspector.getByRole('textbox', { name: 'Darken' }).fill('0.5');
+  await page.keyboard.press('Enter');
+  const dark = await editor.pictureOtherThan(brown);
+
+  // Saved, and there again after a reload.
+  await page.keyboard.press('Control+s');
+  await page.locator('.unsaved').waitFor({ state: 'detached' });
+  await page.reload();
+  await editor.settled();
+  await editor.press('Pause');
+  await editor.press('Back to the first frame');
+  await editor.pictureSameAs(dark);
+  expect(await editor.node(sepia).count()).toBe(1);
+
+  // Exported.
+  const answered = answerFolder(exportTo);
+  await page.getByRole('button', { name: 'Export', exact: true }).first().click();
+  await answered;
+  await page.getByText(/^Exported to/).waitFor({ timeout: 60_000 });
+}
+
+async function compileStatus(page: Page): Promise<string | undefined> {
+  return /Compiled in \d+ ms/.exec((await page.locator('.status-bar').textContent()) ?? '')?.[0];
+}
+
+/** The screen of a project, and what is wired to it. */
+async function readScreen(project: string): Promise<{ screen: string; source: readonly [node: string, port: string] }> {
+  const { graphs } = JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')) as {
+    graphs: { main: { nodes: Record<string, { type: string }>; wires: string[] } };
+  };
+  const { nodes, wires } = graphs.main;
+  const screen = Object.keys(nodes).find((id) => nodes[id]?.type === 'output/screen');
+  const wire = wires.find((text) => text.endsWith(` -> ${screen}.layer`));
+  const [node, port] = wire?.split(' -> ')[0]?.split('.') ?? [];
+  if (screen === undefined || node === undefined || port === undefined) throw new Error(`${project} has no screen with a layer.`);
+  return { screen, source: [node, port] };
+}
+
+/** Puts text at the start and the end of the first line that holds `mark`; gives the line's number. */
+async function typeIntoLine(page: Page, mark: string, atStart: string, atEnd = ''): Promise<number> {
+  const line = page.locator('.monaco-editor .view-line', { hasText: mark }).first();
+  await findInText(page, mark);
+  await line.waitFor();
+  const number = await lineNumberOf(page);
+  await page.keyboard.press('Home');
+  await page.keyboard.insertText(atStart);
+  await page.keyboard.press('End');
+  await page.keyboard.insertText(atEnd);
+  return number;
+}
+
+/** Monaco's own search leads to the line, as it would a person. */
+async function findInText(page: Page, text: string): Promise<void> {
+  await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
+  await page.keyboard.press('Control+f');
+  await page.locator('.monaco-editor .find-widget textarea').first().fill(text);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('Escape');
+}
+
+async function lineNumberOf(page: Page): Promise<number> {
+  return Number(await page.locator('.monaco-editor .line-numbers.active-line-number').first().textContent());
+}
+
+function countColours(data: Uint8Array): number {
+  const seen = new Set<number>();
+  for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
+  return seen.size;
+}
