@@ -2,6 +2,7 @@ import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { DrawOperation, NodeOperation, Program, ShadowMapOperation, Slot } from '../../export/program/program.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES } from '../../nodes/kit/wire-types.ts';
@@ -286,4 +287,31 @@ export async function equalForms(params: Readonly<Record<string, number>>) {
   }
   const [early = new Uint8Array(), late = new Uint8Array()] = pictures;
   return { ...difference(early, late), covered: covered(late), errors };
+}
+
+export interface Example {
+  readonly program: Program;
+  readonly assetUrl: string;
+}
+
+/** Plays compiled examples one after the other; tells of each how much of the picture it covers, and in how many colours. */
+export async function playExamples(examples: readonly Example[]) {
+  const gl = createGl();
+  const camera = lookingAt([0.3, 1, 0.8], [0, 0.3, -1]);
+  let assetUrl = '';
+  const load = async (path: string): Promise<ArrayBuffer> => (await fetch(`${assetUrl}${path}`)).arrayBuffer();
+  const { player, diagnostics } = await stand(program({}), { gl, modules: RUNTIMES, createScenes, assets: { load } });
+  const seen = [];
+  for (const example of examples) {
+    assetUrl = example.assetUrl;
+    await player.replaceProgram(example.program);
+    player.draw(frame(seen.length, [viewOf(camera)], { framebufferWidthPx: WIDTH, framebufferHeightPx: HEIGHT }));
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    const pixels = readPixels(gl, WIDTH, HEIGHT);
+    const colors = new Set<string>();
+    for (let i = 0; i < pixels.length; i += 4) colors.add(pixels.slice(i, i + 4).join());
+    seen.push({ covered: covered(pixels), colors: colors.size, diagnostics: diagnostics(), error: gl.getError() });
+  }
+  player.dispose();
+  return seen;
 }

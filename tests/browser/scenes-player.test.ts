@@ -1,12 +1,19 @@
+import { readFileSync } from 'node:fs';
+import { resolve } from 'node:path';
 import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { compile } from '../../export/compiler/compile.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import type { Program } from '../../export/program/program.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { LIBRARY } from '../support/library.ts';
+import type { Example } from './scenes-player.page.ts';
 
 jest.setTimeout(30_000);
 const chromium = useBrowser();
 let page: PageModule;
 
 beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/scenes-player.page.ts');
+  page = await openModule(chromium.browser, 'tests/browser/scenes-player.page.ts', { mounts: { '/nodes/': resolve('nodes') } });
 });
 afterAll(async () => {
   await page.close();
@@ -49,4 +56,32 @@ test.each([
   expect(covered).toBeGreaterThan(3000);
   // A border that passes exactly through a pixel's middle may round apart.
   expect(pixels).toBeLessThanOrEqual(3);
+});
+
+function compileExample(type: string): Program {
+  const text = readFileSync(`nodes/${type}/example/project.scrim.json`, 'utf8');
+  const { output: project } = loadProject({ project: text, layout: null, sources: {} });
+  const { output, diagnostics } = project ? compile({ project, library: LIBRARY }) : { output: null, diagnostics: [] };
+  if (!output) throw new Error(JSON.stringify(diagnostics));
+  return output;
+}
+
+const TYPES = [
+  'source/model',
+  'objects/primitive',
+  'objects/transform',
+  'objects/group',
+  'objects/phantom',
+  'light/directional',
+  'layer/scene',
+  'layer/shadow',
+];
+
+test('the examples of the object nodes compile, play and are seen', async () => {
+  const examples = TYPES.map((type): Example => ({ program: compileExample(type), assetUrl: `/nodes/${type}/example/` }));
+  const seen = await page.call<{ covered: number; colors: number; diagnostics: unknown[]; error: number }[]>('playExamples', examples);
+  for (const [i, type] of TYPES.entries()) {
+    expect([type, seen[i]]).toEqual([type, { covered: expect.any(Number), colors: expect.any(Number), diagnostics: [], error: 0 }]);
+    expect([type, (seen[i]?.covered ?? 0) > 50, (seen[i]?.colors ?? 0) > 3]).toEqual([type, true, true]);
+  }
 });
