@@ -1,4 +1,5 @@
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { LinkedShader } from '../program/program.ts';
 import type { AssetSource } from './assets/asset-source.ts';
 import { type AssetStore, createAssetStore } from './assets/asset-store.ts';
 import type { FrameClock } from './clock.ts';
@@ -16,7 +17,10 @@ export interface Engine {
   readonly objects: GlObjects;
   readonly programs: ProgramCache;
   readonly drawer: PassDrawer;
+  /** Linked beside the first program of the page. */
   readonly copy: GlProgram;
+  /** A program for work outside of frames: linked when first asked for, and kept. */
+  tool(shader: LinkedShader): GlProgram;
   readonly assets: AssetStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
@@ -56,12 +60,19 @@ export function createEngine(options: EngineOptions): Engine {
     backend ??= options.createScenes({ gl, canvas });
     return backend;
   };
+  const tools = new Map<string, GlProgram>();
   const assets = createAssetStore(objects, options.assets, scenes);
   return {
     objects,
     programs,
     drawer,
     copy,
+    tool: (shader) => {
+      const tool = tools.get(shader.id) ?? programs.acquire(shader);
+      tools.set(shader.id, tool);
+      programs.finish(tool);
+      return tool;
+    },
     assets,
     clock,
     state,

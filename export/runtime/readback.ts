@@ -127,9 +127,8 @@ function drawn<T>(
   read: (framebuffer: WebGLFramebuffer) => T,
   setUp: (program: GlProgram) => void,
 ): T {
-  const { drawer, programs } = engine;
-  const program = programs.acquire(shader);
-  programs.finish(program);
+  const { drawer } = engine;
+  const program = engine.tool(shader);
   const buffer = createTargetBuffer(engine.objects, scratchTarget(format), widthPx, heightPx);
   drawer.begin(buffer.framebuffer, 0, 0, widthPx, heightPx, 'replace');
   drawer.use(program);
@@ -138,7 +137,6 @@ function drawn<T>(
   drawer.end();
   const result = read(buffer.framebuffer);
   buffer.dispose();
-  programs.release(program);
   return result;
 }
 

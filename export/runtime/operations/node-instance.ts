@@ -13,12 +13,11 @@ import { createNodePorts } from './node-ports.ts';
 /** A node of the running program. */
 export interface NodeInstance {
   readonly key: string;
-  readonly operation: NodeOperation;
   readonly runtime: NodeRuntime;
   /** Maps that a drawing node was bound to when it was made. */
   readonly shadowMaps: ShadowMaps | null;
-  /** Lives on in a recompiled program with the same key. */
-  point(operation: NodeOperation, slots: Slots): NodeInstance;
+  /** Lives on in a recompiled program, whose operation has the same key. */
+  point(operation: NodeOperation, slots: Slots): void;
   /** Back to the first frame. */
   reset(): void;
   dispose(): void;
@@ -75,15 +74,13 @@ export function createNodeInstance(
   } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;
   const runtime = module.create(context as unknown as NodeContext<NodeDefinition>);
 
-  const instance = (current: NodeOperation): NodeInstance => ({
+  return {
     key,
-    operation: current,
     runtime,
     shadowMaps,
     point: (next, nextSlots) => {
       ports.point(next, nextSlots);
       occlusion?.point(next, nextSlots);
-      return instance(next);
     },
     reset: () => {
       random.reset();
@@ -93,8 +90,7 @@ export function createNodeInstance(
       runtime.dispose();
       host.board.clear(node);
     },
-  });
-  return instance(operation);
+  };
 }
 
 interface Occlusion {

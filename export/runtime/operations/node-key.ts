@@ -15,7 +15,7 @@ export function nodeKey(
     operation.node,
     operation.type,
     sorted(operation.inputs, (refs) => refs.map(ref)),
-    sorted(operation.outputs, ref),
+    sorted(operation.outputs, (output) => (isDraw(operation) && output.kind === 'layer' ? 'target' : ref(output))),
     sorted(operation.params, slotType),
     sorted(operation.config, (value) => value),
     sorted(operation.assets, (asset) => [asset, assetPath(asset)]),

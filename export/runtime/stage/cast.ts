@@ -19,61 +19,65 @@ interface KeyedShadowMaps {
   readonly maps: ShadowMaps;
 }
 
+type Members = Pick<Cast, 'nodes' | 'shadowMaps'>;
+
 /**
  * Makes the cast of a program. Whatever of the cast before is still the same lives on with its state; the rest of it is
  * disposed first, because what takes its place writes into the same lists.
  */
 export function createCast(engine: Engine, program: Program, slots: Slots, resources: LiveResources, before: Cast | null): Cast {
-  const nodeOperations = program.operations.filter(isNode);
-  const mapOperations = program.operations.filter(isShadowMaps);
   const slotType = (slot: number): string => slots.slots[slot]?.type ?? 'none';
   const assetPath = (id: string | null): string | null => program.assets.find((asset) => asset.id === id)?.path ?? null;
-  const keys = new Map(nodeOperations.map((operation) => [operation.id, nodeKey(operation, slotType, assetPath)]));
-
-  const keptMaps = new Map<string, KeyedShadowMaps>();
-  for (const operation of mapOperations) {
-    const old = before?.shadowMaps.get(operation.id);
-    if (old?.key === shadowMapsKey(operation) && sameResources(operation, resources, before)) keptMaps.set(operation.id, old);
-  }
-  const keptMapsOf = (resource: string | null): ShadowMaps | null =>
-    [...keptMaps.values()].find((maps) => maps.resource === resource)?.maps ?? null;
-  const keptNodes = new Map<string, NodeInstance>();
-  for (const operation of nodeOperations) {
-    const old = before?.nodes.get(operation.id);
-    if (!old || old.key !== keys.get(operation.id) || !sameResources(operation, resources, before)) continue;
-    if (isDraw(operation) && old.shadowMaps !== keptMapsOf(operation.shadowMaps)) continue;
-    keptNodes.set(operation.id, old);
-  }
-
-  if (before) releaseCast(before, keptNodes, keptMaps);
-  for (const operation of nodeOperations) {
-    if (!keptNodes.has(operation.id)) clearOutputs(operation, resources);
+  const keyOf = (operation: NodeOperation): string => nodeKey(operation, slotType, assetPath);
+  const kept = before ? findKept(program, resources, before, keyOf) : NOBODY;
+  if (before) releaseCast(before, kept);
+  for (const operation of program.operations) {
+    if (isNode(operation) && !kept.nodes.has(operation.id)) clearOutputs(operation, resources);
   }
 
   const nodes = new Map<string, NodeInstance>();
   const shadowMaps = new Map<string, KeyedShadowMaps>();
-  const mapsOf = (resource: string | null): ShadowMaps | null =>
-    [...shadowMaps.values()].find((maps) => maps.resource === resource)?.maps ?? null;
   for (const operation of program.operations) {
     if (isShadowMaps(operation)) {
-      shadowMaps.set(operation.id, keptMaps.get(operation.id) ?? createShadowMaps(engine, operation, resources));
+      shadowMaps.set(operation.id, kept.shadowMaps.get(operation.id) ?? createShadowMaps(engine, operation, resources));
     } else if (isNode(operation)) {
-      const kept = keptNodes.get(operation.id);
-      const key = keys.get(operation.id) ?? '';
-      const maps = isDraw(operation) ? mapsOf(operation.shadowMaps) : null;
-      nodes.set(
-        operation.id,
-        kept?.point(operation, slots) ?? createNodeInstance(engine.host, key, operation, resources, slots, program.assets, maps),
-      );
+      const old = kept.nodes.get(operation.id);
+      old?.point(operation, slots);
+      const maps = mapsOf(operation, shadowMaps);
+      nodes.set(operation.id, old ?? createNodeInstance(engine.host, keyOf(operation), operation, resources, slots, program.assets, maps));
     }
   }
   return { resources, nodes, shadowMaps };
 }
 
+const NOBODY: Members = { nodes: new Map(), shadowMaps: new Map() };
+
+function findKept(program: Program, resources: LiveResources, before: Cast, keyOf: (operation: NodeOperation) => string): Members {
+  const shadowMaps = new Map<string, KeyedShadowMaps>();
+  for (const operation of program.operations.filter(isShadowMaps)) {
+    const old = before.shadowMaps.get(operation.id);
+    if (old?.key === shadowMapsKey(operation) && sameResources(operation, resources, before)) shadowMaps.set(operation.id, old);
+  }
+  const nodes = new Map<string, NodeInstance>();
+  for (const operation of program.operations.filter(isNode)) {
+    const old = before.nodes.get(operation.id);
+    const same = old?.key === keyOf(operation) && old.shadowMaps === mapsOf(operation, shadowMaps);
+    if (old && same && sameResources(operation, resources, before)) nodes.set(operation.id, old);
+  }
+  return { nodes, shadowMaps };
+}
+
+/** The maps that a drawing operation names. */
+function mapsOf(operation: NodeOperation, shadowMaps: Cast['shadowMaps']): ShadowMaps | null {
+  if (!isDraw(operation) || operation.shadowMaps === null) return null;
+  for (const { resource, maps } of shadowMaps.values()) if (resource === operation.shadowMaps) return maps;
+  return null;
+}
+
 /** Disposes all of a cast but what is kept; later nodes may hold on to earlier ones, so they go first. */
-export function releaseCast(cast: Cast, keptNodes: ReadonlyMap<string, unknown>, keptMaps: ReadonlyMap<string, unknown>): void {
-  for (const [id, node] of [...cast.nodes].reverse()) if (!keptNodes.has(id)) node.dispose();
-  for (const [id, { maps }] of cast.shadowMaps) if (!keptMaps.has(id)) maps.dispose();
+export function releaseCast(cast: Cast, kept: Members = NOBODY): void {
+  for (const [id, node] of [...cast.nodes].reverse()) if (!kept.nodes.has(id)) node.dispose();
+  for (const [id, { maps }] of cast.shadowMaps) if (!kept.shadowMaps.has(id)) maps.dispose();
 }
 
 export function isNode(operation: Operation): operation is NodeOperation {
@@ -85,10 +89,10 @@ export function isShadowMaps(operation: Operation): operation is ShadowMapOperat
 }
 
 /** A node is bound to its lists and layers; targets are handed to it with each draw. */
-function sameResources(operation: Operation, resources: LiveResources, before: Cast | null): boolean {
+function sameResources(operation: Operation, resources: LiveResources, before: Cast): boolean {
   return [...operation.reads, ...operation.writes].every((id) => {
     const resource = resources.get(id);
-    return !resource || resource.kind === 'target' || resource.kind === 'shadow-maps' || before?.resources.get(id) === resource;
+    return !resource || resource.kind === 'target' || resource.kind === 'shadow-maps' || before.resources.get(id) === resource;
   });
 }
 

@@ -73,7 +73,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
       }
     },
     release: (next) => {
-      if (!next) releaseCast(cast, new Map(), new Map());
+      if (!next) releaseCast(cast);
       disposeUnused(resources, next?.resources ?? null);
       loaded.release();
     },
