@@ -6,7 +6,7 @@ import { type EditorServer, startServer } from '../../app/server/start-server.ts
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { playEditorStory } from '../support/editor-story.ts';
-import { serveStatic } from '../support/serve.ts';
+import { visitExportedPage } from '../support/exported-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const browser = useBrowser();
@@ -45,13 +45,5 @@ test('a designer’s afternoon, in the browser', async () => {
   expect(errors).toEqual([]);
   await page.close();
 
-  const host = await serveStatic({ '/': exportTo });
-  const visitor = await browser.browser.newPage({ viewport: { width: 640, height: 480 } });
-  const visitorErrors = collectErrors(visitor);
-  await visitor.goto(host.origin);
-  await visitor.locator('canvas').first().waitFor();
-  await visitor.waitForLoadState('networkidle');
-  expect(visitorErrors).toEqual([]);
-  await visitor.close();
-  await host.close();
+  await visitExportedPage(browser.browser, exportTo);
 }, 180_000);
