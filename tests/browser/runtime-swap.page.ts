@@ -1,4 +1,4 @@
-import type { NodeOperation, Program } from '../../export/program/program.ts';
+import type { DrawOperation, NodeOperation, Program } from '../../export/program/program.ts';
 import type { PlayResult } from '../../export/runtime/player.ts';
 import type { NodeContext, NodeModule } from '../../nodes/kit/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
@@ -153,6 +153,47 @@ export async function nodesLiveOn() {
   counted.push(red());
   player.dispose();
   return { counted, logBefore, log, error: gl.getError() };
+}
+
+/** A drawing node lives on while its picture goes to the screen, then through a pass, then to the screen again. */
+export async function drawingLivesOn() {
+  const log: string[] = [];
+  const fills: NodeModule = {
+    create: ({ gl }) => {
+      log.push('create');
+      return {
+        update: () => {},
+        draw: () => gl.clearBufferfv(gl.COLOR, 0, new Float32Array([1, 0, 0, 1])),
+        dispose: () => log.push('dispose'),
+      };
+    },
+  };
+  const drawn = (to: 'screen' | 'layer'): Program =>
+    program({
+      resources: to === 'screen' ? [] : [target('layer')],
+      shaders: to === 'screen' ? [] : [shader('swap', 'color = texture(picture, uv).grba;', PICTURE)],
+      operations: [
+        {
+          ...valueNode('draw', 0),
+          kind: 'draw',
+          view: 'each',
+          outputs: to === 'screen' ? {} : { layer: { kind: 'layer', layer: { color: 'layer', depth: null } } },
+          target: to,
+          shadowMaps: null,
+          occlusion: null,
+        } as DrawOperation,
+        ...(to === 'screen' ? [] : [pass('swap', 0, 'screen', { samplers: [colorSampler('picture', 'layer')] })]),
+      ],
+    });
+  const { gl, player } = await stand(drawn('screen'), { modules: { draw: fills } });
+  const shown: number[][] = [];
+  for (const to of ['screen', 'layer', 'screen'] as const) {
+    await player.replaceProgram(drawn(to));
+    player.draw(frame(0));
+    shown.push(pixel(gl, 3, 3));
+  }
+  player.dispose();
+  return { shown, log, error: gl.getError() };
 }
 
 /** Fifty edits of every sort leave as many GPU objects as one, and the end leaves none. */

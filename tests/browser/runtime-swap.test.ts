@@ -51,6 +51,11 @@ describe('a running program is replaced', () => {
     });
   });
 
+  test('and a node that draws lives on wherever its picture goes', async () => {
+    const RED = [255, 0, 0, 255];
+    expect(await page.call('drawingLivesOn')).toEqual({ shown: [RED, GREEN, RED], log: ['create', 'dispose'], error: NO_ERROR });
+  });
+
   test('fifty times without a GPU object more', async () => {
     const result = await page.call<{ start: unknown; end: unknown; own: object; outcomes: string[]; after: string[]; error: number }>(
       'leaks',

@@ -201,8 +201,8 @@ describe('a session tells the page', () => {
 test('a refusal says why, and what to do', async () => {
   expect(await page.call('refusals')).toEqual({
     none: [false, false, 'SCR050 This browser cannot show AR: it has no WebXR.'],
-    lacking: [true, false, expect.stringMatching(/^SCR051 This device has no AR, or lacks something that the page needs/)],
-    optional: [true, true, expect.stringMatching(/^SCR055 .*There is no depth\.$/)],
+    lacking: [true, false, 'SCR051 This device has no AR, or lacks what the page needs: finding surfaces.'],
+    optional: [true, true, 'SCR055 Not available here: depth of the room. There is no depth.'],
     complete: [true, true],
   });
 });

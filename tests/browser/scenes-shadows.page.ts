@@ -199,6 +199,7 @@ export function options() {
     // The texture's left half is a hole, its right half is not.
     hole: pixel(half, ...project(CAMERA, [0.4, 0, 0])),
     besideTheHole: pixel(half, ...project(CAMERA, [0.6, 0, 0])),
+    realOnVirtual: withPlate({ role: 'phantom' }, { receivers: [slab(floorGeometry())], look: SHADE }),
     error: stand.gl.getError(),
   };
 }

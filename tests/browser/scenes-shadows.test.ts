@@ -61,6 +61,7 @@ describe('a shadow', () => {
       dense: SHADOW,
       hole: NOTHING,
       besideTheHole: SHADOW,
+      realOnVirtual: DARK,
       error: 0,
     });
   });

@@ -8,7 +8,7 @@ import { isOpaque } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
 import { createTwinCache } from './materials/twins.ts';
-import { type Drawable, mapMaterials, programFeatures } from './proxies/drawable.ts';
+import { type Drawable, mapMaterials, materialsOf, programFeatures } from './proxies/drawable.ts';
 import type { ProxyPlan } from './proxies/proxy.ts';
 import { createProxySet } from './proxies/proxy-set.ts';
 import type { SceneRenderer } from './scene-renderer.ts';
@@ -55,7 +55,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       renderOrder: master.renderOrder,
     });
     if (isTwoPass(master.material)) return [draw(BackSide), draw(FrontSide)];
-    if (!occlusion || !everyMaterial(master, isOpaque)) return [draw(null)];
+    if (!occlusion || !materialsOf(master).every(isOpaque)) return [draw(null)];
     // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
     return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, draw(null)];
   }
@@ -66,7 +66,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       if (proxies.update(objects, outdated)) {
         outdated = false;
         twins.sweep();
-        if (proxies.proxies.some(({ object }) => someMaterial(object, isLit))) scene.environment ??= environment.texture();
+        if (proxies.proxies.some(({ object }) => materialsOf(object).some(isLit))) scene.environment ??= environment.texture();
       }
       scene.environmentIntensity = ambient.value;
       lights.update(lightLists);
@@ -88,14 +88,6 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
 /** three draws these back faces first, then front faces, compiling in between; two proxies do without. */
 function isTwoPass(material: Material | Material[]): boolean {
   return !Array.isArray(material) && material.transparent && material.side === DoubleSide && !material.forceSinglePass;
-}
-
-function everyMaterial(object: Drawable, holds: (material: Material) => boolean): boolean {
-  return Array.isArray(object.material) ? object.material.every(holds) : holds(object.material);
-}
-
-function someMaterial(object: Drawable, holds: (material: Material) => boolean): boolean {
-  return Array.isArray(object.material) ? object.material.some(holds) : holds(object.material);
 }
 
 const LIT = ['isMeshStandardMaterial', 'isMeshLambertMaterial', 'isMeshPhongMaterial'] as const;

@@ -108,8 +108,8 @@ varying vec3 direction;
 #define AROUND 0.62
 #define FROM_ABOVE 0.3
 
-// A surface gathers light in a lobe about its normal: the clamped cosine, as a Gaussian of sharpness 2.133 (Tsai and Shih 2006),
-// times GGX seen head on, of sharpness 1 / (2 alpha^2) about the mirrored direction (Wang et al. 2009), flat at alpha = 1.
+// A surface gathers light in a lobe: the clamped cosine about its normal, fitted by a Gaussian of sharpness 2.133, times GGX seen
+// head on, of sharpness 1 / (2 alpha^2) about the mirrored direction (Wang et al. 2009, section 4), taken flat at alpha = 1.
 float gatheringSharpness() {
   float alpha = max( roughness * roughness, 0.01 );
   return 2.133 + 0.5 / ( alpha * alpha ) - 0.5;

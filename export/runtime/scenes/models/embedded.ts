@@ -40,12 +40,18 @@ export function embeddedContent(document: GltfDocument, parser: GLTFParser, bitm
       document.buffers?.forEach(({ uri }, i) => {
         if (uri !== undefined) caches.cache.add(`buffer:${i}`, Promise.resolve(decodeDataUrl(uri).bytes));
       });
-      const textures = await Promise.all((document.images ?? []).map((_, i) => decodeImage(i)));
-      textures.forEach((texture, i) => {
-        caches.sourceCache[i] = Promise.resolve(texture);
+      const images = await Promise.allSettled((document.images ?? []).map((image, i) => (isOptional(image) ? null : decodeImage(i))));
+      images.forEach((image, i) => {
+        if (image.status === 'rejected') throw image.reason;
+        if (image.value) caches.sourceCache[i] = Promise.resolve(image.value);
       });
     },
   };
+}
+
+/** KTX2 pictures come with a plain one for those who cannot decode them, unless the file requires their extension. */
+function isOptional({ mimeType }: { readonly mimeType?: string }): boolean {
+  return mimeType === 'image/ktx2';
 }
 
 async function imageBlob(document: GltfDocument, parser: GLTFParser, index: number): Promise<Blob> {

@@ -2,7 +2,7 @@ import type { BufferGeometry, Material, Object3D, Texture } from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import type { LoadedModel } from '../../scene-backend.ts';
-import { isDrawable } from '../proxies/drawable.ts';
+import { isDrawable, materialsOf } from '../proxies/drawable.ts';
 import { damaged, type GltfDocument, ModelError, readGltf } from './check-gltf.ts';
 import { embeddedContent } from './embedded.ts';
 
@@ -50,7 +50,7 @@ function collectFreeable(root: Object3D): Set<BufferGeometry | Material | Textur
   root.traverse((object) => {
     if (!isDrawable(object)) return;
     found.add(object.geometry);
-    for (const material of [object.material].flat()) {
+    for (const material of materialsOf(object)) {
       found.add(material);
       for (const value of Object.values(material)) if (isTexture(value)) found.add(value);
     }

@@ -37,6 +37,10 @@ export function isShown(object: Object3D, root: Object3D): boolean {
   return true;
 }
 
+export function materialsOf(object: Drawable): readonly Material[] {
+  return Array.isArray(object.material) ? object.material : [object.material];
+}
+
 /** One material of the object's, or several by geometry group, each turned into another. */
 export function mapMaterials(object: Drawable, turn: (material: Material) => Material): Material | Material[] {
   return Array.isArray(object.material) ? object.material.map(turn) : turn(object.material);
