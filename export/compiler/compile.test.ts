@@ -339,6 +339,16 @@ describe('muted nodes', () => {
     expect(program(filtered().mute('sepia-a', 'sobel-a')).operations).toEqual([]);
   });
 
+  test('a subgraph too, as a whole', () => {
+    const made = program(
+      subgraphs()
+        .mute('twice-a')
+        .add('sepia-z', 'filter/sepia')
+        .wire('twice-a.layer -> sepia-z.inputImage', 'sepia-z.layer -> screen-a.layer'),
+    );
+    expect(passes(made)).toMatchObject([{ node: 'sepia-z', samplers: [{ source: { resource: 'video-a.layer' } }] }]);
+  });
+
   test('let objects through, all of them where several go', () => {
     const made = program(
       sceneStudio()

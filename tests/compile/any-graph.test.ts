@@ -36,7 +36,8 @@ function graphOf(plan: Plan): Graph {
       if (required && fitting.length === 0) return;
       if (fitting.length === 0 || (!required && choice % 3 === 0)) continue;
       const picked = takesSeveral(input) ? [choice, choice + 1] : [choice];
-      const sources = new Set(picked.map((number) => fitting[number % fitting.length]));
+      // From the newest few, so that most of the graph hangs together.
+      const sources = new Set(picked.map((number) => fitting[fitting.length - 1 - (number % Math.min(4, fitting.length))]));
       for (const source of sources) if (source) mine.push({ from: source.from, to: { node: id, port } });
     }
     nodes[id] = { type: definition.type, version: definition.version, params: {}, ...(muted ? { muted } : {}) };

@@ -252,7 +252,21 @@ const NODES: readonly NodeDefinition[] = [
     doc: '',
     inputs: { layer: { type: 'layer', ...needed, label: 'Layer' } },
     outputs: {},
-    params: {},
+    params: {
+      antialias: { ...toggle, stage: 'structure', label: 'Smooth edges' },
+      background: {
+        type: 'choice',
+        stage: 'structure',
+        label: 'Background',
+        doc: '',
+        default: 'world',
+        options: [
+          { value: 'world', label: 'The world' },
+          { value: 'color', label: 'A colour' },
+        ],
+      },
+      color: { type: 'color', stage: 'structure', label: 'Colour', doc: '', default: [0, 0, 0, 1] },
+    },
     lowering: { kind: 'present' },
   }),
 ];

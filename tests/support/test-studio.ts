@@ -1,3 +1,4 @@
+import { type CompileOptions, createCompiler } from '../../export/compiler/compile.ts';
 import { putAsset } from '../../export/graph/commands/assets.ts';
 import type { Change } from '../../export/graph/commands/change.ts';
 import { addGraph, exposePort } from '../../export/graph/commands/graphs.ts';
@@ -14,8 +15,9 @@ import { type Asset, type Binding, MAIN_GRAPH, type ParamValue, type Project } f
 import { saveProject } from '../../export/graph/save.ts';
 import { validateProject } from '../../export/graph/validate/validate.ts';
 import { parseWire } from '../../export/graph/wires.ts';
+import type { Program } from '../../export/program/program.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
-import { type Diagnostic, formatDiagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { type Diagnostic, formatDiagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
 
 export interface StudioOptions {
   /** Without the project's own shaders. */
@@ -25,7 +27,7 @@ export interface StudioOptions {
 }
 
 /**
- * The editor without its windows: a project with its history, driven by one command after the other. Commands that are refused
+ * The editor without its windows: a project with its history and a compiler, driven by one command after the other. Commands that are refused
  * throw, because a test that goes on with another project than it thinks proves nothing; `attempt` is for those that should be.
  *
  * @example
@@ -39,6 +41,7 @@ export class TestStudio {
   history: History = emptyHistory();
   private graph = MAIN_GRAPH;
   private readonly options: StudioOptions;
+  private readonly compiler = createCompiler();
 
   constructor(options: StudioOptions) {
     this.options = options;
@@ -155,6 +158,10 @@ export class TestStudio {
 
   diagnostics(): Diagnostic[] {
     return validateProject(this.project, this.library);
+  }
+
+  compile(options: CompileOptions = {}): Result<Program> {
+    return this.compiler.compile({ project: this.project, library: this.options.library, options });
   }
 
   private travel(moved: ReturnType<typeof undo>, what: string): this {

@@ -1,10 +1,9 @@
-import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { topologicalOrder } from '../../graph/topology.ts';
 import { type FlatNode, portKey, type Source } from '../flat-graph.ts';
 import type { DraftNode } from './flatten.ts';
 
 /**
- * Takes muted nodes out: what was wired to an output of theirs gets what comes into their first input of the same type; all of
+ * Takes muted nodes out: what was wired to an output of theirs gets what comes into their first wired input of the same type; all of
  * it where several wires go, the first where one does.
  */
 export function bypassMuted(nodes: ReadonlyMap<string, DraftNode>): Map<string, FlatNode> {
@@ -40,15 +39,17 @@ function passedSources(nodes: ReadonlyMap<string, DraftNode>): Passed {
     const node = nodes.get(id);
     if (!node) continue;
     for (const port of Object.keys(node.definition.outputs)) {
-      const input = inputLike(node.definition, port);
-      passed.set(portKey({ node: id, port }), passThrough(input === undefined ? [] : (node.inputs.get(input) ?? []), passed));
+      passed.set(portKey({ node: id, port }), passThrough(sourcesLike(node, port), passed));
     }
   }
   return passed;
 }
 
-function inputLike({ inputs, outputs }: NodeDefinition, output: string): string | undefined {
-  return Object.keys(inputs).find((name) => inputs[name]?.type === outputs[output]?.type);
+/** What is wired to the first input of the output's type that has wires. */
+function sourcesLike({ definition, inputs }: DraftNode, output: string): readonly Source[] {
+  const type = definition.outputs[output]?.type;
+  const input = Object.keys(definition.inputs).find((name) => definition.inputs[name]?.type === type && inputs.has(name));
+  return input === undefined ? [] : (inputs.get(input) ?? []);
 }
 
 /** Each source once: two muted nodes side by side may let the same one through. */

@@ -34,7 +34,8 @@ export function listInstances(project: ProjectLogic): Instances {
   for (const instance of list) {
     for (const [id, node] of sortedEntries(instance.graph.nodes)) {
       count++;
-      const graph = subgraphOf(project, node);
+      // A muted subgraph is bypassed as a whole, like any node.
+      const graph = node.muted === true ? undefined : subgraphOf(project, node);
       if (!graph) continue;
       const child: Instance = { prefix: `${instance.prefix}${id}/`, graph, children: new Map() };
       instance.children.set(id, child);

@@ -1,5 +1,6 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import { createFaceLookup } from '../../graph/library/faces.ts';
 import { migrateNodes } from '../../graph/library/migrate-nodes.ts';
 import type { ProjectLogic } from '../../graph/project.ts';
 import { checkGraphs } from '../../graph/validate/check-project.ts';
@@ -22,7 +23,7 @@ export function resolve(project: ProjectLogic, library: NodeLibrary): Result<Res
   if (hasErrors(recursive)) return { output: null, diagnostics: recursive };
   const instances = listInstances(migrated.project);
   if (!instances.ok) return { output: null, diagnostics: [tooMany()] };
-  const draft = flatten(instances.list, library);
+  const draft = flatten(instances.list, createFaceLookup(migrated.project, library), library);
   const nodes = bypassMuted(draft.nodes);
   const screens = [...nodes.values()].filter((node) => node.definition.lowering.kind === 'present');
   const [screen = null] = screens.length === 1 ? screens : [];

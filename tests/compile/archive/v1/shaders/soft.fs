@@ -1,0 +1,65 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Softens the picture with a Gaussian blur, in two passes: across, then down. The radius is the standard deviation, as in CSS blur(); the kernel reaches three times as far.",
+  "CREDIT": "Scrim",
+  "CATEGORIES": ["Blur", "Soften", "Smooth"],
+  "SCRIM_ALPHA": "premultiplied",
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Standard deviation of the blur, in pixels of the layer. 0 changes nothing.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 8.0, "IDENTITY": 0.0, "UNIT": "px" }
+  ],
+  "PASSES": [{ "TARGET": "across", "DESCRIPTION": "Blurs along x." }, { "DESCRIPTION": "Blurs along y." }]
+}*/
+
+// Three standard deviations hold 99.7 % of the weight. 60 px × 3: the loop needs an end that is known beforehand.
+const float REACH = 3.0;
+const int MAX_REACH = 180;
+
+// Below this no pixel but the middle one counts, and dividing by it is still safe.
+const float MIN_SIGMA = 0.1;
+
+// Colours multiplied with their alpha keep what is invisible from darkening edges. Scrim hands them over like that
+// (SCRIM_ALPHA), other hosts do not.
+vec4 tap(vec2 uv) {
+  if (PASSINDEX == 1) return IMG_NORM_PIXEL(across, uv);
+  vec4 color = IMG_NORM_PIXEL(inputImage, uv);
+#ifndef SCRIM
+  color.rgb *= color.a;
+#endif
+  return color;
+}
+
+float weight(int distancePx, float sigma) {
+  float x = float(distancePx) / sigma;
+  return exp(-0.5 * x * x);
+}
+
+// One tap between two pixels gives both, each with its share, as textures are read with linear filtering: half the taps.
+vec4 blurred(vec2 stepUv) {
+  float sigma = max(radius, MIN_SIGMA);
+  int reach = int(ceil(REACH * sigma));
+  vec4 sum = tap(isf_FragNormCoord);
+  float total = 1.0;
+  for (int i = 1; i <= MAX_REACH; i += 2) {
+    if (i > reach) break;
+    float near = weight(i, sigma);
+    float far = i < reach ? weight(i + 1, sigma) : 0.0;
+    float both = near + far;
+    vec2 offset = stepUv * (float(i) + far / both);
+    sum += both * (tap(isf_FragNormCoord + offset) + tap(isf_FragNormCoord - offset));
+    total += 2.0 * both;
+  }
+  return sum / total;
+}
+
+void main() {
+  if (PASSINDEX == 0) {
+    gl_FragColor = blurred(vec2(1.0 / RENDERSIZE.x, 0.0));
+  } else {
+    vec4 result = blurred(vec2(0.0, 1.0 / RENDERSIZE.y));
+#ifndef SCRIM
+    if (result.a > 0.0) result.rgb /= result.a;
+#endif
+    gl_FragColor = result;
+  }
+}

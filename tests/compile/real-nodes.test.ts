@@ -1,0 +1,135 @@
+import { readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { describe, expect, test } from '@jest/globals';
+import { createCompiler } from '../../export/compiler/compile.ts';
+import { describeProgram } from '../../export/compiler/describe.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import type { Project } from '../../export/graph/project.ts';
+import type { DrawOperation, PassOperation, Program } from '../../export/program/program.ts';
+import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
+import { surround } from '../../tools/new-node/surround.ts';
+import { LIBRARY } from '../support/library.ts';
+import { readShader } from '../support/test-library.ts';
+import { TestStudio } from '../support/test-studio.ts';
+import { TESTS_FOLDER } from '../support/this-test.ts';
+import { programFaults } from './program-faults.ts';
+
+const ROOT = join(TESTS_FOLDER, '..');
+const { compile: again } = createCompiler();
+
+function program(project: Project): Program {
+  const { output, diagnostics } = again({ project, library: LIBRARY });
+  if (output === null) throw new Error(diagnostics.map(formatDiagnostic).join('\n'));
+  return output;
+}
+
+async function exampleFolders(): Promise<string[]> {
+  const found = await readdir(join(ROOT, 'nodes'), { recursive: true });
+  const ofNodes = found.filter((path) => path.endsWith('example/project.scrim.json')).map((path) => `nodes/${path}`);
+  const shipped = (await readdir(join(ROOT, 'examples'))).map((name) => `examples/${name}/project.scrim.json`);
+  return [...ofNodes, ...shipped].map((path) => path.slice(0, -'/project.scrim.json'.length)).sort();
+}
+
+async function readProject(folder: string): Promise<Project | null> {
+  const text = (name: string) => readFile(join(ROOT, folder, name), 'utf8').catch(() => null);
+  const project = await text('project.scrim.json');
+  if (project === null) return null;
+  const { output, diagnostics } = loadProject({ project, layout: await text('project.layout.json'), sources: {} });
+  expect(diagnostics).toEqual([]);
+  return output;
+}
+
+describe('the library that ships', () => {
+  test.each([...LIBRARY.types()])('%s compiles in the smallest project that shows it', (type) => {
+    const made = program(surround(LIBRARY, type, type));
+    expect(programFaults(made)).toEqual([]);
+    expect(describeProgram(made)).toContain(type === 'source/camera-video' ? 'the world' : 'Per view');
+  });
+
+  test('its examples compile without a word but about files', async () => {
+    const folders = await exampleFolders();
+    expect(folders.length).toBeGreaterThan(10);
+    for (const folder of folders) {
+      const project = await readProject(folder);
+      if (!project) continue;
+      const { output, diagnostics } = again({ project, library: LIBRARY });
+      expect([folder, diagnostics.map(formatDiagnostic)]).toEqual([folder, []]);
+      expect(output && programFaults(output)).toEqual([]);
+    }
+  });
+});
+
+/** A model before and behind the room, its shadow on the floor, over the camera video. */
+function firstLight(): TestStudio {
+  return new TestStudio({ library: LIBRARY, readShader })
+    .add('video-a', 'source/camera-video')
+    .add('fox-a', 'objects/primitive')
+    .add('place-a', 'objects/transform')
+    .add('floor-a', 'objects/phantom')
+    .add('plane-a', 'objects/primitive')
+    .add('sun-a', 'light/directional')
+    .add('room-a', 'world/depth')
+    .add('scene-a', 'layer/scene')
+    .add('hide-a', 'layer/depth-occlusion')
+    .add('shadow-a', 'layer/shadow')
+    .add('over-a', 'operator/over')
+    .add('over-b', 'operator/over')
+    .add('screen-a', 'output/screen')
+    .wire(
+      'fox-a.objects -> place-a.objects',
+      'place-a.objects -> scene-a.objects',
+      'sun-a.lights -> scene-a.lights',
+      'scene-a.layer -> hide-a.layer',
+      'room-a.depth -> hide-a.depth',
+      'plane-a.objects -> floor-a.objects',
+      'place-a.objects -> shadow-a.casters',
+      'floor-a.objects -> shadow-a.receivers',
+      'sun-a.lights -> shadow-a.lights',
+      'shadow-a.layer -> over-a.top',
+      'video-a.layer -> over-a.bottom',
+      'hide-a.layer -> over-b.top',
+      'over-a.layer -> over-b.bottom',
+      'over-b.layer -> screen-a.layer',
+    );
+}
+
+describe('first light', () => {
+  test('draws forward, asks for depth and nothing else, and shares one set of shadow maps', () => {
+    const made = program(firstLight().project);
+    expect(made.presentation).toMatchObject({ mode: 'forward', background: 'world', antialias: true });
+    expect(made.needs.map(({ capability }) => capability)).toEqual(['depth']);
+    expect(made.operations.filter(({ kind }) => kind === 'shadow-maps')).toHaveLength(1);
+    const draws = made.operations.filter((operation): operation is DrawOperation => operation.kind === 'draw');
+    expect(draws.map(({ id, target, occlusion }) => [id, target, occlusion?.node ?? null])).toEqual([
+      ['shadow-a', 'screen', null],
+      ['scene-a', 'screen', 'hide-a'],
+    ]);
+    expect(made.shaders).toEqual([]);
+  });
+
+  test('styled as a whole it is composed, and asks for the camera', () => {
+    const studio = firstLight()
+      .add('sepia-a', 'filter/sepia')
+      .wire('over-b.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer');
+    const made = program(studio.project);
+    expect(made.presentation.mode).toBe('composed');
+    expect(made.needs.map(({ capability }) => capability)).toEqual(['camera-image', 'depth']);
+    const passes = made.operations.filter((operation): operation is PassOperation => operation.kind === 'pass');
+    expect(passes.map(({ id, target }) => [id, target])).toEqual([
+      ['over-a.pass0', 'over-a.layer'],
+      ['over-b.pass0', 'over-b.layer'],
+      ['sepia-a.pass0', 'screen'],
+    ]);
+  });
+
+  test('everything that the inspector may set while it runs has a slot', () => {
+    const studio = firstLight()
+      .add('sepia-a', 'filter/sepia')
+      .wire('over-b.layer -> sepia-a.inputImage', 'sepia-a.layer -> screen-a.layer');
+    const { slots } = program(studio.project);
+    for (const [id, { type }] of Object.entries(studio.project.graphs.main?.nodes ?? {})) {
+      const params = Object.entries(LIBRARY.definition(type)?.params ?? {}).filter(([, { stage }]) => stage === 'uniform');
+      for (const [name] of params) expect(Object.keys(slots.params)).toContain(`${id}.${name}`);
+    }
+  });
+});

@@ -1,0 +1,151 @@
+import { describe, expect, test } from '@jest/globals';
+import { compile, createCompiler } from '../../export/compiler/compile.ts';
+import type { Graph, GraphNode, ProjectLogic } from '../../export/graph/project.ts';
+import { sortWires } from '../../export/graph/wires.ts';
+import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
+import { TEST_LIBRARY as library } from '../support/test-library.ts';
+import { wireOf } from '../support/test-studio.ts';
+import { programFaults } from './program-faults.ts';
+
+function projectOf(
+  types: Readonly<Record<string, string>>,
+  wires: readonly string[],
+  graphs: Readonly<Record<string, Graph>> = {},
+): ProjectLogic {
+  const nodes = Object.fromEntries(Object.entries(types).map(([id, type]): [string, GraphNode] => [id, { type, version: 1, params: {} }]));
+  const main: Graph = { nodes, wires: sortWires(wires.map(wireOf)), exposed: { inputs: [], outputs: [] } };
+  return { title: '', page: { description: '', language: 'en' }, graphs: { ...graphs, main }, sources: {}, assets: {} };
+}
+
+const range = (count: number) => Array.from({ length: count }, (_, i) => i);
+
+/** video → filter → filter → … → screen. */
+function chain(count: number, types: readonly string[] = ['filter/sepia', 'filter/gaussian-blur', 'filter/swirl']): ProjectLogic {
+  const nodes = Object.fromEntries(range(count).map((i) => [`f-${i}`, types[i % types.length] ?? '']));
+  const wires = range(count - 1).map((i) => `f-${i}.layer -> f-${i + 1}.inputImage`);
+  return projectOf({ ...nodes, 'video-a': 'source/camera-video', 'screen-a': 'output/screen' }, [
+    ...wires,
+    'video-a.layer -> f-0.inputImage',
+    `f-${count - 1}.layer -> screen-a.layer`,
+  ]);
+}
+
+/** Scenes laid over each other one by one, with something at the end that makes all of them pictures. */
+function stackOfScenes(count: number, end: string): ProjectLogic {
+  const nodes = Object.fromEntries(
+    range(count).flatMap((i) => [
+      [`s-${i}`, 'layer/scene'],
+      [`o-${i}`, 'operator/over'],
+    ]),
+  );
+  const wires = range(count).flatMap((i) => [
+    `box-a.objects -> s-${i}.objects`,
+    `s-${i}.layer -> o-${i}.top`,
+    i === 0 ? 'video-a.layer -> o-0.bottom' : `o-${i - 1}.layer -> o-${i}.bottom`,
+  ]);
+  return projectOf(
+    { ...nodes, 'box-a': 'objects/primitive', 'end-a': end, 'video-a': 'source/camera-video', 'screen-a': 'output/screen' },
+    [...wires, `o-${count - 1}.layer -> end-a.inputImage`, 'end-a.layer -> screen-a.layer'],
+  );
+}
+
+function compiled(project: ProjectLogic, taps: readonly string[] = []) {
+  const { output, diagnostics } = compile({ project, library, options: { taps } });
+  if (output === null) throw new Error(diagnostics.slice(0, 3).map(formatDiagnostic).join('\n'));
+  return output;
+}
+
+function msOf(work: () => void): number {
+  const start = performance.now();
+  work();
+  return performance.now() - start;
+}
+
+describe('large graphs', () => {
+  test('5,000 live image operations compile, in time that grows with their number', () => {
+    const { compile: again } = createCompiler();
+    again({ project: chain(300), library });
+    const small = chain(500);
+    const large = chain(5000);
+    const smallMs = Math.min(...range(3).map(() => msOf(() => again({ project: small, library }))));
+    const largeMs = Math.min(...range(2).map(() => msOf(() => again({ project: large, library }))));
+    // Ten times the nodes: a quadratic step would make it a hundred times the time.
+    expect(largeMs).toBeLessThan(40 * Math.max(smallMs, 1));
+    const program = compiled(large);
+    expect(program.operations.length).toBeGreaterThan(5000);
+    expect(program.shaders.length).toBeLessThan(10);
+    expect(programFaults(program)).toEqual([]);
+  });
+
+  test('10,000 nodes, most of which do nothing, compile', () => {
+    const dead = Object.fromEntries(range(9000).map((i) => [`d-${i}`, 'value/math']));
+    const live = chain(1000);
+    const nodes = {
+      ...live.graphs.main?.nodes,
+      ...Object.fromEntries(Object.keys(dead).map((id) => [id, { type: 'value/math', version: 1, params: {} }])),
+    };
+    const project = { ...live, graphs: { main: { ...(live.graphs.main as Graph), nodes } } };
+    expect(compiled(project).operations.length).toBe(compiled(live).operations.length);
+  });
+
+  test('a stack of 2,000 merged scenes of which the depth is read, all looked at, overflows nothing', () => {
+    const project = stackOfScenes(2000, 'filter/fog');
+    const program = compiled(
+      project,
+      range(2000).map((i) => `o-${i}.layer`),
+    );
+    expect(program.resources.filter(({ id }) => id.endsWith('.layer.depth'))).toHaveLength(2000);
+    expect(programFaults(program)).toEqual([]);
+  });
+
+  test('2,000 scenes without anything in between go straight onto the screen', () => {
+    const { graphs, ...rest } = stackOfScenes(2000, 'filter/sepia');
+    const main = graphs.main as Graph;
+    const muted = {
+      ...rest,
+      graphs: { main: { ...main, nodes: { ...main.nodes, 'end-a': { type: 'filter/sepia', version: 1, params: {}, muted: true } } } },
+    };
+    const program = compiled(muted);
+    expect(program.presentation.mode).toBe('forward');
+    expect(program.operations).toHaveLength(2001);
+  });
+
+  test('2,000 muted nodes in a chain are bypassed', () => {
+    const project = chain(2000);
+    const nodes = Object.fromEntries(
+      Object.entries((project.graphs.main as Graph).nodes).map(([id, node]) => [id, id.startsWith('f-') ? { ...node, muted: true } : node]),
+    );
+    expect(compiled({ ...project, graphs: { main: { ...(project.graphs.main as Graph), nodes } } }).operations).toEqual([]);
+  });
+
+  test('subgraphs nested 1,000 deep are inlined', () => {
+    const exposed = (node: string) => ({
+      inputs: [{ name: 'picture', node, port: node === 'sepia-a' ? 'inputImage' : 'picture' }],
+      outputs: [{ name: 'layer', node, port: 'layer' }],
+    });
+    const graph = (id: string, type: string): Graph => ({
+      nodes: { [id]: { type, version: 1, params: {} } },
+      wires: [],
+      exposed: exposed(id),
+    });
+    const graphs = Object.fromEntries(
+      range(1000).map((i) => [`g${i}`, i === 0 ? graph('sepia-a', 'filter/sepia') : graph('in-a', `graph/g${i - 1}`)]),
+    );
+    const project = projectOf(
+      { 'deep-a': 'graph/g999', 'video-a': 'source/camera-video', 'screen-a': 'output/screen' },
+      ['video-a.layer -> deep-a.picture', 'deep-a.layer -> screen-a.layer'],
+      graphs,
+    );
+    expect(compiled(project).operations.at(-1)?.node).toBe(`deep-a/${'in-a/'.repeat(999)}sepia-a`);
+  });
+
+  test('an edit compiles without reading the other shaders again', () => {
+    const { compile: again } = createCompiler();
+    const project = chain(200);
+    again({ project, library });
+    const edited = { ...project, graphs: { main: { ...(project.graphs.main as Graph) } } };
+    const fresh = Math.min(...range(3).map(() => msOf(() => compile({ project: edited, library }))));
+    const remembered = Math.min(...range(3).map(() => msOf(() => again({ project: edited, library }))));
+    expect(remembered).toBeLessThan(fresh);
+  });
+});
