@@ -308,7 +308,7 @@ export async function taps() {
         target: 'scene.layer',
         shadowMaps: null,
         occlusion: null,
-      } as never,
+      } as DrawOperation,
       pass('metres', 0, 'metres'),
       pass('show', 1, 'screen'),
     ],

@@ -10,12 +10,13 @@ export function nodeKey(
   assetPath: (asset: string | null) => string | null,
 ): string {
   const ref = (input: InputRef): unknown => (input.kind === 'slot' ? ['slot', slotType(input.slot)] : input);
+  const outputs = Object.entries(operation.outputs).filter(([, output]) => !(isDraw(operation) && output.kind === 'layer'));
   return JSON.stringify([
     operation.kind,
     operation.node,
     operation.type,
     sorted(operation.inputs, (refs) => refs.map(ref)),
-    sorted(operation.outputs, (output) => (isDraw(operation) && output.kind === 'layer' ? 'target' : ref(output))),
+    sorted(Object.fromEntries(outputs), ref),
     sorted(operation.params, slotType),
     sorted(operation.config, (value) => value),
     sorted(operation.assets, (asset) => [asset, assetPath(asset)]),

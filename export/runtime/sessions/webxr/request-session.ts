@@ -1,6 +1,6 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
-import type { ProgramNeed } from '../../../program/program.ts';
+import type { Capability, ProgramNeed } from '../../../program/program.ts';
 import { grantedCapabilities, sessionInit } from './features.ts';
 import { createWebXrSession, XR_DEPTH_RANGE } from './webxr-session.ts';
 import type { XrBinding } from './webxr-types.ts';
@@ -31,7 +31,7 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
   try {
     session = await xr.requestSession('immersive-ar', sessionInit(needs, request.overlayRoot ?? null));
   } catch (error) {
-    return refused(refusal(error, needs));
+    return refused(explain(error, needs));
   }
   try {
     await gl.makeXRCompatible();
@@ -44,12 +44,7 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
     return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
   } catch (error) {
     await session.end().catch(() => {});
-    return refused({
-      code: 'SCR051',
-      severity: 'error',
-      message: `AR began and could not be shown: ${reason(error)}.`,
-      fix: 'Close other tabs and try again.',
-    });
+    return refused(refusal(`AR began and could not be shown: ${reason(error)}.`, 'Close other tabs and try again.'));
   }
 }
 
@@ -64,39 +59,47 @@ function refused(diagnostic: Diagnostic): Result<Session> {
   return { output: null, diagnostics: [diagnostic] };
 }
 
+function refusal(message: string, fix: string): Diagnostic {
+  return { code: 'SCR051', severity: 'error', message, fix };
+}
+
 /** What the names of the exceptions mean: WebXR Device API §4.2, `requestSession`. */
-function refusal(error: unknown, needs: readonly ProgramNeed[]): Diagnostic {
-  const name = error instanceof DOMException ? error.name : '';
-  const wanted = needs.filter((need) => need.required).map((need) => need.capability);
-  switch (name) {
+function explain(error: unknown, needs: readonly ProgramNeed[]): Diagnostic {
+  const required = needs.filter((need) => need.required).map((need) => WORDS[need.capability]);
+  switch (error instanceof DOMException ? error.name : '') {
     case 'NotSupportedError':
-      return wanted.length === 0
-        ? { code: 'SCR051', severity: 'error', message: 'This device has no AR.', fix: 'Open the page on a phone or headset that has it.' }
-        : {
-            code: 'SCR051',
-            severity: 'error',
-            message: `This device has no AR, or lacks something that the page needs (${wanted.join(', ')}).`,
-            fix: 'Open the page on another phone or headset.',
-          };
+      return required.length === 0
+        ? refusal('This device has no AR.', 'Open the page on a phone or headset that has it.')
+        : refusal(
+            `This device has no AR, or lacks what the page needs: ${required.join(', ')}.`,
+            'Open the page on another phone or headset.',
+          );
     case 'NotAllowedError':
-      return { code: 'SCR051', severity: 'error', message: 'AR was not allowed.', fix: 'Try again and allow what the browser asks for.' };
+      return refusal('AR was not allowed.', 'Try again and allow what the browser asks for.');
     case 'SecurityError':
-      return {
-        code: 'SCR051',
-        severity: 'error',
-        message: 'The browser starts AR only after a click or tap, on a page loaded over https.',
-        fix: 'Tap the button again.',
-      };
+      return refusal('The browser starts AR only after a click or tap, on a page loaded over https.', 'Tap the button again.');
     case 'InvalidStateError':
-      return { code: 'SCR051', severity: 'error', message: 'Another AR session is running.', fix: 'End it and try again.' };
+      return refusal('Another AR session is running.', 'End it and try again.');
     default:
-      return { code: 'SCR051', severity: 'error', message: `AR could not be started: ${reason(error)}.`, fix: 'Try again.' };
+      return refusal(`AR could not be started: ${reason(error)}.`, 'Try again.');
   }
 }
 
 function missing(need: ProgramNeed): Diagnostic {
-  return { code: 'SCR055', severity: 'warning', message: `The device gives no ${need.capability}: ${need.without}` };
+  return { code: 'SCR055', severity: 'warning', message: `Not available here: ${WORDS[need.capability]}. ${need.without}` };
 }
+
+/** As visitors would say it. */
+const WORDS: Readonly<Record<Capability, string>> = {
+  'camera-image': 'the camera picture',
+  depth: 'depth of the room',
+  'light-estimation': 'light of the room',
+  'hit-test': 'finding surfaces',
+  anchors: 'holding places',
+  planes: 'detected planes',
+  meshes: 'detected shapes',
+  hands: 'hand tracking',
+};
 
 function reason(error: unknown): string {
   return (error instanceof Error ? error.message : String(error)).replace(/\.$/, '');
