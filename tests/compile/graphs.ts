@@ -122,3 +122,19 @@ export function fog(): TestStudio {
     .add('fog-a', 'filter/fog')
     .wire('over-b.layer -> sepia-a.inputImage', 'sepia-a.layer -> fog-a.inputImage', 'fog-a.layer -> screen-a.layer');
 }
+
+/** video → screen. */
+export function videoStudio(): TestStudio {
+  return emptyStudio().add('video-a', 'source/camera-video').add('screen-a', 'output/screen').wire('video-a.layer -> screen-a.layer');
+}
+
+/** A scene over something still to be wired. */
+export function sceneStudio(): TestStudio {
+  return emptyStudio()
+    .add('video-a', 'source/camera-video')
+    .add('box-a', 'objects/primitive')
+    .add('scene-a', 'layer/scene')
+    .add('over-a', 'operator/over')
+    .add('screen-a', 'output/screen')
+    .wire('box-a.objects -> scene-a.objects', 'scene-a.layer -> over-a.top', 'over-a.layer -> screen-a.layer');
+}
