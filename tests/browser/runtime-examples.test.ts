@@ -1,0 +1,90 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { compile } from '../../export/compiler/compile.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import type { Program } from '../../export/program/program.ts';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { LIBRARY } from '../support/library.ts';
+import type { Played } from './runtime-examples.page.ts';
+
+const chromium = useBrowser();
+let page: PageModule;
+
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/runtime-examples.page.ts', {
+    mounts: { '/nodes/': join(process.cwd(), 'nodes') },
+  });
+}, 60_000);
+
+afterAll(async () => {
+  await page.close();
+  expect(page.errors).toEqual([]);
+});
+
+const CAMERA = [100, 150, 200, 255];
+
+function compileExample(type: string): Program {
+  const text = readFileSync(`nodes/${type}/example/project.scrim.json`, 'utf8');
+  const { output: project, diagnostics } = loadProject({ project: text, layout: null, sources: {} });
+  expect(diagnostics).toEqual([]);
+  const compiled = project ? compile({ project, library: LIBRARY }) : null;
+  if (!compiled?.output) throw new Error(JSON.stringify(compiled?.diagnostics));
+  return compiled.output;
+}
+
+async function play(type: string, timeS = 0, roomM = 0): Promise<Played> {
+  const played = await page.call<Played>('play', compileExample(type), `nodes/${type}/example/`, timeS, CAMERA, roomM);
+  expect({ diagnostics: played.diagnostics, error: played.error }).toEqual({ diagnostics: [], error: 0 });
+  return played;
+}
+
+/** W3C Filter Effects, `sepia()`, of the camera's colour. */
+function sepia(amount: number): number[] {
+  const [r = 0, g = 0, b = 0] = CAMERA;
+  const full = [0.393 * r + 0.769 * g + 0.189 * b, 0.349 * r + 0.686 * g + 0.168 * b, 0.272 * r + 0.534 * g + 0.131 * b];
+  return [...full.map((value, i) => Math.min(255, Math.round((CAMERA[i] ?? 0) * (1 - amount) + value * amount))), 255];
+}
+
+describe('the example of', () => {
+  test('output/screen shows the camera picture', async () => {
+    expect((await play('output/screen')).centre).toEqual(CAMERA);
+  });
+
+  test('source/camera-video shows it in sepia', async () => {
+    expect((await play('source/camera-video')).centre).toEqual(sepia(1));
+  });
+
+  test('source/image-file shows a yellow sticker before it', async () => {
+    const { centre, corner } = await play('source/image-file');
+    expect(centre).toEqual([255, 205, 60, 255]);
+    expect(corner).toEqual(CAMERA);
+  });
+
+  test('value/number sets the strength of a filter', async () => {
+    expect((await play('value/number')).centre).toEqual(sepia(0.6));
+  });
+
+  test('value/math does so with a number worked out', async () => {
+    expect((await play('value/math')).centre).toEqual(sepia(0.5));
+  });
+
+  test('value/color gives a filter its colour', async () => {
+    // A picture of one colour has no edges: the drawing is all paper.
+    expect((await play('value/color')).centre).toEqual([0, 0, 0, 255]);
+  });
+
+  test('value/time moves the strength of a filter with time', async () => {
+    expect((await play('value/time', 1)).centre).toEqual(sepia(0.25));
+    expect((await play('value/time', 6)).centre).toEqual(sepia(0.5));
+  });
+
+  test.each(['world/depth', 'layer/depth-occlusion'])('%s shows a thing before the room, and not behind it', async (type) => {
+    const before = await play(type, 0, 3);
+    expect(before.centre).not.toEqual(CAMERA);
+    expect(before.corner).toEqual(CAMERA);
+    expect((await play(type, 0, 0.5)).centre).toEqual(CAMERA);
+    // Unknown depth hides nothing.
+    expect((await play(type, 0, 0)).centre).toEqual(before.centre);
+  });
+});
