@@ -1,6 +1,6 @@
 import { spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
-import { mkdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import process from 'node:process';
 
@@ -10,10 +10,11 @@ export type FoundElectron = { readonly path: string } | { readonly missing: stri
 /** A download of some 110 MB on a slow line; where nothing answers at all, `PROBE_MS` decides. */
 const FETCH_MS = 300_000;
 const PROBE_MS = 3_000;
+const RETRY_MS = 24 * 3600 * 1000;
 
 /**
  * `ELECTRON_OVERRIDE_DIST_PATH`, else what the npm package has fetched, else what it can fetch now. npm's `electron` has no
- * install script and fetches when first used. That is tried once: a failure is remembered until the package changes.
+ * install script and fetches when first used. That is tried once a day.
  */
 export async function findElectron(root: string, say: (text: string) => void): Promise<FoundElectron> {
   if (!hasDisplay()) return { missing: 'there is no display' };
@@ -41,8 +42,9 @@ async function fetched(folder: string): Promise<FoundElectron | null> {
 
 async function fetchOnce(folder: string, version: string, cache: string, say: (text: string) => void): Promise<FoundElectron> {
   const note = join(cache, `electron-${version}-failed`);
-  const missing = { missing: `its program could not be fetched (delete ${note} to try again)` };
-  if (existsSync(note)) return missing;
+  const failed = await stat(note).catch(() => null);
+  const missing = { missing: 'its program could not be fetched' };
+  if (failed && Date.now() - failed.mtimeMs < RETRY_MS) return missing;
   // A machine without a network has to be told from a slow one, and soon.
   if (await answers(version)) {
     say(`Fetching Electron ${version}, about 110 MB, once…`);

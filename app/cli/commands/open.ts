@@ -59,8 +59,14 @@ function runElectron(path: string, { installation }: Context, project: string | 
   const startMs = performance.now();
   return new Promise((resolve) => {
     const child = spawn(path, args, { stdio: ['ignore', 'ignore', 'inherit'], env });
+    // Whoever ends Scrim ends its window; a terminal's Ctrl-C reaches both by itself.
+    const end = () => child.kill();
+    process.once('SIGTERM', end);
     child.on('error', () => resolve(false));
-    child.on('close', (code) => resolve(code === 0 || performance.now() - startMs > STARTED_MS));
+    child.on('close', (code) => {
+      process.off('SIGTERM', end);
+      resolve(code === 0 || performance.now() - startMs > STARTED_MS);
+    });
   });
 }
 
