@@ -57,7 +57,7 @@ export function createCompiler(): Compiler {
       diagnostics.push(...scheduled.diagnostics);
       if (scheduled.output === null) return { output: null, diagnostics };
       const linked = link(scheduled.output.operations, { sourceMaps });
-      if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, scheduled.output.live));
+      if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));
       return { output: print(resolved.output.project, scheduled.output, linked), diagnostics };
     },
   };

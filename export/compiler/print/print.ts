@@ -7,7 +7,7 @@ import { findTiers } from './tiers.ts';
 
 /** Last phase: the program. Equal projects give equal text, because everything in it has an order. */
 export function print(project: ProjectLogic, scheduled: Schedule, { operations, shaders }: LinkedOperations): Program {
-  const needs = collectNeeds(scheduled.live, scheduled.working);
+  const needs = collectNeeds(scheduled.nodes, scheduled.working);
   return {
     format: 'scrim-program',
     version: PROGRAM_VERSION,

@@ -33,9 +33,10 @@ describe('least privilege', () => {
     expect(program(videoStudio().add('room-a', 'world/depth')).needs).toEqual([]);
   });
 
-  test('what is only looked at asks for nothing either', () => {
+  test('what is looked at is asked for too, and is no more than looked at', () => {
     const made = program(videoStudio(), { taps: ['video-a.layer'] });
-    expect(made.needs).toEqual([]);
+    expect(asked(made)).toEqual(['camera-image']);
+    expect(made.presentation).toMatchObject({ background: 'world', mode: 'forward' });
     expect(made.taps).toEqual({ 'video-a.layer': { color: 'video-a.layer', depth: null } });
   });
 

@@ -28,9 +28,9 @@ export interface Schedule {
   readonly slots: SlotTable;
   readonly presentation: Presentation;
   readonly taps: Readonly<Record<string, LayerRef>>;
-  /** Nodes that the screen depends on. */
-  readonly live: readonly FlatNode[];
-  /** Those of them that have work to do for it: a world that is the background has none. */
+  /** Nodes that the screen depends on, or what is looked at. */
+  readonly nodes: readonly FlatNode[];
+  /** Those of them that have work to do: a world that is the background has none. */
   readonly working: ReadonlySet<string>;
 }
 
@@ -62,6 +62,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const besides = tapped.filter(({ id }) => behind.has(id));
   const looked = findDemand(graph, besides, { nodes: [], images: taps, sunk: [] }, () => true, demand);
   lowerTapped(lowering, besides, looked, shown);
+  const isLive = new Set(live.map(({ id }) => id));
   const tappedLayers = taps.map((tap) => [portKey(tap), layerAt(lowering, tap, (layer) => depthAt(lowering, layer))] as const);
   return {
     output: {
@@ -70,8 +71,8 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
       slots: lowering.slots.table(),
       presentation,
       taps: Object.fromEntries(tappedLayers),
-      live,
-      working: demand.nodes,
+      nodes: order.filter(({ id }) => isLive.has(id) || behind.has(id)),
+      working: new Set([...demand.nodes, ...looked.nodes]),
     },
     diagnostics: lowering.diagnostics,
   };
