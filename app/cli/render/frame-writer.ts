@@ -27,7 +27,7 @@ export async function createFrameWriter(out: string, isFile: boolean, isDepth: b
     add: async (index, { widthPx, heightPx }, bytes) => {
       const name = isFile ? basename(out) : `${String(index).padStart(6, '0')}.png`;
       const png = isDepth
-        ? encodeDepth({ widthPx, heightPx, metres: new Float32Array(bytes.slice().buffer) })
+        ? encodeDepth({ widthPx, heightPx, metres: new Float32Array(Uint8Array.from(bytes).buffer) })
         : encodeLayer({ widthPx, heightPx, pixels: bytes });
       await writeFile(join(aside, name), png).catch(refuse);
       names.push(name);

@@ -1,0 +1,249 @@
+import { mkdir, mkdtemp, readdir, readFile, rm, symlink, truncate, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { type ProjectText, projectText, writeProject } from '../../tests/support/project-kit.ts';
+import { installationAt } from '../services/installation.ts';
+import { COMMANDS, runCli } from './run-cli.ts';
+
+const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
+const MODEL = resolve(import.meta.dirname, '../../examples/first-light/assets/robot.glb');
+
+/** A tinted camera picture with a model before it. */
+const GOOD: ProjectText = {
+  title: 'Robot',
+  nodes: {
+    'video-a1b2': 'source/camera-video',
+    'robot-c3d4': ['source/model', { model: 'robot' }],
+    'scene-e5f6': 'layer/scene',
+    'over-g7h8': 'operator/over',
+    'sepia-j9k2': 'filter/sepia',
+    'screen-m3n4': 'output/screen',
+  },
+  wires: [
+    'robot-c3d4.objects -> scene-e5f6.objects',
+    'scene-e5f6.layer -> over-g7h8.top',
+    'video-a1b2.layer -> over-g7h8.bottom',
+    'over-g7h8.layer -> sepia-j9k2.inputImage',
+    'sepia-j9k2.layer -> screen-m3n4.layer',
+  ],
+  assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
+};
+
+let base = '';
+let project = '';
+beforeEach(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-cli-'));
+  project = join(base, 'project');
+  await write(GOOD);
+});
+afterEach(() => rm(base, { recursive: true, force: true }));
+
+async function write(text: ProjectText, files: Readonly<Record<string, string>> = {}): Promise<void> {
+  await writeProject(project, { 'project.scrim.json': projectText(text), 'assets/robot.glb': await readFile(MODEL), ...files });
+}
+
+async function scrim(...args: string[]) {
+  const out: string[] = [];
+  const err: string[] = [];
+  const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
+  const status = await runCli(args, INSTALLATION, streams);
+  return { status, out: out.join('\n'), err: err.join('\n') };
+}
+
+interface JsonAnswer {
+  readonly ok: boolean;
+  readonly diagnostics: readonly { readonly code: string; readonly severity: string; readonly message: string; readonly nodeId?: string }[];
+}
+
+/** What is printed with `--json` is one value and nothing else. */
+async function scrimJson(...args: string[]) {
+  const { status, out, err } = await scrim(...args, '--json');
+  expect(err).toBe('');
+  return { status, json: JSON.parse(out) as JsonAnswer };
+}
+
+async function tree(folder: string): Promise<Record<string, string>> {
+  const entries = await readdir(folder, { recursive: true, withFileTypes: true }).catch(() => []);
+  const files = entries.filter((entry) => entry.isFile()).map((entry) => join(entry.path, entry.name));
+  const contents = await Promise.all(files.map(async (path) => [path.slice(folder.length + 1), await readFile(path, 'base64')] as const));
+  return Object.fromEntries(contents.sort(([a], [b]) => (a < b ? -1 : 1)));
+}
+
+describe('the command line', () => {
+  test('explains itself, and every command with its options and an example', async () => {
+    const overview = await scrim('--help');
+    expect(overview.status).toBe(0);
+    for (const { name, options } of COMMANDS) {
+      expect(overview.out).toContain(`  ${name}`);
+      const help = await scrim(name, '--help');
+      expect(help.status).toBe(0);
+      expect(help.err).toBe('');
+      for (const option of [...Object.keys(options), 'json', 'help']) expect(help.out).toContain(`--${option}`);
+      expect(help.out).toContain(`scrim ${name} `);
+      for (const line of help.out.split('\n')) expect(line.length).toBeLessThanOrEqual(110);
+    }
+    expect(await scrim('--version')).toEqual({ status: 0, out: '1.2.3', err: '' });
+  });
+
+  test.each([
+    ['nothing', [], ''],
+    ['an unknown command', ['exprot', '.'], 'no command "exprot"'],
+    ['an unknown option', ['check', '.', '--verbose'], "'--verbose'"],
+    ['no project', ['check'], 'PROJECT is missing'],
+    ['two projects', ['check', 'a', 'b'], 'One project at a time'],
+    ['no place for a page', ['export', '.'], '--out DIR is missing'],
+    ['an option without its value', ['export', '.', '--out'], "'--out"],
+    ['no place for pictures', ['render', '.'], '--out FILE.png or --out DIR is missing'],
+    ['frames that are none', ['render', '.', '--out', 'x.png', '--frames', '3-4'], '--frames 3-4 is no range'],
+    ['frames backwards', ['render', '.', '--out', 'x', '--frames', '4..3'], 'ends before it begins'],
+    ['several frames for one picture', ['render', '.', '--out', 'x.png', '--frames', '0..1'], 'give a folder'],
+    ['a size that is none', ['render', '.', '--out', 'x.png', '--size', '0x20'], '--size 0x20 is no size'],
+    ['a port that is none', ['open', '--port', 'web'], '--port web is no port'],
+  ])('does not understand %s: status 2, and says what would be right', async (_name, args, words) => {
+    const { status, out, err } = await scrim(...args);
+    expect(status).toBe(2);
+    expect(args.length === 0 ? out : err).toContain(words);
+    if (args.length === 0) return;
+    expect(out).toBe('');
+    const json = await scrimJson(...args);
+    expect(json).toMatchObject({ status: 2, json: { ok: false, diagnostics: [{ code: 'SCR070' }] } });
+  });
+});
+
+describe('scrim check', () => {
+  test('finds nothing wrong with a good project, named by its folder or its file', async () => {
+    expect(await scrim('check', project)).toEqual({ status: 0, out: 'Nothing is wrong.', err: '' });
+    expect(await scrimJson('check', join(project, 'project.scrim.json'))).toEqual({ status: 0, json: { ok: true, diagnostics: [] } });
+  });
+
+  test('prints where and what, one line each', async () => {
+    await write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/sepai' } });
+    const { status, out } = await scrim('check', project);
+    expect(status).toBe(1);
+    expect(out).toMatch(/^sepia-j9k2: error SCR010: .+/m);
+  });
+
+  /** [what is wrong, how the project becomes so, code, words of the message] */
+  const WRONG: readonly (readonly [string, () => Promise<unknown>, string, string])[] = [
+    ['an unknown node type', () => write({ ...GOOD, nodes: { ...GOOD.nodes, 'x-y2z3': 'filter/none' } }), 'SCR010', 'filter/none'],
+    ['a future version', () => edit('"version": 1', '"version": 99'), 'SCR003', '99'],
+    [
+      'a cycle',
+      () => write({ ...GOOD, wires: [...GOOD.wires.slice(0, 2), 'sepia-j9k2.layer -> over-g7h8.bottom', ...GOOD.wires.slice(3)] }),
+      'SCR014',
+      'sepia-j9k2',
+    ],
+    [
+      'ports of two types',
+      () => write({ ...GOOD, wires: [...GOOD.wires, 'video-a1b2.layer -> scene-e5f6.lights'] }),
+      'SCR013',
+      'scene-e5f6',
+    ],
+    ['a missing asset', () => rm(join(project, 'assets', 'robot.glb')), 'SCR030', 'assets/robot.glb'],
+    ['a model that is cut off', () => truncate(join(project, 'assets', 'robot.glb'), 1000), 'SCR032', 'cut off'],
+    ['a model that is none', () => writeFile(join(project, 'assets', 'robot.glb'), 'hello, world'), 'SCR032', 'no glTF model'],
+    [
+      'an asset outside the project',
+      () => write({ ...GOOD, assets: { robot: { path: '../robot.glb', kind: 'model' } } }),
+      'SCR031',
+      'robot',
+    ],
+    ['an asset behind a link', linkAsset, 'SCR031', 'assets/robot.glb'],
+    ['a number that is none', () => edit('"model": "robot"', '"model": "robot", "speed": 1e999'), 'SCR006', 'finite'],
+    ['a param of another type', () => edit('"model": "robot"', '"model": "robot", "speed": "fast"'), 'SCR018', 'robot-c3d4'],
+    ['broken JSON', () => edit('"wires"', '"wires'), 'SCR001', ''],
+    ['another shape', () => edit('"graphs"', '"grahps"'), 'SCR002', ''],
+    [
+      'a broken shader header',
+      () =>
+        write(
+          { ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } },
+          { 'shaders/own.fs': '/*{ "INPUTS": [ }*/ void main() {}' },
+        ),
+      'SCR040',
+      '',
+    ],
+    [
+      'a shader that does not parse',
+      () =>
+        write(
+          { ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } },
+          { 'shaders/own.fs': OWN.replace('gl_FragColor', '(gl_FragColor') },
+        ),
+      'SCR041',
+      '',
+    ],
+  ];
+
+  async function edit(from: string, to: string): Promise<void> {
+    const text = projectText(GOOD);
+    expect(text).toContain(from);
+    await writeFile(join(project, 'project.scrim.json'), text.replace(from, to));
+  }
+
+  async function linkAsset(): Promise<void> {
+    await rm(join(project, 'assets', 'robot.glb'));
+    await symlink(MODEL, join(project, 'assets', 'robot.glb'));
+  }
+
+  test.each(WRONG)('says what is wrong, and an export leaves its folder as it was: %s', async (_name, damage, code, words) => {
+    const out = join(base, 'site');
+    await scrim('export', project, '--out', out);
+    const before = await tree(out);
+    expect(Object.keys(before).length).toBeGreaterThan(3);
+    await damage();
+    const { status, json } = await scrimJson('check', project);
+    expect([status, json.ok]).toEqual([1, false]);
+    const found = json.diagnostics.find((diagnostic) => diagnostic.code === code && diagnostic.severity === 'error');
+    expect(json.diagnostics.map((diagnostic) => diagnostic.code)).toContain(code);
+    expect(JSON.stringify(found)).toContain(words);
+    const exported = await scrimJson('export', project, '--out', out);
+    expect([exported.status, exported.json.ok]).toEqual([1, false]);
+    expect(await tree(out)).toEqual(before);
+  });
+});
+
+const OWN = `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/
+void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
+`;
+
+describe('scrim plan', () => {
+  test('tells the program in words, and as JSON', async () => {
+    const { status, out } = await scrim('plan', project);
+    expect(status).toBe(0);
+    for (const words of ['Robot', 'scene-e5f6', 'filters/sepia.fs', 'camera-image', 'orbit']) expect(out).toContain(words);
+    const { json } = await scrimJson('plan', project);
+    expect(json).toMatchObject({ ok: true, program: { format: 'scrim-program', title: 'Robot' } });
+  });
+});
+
+describe('scrim export', () => {
+  test('writes a page that holds what its report says, and the same bytes each time', async () => {
+    const { status, json } = await scrimJson('export', project, '--out', join(base, 'one'));
+    expect(status).toBe(0);
+    expect(json).toMatchObject({
+      ok: true,
+      report: { title: 'Robot', features: { required: [], optional: ['local-floor', 'camera-access'] } },
+    });
+    await scrim('export', project, '--out', join(base, 'two'));
+    const [one, two] = [await tree(join(base, 'one')), await tree(join(base, 'two'))];
+    expect(Object.keys(one).some((path) => /^assets\/robot-[0-9a-f]{10}\.glb$/.test(path))).toBe(true);
+    expect(two).toEqual(one);
+  });
+
+  test('takes a project’s own shader along', async () => {
+    await write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } }, { 'shaders/own.fs': OWN });
+    expect(await scrim('export', project, '--out', join(base, 'site'))).toMatchObject({ status: 0, err: '' });
+  });
+
+  test('refuses a folder with foreign files, and one that cannot be written', async () => {
+    const out = join(base, 'mine');
+    await mkdir(out);
+    await writeFile(join(out, 'thesis.doc'), 'mine');
+    expect(await scrimJson('export', project, '--out', out)).toMatchObject({ status: 1, json: { diagnostics: [{ code: 'SCR061' }] } });
+    expect(Object.keys(await tree(out))).toEqual(['thesis.doc']);
+    const below = join(out, 'thesis.doc', 'site');
+    expect(await scrimJson('export', project, '--out', below)).toMatchObject({ status: 1, json: { diagnostics: [{ code: 'SCR060' }] } });
+  });
+});
