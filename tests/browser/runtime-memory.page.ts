@@ -1,7 +1,10 @@
+import type { DrawOperation } from '../../export/program/program.ts';
 import type { Player } from '../../export/runtime/player.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
-import { colorSampler, frame, HEIGHT, pass, program, shader, stand, target, view, WIDTH } from './runtime-kit.ts';
+import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
+import * as roomDepth from '../../nodes/world/depth/runtime.ts';
+import { colorSampler, frame, HEIGHT, pass, program, shader, sourceOperation, stand, target, view, WIDTH } from './runtime-kit.ts';
 
 const addOne: NodeModule = {
   create: (ctx) => {
@@ -12,6 +15,14 @@ const addOne: NodeModule = {
       },
       dispose: () => {},
     };
+  },
+};
+
+/** Draws without allocating, as nodes should. */
+const drawing: NodeModule = {
+  create: ({ gl }) => {
+    const color = new Float32Array([0.5, 0.25, 0, 1]);
+    return { update: () => {}, draw: () => gl.clearBufferfv(gl.COLOR, 0, color), dispose: () => {} };
   },
 };
 
@@ -40,6 +51,7 @@ export async function setUp() {
         { id: 'camera', kind: 'external', domain: 'view' },
         { id: 'room', kind: 'room-depth' },
         target('photo.small', { domain: 'image', size: { base: 'photo', width: [{ op: 'width' }, 2, { op: '/' }], height: [8] } }),
+        target('drawn', { samples: 4, depth: 'window' }),
         target('half', { size: { base: 'view', width: [{ op: 'width' }, { slot: 3 }, { op: '*' }], height: [{ op: 'height' }] } }),
         target('smooth', { samples: 4, depth: 'window' }),
         target('history', { lifetime: 'persistent' }),
@@ -68,6 +80,16 @@ export async function setUp() {
           config: {},
           assets: {},
         },
+        sourceOperation('source/camera-video', 'layer', 'camera', { params: { color: 2 }, config: { withoutImage: 'color' } }),
+        sourceOperation('world/depth', 'depth', 'room'),
+        {
+          ...sourceOperation('draw', 'layer', 'drawn', { outputs: {} }),
+          kind: 'draw',
+          view: 'each',
+          target: 'drawn',
+          shadowMaps: null,
+          occlusion: null,
+        } as DrawOperation,
         pass('small', 1, 'photo.small', {
           view: 'once',
           samplers: [colorSampler('picture', 'photo')],
@@ -77,7 +99,7 @@ export async function setUp() {
           samplers: [colorSampler('picture', 'camera')],
           uniforms: [{ name: 'value', type: 'float', source: { slot: 1 } }],
         }),
-        pass('smooth', 1, 'smooth', { samplers: [colorSampler('picture', 'half')] }),
+        pass('smooth', 1, 'smooth', { samplers: [colorSampler('picture', 'drawn')] }),
         pass('history', 0, 'history', {
           samplers: [
             colorSampler('picture', 'photo.small', 'cover'),
@@ -92,7 +114,7 @@ export async function setUp() {
         pass('screen', 1, 'screen', { blend: 'over', samplers: [colorSampler('picture', 'history')] }),
       ],
     }),
-    { modules: { add: addOne } },
+    { modules: { add: addOne, draw: drawing, 'source/camera-video': cameraVideo, 'world/depth': roomDepth } },
   );
   player = stage.player;
   player.setSession({ world: 'image', blend: 'opaque' });

@@ -4,7 +4,7 @@ import { openModule, useBrowser } from '../support/browser.ts';
 
 const chromium = useBrowser();
 
-const FRAMES = 1000;
+const FRAMES = 4000;
 /** A number that V8 keeps on the heap: the smallest thing a function can leave behind every frame. */
 const SMALLEST_OBJECT_BYTES = 12;
 
@@ -39,10 +39,17 @@ test('a frame of two views allocates nothing', async () => {
   const devtools = await page.page.context().newCDPSession(page.page);
   expect(await page.call('setUp')).toBe(0);
   // Until the optimising compiler is done: before it, every fraction between two steps of a sum is an object.
-  await page.call('run', 6000);
+  await page.call('run', 4000);
   await page.call('runCareless', 1000);
   await devtools.send('HeapProfiler.enable');
   expect(await allocators(devtools, () => page.call('runCareless', FRAMES))).toEqual([expect.stringMatching(/careless/i)]);
-  expect(await allocators(devtools, () => page.call('run', FRAMES))).toEqual([]);
+  let found: string[] = [];
+  for (let attempt = 0; attempt < 4; attempt++) {
+    found = await allocators(devtools, () => page.call('run', FRAMES));
+    if (found.length === 0) break;
+    // The optimising compiler works beside the page, and comes late on a busy machine.
+    await page.call('run', 3000);
+  }
+  expect(found).toEqual([]);
   await page.close();
 }, 60_000);
