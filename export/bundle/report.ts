@@ -82,5 +82,5 @@ function groupOf(path: string): string {
   const afterModules = path.split('node_modules/').pop() ?? path;
   const parts = afterModules.split('/');
   if (afterModules !== path) return parts.slice(0, afterModules.startsWith('@') ? 2 : 1).join('/');
-  return parts.slice(0, parts[0] === 'nodes' ? 3 : 2).join('/');
+  return parts.slice(0, parts[0] === 'nodes' && parts[1] !== 'kit' ? 3 : 2).join('/');
 }
