@@ -57,6 +57,16 @@ describe('muted nodes', () => {
     expect(passes(made)).toMatchObject([{ node: 'sepia-z', samplers: [{ source: { resource: 'video-a.layer' } }] }]);
   });
 
+  test('and subgraphs can be looked at: what is seen is what stands in for them', () => {
+    const studio = subgraphs().add('sepia-z', 'filter/sepia').wire('twice-a.layer -> sepia-z.inputImage').mute('sepia-z');
+    const made = program(studio, { taps: ['twice-a.layer', 'twice-a/first-a.layer', 'sepia-z.layer'] });
+    expect(Object.entries(made.taps).map(([name, { color }]) => [name, color])).toEqual([
+      ['sepia-z.layer', 'twice-a/second-a/sobel-a.layer'],
+      ['twice-a.layer', 'twice-a/second-a/sobel-a.layer'],
+      ['twice-a/first-a.layer', 'twice-a/first-a/sobel-a.layer'],
+    ]);
+  });
+
   test('let objects through, all of them where several go', () => {
     const made = program(
       sceneStudio()

@@ -9,6 +9,8 @@ export interface FlatGraph {
   readonly nodes: ReadonlyMap<string, FlatNode>;
   /** Params that subgraphs show outside: `outer.param` → `outer/inner.param`. */
   readonly aliases: ReadonlyMap<string, string>;
+  /** Outputs of nodes that are not there any more, inlined or muted, as `node.port` → the output that stands in for it. */
+  readonly standIns: ReadonlyMap<string, Source>;
   /** What the screen shows; null where there is none, or more than one. */
   readonly screen: FlatNode | null;
 }

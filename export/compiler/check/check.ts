@@ -12,7 +12,13 @@ export interface Checked {
   readonly live: readonly FlatNode[];
   /** The same for everything that is looked at besides. */
   readonly tapped: readonly FlatNode[];
-  readonly taps: readonly Source[];
+  readonly taps: readonly Tap[];
+}
+
+/** A layer to look at, by the name that it was asked for by. */
+export interface Tap {
+  readonly name: string;
+  readonly source: Source;
 }
 
 /**
@@ -30,10 +36,10 @@ export function check({ project, library, graph }: Resolved, taps: readonly stri
   const live = order.filter(({ id }) => liveIds.has(id));
   diagnostics.push(...live.flatMap(checkNode));
   if (hasErrors(diagnostics)) return { output: null, diagnostics };
-  const whole = wholeTaps(order, taps);
+  const whole = wholeTaps(graph, order, taps);
   const tappedIds = nodesBehind(
     graph,
-    whole.map(({ node }) => node),
+    whole.map(({ source }) => source.node),
   );
   return { output: { graph, screen, live, tapped: order.filter(({ id }) => tappedIds.has(id)), taps: whole }, diagnostics };
 }
@@ -78,13 +84,13 @@ function checkNode(node: FlatNode): Diagnostic[] {
   return diagnostics;
 }
 
-function wholeTaps(order: readonly FlatNode[], taps: readonly string[]): Source[] {
+function wholeTaps({ standIns }: FlatGraph, order: readonly FlatNode[], taps: readonly string[]): Tap[] {
   const whole = taps.length === 0 ? new Map<string, FlatNode>() : wholeNodes(order);
-  return [...new Set(taps)].sort().flatMap((tap): Source[] => {
-    const dot = tap.lastIndexOf('.');
-    const source = { node: tap.slice(0, dot), port: tap.slice(dot + 1) };
+  return [...new Set(taps)].sort().flatMap((name): Tap[] => {
+    const dot = name.lastIndexOf('.');
+    const source = standIns.get(name) ?? { node: name.slice(0, dot), port: name.slice(dot + 1) };
     const outputs = whole.get(source.node)?.definition.outputs ?? {};
-    return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer' ? [source] : [];
+    return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer' ? [{ name, source }] : [];
   });
 }
 

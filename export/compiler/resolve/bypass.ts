@@ -1,12 +1,12 @@
 import { topologicalOrder } from '../../graph/topology.ts';
-import { type FlatNode, portKey, type Source } from '../flat-graph.ts';
-import type { DraftNode } from './flatten.ts';
+import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
+import type { Draft, DraftNode } from './flatten.ts';
 
 /**
  * Takes muted nodes out: what was wired to an output of theirs gets what comes into their first wired input of the same type; all of
  * it where several wires go, the first where one does.
  */
-export function bypassMuted(nodes: ReadonlyMap<string, DraftNode>): Map<string, FlatNode> {
+export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 'standIns'> {
   const passed = passedSources(nodes);
   const flat = new Map<string, FlatNode>();
   for (const { id, definition, muted, inputs, bindings } of nodes.values()) {
@@ -21,7 +21,12 @@ export function bypassMuted(nodes: ReadonlyMap<string, DraftNode>): Map<string, 
     }
     flat.set(id, { id, definition, inputs: kept, bindings, cutOff });
   }
-  return flat;
+  const standIns = new Map<string, Source>();
+  for (const [key, sources] of [...passed, ...[...shown].map(([key, source]) => [key, [source]] as const)]) {
+    const [first] = passThrough(sources, passed);
+    if (first) standIns.set(key, first);
+  }
+  return { nodes: flat, standIns };
 }
 
 type Passed = ReadonlyMap<string, readonly Source[]>;

@@ -18,6 +18,8 @@ export interface DraftNode {
 export interface Draft {
   readonly nodes: Map<string, DraftNode>;
   readonly aliases: Map<string, string>;
+  /** What subgraphs show outside: `outer.port` → the output behind it. */
+  readonly shown: Map<string, Source>;
 }
 
 /**
@@ -25,9 +27,10 @@ export interface Draft {
  * from outside come first.
  */
 export function flatten(instances: readonly Instance[], faceOf: FaceLookup, library: NodeLibrary): Draft {
-  const draft: Draft = { nodes: new Map(), aliases: new Map() };
+  const draft: Draft = { nodes: new Map(), aliases: new Map(), shown: new Map() };
   for (const instance of instances) addNodes(draft, instance, faceOf, library);
   addWires(draft, instances);
+  addShownOutputs(draft, instances);
   addOuterBindings(draft, instances);
   return draft;
 }
@@ -59,6 +62,18 @@ function addWires({ nodes }: Draft, instances: readonly Instance[]): void {
       const wires = node.inputs.get(target.port);
       if (wires) wires.push(source);
       else node.inputs.set(target.port, [source]);
+    }
+  }
+}
+
+function addShownOutputs({ shown }: Draft, instances: readonly Instance[]): void {
+  const findSource = createDescend('outputs');
+  for (const instance of instances) {
+    for (const [id, child] of instance.children) {
+      for (const { name } of child.graph.exposed.outputs) {
+        const source = findSource(instance, { node: id, port: name });
+        if (source) shown.set(`${instance.prefix}${id}.${name}`, source);
+      }
     }
   }
 }

@@ -24,10 +24,10 @@ export function resolve(project: ProjectLogic, library: NodeLibrary): Result<Res
   const instances = listInstances(migrated.project);
   if (!instances.ok) return { output: null, diagnostics: [tooMany()] };
   const draft = flatten(instances.list, createFaceLookup(migrated.project, library), library);
-  const nodes = bypassMuted(draft.nodes);
+  const { nodes, standIns } = bypassMuted(draft);
   const screens = [...nodes.values()].filter((node) => node.definition.lowering.kind === 'present');
   const [screen = null] = screens.length === 1 ? screens : [];
-  const graph: FlatGraph = { nodes, aliases: draft.aliases, screen };
+  const graph: FlatGraph = { nodes, aliases: draft.aliases, standIns, screen };
   return { output: { project: migrated.project, library, graph }, diagnostics: migrated.diagnostics };
 }
 

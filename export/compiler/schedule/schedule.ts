@@ -1,8 +1,8 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import type { LayerRef, Presentation, Resource, SlotTable } from '../../program/program.ts';
-import { type Checked, nodesBehind } from '../check/check.ts';
-import { type FlatNode, portKey, type Source } from '../flat-graph.ts';
+import { type Checked, nodesBehind, type Tap } from '../check/check.ts';
+import { type FlatNode, portKey } from '../flat-graph.ts';
 import type { ShaderStore } from '../shaders/shader-store.ts';
 import { type DemandStart, findDemand } from './demand.ts';
 import { describeLayers } from './layers.ts';
@@ -57,13 +57,13 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const taps = linkableTaps(lowering, checked);
   const behind = nodesBehind(
     graph,
-    taps.map(({ node }) => node),
+    taps.map(({ source }) => source.node),
   );
   const besides = tapped.filter(({ id }) => behind.has(id));
-  const looked = findDemand(graph, besides, { nodes: [], images: taps, sunk: [] }, () => true, demand);
+  const looked = findDemand(graph, besides, { nodes: [], images: taps.map(({ source }) => source), sunk: [] }, () => true, demand);
   lowerTapped(lowering, besides, looked, shown);
   const isLive = new Set(live.map(({ id }) => id));
-  const tappedLayers = taps.map((tap) => [portKey(tap), layerAt(lowering, tap, (layer) => depthAt(lowering, layer))] as const);
+  const tappedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
   return {
     output: {
       operations: orderOperations(lowering.steps, shown.onScreen),
@@ -96,14 +96,14 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
 }
 
 /** A shader that cannot be linked takes the pictures behind it, and no others: the screen does not depend on it. */
-function linkableTaps(lowering: Lowering, { graph, tapped, taps }: Checked): readonly Source[] {
+function linkableTaps(lowering: Lowering, { tapped, taps }: Checked): readonly Tap[] {
   const broken = new Set<string>();
   for (const node of tapped) {
     const after = [...node.inputs.values()].flat().some((source) => broken.has(source.node));
     if (after || !isLinkable(lowering, node)) broken.add(node.id);
     if (!after && broken.has(node.id)) lowering.diagnostics.push(brokenShader(node));
   }
-  return taps.filter(({ node }) => graph.nodes.has(node) && !broken.has(node));
+  return taps.filter(({ source }) => !broken.has(source.node));
 }
 
 function brokenShader({ id, definition }: FlatNode): Diagnostic {
