@@ -4,7 +4,7 @@ import { openModule, useBrowser } from '../support/browser.ts';
 
 const chromium = useBrowser();
 
-const FRAMES = 4000;
+const FRAMES = 2500;
 /** A number that V8 keeps on the heap: the smallest thing a function can leave behind every frame. */
 const SMALLEST_OBJECT_BYTES = 12;
 
@@ -39,8 +39,8 @@ test('a frame of two views allocates nothing', async () => {
   const devtools = await page.page.context().newCDPSession(page.page);
   expect(await page.call('setUp')).toBe(0);
   // Until the optimising compiler is done: before it, every fraction between two steps of a sum is an object.
-  await page.call('run', 4000);
-  await page.call('runCareless', 1000);
+  await page.call('run', 2500);
+  await page.call('runCareless', 500);
   await devtools.send('HeapProfiler.enable');
   expect(await allocators(devtools, () => page.call('runCareless', FRAMES))).toEqual([expect.stringMatching(/careless/i)]);
   let found: string[] = [];
