@@ -29,7 +29,7 @@ async function main(): Promise<void> {
     library: { definitions: DEFINITIONS, shaders: SHADERS },
     mac: navigator.platform.startsWith('Mac'),
     clipboard: createPageClipboard(navigator.clipboard),
-    sizes: loadSizes(localStorage),
+    sizes: loadSizes(localStorage, window.innerWidth),
   });
   const worker = new Worker(new URL('./compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
   const feed = createFeed(editor, worker);

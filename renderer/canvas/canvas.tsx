@@ -1,10 +1,20 @@
-import { Background, BackgroundVariant, MiniMap, ReactFlow, ReactFlowProvider, SelectionMode, useReactFlow } from '@xyflow/react';
+import {
+  Background,
+  BackgroundVariant,
+  MiniMap,
+  ReactFlow,
+  ReactFlowProvider,
+  SelectionMode,
+  useStore as useFlowStore,
+  useReactFlow,
+} from '@xyflow/react';
 import '@xyflow/react/dist/base.css';
 import { useRef } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { CanvasControls } from './canvas-controls.tsx';
 import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
 import './canvas.css';
+import './far-view.css';
 import { ConnectionHint } from './connection-hint.tsx';
 import { useFileDrop } from './file-drop.ts';
 import { NodeView } from './node-view.tsx';
@@ -19,6 +29,8 @@ import { WireInHand, WireView } from './wire-view.tsx';
 const NODE_TYPES = { scrim: NodeView };
 const WIRE_VIEWS = { scrim: WireView };
 const SNAP: [number, number] = [8, 8];
+/** Further out than this, names are all that can be read. */
+const FAR_ZOOM = 0.5;
 const ARIA_LABELS = {
   'node.a11yDescription.default': 'Enter selects the node, arrow keys move it, Delete removes it. Its wires are in the inspector.',
   'edge.a11yDescription.default': 'Enter selects the wire, Delete removes it.',
@@ -42,9 +54,10 @@ function CanvasInside() {
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition);
   useReveal();
+  const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
 
   return (
-    <div ref={root} className="canvas" {...drop.handlers}>
+    <div ref={root} tabIndex={-1} className={far ? 'canvas canvas-far' : 'canvas'} {...drop.handlers}>
       <ReactFlow<CanvasNode, CanvasWire>
         nodes={nodes}
         edges={wires}
@@ -56,6 +69,7 @@ function CanvasInside() {
         onConnect={handlers.onConnect}
         onConnectStart={handlers.onConnectStart}
         onConnectEnd={handlers.onConnectEnd}
+        onReconnectStart={handlers.onReconnectStart}
         onReconnect={handlers.onReconnect}
         onReconnectEnd={handlers.onReconnectEnd}
         isValidConnection={handlers.isValidConnection}

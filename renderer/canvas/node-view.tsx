@@ -15,7 +15,7 @@ export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps
   const dimmed = useDimmedPorts(id, data.shape.ports);
   return (
     <div className={classOf(data, selected, dimmed === 'all')} data-node={id}>
-      <div className="node-head" style={{ height: HEADER_HEIGHT }}>
+      <div className="node-head">
         {data.type && <PortMark type={data.type} />}
         <span className="node-title">{data.title}</span>
         {data.problem && (

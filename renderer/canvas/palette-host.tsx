@@ -20,24 +20,27 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   const library = useDocument((state) => state.library);
   const definitions = useMemo(() => [...library.types()].flatMap((type) => library.definition(type) ?? []), [library]);
   if (request === null) return null;
-  const close = () => {
+  const close = (added: string | null) => {
     editor.ui.setState({ palette: null });
-    canvas.current?.querySelector<HTMLElement>('.react-flow')?.focus();
+    // Keys go on where the person is: at the new node, or on the canvas.
+    editor.clock.nextFrame(() => {
+      const node = added === null ? null : canvas.current?.querySelector<HTMLElement>(`.react-flow__node[data-id="${added}"]`);
+      (node ?? canvas.current)?.focus();
+    });
   };
   return (
     <Palette
       definitions={definitions}
       end={request.end}
       at={request.at}
-      onClose={close}
+      onClose={() => close(null)}
       onChoose={(entry) => {
         const { end } = request;
         const place = request.place ?? toCanvas(middleOf(canvas.current));
         // Dropped wires end at the new node's first port, so the node stands beside the place, not on it.
         const x = end === null ? place.x - NODE_WIDTH / 2 : end.side === 'output' ? place.x : place.x - NODE_WIDTH;
         const y = end === null ? place.y : place.y - FIRST_PORT_Y;
-        addNodeFromPalette(editor, entry, { x, y }, end);
-        close();
+        close(addNodeFromPalette(editor, entry, { x, y }, end));
       }}
     />
   );

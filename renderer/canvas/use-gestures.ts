@@ -1,5 +1,5 @@
 import type { Connection, Edge, EdgeChange, FinalConnectionState, HandleType, NodeChange } from '@xyflow/react';
-import { type MouseEvent as ReactMouseEvent, useCallback } from 'react';
+import { type MouseEvent as ReactMouseEvent, useCallback, useRef } from 'react';
 import { useEditor } from '../shell/editor-context.ts';
 import { dragTo, dropWire, endDrag, offerParams, type Place } from '../state/canvas.ts';
 import { connect, explainRefusal, moveNodes, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
@@ -26,6 +26,11 @@ export function useGestures(toCanvas: (client: Place) => Place) {
     (changes: EdgeChange<CanvasWire>[]) => changeSelection(editor.selection, selectionChanges('wire', changes)),
     [editor],
   );
+  /** An end of a wire that is there is in hand; React Flow tells of it as of a new one, too. */
+  const rewiring = useRef(false);
+  const onReconnectStart = useCallback(() => {
+    rewiring.current = true;
+  }, []);
   const isValidConnection = useCallback(
     (connection: Connection | Edge) => {
       const ends = endsOf(connection);
@@ -54,7 +59,7 @@ export function useGestures(toCanvas: (client: Place) => Place) {
       if (inHand === null || end.isValid === true) return;
       const client = clientOf(event);
       if (end.toHandle) explainRefusal(editor, inHand, endOf(end.toHandle));
-      else if (onPane(event)) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
+      else if (onPane(event) && !rewiring.current) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
     },
     [editor, toCanvas],
   );
@@ -67,6 +72,7 @@ export function useGestures(toCanvas: (client: Place) => Place) {
   );
   const onReconnectEnd = useCallback(
     (_event: MouseEvent | TouchEvent, wire: CanvasWire, _type: HandleType, end: FinalConnectionState) => {
+      rewiring.current = false;
       // Pulled off and let go over nothing: the usual way to take a wire away.
       if (end.isValid !== true && !end.toHandle) removeWires(editor, [wire.id]);
     },
@@ -94,6 +100,7 @@ export function useGestures(toCanvas: (client: Place) => Place) {
     onConnect,
     onConnectStart,
     onConnectEnd,
+    onReconnectStart,
     onReconnect,
     onReconnectEnd,
     onNodeEnter,

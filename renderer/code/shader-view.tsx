@@ -75,7 +75,7 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
     });
     return () => {
       stopped = true;
-      typing.end();
+      typing.dispose();
       view?.dispose();
       setTools(null);
     };

@@ -89,7 +89,7 @@ function VectorControl({ param, value, id, onEdit, onEnd }: ControlProps<VectorP
   const { suffix, shownPerStored } = shownUnit(param.unit);
   const parts: readonly number[] = Array.isArray(value) ? value : param.default;
   return (
-    <div className="vector-control">
+    <div className="vector-control" data-size={param.default.length}>
       {AXES.slice(0, param.default.length).map((axis, index) => {
         const limits = { min: param.min?.[index], max: param.max?.[index] };
         return (

@@ -9,6 +9,7 @@ import { editParam, resetParam } from '../state/edit-params.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ParamControl } from './param-control.tsx';
 import { SourceLink } from './source-link.tsx';
+import { shownUnit } from './units.ts';
 
 interface ParamRowProps {
   readonly node: string;
@@ -24,12 +25,17 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
   const editor = useEditor();
   const id = useId();
   const type = paramWireType(param);
+  // Fields of a vector are too narrow to say it themselves.
+  const unit = param.type.startsWith('vector') && 'unit' in param ? shownUnit(param.unit).suffix : '';
   const changed = source !== undefined || (binding !== undefined && !isDefaultPort(param, binding));
   return (
     <div className="param-row" data-param={name}>
       <label htmlFor={id} className="param-label" data-tip={param.doc}>
         {type && <PortMark type={type} />}
-        <span>{param.label}</span>
+        <span>
+          {param.label}
+          {unit !== '' && <span className="param-unit"> {unit}</span>}
+        </span>
       </label>
       <div className="param-control">
         {source ? (

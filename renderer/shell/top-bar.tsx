@@ -1,4 +1,4 @@
-import { useState } from 'react';
+import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
 import { isDirty } from '../state/document.ts';
@@ -68,6 +68,9 @@ function Title() {
   const title = useDocument((state) => state.project.title);
   const path = useDocument((state) => state.open?.displayPath ?? '');
   const dirty = useDocument(isDirty);
+  useEffect(() => {
+    document.title = `${dirty ? '• ' : ''}${title} – Scrim`;
+  }, [dirty, title]);
   return (
     <div className="top-title" data-tip={path === '' ? undefined : path}>
       <h1>{title}</h1>

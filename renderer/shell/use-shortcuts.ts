@@ -14,13 +14,19 @@ export function useShortcuts(): void {
   const editor = useEditor();
   useEffect(() => {
     const blocked = () => editor.ui.getState().dialog !== null || editor.ui.getState().palette !== null;
+    /** The last press of the pointer was on the canvas: Tab then asks for a node, else it moves the focus. */
+    let pointedAtCanvas = false;
+    const onPointerDown = (event: PointerEvent) => {
+      pointedAtCanvas = isOnCanvas(event.target);
+    };
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || blocked()) return;
       const chord = chordOf(event, editor.mac);
-      const id = commandOfChord(chord, isTyping(event.target));
+      const id = commandOfChord(chord, isTyping(event.target) && !(isUndo(chord) && isClean(event.target)));
+      const takesTab = pointedAtCanvas && isOnCanvas(event.target);
+      if (chord === 'Tab' && !takesTab) pointedAtCanvas = false;
       if (id === null || !appCommand(id).enabled(editor)) return;
-      // Tab moves the focus everywhere but on the canvas.
-      if (chord === 'Tab' && !isOnCanvas(event.target)) return;
+      if (chord === 'Tab' ? !takesTab : !chord.startsWith('Mod+') && !isOnCanvas(event.target)) return;
       event.preventDefault();
       runCommand(editor, id);
     };
@@ -42,11 +48,13 @@ export function useShortcuts(): void {
       event.preventDefault();
       pasteClipping(editor, clipping, 'Paste', PASTE_OFFSET);
     };
+    window.addEventListener('pointerdown', onPointerDown, true);
     window.addEventListener('keydown', onKeyDown);
     document.addEventListener('copy', onCopy);
     document.addEventListener('cut', onCut);
     document.addEventListener('paste', onPaste);
     return () => {
+      window.removeEventListener('pointerdown', onPointerDown, true);
       window.removeEventListener('keydown', onKeyDown);
       document.removeEventListener('copy', onCopy);
       document.removeEventListener('cut', onCut);
@@ -57,6 +65,15 @@ export function useShortcuts(): void {
 
 function isOnCanvas(target: EventTarget | null): boolean {
   return target === document.body || (target instanceof Element && target.closest('.canvas') !== null);
+}
+
+function isUndo(chord: string): boolean {
+  return appCommand('edit.undo').chords.includes(chord) || appCommand('edit.redo').chords.includes(chord);
+}
+
+/** A number field without text that waits to be taken over has nothing of its own to undo. */
+function isClean(target: EventTarget | null): boolean {
+  return target instanceof HTMLElement && target.dataset.clean !== undefined;
 }
 
 function hasSelectedText(): boolean {

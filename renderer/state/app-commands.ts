@@ -43,7 +43,7 @@ const COMMANDS = {
   'edit.delete': { label: 'Delete', chords: ['Delete', 'Backspace'], enabled: hasSelection, run: (editor) => void deleteSelection(editor) },
   'edit.select-all': { label: 'Select all', chords: ['Mod+A'], enabled: isOpen, run: selectAll },
   'edit.mute': { label: 'Mute', chords: ['M'], enabled: hasNodes, run: (editor) => void toggleMuted(editor) },
-  'graph.add': { label: 'Add node…', chords: ['Tab'], enabled: isOpen, run: openPalette },
+  'graph.add': { label: 'Add node…', chords: ['Tab', 'Shift+A'], enabled: isOpen, run: openPalette },
   'view.fit': { label: 'Show the whole graph', chords: ['F'], enabled: isOpen, run: ({ ui }) => revealNodes(ui, [], 'fit') },
   'view.fit-selection': {
     label: 'Show the selection',

@@ -25,6 +25,8 @@ export interface Editor {
   readonly mac: boolean;
   readonly clipboard: Clipboard;
   readonly libraries: Libraries;
+  /** Take over at once what is being typed; run before files are made of the document. */
+  readonly unfinished: Set<() => void>;
   readonly document: DocumentStore;
   readonly selection: SelectionStore;
   readonly canvas: CanvasStore;
@@ -52,6 +54,7 @@ export function createEditor({ host, clock, random, library, mac, clipboard, siz
     mac,
     clipboard,
     libraries,
+    unfinished: new Set(),
     document: createDocument(libraries.of({ sources: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),

@@ -11,8 +11,9 @@ import type { Editor } from './editor.ts';
 import { selectNothing } from './selection.ts';
 import { addToast, toastDiagnostic } from './ui.ts';
 
-/** The texts that the open project would be saved as. */
+/** The texts that the open project would be saved as, with what is being typed at the moment. */
 export function filesOf(editor: Editor): ProjectFiles {
+  for (const finish of editor.unfinished) finish();
   return saveProject(editor.document.getState().project);
 }
 
@@ -78,15 +79,11 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
 }
 
 export async function save(editor: Editor, overwrite = false): Promise<boolean> {
+  const files = filesOf(editor);
   const { open, history } = editor.document.getState();
   if (open === null) return false;
   try {
-    const { revision } = await editor.host.call('project.save', {
-      handle: open.handle,
-      files: filesOf(editor),
-      revision: open.revision,
-      overwrite,
-    });
+    const { revision } = await editor.host.call('project.save', { handle: open.handle, files, revision: open.revision, overwrite });
     editor.document.setState((state) => ({ open: state.open && { ...state.open, revision }, savedState: history.state }));
     return true;
   } catch (error) {
@@ -102,15 +99,14 @@ export async function saveAs(editor: Editor, chosen?: string): Promise<boolean> 
   if (open === null) return false;
   const path = chosen ?? (await pickFolder(editor, 'save-as'));
   if (path === null) return false;
+  const files = filesOf(editor);
+  const { history } = editor.document.getState();
   try {
-    const opened = await editor.host.call('project.save-as', { handle: open.handle, path, files: filesOf(editor) });
+    const opened = await editor.host.call('project.save-as', { handle: open.handle, path, files });
     const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
     await editor.host.call('project.autosave', { handle: open.handle, files: null });
     await editor.host.call('project.close', { handle: open.handle });
-    editor.document.setState(({ history }) => ({
-      open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
-      savedState: history.state,
-    }));
+    editor.document.setState({ open: { handle, displayPath, revision, assetBaseUrl, assetFiles }, savedState: history.state });
     editor.ui.setState({ dialog: null });
     addToast(editor.ui, { tone: 'success', text: `Saved to ${displayPath}.` });
     return true;

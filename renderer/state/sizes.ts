@@ -4,18 +4,21 @@ import { DEFAULT_SIZES, type PanelSizes } from './ui.ts';
 
 const KEY = 'scrim-panels';
 const PAUSE_MS = 300;
+const NARROW_PX = 1200;
+const NARROW_SIZES = { sideWidthPx: 330, previewHeightPx: 270, bottomHeightPx: 250 };
 
-/** As the person left them; defaults for what is missing or senseless. */
-export function loadSizes(storage: Pick<Storage, 'getItem'>): PanelSizes {
+/** As the person left them; defaults, narrower in a narrow window, for what is missing or senseless. */
+export function loadSizes(storage: Pick<Storage, 'getItem'>, windowWidthPx: number): PanelSizes {
   let saved: Partial<Record<keyof PanelSizes, unknown>> = {};
   try {
     saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
   } catch {
     // Someone else's text: defaults do.
   }
+  const defaults = windowWidthPx < NARROW_PX ? { ...DEFAULT_SIZES, ...NARROW_SIZES } : DEFAULT_SIZES;
   const size = (name: keyof PanelSizes) => {
     const value = saved[name];
-    return typeof value === 'number' && value > 0 && value < 10_000 ? value : DEFAULT_SIZES[name];
+    return typeof value === 'number' && value > 0 && value < 10_000 ? value : defaults[name];
   };
   return { sideWidthPx: size('sideWidthPx'), previewHeightPx: size('previewHeightPx'), bottomHeightPx: size('bottomHeightPx') };
 }

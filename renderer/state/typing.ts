@@ -15,6 +15,7 @@ export interface Typing {
   flush(node: string): void;
   /** Takes over what was typed, as a step of its own. */
   end(): void;
+  dispose(): void;
 }
 
 export function createTyping(editor: Editor): Typing {
@@ -29,6 +30,7 @@ export function createTyping(editor: Editor): Typing {
     pause.flush();
     endGesture(editor);
   };
+  editor.unfinished.add(end);
   return {
     type: (node, text) => {
       if (waiting !== null && waiting.node !== node) end();
@@ -40,5 +42,9 @@ export function createTyping(editor: Editor): Typing {
       if (waiting !== null && waiting.node !== node) end();
     },
     end,
+    dispose: () => {
+      end();
+      editor.unfinished.delete(end);
+    },
   };
 }

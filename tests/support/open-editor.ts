@@ -1,0 +1,60 @@
+import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { dirname, join, resolve } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import { startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { collectErrors } from './browser.ts';
+import { EditorDriver } from './editor-driver.ts';
+
+const ROOT = resolve(import.meta.dirname, '../..');
+
+export interface OpenEditor {
+  readonly page: Page;
+  readonly editor: EditorDriver;
+  /** Absolute. */
+  readonly project: string;
+  readonly errors: readonly string[];
+  close(): Promise<void>;
+}
+
+export interface GraphText {
+  readonly nodes: Readonly<Record<string, { readonly type: string; readonly params?: Readonly<Record<string, unknown>> }>>;
+  readonly wires: readonly string[];
+  readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
+}
+
+/** The built editor on loopback, showing a project of one graph in a folder of its own. */
+export async function openEditor(browser: Browser, graph: GraphText, size = { width: 1440, height: 900 }): Promise<OpenEditor> {
+  const project = await mkdtemp(join(tmpdir(), 'scrim-editor-'));
+  for (const [path, text] of Object.entries(filesOf(graph))) {
+    await mkdir(dirname(join(project, path)), { recursive: true });
+    await writeFile(join(project, path), text);
+  }
+  const log = (message: string) => process.stderr.write(`${message}\n`);
+  const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
+  const page = await browser.newPage({ viewport: size });
+  const errors = collectErrors(page);
+  await page.goto(server.url);
+  await page.locator('.react-flow__node').first().waitFor();
+  return {
+    page,
+    editor: new EditorDriver(page),
+    project,
+    errors,
+    close: async () => {
+      await page.close();
+      await server.close();
+      await rm(project, { recursive: true, force: true });
+    },
+  };
+}
+
+function filesOf({ nodes, wires, places }: GraphText): Record<string, string> {
+  const whole = Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { version: 1, ...node }]));
+  const layout = Object.fromEntries(Object.entries(places).map(([id, [x, y]]) => [id, { x, y }]));
+  return {
+    'project.scrim.json': JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs: { main: { nodes: whole, wires } } }),
+    'project.layout.json': JSON.stringify({ format: 'scrim-layout', version: 1, graphs: { main: { nodes: layout } } }),
+  };
+}
