@@ -2,7 +2,7 @@ import type { DepthFormat, DepthUsage } from './options.ts';
 
 export type DeviceName = 'phone' | 'headset' | 'glasses';
 
-/** What one kind of device has, as far as pages can tell. Sources: the table "Devices, 2026" in docs/EMULATOR.md. */
+/** What one kind of device has, as far as pages can tell. Sources: export/emulator/README.md. */
 export interface DeviceProfile {
   readonly views: 1 | 2;
   readonly blend: 'alpha-blend' | 'additive';

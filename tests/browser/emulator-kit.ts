@@ -123,3 +123,35 @@ function unit([x, y, z]: Triple): Triple {
   const length = Math.hypot(x, y, z);
   return [x / length, y / length, z / length];
 }
+
+/** A floor, and a table of 80 cm in front. */
+const FLOOR = { label: 'floor', centerWorld: [0, -0.05, 0], sizeM: [8, 0.1, 8] } as const;
+const TABLE = { label: 'table', centerWorld: [0, 0.4, -2], sizeM: [1, 0.8, 1] } as const;
+export const TABLE_ROOM = { boxes: [FLOOR, TABLE] };
+
+/** In that room unless the options name another. */
+export async function onStage<T>(options: EmulatorOptions, init: XRSessionInit, act: (stage: Stage) => Promise<T>): Promise<T> {
+  const stage = await enter({ room: TABLE_ROOM, ...options }, init);
+  try {
+    return await act(stage);
+  } finally {
+    await stage.leave();
+  }
+}
+
+export function point(p: DOMPointReadOnly | undefined): number[] {
+  return p ? [round(p.x), round(p.y), round(p.z)] : [];
+}
+
+export function up(m: ArrayLike<number> | undefined): number[] {
+  return [4, 5, 6].map((i) => round(m?.[i] ?? 0));
+}
+
+export function forward(m: ArrayLike<number> | undefined): number[] {
+  return [8, 9, 10].map((i) => round(-(m?.[i] ?? 0)));
+}
+
+/** To a tenth of a millimetre, without negative zero. */
+export function round(x: number): number {
+  return Math.round(x * 1e4) / 1e4 + 0;
+}

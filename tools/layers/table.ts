@@ -118,8 +118,9 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'makers of examples',
     files: ['tools/{examples,sessions}/**'],
-    imports: ['kit', 'graph', 'recorded session format', 'tools'],
-    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png'],
+    // The studio is filmed in a browser, by the emulator's own means.
+    imports: ['kit', 'graph', 'recorded session format', 'tools', 'services', 'emulator'],
+    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'esbuild', 'playwright-core'],
   },
   {
     name: 'tools',

@@ -22,7 +22,7 @@ export interface Room {
 export interface PrimaryLight {
   /** Unit vector from the scene towards the light. */
   readonly directionWorld: readonly [number, number, number];
-  /** Linear-sRGB irradiance on a surface that faces it. */
+  /** Linear-sRGB irradiance on a surface that faces it, as devices estimate it: for the room as a whole. */
   readonly intensity: readonly [number, number, number];
 }
 

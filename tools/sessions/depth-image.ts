@@ -1,0 +1,76 @@
+import { decode } from 'fast-png';
+import type { Intrinsics } from '../../export/runtime/sessions/format.ts';
+import { cross, dot, normalize, subtract, type Vector } from './vector.ts';
+
+/** Depth of one frame: metres along the camera's axis, row-major from the top, 0 where unknown. */
+export interface DepthImage {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly metres: Float32Array;
+}
+
+/** @throws Error when the PNG is no 16-bit picture of one channel. */
+export function decodeDepthPng(png: Uint8Array, metresPerUnit: number): DepthImage {
+  const { width, height, data, depth, channels } = decode(png);
+  if (depth !== 16 || channels !== 1) throw new Error(`a depth picture has one channel of 16 bits; this one has ${channels} of ${depth}`);
+  return { widthPx: width, heightPx: height, metres: Float32Array.from(data, (unit) => unit * metresPerUnit) };
+}
+
+/** A place on a surface, in camera space (looking down −z, y up). */
+export interface SurfacePoint {
+  readonly point: Vector;
+  /** Unit vector towards the camera's side. */
+  readonly normal: Vector;
+}
+
+/** Between the neighbours whose difference gives the normal, of the width: wide enough to stand above depth's millimetre steps. */
+const REACH = 1 / 130;
+/** On a plane, however slanted, 1 / depth changes evenly from pixel to pixel; where it does not, an edge runs between them. */
+const MAX_BEND = 0.01;
+
+/** Points with normals, on a grid of every `stridePx` pixels; where depth is torn or unknown there is none. */
+export function surfacePoints(depth: DepthImage, intrinsics: Intrinsics, stridePx: number): SurfacePoint[] {
+  const out: SurfacePoint[] = [];
+  const reachPx = Math.max(2, Math.round(depth.widthPx * REACH));
+  for (let row = reachPx; row < depth.heightPx - reachPx; row += stridePx) {
+    for (let column = reachPx; column < depth.widthPx - reachPx; column += stridePx) {
+      const found = surfaceAt(depth, intrinsics, column, row, reachPx);
+      if (found) out.push(found);
+    }
+  }
+  return out;
+}
+
+function surfaceAt(depth: DepthImage, intrinsics: Intrinsics, column: number, row: number, reachPx: number): SurfacePoint | null {
+  const at = (c: number, r: number): number => depth.metres[r * depth.widthPx + c] ?? 0;
+  const center = at(column, row);
+  if (center <= 0) return null;
+  const neighbours = [
+    [column + reachPx, row],
+    [column - reachPx, row],
+    [column, row - reachPx],
+    [column, row + reachPx],
+  ] as const;
+  const [toRight, toLeft, toAbove, toBelow] = neighbours.map(([c, r]) => center / at(c, r)) as [number, number, number, number];
+  // Infinite where a neighbour is unknown.
+  if (!(Math.abs(toRight + toLeft - 2) < MAX_BEND && Math.abs(toAbove + toBelow - 2) < MAX_BEND)) return null;
+  const [right, left, above, below] = neighbours.map(([c, r]) => backProject(intrinsics, c, r, at(c, r))) as [
+    Vector,
+    Vector,
+    Vector,
+    Vector,
+  ];
+  const point = backProject(intrinsics, column, row, center);
+  const normal = normalize(cross(subtract(right, left), subtract(above, below)));
+  return dot(normal, point) < 0 ? { point, normal } : { point, normal: [-normal[0], -normal[1], -normal[2]] };
+}
+
+/** The point that the centre of a pixel sees, in camera space. */
+export function backProject({ fxPx, fyPx, cxPx, cyPx }: Intrinsics, column: number, row: number, distanceM: number): Vector {
+  return [((column + 0.5 - cxPx) / fxPx) * distanceM, -((row + 0.5 - cyPx) / fyPx) * distanceM, -distanceM];
+}
+
+/** Where a point in camera space is seen: pixels, (0.5, 0.5) is the centre of the top left one. */
+export function project({ fxPx, fyPx, cxPx, cyPx }: Intrinsics, [x, y, z]: Vector): readonly [number, number] {
+  return [cxPx - (fxPx * x) / z, cyPx + (fyPx * y) / z];
+}

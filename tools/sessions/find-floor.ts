@@ -1,0 +1,106 @@
+import type { SurfacePoint } from './depth-image.ts';
+import { add, cross, dot, normalize, scale, subtract, type Vector } from './vector.ts';
+
+/** The floor: points p with dot(normal, p) = offset; the normal points up. */
+export interface Floor {
+  readonly normal: Vector;
+  readonly offset: number;
+  /** What lies on it. */
+  readonly points: readonly Vector[];
+}
+
+/** Nobody holds a camera further from upright than this for long. */
+const MAX_TILT = Math.cos((40 * Math.PI) / 180);
+/** Normals of one plane, seen through depth in whole millimetres. */
+const SAME_DIRECTION = Math.cos((6 * Math.PI) / 180);
+const CANDIDATES = 400;
+const BIN_M = 0.02;
+/** A level is a floor when it holds this part of the largest level's points: tables are lower in number, the floor is lowest. */
+const FLOOR_SHARE = 0.12;
+const NEAR_PLANE_M = 0.025;
+
+/**
+ * The floor among points of all frames. First the direction that most surfaces within reach of `upGuess` face (floor, tables and
+ * seats agree on it), found by trying many points' own normals; then the lowest level that has enough of them; then a plane
+ * through that level's points by least squares, twice.
+ *
+ * @param upGuess Mean of the cameras' own up.
+ * @param random Uniform in [0, 1).
+ * @returns Null when nothing faces up.
+ */
+export function findFloor(surface: readonly SurfacePoint[], upGuess: Vector, random: () => number): Floor | null {
+  const upright = surface.filter(({ normal }) => dot(normal, upGuess) > MAX_TILT);
+  const up = dominantDirection(upright, random);
+  if (!up) return null;
+  const level = upright.filter(({ normal }) => dot(normal, up) > SAME_DIRECTION).map(({ point }) => point);
+  const height = lowestLevel(level.map((point) => dot(point, up)));
+  if (height === null) return null;
+  let floor: Floor = { normal: up, offset: height, points: [] };
+  for (let pass = 0; pass < 3; pass++) {
+    const { normal, offset } = floor;
+    const points = level.filter((point) => Math.abs(dot(point, normal) - offset) < NEAR_PLANE_M);
+    if (points.length < 3) return null;
+    floor = fitPlane(points, normal);
+  }
+  return floor;
+}
+
+/** The mean of the largest bundle of normals. */
+function dominantDirection(points: readonly SurfacePoint[], random: () => number): Vector | null {
+  let best: Vector | null = null;
+  let most = 0;
+  for (let i = 0; i < CANDIDATES; i++) {
+    const candidate = points[Math.floor(random() * points.length)]?.normal;
+    if (!candidate) return null;
+    const count = points.reduce((sum, { normal }) => sum + (dot(normal, candidate) > SAME_DIRECTION ? 1 : 0), 0);
+    if (count <= most) continue;
+    most = count;
+    best = candidate;
+  }
+  if (!best) return null;
+  const bundle = points.filter(({ normal }) => best && dot(normal, best) > SAME_DIRECTION);
+  return normalize(bundle.reduce<Vector>((sum, { normal }) => add(sum, normal), [0, 0, 0]));
+}
+
+function lowestLevel(heights: readonly number[]): number | null {
+  const bins = new Map<number, number>();
+  for (const height of heights) {
+    const bin = Math.round(height / BIN_M);
+    bins.set(bin, (bins.get(bin) ?? 0) + 1);
+  }
+  // Over three bins, so that a level on the border between two is not halved.
+  const around = (bin: number): number => (bins.get(bin - 1) ?? 0) + (bins.get(bin) ?? 0) + (bins.get(bin + 1) ?? 0);
+  const levels = [...bins.keys()].sort((a, b) => a - b);
+  const most = Math.max(0, ...levels.map(around));
+  const enough = levels.filter((bin) => around(bin) >= FLOOR_SHARE * most);
+  const [lowest] = enough;
+  if (lowest === undefined) return null;
+  // The fullest of the first few: the first may be the tail of the one above.
+  const nearby = enough.filter((bin) => bin <= lowest + 3);
+  return nearby.reduce((a, b) => (around(b) > around(a) ? b : a)) * BIN_M;
+}
+
+/** Least squares of heights over the plane across `up`: right where the plane is nearly across it. */
+function fitPlane(points: readonly Vector[], up: Vector): Floor {
+  const across = normalize(cross(up, Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 0, 1]));
+  const along = cross(up, across);
+  const center = scale(
+    points.reduce((sum, point) => add(sum, point), [0, 0, 0] as Vector),
+    1 / points.length,
+  );
+  let [uu, uv, vv, uh, vh] = [0, 0, 0, 0, 0];
+  for (const point of points) {
+    const off = subtract(point, center);
+    const [u, v, h] = [dot(off, across), dot(off, along), dot(off, up)];
+    uu += u * u;
+    uv += u * v;
+    vv += v * v;
+    uh += u * h;
+    vh += v * h;
+  }
+  const determinant = uu * vv - uv * uv || 1;
+  const slopeU = (uh * vv - vh * uv) / determinant;
+  const slopeV = (vh * uu - uh * uv) / determinant;
+  const normal = normalize(subtract(subtract(up, scale(across, slopeU)), scale(along, slopeV)));
+  return { normal, offset: dot(center, normal), points };
+}

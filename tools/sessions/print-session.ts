@@ -1,0 +1,16 @@
+import type { SessionFile } from '../../export/runtime/sessions/format.ts';
+
+/** A tenth of a millimetre in a pose is far below what any camera knows. */
+const DECIMALS = 6;
+
+/** The file's text: one frame a line, numbers without the noise of floating point. */
+export function printSession(session: SessionFile): string {
+  const { frames, ...head } = session;
+  const lines = Object.entries(head).map(([name, value]) => `  ${JSON.stringify(name)}: ${print(value)}`);
+  const printed = frames.map((frame) => `    ${print(frame)}`).join(',\n');
+  return `{\n${lines.join(',\n')},\n  "frames": [\n${printed}\n  ]\n}\n`;
+}
+
+function print(value: unknown): string {
+  return JSON.stringify(value, (_, part: unknown) => (typeof part === 'number' ? Number(part.toFixed(DECIMALS)) + 0 : part));
+}
