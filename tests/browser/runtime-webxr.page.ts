@@ -33,9 +33,11 @@ interface Entered {
 }
 
 /** A page that plays a program in a session of an emulated device, frame by frame. */
-async function enter(options: EmulatorOptions, plays: Program): Promise<Entered> {
+async function enter(options: EmulatorOptions, plays: Program, without: string[] = []): Promise<Entered> {
   const emulator = installEmulator({ clock: 'manual', display: false, sizePx: [128, 64], ...options });
   const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;
+  const extension = gl.getExtension.bind(gl) as (name: string) => unknown;
+  Object.assign(gl, { getExtension: (name: string) => (without.includes(name) ? null : extension(name)) });
   const leaks = trackGl(gl);
   const { player } = await stand(plays, { gl, modules: MODULES });
   const { output: session, diagnostics } = await requestWebXrSession({ xr: navigator.xr, gl, needs: plays.needs, antialias: false });
@@ -146,9 +148,9 @@ const ROOM = {
 };
 
 /** Millimetres found in the middle of each quarter, view by view. */
-export async function depth(options: EmulatorOptions, legacy = false) {
+export async function depth(options: EmulatorOptions, legacy = false, withoutExtensions: string[] = []) {
   if (legacy) answerAsQuestDoes();
-  const { emulator, gl, frames, diagnostics, leave, leaks } = await enter({ room: ROOM, ...options }, SHOWS_DEPTH);
+  const { emulator, gl, frames, diagnostics, leave, leaks } = await enter({ room: ROOM, ...options }, SHOWS_DEPTH, withoutExtensions);
   emulator.setPose({ position: [0, 1.5, 0] });
   await emulator.stepFrame(3);
   const layer = emulator.readLayer();

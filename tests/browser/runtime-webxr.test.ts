@@ -131,6 +131,17 @@ describe('room depth is metres where the view sees them', () => {
     expect(Math.max(...offMm)).toBeLessThanOrEqual(1);
   });
 
+  test('to a few millimetres where the GPU draws no more than half floats', async () => {
+    const options = { device: 'phone', depth: { usages: ['gpu-optimized'] } } as const;
+    const { found, error } = await page.call<Depths>('depth', options, false, ['EXT_color_buffer_float']);
+    expect(error).toBe(NO_ERROR);
+    // 11 bits of mantissa: 2 mm between 2 m and 4 m, 4 mm beyond.
+    found[0]?.forEach((mm, i) => {
+      expect(Math.abs(mm - (QUARTERS_MM[i] ?? 0))).toBeLessThanOrEqual(2);
+    });
+    expect(found[0]).toHaveLength(4);
+  });
+
   test('and none where the device has none, which is said', async () => {
     const { found, diagnostics } = await depth({ device: 'glasses' });
     expect(found).toEqual([
