@@ -1,10 +1,10 @@
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { Diagnostic, DiagnosticCode } from '../../nodes/kit/diagnostics.ts';
 import { conversion, WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
-import { createFaceLookup, type FaceLookup, type InputFace, inputOf, type NodeFace } from './library/faces.ts';
+import { createFaceLookup, type FaceLookup, type InputFace, inputOf, type NodeFace, takesSeveral } from './library/faces.ts';
 import { own } from './own.ts';
 import type { Graph, PortAddress, Project, Wire } from './project.ts';
-import { printAddress, sameWire } from './wires.ts';
+import { printAddress, sameAddress, sameWire } from './wires.ts';
 
 export type Connectable =
   | { readonly ok: true; readonly conversion: 'same' | 'lossless' }
@@ -21,6 +21,10 @@ export function canConnect(project: Project, library: NodeLibrary, graphName: st
   }
   const bound = bindingAgainst(graph, to);
   if (bound !== null) return refuse('SCR019', to, bound);
+  const outside = graph.exposed.inputs.find((port) => sameAddress(port, to));
+  if (outside && !takesSeveral(found.input)) {
+    return refuse('SCR016', to, `${printAddress(to)} is shown outside as “${outside.name}”, and takes its one wire there.`);
+  }
   const path = pathBetween(graph, to.node, from.node);
   if (path === null) return { ok: true, conversion: found.conversion };
   const loop = [from.node, ...path].join(' → ');

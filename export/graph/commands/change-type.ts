@@ -8,7 +8,7 @@ import { own } from '../own.ts';
 import type { Graph, Project, Wire } from '../project.ts';
 import { sortWires } from '../wires.ts';
 import { type Change, change, draftGraph, graphOf, inTurn, refuse, setWires } from './change.ts';
-import { settle } from './settle.ts';
+import { oneWhereOneFits, settle } from './settle.ts';
 
 export interface ChangeType {
   readonly library: NodeLibrary;
@@ -19,7 +19,7 @@ export interface ChangeType {
 
 /**
  * Makes another kind of node of one, in its place. Wires stay at ports of the same name, and else move to the first free port
- * of the same type; params stay whose name is there and whose value fits.
+ * of the same type, the first where only one fits; params stay whose name is there and whose value fits.
  */
 export function changeType(project: Project, { library, graph: name, node: id, type }: ChangeType): Change {
   const graph = graphOf(project, name);
@@ -64,7 +64,7 @@ function rewire(graph: Graph, id: string, before: NodeFace | undefined, after: N
     if (fromPort === undefined || toPort === undefined) return [];
     return [{ from: { node: from.node, port: fromPort }, to: { node: to.node, port: toPort } }];
   });
-  return sortWires(moved);
+  return oneWhereOneFits(sortWires(moved), (to) => (to.node === id ? after : undefined));
 }
 
 /** Old port → new port, for those that find one. */

@@ -6,12 +6,12 @@ import { isNodeId, makeNodeId } from '../names.ts';
 import { printWire, sortWires } from '../wires.ts';
 import { removeAsset } from './assets.ts';
 import { changeType } from './change-type.ts';
-import { hidePort, removeGraph, renameGraph } from './graphs.ts';
+import { exposePort, hidePort, removeGraph, renameGraph } from './graphs.ts';
 import { putFrame, putNote, removeFromLayout, setCollapsed } from './layout.ts';
 import { addNode } from './nodes.ts';
 import { setParam } from './params.ts';
 import { setPage, setTitle } from './project-info.ts';
-import { reorderWires } from './wires.ts';
+import { connect, reorderWires } from './wires.ts';
 
 const library: NodeLibrary = TEST_LIBRARY;
 
@@ -256,6 +256,20 @@ describe('subgraphs', () => {
     expect(made.undo().save()).toEqual(before);
   });
 
+  test('a port for one wire is wired inside or shown outside, not both', () => {
+    const made = lookStudio()
+      .in('look')
+      .add('noise-a', 'generator/noise')
+      .add('sepia-b', 'filter/sepia')
+      .wire('noise-a.layer -> sepia-b.inputImage');
+    const outside = made.attempt((p) => connect(p, { library, graph: 'look', ...wireOf('noise-a.layer -> sepia-aaaa.inputImage') }));
+    expect(outside).toMatchObject([{ code: 'SCR016', nodeId: 'sepia-aaaa' }]);
+    const inside = made.attempt((p) =>
+      exposePort(p, { library, graph: 'look', side: 'inputs', name: 'second', node: 'sepia-b', port: 'inputImage' }),
+    );
+    expect(inside).toMatchObject([{ code: 'SCR016', nodeId: 'sepia-b' }]);
+  });
+
   test('cannot come to contain itself', () => {
     const made = lookStudio().in('outer').add('look-bbbb', 'graph/look');
     const add = (graph: string, type: string) => made.attempt((p) => addNode(p, { library, graph, id: 'x-aaaa', type, x: 0, y: 0 }));
@@ -298,6 +312,13 @@ describe('changing the type of a node', () => {
     made.run((p) => changeType(p, { library, graph: 'main', node: 'sepia-aaaa', type: 'objects/group' }));
     expect(wires(made)).toEqual([]);
     expect(made.undo().undo().project).toEqual(sepiaStudio().project);
+  });
+
+  test('keeps the first of several wires where only one fits', () => {
+    const made = studio().add('z-aaaa', 'objects/primitive').add('a-aaaa', 'objects/primitive').add('group-aaaa', 'objects/group');
+    made.wire('z-aaaa.objects -> group-aaaa.objects', 'a-aaaa.objects -> group-aaaa.objects');
+    made.run((p) => changeType(p, { library, graph: 'main', node: 'group-aaaa', type: 'objects/transform' }));
+    expect(wires(made)).toEqual(['z-aaaa.objects -> group-aaaa.objects']);
   });
 
   test('a param that is wired stays wired where it can', () => {

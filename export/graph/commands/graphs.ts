@@ -1,6 +1,6 @@
 import { castDraft, current } from 'immer';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
-import { createFaceLookup } from '../library/faces.ts';
+import { createFaceLookup, inputOf, takesSeveral } from '../library/faces.ts';
 import { isEntryId, isPortName, subgraphType } from '../names.ts';
 import { EMPTY_GRAPH } from '../new-project.ts';
 import { own } from '../own.ts';
@@ -74,6 +74,10 @@ export function exposePort(project: Project, { library, graph: graphName, side, 
   const face = node && createFaceLookup(project, library)(node.type);
   const known = face && (own<unknown>(face[side], port) ?? (side === 'inputs' ? own<unknown>(face.params, port) : undefined));
   if (known === undefined) return refuse(project, 'SCR012', `There is no ${id}.${port} among the ${side}.`, place);
+  const input = side === 'inputs' && face ? inputOf(face, port) : undefined;
+  if (input && !takesSeveral(input) && graph.wires.some(({ to }) => sameAddress(to, { node: id, port }))) {
+    return refuse(project, 'SCR016', `${id}.${port} is wired already, and takes one wire. Delete it first.`, place);
+  }
   return change(project, (draft) => {
     draftGraph(draft, graphName).exposed[side] = castDraft([...shown, { name, node: id, port }]);
   });

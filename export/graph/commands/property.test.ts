@@ -9,6 +9,7 @@ import { newProject } from '../new-project.ts';
 import { own } from '../own.ts';
 import type { ParamValue, PortAddress, Project } from '../project.ts';
 import { saveProject } from '../save.ts';
+import { validateProject } from '../validate/validate.ts';
 import { sortWires } from '../wires.ts';
 import { putAsset, removeAsset } from './assets.ts';
 import { applyPatches, type Change } from './change.ts';
@@ -184,6 +185,9 @@ function play(commands: Readonly<Record<string, Command>>, name: string, project
   return command(project, pickerOf(dice));
 }
 
+/** No screen, one too many, no wire where one is needed, no asset of the right kind: a person is at work. */
+const UNFINISHED: ReadonlySet<string> = new Set(['SCR015', 'SCR017', 'SCR033']);
+
 const ALL = { ...LOGIC_COMMANDS, ...LAYOUT_COMMANDS };
 
 const START_TYPES = ['layer/scene', 'filter/sepia', 'operator/over', 'value/number', 'source/model', 'objects/primitive', 'objects/group'];
@@ -239,6 +243,21 @@ describe('any sequence of commands', () => {
         for (const { wires } of Object.values(project.graphs)) expect(wires).toEqual(sortWires(wires));
       }),
       { seed: 2, numRuns: 150 },
+    );
+  });
+
+  test('leaves nothing wrong behind but what is unfinished', () => {
+    fc.assert(
+      fc.property(steps(ALL, 40), (sequence) => {
+        const project = sequence.reduce((before, [name, dice]) => play(ALL, name, before, dice).project, start());
+        // What hangs on a shader with a broken header waits until it is mended.
+        if (library(project).diagnostics.length > 0) return;
+        const wrong = validateProject(project, library(project)).filter(
+          ({ severity, code }) => severity === 'error' && !UNFINISHED.has(code),
+        );
+        expect(wrong).toEqual([]);
+      }),
+      { seed: 6, numRuns: 200 },
     );
   });
 

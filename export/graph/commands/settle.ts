@@ -2,10 +2,11 @@ import { castDraft } from 'immer';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { conversion } from '../../../nodes/kit/wire-types.ts';
 import { bindingMisfit } from '../library/binding.ts';
-import { createFaceLookup, type FaceLookup, inputOf, type NodeFace } from '../library/faces.ts';
+import { createFaceLookup, type FaceLookup, inputOf, type NodeFace, takesSeveral } from '../library/faces.ts';
 import { subgraphType } from '../names.ts';
 import { own } from '../own.ts';
-import type { ExposedPort, Graph, Project, Wire } from '../project.ts';
+import type { ExposedPort, Graph, PortAddress, Project, Wire } from '../project.ts';
+import { sameAddress } from '../wires.ts';
 import { type Change, change, draftGraph, type ProjectDraft, setWires, unchanged } from './change.ts';
 
 /**
@@ -53,9 +54,12 @@ function settleGraph(graph: Graph, face: NodeFace, faceOf: FaceLookup): Graph {
     changed = true;
   }
   if (ids.size === 0) return graph;
-  const wires = graph.wires.filter((wire) => wireFits(graph, wire, ids, faceOf));
+  const wires = oneWhereOneFits(
+    graph.wires.filter((wire) => wireFits(graph, wire, ids, faceOf)),
+    (to) => (ids.has(to.node) ? face : undefined),
+  );
   const exposed = {
-    inputs: graph.exposed.inputs.filter((port) => !ids.has(port.node) || hasInput(face, port)),
+    inputs: graph.exposed.inputs.filter((port) => !ids.has(port.node) || canShow(face, port, wires)),
     outputs: graph.exposed.outputs.filter((port) => !ids.has(port.node) || own(face.outputs, port.port) !== undefined),
   };
   const sameWires = wires.length === graph.wires.length;
@@ -66,6 +70,18 @@ function settleGraph(graph: Graph, face: NodeFace, faceOf: FaceLookup): Graph {
     wires: sameWires ? graph.wires : wires,
     exposed: sameExposed ? graph.exposed : exposed,
   };
+}
+
+/** The wires without those beyond the first at ports that take one, of the nodes that `faceAt` knows. */
+export function oneWhereOneFits(wires: readonly Wire[], faceAt: (to: PortAddress) => NodeFace | undefined): readonly Wire[] {
+  return wires.filter(({ to }, index) => {
+    const before = wires[index - 1];
+    // In the order of the document, the wires of one port stand together.
+    if (!before || !sameAddress(before.to, to)) return true;
+    const face = faceAt(to);
+    const input = face && inputOf(face, to.port);
+    return !input || takesSeveral(input);
+  });
 }
 
 /** Wires of other nodes are none of our business, even where they are wrong. */
@@ -86,8 +102,11 @@ function faceAt(graph: Graph, id: string, faceOf: FaceLookup): NodeFace | undefi
   return node && faceOf(node.type);
 }
 
-function hasInput(face: NodeFace, { port }: ExposedPort): boolean {
-  return own(face.inputs, port) !== undefined || own(face.params, port) !== undefined;
+/** Still there; and not a port for one wire that has it from inside. */
+function canShow(face: NodeFace, shown: ExposedPort, wires: readonly Wire[]): boolean {
+  const input = inputOf(face, shown.port);
+  if (!input) return own(face.params, shown.port) !== undefined;
+  return takesSeveral(input) || !wires.some(({ to }) => sameAddress(to, shown));
 }
 
 function takeOver(draft: ProjectDraft, name: string, before: Graph, after: Graph): void {
