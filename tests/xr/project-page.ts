@@ -1,0 +1,45 @@
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { exportProject } from '../../app/services/export-project.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { findProject, readProjectFiles } from '../../app/services/project-files.ts';
+import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
+import { serveStatic } from '../support/serve.ts';
+
+const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '0.0.0');
+
+export interface ServedExport {
+  /** Ends in `/`. */
+  readonly url: string;
+  readonly folder: string;
+  close(): Promise<void>;
+}
+
+/** Exports a project folder as `scrim export` does, and serves the page as a plain static host would. */
+export async function serveProject(project: string): Promise<ServedExport> {
+  const base = await mkdtemp(join(tmpdir(), 'scrim-xr-'));
+  const folder = join(base, 'page');
+  const root = await findProject(project);
+  const job = { root, projectFiles: await readProjectFiles(root), out: folder, installation: INSTALLATION };
+  const { report, diagnostics } = await exportProject(job);
+  if (report === null) throw new Error(JSON.stringify(diagnostics, null, 2));
+  const server = await serveStatic({ '/page/': `${folder}/` });
+  return {
+    url: `${server.origin}/page/`,
+    folder,
+    close: async () => {
+      await server.close();
+      await rm(base, { recursive: true, force: true });
+    },
+  };
+}
+
+/** The same for a project that a test holds as data. */
+export async function serveProjectText(text: ProjectText, files: Readonly<Record<string, Uint8Array>>): Promise<ServedExport> {
+  const project = await mkdtemp(join(tmpdir(), 'scrim-xr-project-'));
+  await writeProject(project, { 'project.scrim.json': projectText(text), ...files });
+  const served = await serveProject(project);
+  await rm(project, { recursive: true, force: true });
+  return served;
+}
