@@ -12,7 +12,7 @@ export interface EmulatorOptions {
   readonly room?: RoomSource | null;
   /** `manual`: frames come from `stepFrame` alone, frame N at N/60 s. `free`: with the display. */
   readonly clock?: 'free' | 'manual';
-  /** Framebuffer, both views together; default: the window's size when the session starts. */
+  /** Framebuffer, both views together; default: that of the container or window when the layer is made. */
   readonly sizePx?: readonly [width: number, height: number] | null;
   /** Vertical field of view. Default: the device's. */
   readonly fovYRad?: number;
@@ -44,7 +44,7 @@ export interface DepthOptions {
   readonly transform?: DepthTransform;
   /**
    * What depth textures hold. `metres`: as the specification says. `window`: as Quest Browser does, values of a depth buffer with
-   * an endless far plane, its first row at the bottom, and attributes `depthNear` and `depthFar` that no specification has.
+   * an endless far plane, its first row at the bottom, and the attributes `depthNear`, `depthFar` and `isValid` that no specification has.
    */
   readonly gpuValues?: 'metres' | 'window';
 }

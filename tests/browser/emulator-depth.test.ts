@@ -31,6 +31,9 @@ describe('depth is exact', () => {
     ['a scanned living room, one view', { options: { device: 'phone', room: capture('living_room') } }, 1],
     ['a scanned living room, two views', { options: { device: 'headset', room: capture('living_room') }, format: 'float32' }, 2],
     ['a scanned office', { options: { device: 'phone', room: OFFICE } }, 1],
+    ['a scanned meeting room', { options: { device: 'phone', room: capture('meeting_room') } }, 1],
+    ['a scanned music room, two views', { options: { device: 'headset', room: capture('music_room') } }, 2],
+    ['a scanned large office', { options: { device: 'phone', room: capture('office_large') } }, 1],
     [
       'on the GPU, an array of 16-bit integers',
       { options: { device: 'headset', room: OFFICE }, usage: 'gpu-optimized', format: 'unsigned-short' },

@@ -75,6 +75,7 @@ export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
   /** There with `window` values alone. */
   declare readonly depthNear?: number;
   declare readonly depthFar?: number;
+  declare readonly isValid?: true;
   readonly #texture: WebGLTexture;
 
   constructor(
@@ -86,7 +87,7 @@ export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
     windowNearM: number | null,
   ) {
     super(view, depth, rawValueToMeters);
-    if (windowNearM !== null) Object.assign(this, { depthNear: windowNearM, depthFar: Number.POSITIVE_INFINITY });
+    if (windowNearM !== null) Object.assign(this, { depthNear: windowNearM, depthFar: Number.POSITIVE_INFINITY, isValid: true });
     this.#texture = texture;
     this.imageIndex = imageIndex;
     this.textureType = imageIndex === null ? 'texture' : 'texture-array';

@@ -1,5 +1,7 @@
 /** The device's screen in the page: the picture, letterboxed, over everything but a DOM overlay. */
 export interface Screen {
+  /** Pixels of the place where the picture is shown. */
+  sizePx(): readonly [width: number, height: number];
   show(canvas: HTMLCanvasElement, overlayRoot: HTMLElement | null): void;
   hide(): void;
 }
@@ -15,6 +17,11 @@ export function createScreen(container: HTMLElement | null): Screen {
     shown = null;
   };
   return {
+    sizePx: () => {
+      const density = Math.min(window.devicePixelRatio, MAX_DENSITY);
+      const [width, height] = container ? [container.clientWidth, container.clientHeight] : [window.innerWidth, window.innerHeight];
+      return [Math.round(width * density), Math.round(height * density)];
+    },
     show: (canvas, overlayRoot) => {
       hide();
       const element = document.createElement('div');
@@ -28,6 +35,9 @@ export function createScreen(container: HTMLElement | null): Screen {
     hide,
   };
 }
+
+/** Of device pixels per CSS pixel: more is not seen, and is read back every frame. */
+const MAX_DENSITY = 2;
 
 const FILL = { inset: '0', background: '#000', overflow: 'hidden' } as const;
 

@@ -36,7 +36,7 @@ export class EmulatedLayer extends XRLayer {
     const antialias = init.antialias ?? true;
     const { world, disposers } = session[P_EMULATED];
     const scale = Math.min(Math.max(init.framebufferScaleFactor ?? 1, SCALE_LIMITS.min), SCALE_LIMITS.max);
-    const [widthPx, heightPx] = world.settings.sizePx ?? [window.innerWidth, window.innerHeight];
+    const [widthPx, heightPx] = world.settings.sizePx ?? world.screen.sizePx();
     // Even, so that two views are of one size.
     const evenWidthPx = Math.max(2, Math.round((widthPx * scale) / 2) * 2);
     this.target = createLayerTarget(context, evenWidthPx, Math.max(1, Math.round(heightPx * scale)), {
@@ -66,9 +66,12 @@ export class EmulatedLayer extends XRLayer {
     return true;
   }
 
-  get fixedFoveation(): null {
+  /** Null, whatever is set: the device has none (WebXR Device API §11.3). */
+  get fixedFoveation(): number | null {
     return null;
   }
+
+  set fixedFoveation(_level: number | null) {}
 
   get framebuffer(): WebGLFramebuffer {
     return this.target.framebuffer;
