@@ -8,7 +8,7 @@ export interface Origins {
  * Headers of everything that the content server answers.
  *
  * The editor: Monaco and React set styles at run time, hence `'unsafe-inline'` for styles alone; its workers are files of its
- * own. The preview: three.js reads textures of a model from `blob:` addresses. Neither may speak to any other address.
+ * own. Neither page may speak to any other address.
  */
 export function editorHeaders(origins: Origins): Record<string, string> {
   return headers([
@@ -32,7 +32,7 @@ export function previewHeaders(origins: Origins): Record<string, string> {
     "script-src 'self'",
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' blob: data:",
-    "connect-src 'self' blob: data:",
+    "connect-src 'self'",
     "worker-src 'self' blob:",
     "base-uri 'none'",
     "form-action 'none'",

@@ -33,6 +33,9 @@ export interface OpenProjectsOptions {
   readonly emit: (event: HostEvent) => void;
 }
 
+/** A page that is reloaded never closes what it had open; nobody works on this many at once. */
+const MAX_OPEN = 32;
+
 interface Entry {
   readonly root: string;
   readonly baseUrl: string;
@@ -59,6 +62,11 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
     return result;
   };
 
+  const close = (handle: string): void => {
+    entryOf(handle).close();
+    entries.delete(handle);
+  };
+
   const openAt = async (root: string, displayPath: string): Promise<OpenProject> => {
     await finishInterrupted(root, files).catch((error: unknown) => {
       throw writeRefusal(error, root);
@@ -70,11 +78,13 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
     const watcher = watchProject(root, (revision) => void noticed(handle, revision));
     const revision = revisionOf(projectFiles);
     const baseUrl = `${previewOrigin}/${mount}/`;
-    const close = () => {
+    const [oldest] = entries.keys();
+    if (oldest !== undefined && entries.size >= MAX_OPEN) close(oldest);
+    const release = () => {
       watcher.dispose();
       hide();
     };
-    entries.set(handle, { root, baseUrl, known: revision, work: Promise.resolve(), close });
+    entries.set(handle, { root, baseUrl, known: revision, work: Promise.resolve(), close: release });
     const recovery = await findUnsaved(root, projectFiles);
     return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles: await listAssets(root), recovery };
   };
@@ -131,10 +141,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
         }),
       );
     },
-    close: (handle) => {
-      entryOf(handle).close();
-      entries.delete(handle);
-    },
+    close,
     rootOf: (handle) => entryOf(handle).root,
     baseUrlOf: (handle) => entryOf(handle).baseUrl,
     dispose: () => {

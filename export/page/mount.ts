@@ -11,6 +11,8 @@ export interface MountOptions {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
+  /** What is played first; made on the canvas's context. */
+  readonly session: (gl: WebGL2RenderingContext) => Session;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly onSessionEvent: (event: SessionEvent, session: Session) => void;
   /** The GPU took the context away, or gave it back. */
@@ -67,6 +69,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     });
   };
 
+  void play(options.session(gl));
   return {
     gl,
     player,

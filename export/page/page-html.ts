@@ -24,13 +24,13 @@ export interface PageConfig {
 
 export const CONFIG_ID = 'scrim-page';
 
-/** Only what lies beside the page. three.js reads the textures of a model from `blob:` addresses. */
+/** Only what lies beside the page; the empty icon is all that is data. */
 const POLICY = [
   "default-src 'none'",
   "script-src 'self'",
   "style-src 'self'",
-  "img-src 'self' blob: data:",
-  "connect-src 'self' blob:",
+  "img-src 'self' data:",
+  "connect-src 'self'",
   "base-uri 'none'",
   "form-action 'none'",
 ].join('; ');

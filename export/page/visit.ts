@@ -32,9 +32,11 @@ export function createVisit({ page, stage, program, ...parts }: VisitOptions): V
   const { canvas, notices, panel } = stage;
   const clock = createBrowserClock();
   let isReady = false;
+  const orbit = (gl: WebGL2RenderingContext) => createOrbitSession({ gl, canvas, clock });
   const mounted: Mounted = mount(canvas, {
     ...parts,
     program,
+    session: orbit,
     onDiagnostics: (diagnostics) => showDiagnostics(notices, 'player', diagnostics),
     onSessionEvent: (event, session) => {
       if (session.kind === 'webxr') onArEvent(event);
@@ -49,7 +51,7 @@ export function createVisit({ page, stage, program, ...parts }: VisitOptions): V
         });
     },
   });
-  const lookAround = () => mounted.play(createOrbitSession({ gl: mounted.gl, canvas, clock }));
+  const lookAround = () => mounted.play(orbit(mounted.gl));
 
   const onArEvent = (event: SessionEvent) => {
     switch (event.kind) {
@@ -80,7 +82,6 @@ export function createVisit({ page, stage, program, ...parts }: VisitOptions): V
     await mounted.play(session);
   };
 
-  void lookAround();
   return {
     ready: mounted.player.ready.then(({ shaderErrors }) => {
       isReady = true;
