@@ -53,7 +53,7 @@ function describeOperation(operation: Operation, program: Program): string {
     case 'pass':
       return describePass(operation, program);
     case 'shadow-maps':
-      return `${operation.id}: shadow maps of ${operation.casters.join(', ')} for ${operation.lights}`;
+      return `${operation.id}: shadow maps of ${operation.casters.join(', ')} for ${operation.lights.join(', ')}`;
     case 'draw':
       return describeDraw(operation as DrawOperation);
     case 'value':

@@ -165,7 +165,7 @@ export interface ShadowMapOperation extends OperationBase {
   readonly kind: 'shadow-maps';
   readonly view: 'once';
   readonly casters: readonly ResourceId[];
-  readonly lights: ResourceId;
+  readonly lights: readonly ResourceId[];
 }
 
 /** One full-screen triangle. */

@@ -17,7 +17,7 @@ export interface SceneHost {
 export interface SceneBackend {
   /** The service that one drawing operation sees as `ctx.scenes`. */
   serviceFor(binding: DrawBinding): SceneService;
-  createShadowMaps(casters: readonly ObjectList[], lights: LightList): ShadowMaps;
+  createShadowMaps(casters: readonly ObjectList[], lights: readonly LightList[]): ShadowMaps;
   /** Rejects with an `Error` that says what is wrong with the file. */
   loadModel(bytes: ArrayBuffer, path: string): Promise<LoadedModel>;
   /** Called when passes have drawn since three last did. */

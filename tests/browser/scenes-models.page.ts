@@ -180,7 +180,7 @@ export async function leaks(urls: readonly string[]) {
     const list = objects(...roots.map((root, i) => item(root, { at: translation(i - 1, 0, 0).multiply(normalising(root)) })));
     const floor = objects(...roots.map((root) => item(root, { role: 'phantom', at: new Matrix4() })));
     const sunlight = lights(sun([1, 1, 1], { shadow: { areaM: 5, mapSizePx: 512, bias: 0, normalBiasM: 0.01 } }));
-    const maps = backend.createShadowMaps([list], sunlight);
+    const maps = backend.createShadowMaps([list], [sunlight]);
     const service = backend.serviceFor({ shadowMaps: maps, occlusion: null });
     const shaded = service.createScene({ kind: 'shaded' });
     const shadow = service.createScene({ kind: 'shadow-catcher', strength: { value: 1 }, color: { value: new Float64Array(4) } });

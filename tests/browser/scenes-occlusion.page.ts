@@ -170,7 +170,7 @@ export function viewsAndShadows() {
 
   const casters = objects(item(new Mesh(new PlaneGeometry(9, 9), new MeshBasicMaterial()), { at: translation(0, 0, 5) }));
   const light = lights(sun([0, 0, 1], { shadow: { areaM: 20, mapSizePx: 256, bias: 0, normalBiasM: 0.1 } }));
-  const maps = backend.createShadowMaps([casters], light);
+  const maps = backend.createShadowMaps([casters], [light]);
   const halfRoom: RoomDepthOutput = { views: [room(gl, 2, 1, [1, 5])] };
   const look = { kind: 'shadow-catcher', strength: { value: 1 }, color: { value: Float64Array.of(0, 0, 0, 1) } } as const;
   const shadow = backend.serviceFor({ shadowMaps: maps, occlusion: { roomDepth: halfRoom, params: {} } }).createScene(look);

@@ -102,31 +102,32 @@ function drawn(operation: NodeOperation, to: string, shadowMaps: string | null):
   return { ...operation, kind: 'draw', view: 'each', writes: [to], target: to, shadowMaps, occlusion: null };
 }
 
-function shadowMaps(id: string, casters: string[], lights: string): ShadowMapOperation {
-  return { kind: 'shadow-maps', id, node: id, view: 'once', reads: [...casters, lights], writes: [id], casters, lights };
+function shadowMaps(id: string, casters: string[], lights: string[]): ShadowMapOperation {
+  return { kind: 'shadow-maps', id, node: id, view: 'once', reads: [...casters, ...lights], writes: [id], casters, lights };
 }
 
+/** Azimuths of lights 45 degrees up. */
+const FROM_LEFT = -Math.PI / 2;
+const FROM_RIGHT = Math.PI / 2;
+
 /** A red box on a phantom floor, its shadow under it in a layer of its own, both over green. */
-function boxOnFloor(color: readonly number[]): Program {
+function boxOnFloor(color: readonly number[], azimuthsRad: readonly number[] = [FROM_LEFT]): Program {
   const { node, table } = createBuilder();
+  const suns = azimuthsRad.map((azimuthRad, i) => node(`sun${i}`, lightDefinition, {}, { azimuthRad, elevationRad: Math.PI / 4 }));
+  const lights = suns.map(({ id }) => `${id}.lights`);
   const operations = [
     node('box', primitiveDefinition, {}, { sizeM: [0.4, 0.4, 0.4], color, roughness: 1 }),
     node('up', transformDefinition, { objects: ['box.objects'] }, { positionM: [0, 0.2, 0] }),
     node('plane', primitiveDefinition, {}, { shape: 'plane', sizeM: [5, 0, 5] }),
     node('floor', phantomDefinition, { objects: ['plane.objects'] }),
-    // From the left, 45 degrees up.
-    node('sun', lightDefinition, {}, { azimuthRad: -Math.PI / 2, elevationRad: Math.PI / 4 }),
-    shadowMaps('maps', ['up.objects'], 'sun.lights'),
+    ...suns,
+    shadowMaps('maps', ['up.objects'], lights),
     drawn(
-      node('shadow', shadowDefinition, { casters: ['up.objects'], receivers: ['floor.objects'], lights: ['sun.lights'] }, { strength: 1 }),
+      node('shadow', shadowDefinition, { casters: ['up.objects'], receivers: ['floor.objects'], lights }, { strength: 1 }),
       'shadow.layer',
       'maps',
     ),
-    drawn(
-      node('scene', sceneDefinition, { objects: ['up.objects', 'floor.objects'], lights: ['sun.lights'] }, { ambient: 0 }),
-      'scene.layer',
-      'maps',
-    ),
+    drawn(node('scene', sceneDefinition, { objects: ['up.objects', 'floor.objects'], lights }, { ambient: 0 }), 'scene.layer', 'maps'),
     pass('merge', 0, 'screen', { samplers: [colorSampler('below', 'shadow.layer'), colorSampler('above', 'scene.layer')] }),
   ];
   const objects = ['box.objects', 'up.objects', 'plane.objects', 'floor.objects'];
@@ -141,7 +142,7 @@ function boxOnFloor(color: readonly number[]): Program {
     ],
     resources: [
       ...objects.map((id) => ({ id, kind: 'objects' }) as const),
-      { id: 'sun.lights', kind: 'lights' },
+      ...lights.map((id) => ({ id, kind: 'lights' }) as const),
       { id: 'maps', kind: 'shadow-maps' },
       target('shadow.layer', { depth: 'window' }),
       target('scene.layer', { depth: 'window' }),
@@ -183,6 +184,19 @@ export async function plays() {
     alive: tracker.alive(),
     error: gl.getError(),
   };
+}
+
+/** Two lights on wires of their own: what the floor shows on either side of the box, and beside both shadows. */
+export async function twoLights() {
+  const gl = createGl();
+  const { player } = await stand(boxOnFloor([1, 0, 0, 1], [FROM_LEFT, FROM_RIGHT]), { gl, modules: MODULES, createScenes });
+  player.draw(frame(0, [viewOf(CAMERA)], { framebufferWidthPx: WIDTH, framebufferHeightPx: HEIGHT }));
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  const pixels = readPixels(gl, WIDTH, HEIGHT);
+  const greenAt = (x: number, z: number): number | undefined => pixel(pixels, ...project(CAMERA, [x, 0, z]))[1];
+  const seen = { right: greenAt(0.4, 0), left: greenAt(-0.4, 0), front: greenAt(0, 0.5) };
+  player.dispose();
+  return seen;
 }
 
 /** A model that cannot be read is told at its node, and the rest is drawn. */

@@ -35,6 +35,11 @@ test('a scene and its shadow are played as layers, follow their params, and leav
   });
 });
 
+test('two lights on wires of their own both throw shadows, each half as dark', async () => {
+  const half = expect.closeTo(128, -1);
+  expect(await page.call('twoLights')).toEqual({ right: half, left: half, front: 255 });
+});
+
 test('a broken model is told at its node', async () => {
   expect(await page.call('brokenModel')).toEqual([
     expect.objectContaining({

@@ -67,7 +67,7 @@ const SHADE: SceneLook = { kind: 'shaded', ambient: { value: 0 } };
 function shoot({ backend, layer }: Stand, shot: Shot): Uint8Array {
   const casters: ObjectList = objects(...shot.casters);
   const lightList = lights(...shot.suns);
-  const maps = shot.withoutMaps ? null : backend.createShadowMaps([casters], lightList);
+  const maps = shot.withoutMaps ? null : backend.createShadowMaps([casters], [lightList]);
   const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null }).createScene(shot.look ?? CATCH);
   scene.update([objects(...shot.receivers)], [lightList]);
   backend.invalidateState();
@@ -211,7 +211,7 @@ export function switching() {
   const light = sun([-1, 1, 0], { shadow: { ...SHADOW } });
   const lightList = lights(light);
   const casters = objects(plate());
-  const maps = backend.createShadowMaps([casters], lightList);
+  const maps = backend.createShadowMaps([casters], [lightList]);
   const service = backend.serviceFor({ shadowMaps: maps, occlusion: null });
   const catcher = service.createScene(CATCH);
   const shaded = service.createScene(SHADE);

@@ -82,6 +82,14 @@ describe('the forward path', () => {
     expect(ids(apart, 'shadow-maps')).toHaveLength(2);
   });
 
+  test('every light wired to a layer has a map', () => {
+    const made = program(
+      arScene().add('sun-b', 'light/directional').wire('sun-b.lights -> scene-a.lights', 'sun-b.lights -> shadow-a.lights'),
+    );
+    const maps = made.operations.filter((operation) => operation.kind === 'shadow-maps');
+    expect(maps.map(({ lights }) => lights)).toEqual([['sun-a.lights', 'sun-b.lights']]);
+  });
+
   test('a scene with its shadows off has none', () => {
     const made = program(arScene().set('scene-a.shadows', false));
     expect(draws(made).find(({ id }) => id === 'scene-a')?.shadowMaps).toBeNull();

@@ -105,7 +105,7 @@ function clearOutputs(operation: NodeOperation, resources: LiveResources): void 
 
 function createShadowMaps(engine: Engine, operation: ShadowMapOperation, resources: LiveResources): KeyedShadowMaps {
   const casters = operation.casters.map((id) => liveResource(resources, id, 'objects').list);
-  const lights = liveResource(resources, operation.lights, 'lights').list;
+  const lights = operation.lights.map((id) => liveResource(resources, id, 'lights').list);
   const [resource = ''] = operation.writes;
   return { key: shadowMapsKey(operation), resource, maps: engine.host.scenes().createShadowMaps(casters, lights) };
 }

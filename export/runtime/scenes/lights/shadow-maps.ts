@@ -41,7 +41,11 @@ interface LightMap extends ShadowMap {
 
 const castsShadow = (item: ObjectItem): boolean => item.castsShadow;
 
-export function createShadowMaps(renderer: SceneRenderer, casters: readonly ObjectList[], lights: LightList): RenderedShadowMaps {
+export function createShadowMaps(
+  renderer: SceneRenderer,
+  casters: readonly ObjectList[],
+  lights: readonly LightList[],
+): RenderedShadowMaps {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const twins = createTwinCache();
@@ -91,11 +95,25 @@ export function createShadowMaps(renderer: SceneRenderer, casters: readonly Obje
     maps.splice(maps.indexOf(map), 1);
   }
 
+  function render(light: LightItem, wanted: LightShadow): void {
+    const { target, fit, shadow } = mapFor(light, wanted);
+    fitShadow(fit, light.towardsLightWorld, shown, shadow.areaM, shadow.mapSizePx);
+    camera.projectionMatrix.copy(fit.clipFromLight);
+    camera.matrixWorld.copy(fit.worldFromLight);
+    camera.matrixWorldInverse.copy(fit.lightFromWorld);
+    renderer.drawDepth(target, scene, camera);
+  }
+
+  function isLit(light: LightItem): boolean {
+    for (const list of lights) if (list.items.includes(light)) return true;
+    return false;
+  }
+
   /** Lights that are gone or cast no shadow any more. */
   function dropUnused(): void {
     for (let i = maps.length - 1; i >= 0; i--) {
       const map = maps[i];
-      if (map && !(map.light.shadow === map.shadow && lights.items.includes(map.light))) remove(map);
+      if (map && !(map.light.shadow === map.shadow && isLit(map.light))) remove(map);
     }
   }
 
@@ -107,14 +125,8 @@ export function createShadowMaps(renderer: SceneRenderer, casters: readonly Obje
       const rebuilt = proxies.update(casters, false);
       if (rebuilt) twins.sweep();
       updateBounds(rebuilt);
-      for (const light of lights.items) {
-        if (light.shadow === null) continue;
-        const { target, fit, shadow } = mapFor(light, light.shadow);
-        fitShadow(fit, light.towardsLightWorld, shown, shadow.areaM, shadow.mapSizePx);
-        camera.projectionMatrix.copy(fit.clipFromLight);
-        camera.matrixWorld.copy(fit.worldFromLight);
-        camera.matrixWorldInverse.copy(fit.lightFromWorld);
-        renderer.drawDepth(target, scene, camera);
+      for (const list of lights) {
+        for (const light of list.items) if (light.shadow !== null) render(light, light.shadow);
       }
     },
     dispose: () => {
