@@ -1,0 +1,91 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { mkdtemp, rm } from 'node:fs/promises';
+import { createServer } from 'node:net';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { createInterface } from 'node:readline';
+import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { useBrowser } from '../support/browser.ts';
+import { projectText, writeProject } from '../support/project-kit.ts';
+
+// The first start builds what is out of date.
+jest.setTimeout(120_000);
+
+const SCRIM = resolve(import.meta.dirname, '../../bin/scrim.mjs');
+const chromium = useBrowser();
+
+let base = '';
+let project = '';
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-open-'));
+  project = join(base, 'project');
+  await writeProject(project, { 'project.scrim.json': projectText({ title: 'Opened here', nodes: {}, wires: [] }) });
+});
+afterAll(() => rm(base, { recursive: true, force: true }));
+
+const running: ChildProcess[] = [];
+afterEach(async () => {
+  for (const child of running.splice(0)) await end(child);
+});
+
+function end(child: ChildProcess): Promise<number | null> {
+  return new Promise((done) => {
+    if (child.exitCode !== null) return done(child.exitCode);
+    child.once('exit', (code) => done(code));
+    child.kill('SIGINT');
+  });
+}
+
+/** Starts `scrim` as a person does, without a display; gives its lines as they come. */
+function scrim(...args: string[]) {
+  const { DISPLAY: _, WAYLAND_DISPLAY: __, NODE_OPTIONS: ___, ...env } = process.env;
+  const child = spawn(process.execPath, [SCRIM, ...args], { env, stdio: ['ignore', 'pipe', 'pipe'] });
+  running.push(child);
+  const lines = createInterface(child.stdout)[Symbol.asyncIterator]();
+  const errors: string[] = [];
+  child.stderr.on('data', (chunk) => errors.push(String(chunk)));
+  return { child, nextLine: async () => (await lines.next()).value as string | undefined, errors };
+}
+
+describe('scrim open', () => {
+  const linux = process.platform === 'linux';
+
+  (linux ? test : test.skip)('says in one line why there is no window, and serves the same editor, until Ctrl-C', async () => {
+    const { child, nextLine } = scrim('open', project);
+    expect(await nextLine()).toBe('Electron cannot run here (there is no display): the editor opens in the browser instead.');
+    const url = (await nextLine()) ?? '';
+    expect(url).toMatch(/^http:\/\/127\.0\.0\.1:\d+\/#token=[0-9a-f]{64}$/);
+    const page = await chromium.browser.newPage();
+    await page.goto(url);
+    await page.getByText('Opened here').first().waitFor();
+    await page.close();
+    expect(await end(child)).toBe(0);
+    await expect(fetch(url)).rejects.toThrow();
+  });
+
+  test('prints one JSON value for a program that opens the address itself', async () => {
+    const { nextLine, child } = scrim('open', project, '--browser', '--json');
+    expect(JSON.parse((await nextLine()) ?? '')).toMatchObject({ ok: true, shell: 'server', url: expect.stringContaining('#token=') });
+    await end(child);
+    expect(await nextLine()).toBeUndefined();
+  });
+
+  test('takes the port it is given, and says when that is taken', async () => {
+    const blocker = createServer();
+    const port = await new Promise<number>((done) =>
+      blocker.listen(0, '127.0.0.1', () => done((blocker.address() as { port: number }).port)),
+    );
+    const refused = scrim('open', project, '--browser', '--port', String(port));
+    expect(await new Promise((done) => refused.child.once('exit', done))).toBe(2);
+    expect(refused.errors.join('')).toContain(`Port ${port} is taken`);
+    await new Promise((done) => blocker.close(done));
+    const { nextLine } = scrim('open', project, '--browser', '--port', String(port));
+    expect(await nextLine()).toContain(`http://127.0.0.1:${port}/#token=`);
+  });
+
+  test('says what is wrong with a project that is none', async () => {
+    const { child, errors } = scrim('open', base, '--browser');
+    expect(await new Promise((done) => child.once('exit', done))).toBe(1);
+    expect(errors.join('')).toContain('SCR004');
+  });
+});
