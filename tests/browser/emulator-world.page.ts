@@ -1,6 +1,6 @@
 /// <reference types="webxr" />
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
-import { enterWith, first, forward, lookAt, nameOfError, onStage, point, round, TABLE_ROOM, up } from './emulator-kit.ts';
+import { enterWith, first, forward, lookAt, nameOfError, nameOfThrow, onStage, point, round, TABLE_ROOM, up } from './emulator-kit.ts';
 
 /** Where spaces lie, for a head that has turned, bowed and moved. */
 export async function spaces() {
@@ -69,6 +69,13 @@ export function touches() {
     for (const type of ['selectstart', 'select', 'selectend'] as const)
       session.addEventListener(type, ({ inputSource }) => heard.push(`${type} ${inputSource.targetRayMode}`));
     session.addEventListener('inputsourceschange', ({ added, removed }) => heard.push(`+${added.length} -${removed.length}`));
+    const duringEvent: unknown[] = [];
+    session.addEventListener('selectstart', ({ frame: f, inputSource }) => {
+      duringEvent.push(
+        nameOfThrow(() => f.getViewerPose(space)),
+        f.getPose(inputSource.targetRaySpace, space) !== null,
+      );
+    });
     const source = await session.requestHitTestSourceForTransientInput?.({ profile: 'generic-touchscreen' });
     if (!source) throw new Error('No hit test.');
     emulator.setPose(lookAt([0, 2, 0], [0, 0, 0.0001]));
@@ -83,7 +90,7 @@ export function touches() {
     emulator.release();
     await frame(() => {});
     await frame(() => {});
-    return { heard, hit };
+    return { heard, hit, duringEvent };
   });
 }
 

@@ -46,7 +46,11 @@ test('hit tests find planes by default and solids when asked, in this frame', as
 });
 
 test('a touch comes, selects and goes, and its ray goes through its point', async () => {
-  const { heard, hit } = await ask<{ heard: string[]; hit: { at: number[]; halfWidth: number } }>('touches');
+  const { heard, hit, duringEvent } = await ask<{ heard: string[]; hit: { at: number[]; halfWidth: number }; duringEvent: unknown[] }>(
+    'touches',
+  );
+  // The frame of an event has poses, and no views.
+  expect(duringEvent).toEqual(['InvalidStateError', true]);
   expect(heard).toEqual(['+1 -0', 'selectstart screen', 'select screen', 'selectend screen', '+0 -1']);
   // Looking straight down from 2 m with the view's right towards −x: half of the half width to the right.
   expect(hit.at[0]).toBeCloseTo(-hit.halfWidth, 2);

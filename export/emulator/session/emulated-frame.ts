@@ -19,7 +19,7 @@ export class EmulatedFrame extends XRFrame {
   readonly #depths = new Map<number, Float32Array>();
 
   constructor(session: EmulatedSession, id: number, timeMs: number) {
-    super(session, id, true, true, timeMs);
+    super(session, id, true, false, timeMs);
     this.#session = session;
   }
 
@@ -27,9 +27,15 @@ export class EmulatedFrame extends XRFrame {
     return this.#session;
   }
 
+  /** The events of this frame are over: from now on it has views. */
+  beginAnimation(): void {
+    this[P_FRAME].animationFrame = true;
+  }
+
   /** Null while tracking is lost (WebXR Device API §8.1). */
   override getViewerPose(referenceSpace: XRReferenceSpace): XRViewerPose {
     this.#check();
+    if (!this[P_FRAME].animationFrame) throw new DOMException('The frame of an event has no views.', 'InvalidStateError');
     const { world, eyes } = this.#session[P_EMULATED];
     const { device } = world;
     // The type of iwer leaves out what the specification allows.

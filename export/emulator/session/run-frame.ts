@@ -40,6 +40,7 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   if (state.hasPlanes) session[P_EMULATED].surfaces.addPlanes(frame);
   if (state.hasMeshes) session[P_EMULATED].surfaces.addMeshes(frame);
   session.announceReflections();
+  frame.beginAnimation();
   runCallbacks(session, frame, timeS * 1000);
   frame[P_FRAME].active = false;
   if (!state.ended && world.settings.display) showLayer(session, layer);
