@@ -23,6 +23,8 @@ export interface XrPage {
   readLayer(): Promise<Picture>;
   /** What the visitor saw in the last frame. */
   readComposite(): Promise<Picture>;
+  /** What the device's cameras saw in the last frame. */
+  readRoom(): Promise<Picture>;
   /** Distance to the room along a ray, metres, or null. */
   measure(originWorld: readonly number[], directionWorld: readonly number[]): Promise<number | null>;
   close(): Promise<void>;
@@ -62,13 +64,14 @@ export async function openXrPage(
     step: (count = 1) => page.evaluate((n) => scrimEmulator?.current?.stepFrame(n), count),
     readLayer: () => readPicture(page, 'readLayer'),
     readComposite: () => readPicture(page, 'readComposite'),
+    readRoom: () => readPicture(page, 'readRoom'),
     measure: (origin, direction) => page.evaluate(([o, d]) => scrimEmulator?.current?.measure(o, d) ?? null, [origin, direction] as const),
     close: () => context.close(),
   };
 }
 
 /** Bytes as base64: as a list of numbers a picture takes ten times as long. */
-async function readPicture(page: Page, what: 'readLayer' | 'readComposite'): Promise<Picture> {
+async function readPicture(page: Page, what: 'readLayer' | 'readComposite' | 'readRoom'): Promise<Picture> {
   const { width, height, base64 } = await page.evaluate((method) => {
     const pixels = scrimEmulator?.current?.[method]();
     if (!pixels) throw new Error('There is no emulator.');
