@@ -26,6 +26,13 @@ const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
 /** Relative to the project folder, `/` between parts; the host refuses what leaves the folder. */
 const projectPath = z.string().min(1).max(512);
 
+/** Larger than any model a phone can hold, small enough to be held in memory. */
+export const MAX_ASSET_BYTES = 512 * 2 ** 20;
+
+function isBearable(bytes: Uint8Array): boolean {
+  return bytes.length <= MAX_ASSET_BYTES;
+}
+
 const projectFiles = z.object({
   /** Text of `project.scrim.json`. */
   project: z.string().max(64 * 2 ** 20),
@@ -102,7 +109,7 @@ export const HOST_CONTRACT = {
   'project.close': { input: z.object({ handle }), output: z.object({}) },
   /** Copies bytes into `assets/` under a free name made from `name`. */
   'asset.import': {
-    input: z.object({ handle, name: z.string().min(1).max(255), bytes: z.instanceof(Uint8Array) }),
+    input: z.object({ handle, name: z.string().min(1).max(255), bytes: z.instanceof(Uint8Array).refine(isBearable, 'too large') }),
     output: z.object({ path: projectPath }),
   },
   /** Recorded sessions and emulated rooms that the preview can play. */

@@ -1,6 +1,7 @@
 import { randomBytes } from 'node:crypto';
 import { createServer, type RequestListener, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
+import { MAX_ASSET_BYTES } from '../contract/contract.ts';
 import { createHost, type HostService } from '../services/host.ts';
 import type { Installation } from '../services/installation.ts';
 import { answerContent } from './answer-content.ts';
@@ -26,8 +27,8 @@ export interface EditorServer {
   close(): Promise<void>;
 }
 
-/** Larger than any model a phone can hold, small enough to be held in memory here. */
-const MAX_MESSAGE_BYTES = 512 * 2 ** 20;
+/** The largest asset, and room for what stands around it. */
+const MAX_MESSAGE_BYTES = MAX_ASSET_BYTES + 2 ** 20;
 
 const LOOPBACK = '127.0.0.1';
 

@@ -1,4 +1,4 @@
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
@@ -111,11 +111,12 @@ export function createVisit({ page, stage, program, ...parts }: VisitOptions): V
   };
 }
 
-/** One notice for all of a topic: what is wrong, then what to do. */
+/** One notice for all of a topic: what is wrong, and what a visitor can do about it. */
 function showDiagnostics(notices: Notices, topic: string, diagnostics: readonly Diagnostic[]): void {
-  const texts = [
-    ...new Set(diagnostics.map(({ message, fix, severity }) => (severity === 'error' && fix ? `${message} ${fix}` : message))),
-  ];
+  const texts = diagnostics.map(({ code, message, fix }) => (fix !== undefined && FOR_VISITORS.has(code) ? `${message} ${fix}` : message));
   if (texts.length === 0) notices.clear(topic);
-  else notices.show(topic, { text: texts.join(' '), tone: diagnostics.some((d) => d.severity === 'error') ? 'problem' : 'hint' });
+  else notices.show(topic, { text: [...new Set(texts)].join(' '), tone: hasErrors(diagnostics) ? 'problem' : 'hint' });
 }
+
+/** What the device and the browser refuse; what to do about all else is said to designers. */
+const FOR_VISITORS: ReadonlySet<string> = new Set(['SCR050', 'SCR051']);

@@ -4,6 +4,7 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/gl
 import { decode } from 'fast-png';
 import type { BrowserContextOptions, Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
+import { serveProjectText } from '../support/project-page.ts';
 import { DISC, type ServedPage, servePage } from './page-kit.ts';
 
 const chromium = useBrowser();
@@ -99,6 +100,36 @@ describe('an exported page in trouble', () => {
     await rename(join(broken.folder, name), join(broken.folder, 'gone.json'));
     const { page } = await open({}, broken.url);
     await page.getByText('could not be loaded whole').waitFor();
+    await broken.close();
+  });
+
+  test('says so when a model is missing, and shows the rest', async () => {
+    const robot = await readFile('examples/first-light/assets/robot.glb');
+    const project = {
+      title: 'Robot and box',
+      nodes: {
+        'robot-a1b2': ['source/model', { model: 'robot' }],
+        'box-a1b2': ['objects/primitive', { color: [1, 0, 0, 1] }],
+        'place-a1b2': ['objects/transform', { positionM: [0, 0.75, 0] }],
+        'scene-a1b2': 'layer/scene',
+        'screen-a1b2': 'output/screen',
+      },
+      wires: [
+        'robot-a1b2.objects -> scene-a1b2.objects',
+        'box-a1b2.objects -> place-a1b2.objects',
+        'place-a1b2.objects -> scene-a1b2.objects',
+        'scene-a1b2.layer -> screen-a1b2.layer',
+      ],
+      assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
+    } as const;
+    const broken = await serveProjectText(project, { 'assets/robot.glb': robot });
+    const [name = ''] = await readdir(join(broken.folder, 'assets'));
+    await rename(join(broken.folder, 'assets', name), join(broken.folder, 'assets', 'gone'));
+    const { page } = await open({}, broken.url);
+    await page.getByRole('alert').getByText('robot').waitFor();
+    await page.getByText('look around').waitFor();
+    const [red = 0, green = 255] = await colourAt(page, 0.5, 0.5);
+    expect(red - green).toBeGreaterThan(60);
     await broken.close();
   });
 

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import type { Picture } from '../support/picture.ts';
-import { serveProject } from './project-page.ts';
+import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from './xr-page.ts';
 
 // Four pages a device, drawn on the CPU.

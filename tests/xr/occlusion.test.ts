@@ -5,7 +5,7 @@ import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import type { ProjectText } from '../support/project-kit.ts';
-import { type ServedExport, serveProjectText } from './project-page.ts';
+import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
 
 // Frames are drawn on the CPU, and the room is asked ray by ray.

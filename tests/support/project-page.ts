@@ -4,8 +4,8 @@ import { join, resolve } from 'node:path';
 import { exportProject } from '../../app/services/export-project.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { findProject, readProjectFiles } from '../../app/services/project-files.ts';
-import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
-import { serveStatic } from '../support/serve.ts';
+import { type ProjectText, projectText, writeProject } from './project-kit.ts';
+import { serveStatic } from './serve.ts';
 
 const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '0.0.0');
 
