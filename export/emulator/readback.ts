@@ -22,10 +22,11 @@ export function createReadback(world: World): Pick<Emulator, 'readLayer' | 'read
     const { surroundings, eyes } = session[P_EMULATED];
     const { widthPx, heightPx } = layer.target;
     const rgba = new Uint8Array(widthPx * heightPx * 4);
-    // The canvas holds both by now: draw the room again, and put the layer back.
-    surroundings.view.drawRoom(session[P_SESSION].mode === 'immersive-ar' ? eyes : []);
+    const { display } = world.settings;
+    // On display the canvas holds both by now: draw the room again, and put the layer back.
+    if (display) surroundings.view.drawRoom(session[P_SESSION].mode === 'immersive-ar' ? eyes : []);
     surroundings.view.readPixels(rgba);
-    if (world.settings.display) showLayer(session, layer);
+    if (display) showLayer(session, layer);
     return turnRows(rgba, widthPx, heightPx);
   };
   return {

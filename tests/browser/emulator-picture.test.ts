@@ -53,6 +53,12 @@ describe('what the user sees', () => {
     });
   });
 
+  test('the same when nothing is put on the screen', async () => {
+    const shown = await page.call<Blended>('blending', { device: 'phone' });
+    const unshown = await page.call<Blended>('blending', { device: 'phone', display: false });
+    expect(unshown).toEqual({ ...shown, shown: [] });
+  });
+
   test('on glasses, light added to the room', async () => {
     const { layer, room, composite } = await page.call<Blended>('blending', { device: 'glasses' });
     expect(room[0]).toBeGreaterThan(0);
