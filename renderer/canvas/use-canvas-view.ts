@@ -1,6 +1,5 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
-import { placeNodes } from '../../export/graph/place-nodes.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useNodeProblems } from '../shell/use-problems.ts';
 import { graphOf, layoutOf } from '../state/document.ts';
@@ -11,9 +10,7 @@ export function useCanvasView(): CanvasView {
   const editor = useEditor();
   const project = useMemo(createCanvasProjection, []);
   const graph = useDocument(graphOf);
-  const saved = useDocument(layoutOf);
-  // A project that was written by hand, or merged, may say of some nodes not where they stand.
-  const layout = useMemo(() => ({ ...saved, nodes: placeNodes(graph, saved) }), [graph, saved]);
+  const layout = useDocument(layoutOf);
   const library = useDocument((state) => state.library);
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged } = useStore(editor.canvas);

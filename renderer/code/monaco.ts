@@ -1,4 +1,4 @@
-import { editor, MarkerSeverity } from 'monaco-editor/editor';
+import { editor, MarkerSeverity, Uri } from 'monaco-editor/editor';
 import 'monaco-editor/features/codeEditor/register';
 import 'monaco-editor/features/bracketMatching/register';
 import 'monaco-editor/features/caretOperations/register';
@@ -26,6 +26,8 @@ export interface ShaderEditor {
   /** Marks the text shown. */
   mark(diagnostics: readonly Diagnostic[]): void;
   goTo(line: number, column: number): void;
+  /** Texts outlive their view, with their undo; this ends those whose names are not to be kept. */
+  forget(keep: (name: string) => boolean): void;
   dispose(): void;
 }
 
@@ -36,13 +38,11 @@ export interface ShaderEditorOptions {
   readonly onLeave: () => void;
 }
 
-interface ShownText {
-  readonly model: editor.ITextModel;
-  /** Caret and scroll, while another text is shown. */
-  state: editor.ICodeEditorViewState | null;
-}
+/** Caret and scroll of texts that are not shown, also while no view is there at all. */
+const viewStates = new WeakMap<editor.ITextModel, editor.ICodeEditorViewState>();
 
 const MARKER_OWNER = 'scrim';
+const SCHEME = 'scrim-shader';
 const SEVERITIES = { error: MarkerSeverity.Error, warning: MarkerSeverity.Warning, info: MarkerSeverity.Info } as const;
 
 export function createShaderEditor(parent: HTMLElement, { onType, onLeave }: ShaderEditorOptions): ShaderEditor {
@@ -75,37 +75,33 @@ export function createShaderEditor(parent: HTMLElement, { onType, onLeave }: Sha
     model: null,
   });
   view.onDidBlurEditorText(onLeave);
-  const models = new Map<string, ShownText>();
   let shown: string | null = null;
   let ours = false;
-
-  const modelOf = (name: string, text: string) => {
-    const known = models.get(name);
-    if (known) return known;
-    const model = editor.createModel(text, ISF_LANGUAGE);
-    model.onDidChangeContent(() => {
-      if (!ours) onType(name, model.getValue());
-    });
-    const made: ShownText = { model, state: null };
-    models.set(name, made);
-    return made;
+  const keepPlace = () => {
+    const model = view.getModel();
+    const state = view.saveViewState();
+    if (model && state) viewStates.set(model, state);
   };
+  view.onDidChangeModelContent(() => {
+    const model = view.getModel();
+    if (!ours && model && shown !== null) onType(shown, model.getValue());
+  });
 
   return {
     show: (name, text) => {
-      const next = modelOf(name, text);
-      if (next.model.getValue() !== text) {
-        ours = true;
-        // An edit, not a new value, so that the text's own undo goes back over what came from outside.
-        next.model.pushEditOperations([], [{ range: next.model.getFullModelRange(), text }], () => null);
-        ours = false;
+      const uri = Uri.from({ scheme: SCHEME, path: `/${name}` });
+      const model = editor.getModel(uri) ?? editor.createModel(text, ISF_LANGUAGE, uri);
+      ours = true;
+      if (shown !== name) {
+        keepPlace();
+        view.setModel(model);
+        const state = viewStates.get(model);
+        if (state) view.restoreViewState(state);
+        shown = name;
       }
-      if (shown === name) return;
-      const before = shown === null ? undefined : models.get(shown);
-      if (before) before.state = view.saveViewState();
-      shown = name;
-      view.setModel(next.model);
-      if (next.state) view.restoreViewState(next.state);
+      // An edit, not a new value, so that the text's own undo goes back over what came from outside.
+      if (model.getValue() !== text) model.pushEditOperations([], [{ range: model.getFullModelRange(), text }], () => null);
+      ours = false;
     },
     mark: (diagnostics) => {
       const model = view.getModel();
@@ -121,10 +117,13 @@ export function createShaderEditor(parent: HTMLElement, { onType, onLeave }: Sha
       view.revealLineInCenterIfOutsideViewport(line);
       view.focus();
     },
+    forget: (keep) => {
+      for (const model of editor.getModels()) if (model.uri.scheme === SCHEME && !keep(model.uri.path.slice(1))) model.dispose();
+    },
     dispose: () => {
       dark.removeEventListener('change', applyTheme);
+      keepPlace();
       view.dispose();
-      for (const { model } of models.values()) model.dispose();
       unregister();
     },
   };

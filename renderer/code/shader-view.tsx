@@ -16,6 +16,7 @@ interface Tools {
 /** The text of one node's shader with its problems marked; what is typed goes into the document at each pause. */
 export function ShaderView({ node }: { readonly node: string }) {
   const editor = useEditor();
+  const handle = useDocument((state) => state.open?.handle ?? '');
   const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
   const text = useDocument((state) => shaderOf(state, node)?.text ?? '');
   const problems = useProblems();
@@ -27,21 +28,26 @@ export function ShaderView({ node }: { readonly node: string }) {
     if (!tools) return;
     tools.typing.flush(node);
     // What is being typed is newer than the document.
-    if (!tools.typing.isAhead(node)) tools.view.show(node, text);
-  }, [tools, node, text]);
+    if (!tools.typing.isAhead(node)) tools.view.show(`${handle}/${node}`, text);
+  }, [tools, handle, node, text]);
+
+  useEffect(() => tools?.view.forget((kept) => kept.startsWith(`${handle}/`)), [tools, handle]);
 
   useEffect(() => {
     tools?.view.mark(problems.filter((problem) => isAbout(problem, node, name)));
   }, [tools, problems, node, name]);
 
   useEffect(() => {
-    if (position !== null) tools?.view.goTo(position.line, position.column);
-  }, [tools, position]);
+    if (position === null || !tools) return;
+    tools.view.goTo(position.line, position.column);
+    editor.ui.setState({ codePosition: null });
+  }, [editor, tools, position]);
 
   return (
     <div className="code">
       <CodeHead node={node} name={name} />
-      <div ref={parent} className="code-text" />
+      {/* New browsers give Monaco text without a text field: the marks tell keys meant for the canvas, and React Flow, to keep off. */}
+      <div ref={parent} className="code-text nokey" data-typing="" />
     </div>
   );
 }
@@ -70,7 +76,10 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
     // Monaco is half of the editor's code, and most sessions begin without it.
     void import('./monaco.ts').then(({ createShaderEditor }) => {
       if (stopped) return;
-      view = createShaderEditor(element, { onType: typing.type, onLeave: typing.end });
+      view = createShaderEditor(element, {
+        onType: (key, text) => typing.type(key.slice(key.indexOf('/') + 1), text),
+        onLeave: typing.end,
+      });
       setTools({ view, typing });
     });
     return () => {

@@ -10,7 +10,7 @@ import { runCommand } from '../state/app-commands.ts';
 import { graphOf, nodeOf } from '../state/document.ts';
 import { toggleMuted } from '../state/edit-graph.ts';
 import { shaderOf } from '../state/edit-shader.ts';
-import { goToProblem } from '../state/problems.ts';
+import { goToProblem, isAboutNode } from '../state/problems.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
@@ -67,7 +67,7 @@ function Head({ id, definition, muted }: { readonly id: string; readonly definit
 
 function Problems({ id }: { readonly id: string }) {
   const editor = useEditor();
-  const problems = useProblems().filter((problem) => problem.nodeId === id);
+  const problems = useProblems().filter((problem) => isAboutNode(problem, editor.document.getState(), id));
   if (problems.length === 0) return null;
   return (
     <ul className="inspector-problems">

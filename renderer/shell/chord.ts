@@ -28,9 +28,10 @@ export function showChord(chord: string, mac: boolean): string {
   return [...modifiers, parts.at(-1) ?? ''].map((part) => MAC_SIGNS[part] ?? part).join('');
 }
 
-/** Text fields keep the keys that edit text. */
+/** Text fields, and what says of itself that it is one, keep the keys that edit text. */
 export function isTyping(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
+  if (target.closest('[data-typing]') !== null) return true;
   if (target.isContentEditable || target instanceof HTMLTextAreaElement || target instanceof HTMLSelectElement) return true;
   return target instanceof HTMLInputElement && !['checkbox', 'range', 'color', 'button'].includes(target.type);
 }

@@ -19,5 +19,8 @@ export function useProblems(): readonly Diagnostic[] {
 /** The same by node, as the canvas marks it. */
 export function useNodeProblems(): ReadonlyMap<string, NodeProblem> {
   const problems = useProblems();
-  return useMemo(() => problemsByNode(problems), [problems]);
+  const graph = useDocument((state) => state.graph);
+  const project = useDocument((state) => state.project);
+  const library = useDocument((state) => state.library);
+  return useMemo(() => problemsByNode(problems, { graph, project, library }), [problems, graph, project, library]);
 }

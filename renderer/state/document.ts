@@ -30,6 +30,9 @@ export interface DocumentState {
   readonly examples: HostOutput<'app.info'>['examples'];
 }
 
+/** What is needed to look things up in the open graph. */
+export type OpenGraph = Pick<DocumentState, 'project' | 'graph' | 'library'>;
+
 export type DocumentStore = StoreApi<DocumentState>;
 
 export function createDocument(library: ProjectLibrary): DocumentStore {
@@ -52,20 +55,20 @@ export function isDirty({ history, savedState }: DocumentState): boolean {
   return history.state !== savedState;
 }
 
-export function graphOf({ project, graph }: DocumentState): Graph {
+export function graphOf({ project, graph }: Pick<OpenGraph, 'project' | 'graph'>): Graph {
   return own(project.graphs, graph) ?? EMPTY_GRAPH;
 }
 
-export function layoutOf({ project, graph }: DocumentState): GraphLayout {
+export function layoutOf({ project, graph }: Pick<OpenGraph, 'project' | 'graph'>): GraphLayout {
   return own(project.layout, graph) ?? EMPTY_LAYOUT;
 }
 
-export function nodeOf(state: DocumentState, id: string): GraphNode | undefined {
+export function nodeOf(state: Pick<OpenGraph, 'project' | 'graph'>, id: string): GraphNode | undefined {
   return own(graphOf(state).nodes, id);
 }
 
 /** What people call the node: its type's title; its id where the type is unknown. */
-export function titleOf(state: DocumentState, id: string): string {
+export function titleOf(state: OpenGraph, id: string): string {
   const type = nodeOf(state, id)?.type;
   return (type === undefined ? undefined : state.library.definition(type)?.title) ?? id;
 }

@@ -1,7 +1,7 @@
 import { inTurn } from '../../export/graph/commands/change.ts';
 import { forkShader, setSource } from '../../export/graph/commands/sources.ts';
 import { apply } from './apply.ts';
-import { type DocumentState, nodeOf } from './document.ts';
+import { nodeOf, type OpenGraph } from './document.ts';
 import type { Editor } from './editor.ts';
 import { soleNode } from './selection.ts';
 
@@ -24,7 +24,7 @@ export function editableShader(editor: Editor): EditableShader | null {
   return node === null ? null : shaderOf(editor.document.getState(), node);
 }
 
-export function shaderOf(state: DocumentState, node: string): EditableShader | null {
+export function shaderOf(state: OpenGraph, node: string): EditableShader | null {
   const type = nodeOf(state, node)?.type;
   const definition = type === undefined ? undefined : state.library.definition(type);
   if (definition?.lowering.kind !== 'image' || !SHADER_TYPES.test(definition.type)) return null;

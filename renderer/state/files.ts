@@ -3,7 +3,10 @@ import { HostError } from '../../app/contract/host-error.ts';
 import { emptyHistory } from '../../export/graph/history.ts';
 import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
 import { loadProject } from '../../export/graph/load.ts';
-import { MAIN_GRAPH } from '../../export/graph/project.ts';
+import { EMPTY_LAYOUT } from '../../export/graph/new-project.ts';
+import { own } from '../../export/graph/own.ts';
+import { placeNodes } from '../../export/graph/place-nodes.ts';
+import { type GraphLayout, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { isDirty } from './document.ts';
@@ -66,7 +69,7 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
   const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
   editor.document.setState((state) => ({
     open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
-    project,
+    project: withPlaces(project),
     graph: MAIN_GRAPH,
     library,
     history: emptyHistory(),
@@ -76,6 +79,16 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
     loadDiagnostics: [...loaded.diagnostics, ...diagnostics],
   }));
   return true;
+}
+
+/** A project that was written by hand, or merged, may not say of every node where it stands: it is told once, for good. */
+function withPlaces(project: Project): Project {
+  const layout: Record<string, GraphLayout> = { ...project.layout };
+  for (const [name, graph] of Object.entries(project.graphs)) {
+    const known = own(project.layout, name) ?? EMPTY_LAYOUT;
+    layout[name] = { ...known, nodes: placeNodes(graph, known) };
+  }
+  return { ...project, layout };
 }
 
 export async function save(editor: Editor, overwrite = false): Promise<boolean> {

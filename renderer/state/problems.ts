@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeProblem } from '../canvas/project-canvas.ts';
-import { graphOf, nodeOf } from './document.ts';
+import { graphOf, nodeOf, type OpenGraph } from './document.ts';
 import { shaderOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { selectOnly } from './selection.ts';
@@ -22,13 +22,22 @@ export function problemKey({ code, nodeId, port, file, line, column, message }: 
   return JSON.stringify([code, nodeId, port, file, line, column, message]);
 }
 
-export function problemsByNode(problems: readonly Diagnostic[]): ReadonlyMap<string, NodeProblem> {
+/** Whether a problem is a node's: it names the node, or only the file that the node's shader is in. */
+export function isAboutNode({ nodeId, file }: Diagnostic, state: OpenGraph, id: string): boolean {
+  return nodeId === undefined ? file !== undefined && shaderOf(state, id)?.name === file : nodeId === id;
+}
+
+export function problemsByNode(problems: readonly Diagnostic[], state: OpenGraph): ReadonlyMap<string, NodeProblem> {
   const byNode = new Map<string, NodeProblem>();
-  for (const { nodeId, severity, message } of problems) {
-    if (nodeId === undefined) continue;
-    const known = byNode.get(nodeId);
-    // The list is sorted, so the first is the worst.
-    byNode.set(nodeId, known ? { severity: known.severity, text: `${known.text}\n${message}` } : { severity, text: message });
+  for (const problem of problems) {
+    const ids =
+      problem.nodeId === undefined ? Object.keys(graphOf(state).nodes).filter((id) => isAboutNode(problem, state, id)) : [problem.nodeId];
+    for (const id of ids) {
+      const known = byNode.get(id);
+      // The list is sorted, so the first is the worst.
+      const { severity, message } = problem;
+      byNode.set(id, known ? { severity: known.severity, text: `${known.text}\n${message}` } : { severity, text: message });
+    }
   }
   return byNode;
 }

@@ -15,7 +15,7 @@ let server: EditorServer;
 
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-story-'));
-  await cp(process.env.STORY_PROJECT ?? join(ROOT, 'examples', 'first-light'), join(base, 'project'), { recursive: true });
+  await cp(join(ROOT, 'examples', 'first-light'), join(base, 'project'), { recursive: true });
   server = await startServer({
     installation: installationAt(ROOT, '0.0.0'),
     startPath: join(base, 'project'),

@@ -235,9 +235,7 @@ describe('the preview', () => {
   test('comes back after the graphics device was lost, with the same picture', async () => {
     const { page, editor } = await start();
     await editor.settled();
-    await editor.press('Pause');
-    await editor.press('Back to the first frame');
-    const before = await editor.picture();
+    const before = await editor.rewind();
     const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
     await frame?.evaluate(() => {
       const gl = document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2');
@@ -254,8 +252,7 @@ describe('the preview', () => {
   test('steps frame by frame, and shows two views as a headset does', async () => {
     const { page, editor } = await start();
     await editor.settled();
-    await editor.press('Pause');
-    await editor.press('Back to the first frame');
+    await editor.rewind();
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     await editor.press('One frame on');
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '1');

@@ -1,4 +1,4 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
 import { build } from 'esbuild';
 import type { Page } from 'playwright-core';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
@@ -7,6 +7,9 @@ import { type StaticServer, serveStatic } from '../support/serve.ts';
 
 const CSP =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'";
+
+// The studio takes seconds to make where several test files share two cores.
+jest.setTimeout(40_000);
 
 const chromium = useBrowser();
 let server: StaticServer;
@@ -87,7 +90,7 @@ test('a page under a strict policy enters an emulated room by a click, and only 
   expect(errors).toEqual([]);
   expect(warnings).toEqual([]);
   await page.close();
-}, 30_000);
+});
 
 test('a page without storage, as in a sandboxed frame, can enter too', async () => {
   const { page, errors } = await open('/framed', { device: 'headset', room: null, clock: 'manual' });
@@ -107,4 +110,4 @@ test('a page without storage, as in a sandboxed frame, can enter too', async () 
   expect(await frame.evaluate(() => globalThis.notes.withoutGesture)).toBe('granted');
   expect(errors).toEqual([]);
   await page.close();
-}, 30_000);
+});

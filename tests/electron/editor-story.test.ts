@@ -15,7 +15,7 @@ describeElectron('the editor in Electron', await findElectron(), (launch) => {
   let base = '';
   beforeAll(async () => {
     base = await mkdtemp(join(tmpdir(), 'scrim-story-'));
-    await cp(process.env.STORY_PROJECT ?? join(ROOT, 'examples', 'first-light'), join(base, 'project'), { recursive: true });
+    await cp(join(ROOT, 'examples', 'first-light'), join(base, 'project'), { recursive: true });
   });
   afterAll(() => rm(base, { recursive: true, force: true }));
 

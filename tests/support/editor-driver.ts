@@ -4,6 +4,9 @@ import { countDifferent } from './pixels.ts';
 
 const WAIT_MS = 20_000;
 const FLAG_PX = 40;
+/** A held preview draws four times a second. */
+const REST_MS = 300;
+const RESTING_PICTURES = 2;
 
 /** Hands and eyes on a running editor: pointer and keys in, what is on the page out. */
 export class EditorDriver {
@@ -95,6 +98,27 @@ export class EditorDriver {
     await this.page.getByRole('button', { name, exact: true }).click();
   }
 
+  /** Stands at the first frame; the picture of it, once it has come to rest: recordings decode theirs meanwhile. */
+  async rewind(): Promise<Picture> {
+    const pause = this.page.getByRole('button', { name: 'Pause', exact: true });
+    if ((await pause.count()) > 0) await pause.click();
+    await this.press('Back to the first frame');
+    await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
+    return this.restingPicture();
+  }
+
+  /** The picture when it has not changed for a while. */
+  async restingPicture(): Promise<Picture> {
+    let last = await this.picture();
+    for (let same = 0; same < RESTING_PICTURES; ) {
+      await this.page.waitForTimeout(REST_MS);
+      const next = await this.picture();
+      same = countDifferent(next, last).pixels === 0 ? same + 1 : 0;
+      last = next;
+    }
+    return last;
+  }
+
   /** The preview below the strip at its top, where the editor may put a flag. */
   async picture(): Promise<Picture> {
     const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
@@ -103,9 +127,10 @@ export class EditorDriver {
     return decodePicture(await this.page.screenshot({ clip }));
   }
 
-  /** The picture as soon as it differs from another one in at least `pixels` pixels. */
+  /** The picture when it has come to rest, after it has changed in at least `pixels` pixels. */
   async pictureOtherThan(before: Picture, pixels = 1000): Promise<Picture> {
-    return this.pictureThat((picture) => countDifferent(picture, before, 4).pixels >= pixels, 'The picture did not change.');
+    await this.pictureThat((picture) => countDifferent(picture, before, 4).pixels >= pixels, 'The picture did not change.');
+    return this.restingPicture();
   }
 
   async pictureSameAs(expected: Picture): Promise<Picture> {

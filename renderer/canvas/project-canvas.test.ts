@@ -1,0 +1,97 @@
+import { describe, expect, test } from '@jest/globals';
+import type { Graph, GraphLayout } from '../../export/graph/project.ts';
+import { LIBRARY } from '../../tests/support/library.ts';
+import { type CanvasInput, createCanvasProjection } from './project-canvas.ts';
+
+const GRAPH: Graph = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video', version: 1, params: {} },
+    'blur-aaaa': { type: 'filter/gaussian-blur', version: 1, params: {} },
+    'math-aaaa': { type: 'value/math', version: 1, params: { a: { value: 2 } } },
+    'what-aaaa': { type: 'filter/from-the-future', version: 1, params: {} },
+  },
+  wires: [
+    { from: { node: 'video-aaaa', port: 'layer' }, to: { node: 'blur-aaaa', port: 'inputImage' } },
+    { from: { node: 'math-aaaa', port: 'result' }, to: { node: 'blur-aaaa', port: 'radius' } },
+    { from: { node: 'blur-aaaa', port: 'layer' }, to: { node: 'what-aaaa', port: 'mystery' } },
+  ],
+  exposed: { inputs: [], outputs: [] },
+};
+const LAYOUT: GraphLayout = { nodes: { 'video-aaaa': { x: 0, y: 0 }, 'blur-aaaa': { x: 300, y: 0 } }, frames: {}, notes: {} };
+const INPUT: CanvasInput = {
+  graph: GRAPH,
+  layout: LAYOUT,
+  library: LIBRARY,
+  selectedNodes: new Set(),
+  selectedWires: new Set(),
+  expanded: new Set(),
+  dragged: {},
+  problems: new Map(),
+};
+
+const byId = <T extends { id: string }>(list: readonly T[], id: string): T => {
+  const found = list.find((item) => item.id === id);
+  if (!found) throw new Error(`There is no ${id}.`);
+  return found;
+};
+
+describe('the canvas as data', () => {
+  test('wired params are ports, others only when asked for; nodes that compute show their operands', () => {
+    const project = createCanvasProjection();
+    const ports = (id: string, input = INPUT) => byId(project(input).nodes, id).data.shape.ports.map(({ name }) => name);
+    expect(ports('blur-aaaa')).toEqual(['inputImage', 'layer', 'radius']);
+    expect(ports('math-aaaa')).toEqual(['result', 'a', 'b']);
+    const unwired = { ...INPUT, graph: { ...GRAPH, wires: [] } };
+    expect(ports('blur-aaaa', unwired)).toEqual(['inputImage', 'layer']);
+    expect(byId(project(unwired).nodes, 'blur-aaaa').data.shape.hiddenParams).toBe(1);
+    expect(ports('blur-aaaa', { ...unwired, expanded: new Set(['blur-aaaa']) })).toEqual(['inputImage', 'layer', 'radius']);
+    expect(byId(project(INPUT).nodes, 'math-aaaa').data.values).toEqual({ a: '2', b: '1' });
+  });
+
+  test('a node of an unknown type keeps the ports that its wires name', () => {
+    const node = byId(createCanvasProjection()(INPUT).nodes, 'what-aaaa');
+    expect(node.data.known).toBe(false);
+    expect(node.data.title).toBe('filter/from-the-future');
+    expect(node.data.shape.ports.map(({ name, side }) => `${side} ${name}`)).toEqual(['input mystery']);
+  });
+
+  test('a drag makes the dragged node anew and no other, and leaves what is inside it alone', () => {
+    const project = createCanvasProjection();
+    const before = project(INPUT);
+    const after = project({ ...INPUT, dragged: { 'blur-aaaa': { x: 310, y: 20 } } });
+    for (const id of ['video-aaaa', 'math-aaaa', 'what-aaaa']) expect(byId(after.nodes, id)).toBe(byId(before.nodes, id));
+    const moved = byId(after.nodes, 'blur-aaaa');
+    expect(moved.position).toEqual({ x: 310, y: 20 });
+    expect(moved.data).toBe(byId(before.nodes, 'blur-aaaa').data);
+    after.wires.forEach((wire, index) => void expect(wire).toBe(before.wires[index]));
+  });
+
+  test('the ports that React Flow is told of lie on the node’s rim, on their lines', () => {
+    const node = byId(createCanvasProjection()(INPUT).nodes, 'blur-aaaa');
+    for (const handle of node.handles ?? []) {
+      const centreX = handle.x + (handle.width ?? 0) / 2;
+      expect(centreX).toBe(handle.type === 'target' ? 0 : node.width);
+      expect(handle.y).toBeGreaterThan(0);
+      expect(handle.y + (handle.height ?? 0)).toBeLessThanOrEqual(node.height ?? 0);
+    }
+  });
+
+  test('several wires of one port are numbered in their order; one alone is not', () => {
+    const wires = ['a-aaaa', 'b-aaaa'].map((node) => ({
+      from: { node, port: 'objects' },
+      to: { node: 'scene-aaaa', port: 'objects' },
+    }));
+    const graph: Graph = {
+      ...GRAPH,
+      nodes: {
+        'a-aaaa': { type: 'objects/primitive', version: 1, params: {} },
+        'b-aaaa': { type: 'objects/primitive', version: 1, params: {} },
+        'scene-aaaa': { type: 'layer/scene', version: 1, params: {} },
+      },
+      wires,
+    };
+    const project = createCanvasProjection();
+    expect(project({ ...INPUT, graph }).wires.map(({ data }) => data?.order)).toEqual([1, 2]);
+    expect(project({ ...INPUT, graph: { ...graph, wires: wires.slice(0, 1) } }).wires.map(({ data }) => data?.order)).toEqual([null]);
+  });
+});
