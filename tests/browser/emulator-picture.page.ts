@@ -224,10 +224,10 @@ function offAxis([x, y, z]: Triple, a: number, b: number): Triple {
   return y !== 0 ? [a, y, b] : [a, b, z];
 }
 
-/** A walk through the studio: a number for each frame's composite and depth. */
+/** A walk through a room: a number for each frame's composite and depth. */
 export async function walk(options: EmulatorOptions): Promise<number[]> {
   const stage = await enter(
-    { room: 'studio', sizePx: [160, 120], ...options },
+    { room: LANDMARK_ROOM, sizePx: [160, 120], ...options },
     {
       requiredFeatures: ['depth-sensing'],
       depthSensing: { usagePreference: ['cpu-optimized'], dataFormatPreference: ['luminance-alpha'] },

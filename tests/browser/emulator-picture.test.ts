@@ -120,8 +120,8 @@ test('light is estimated from the room', async () => {
 });
 
 test.each([
-  ['one view', { device: 'phone' }],
-  ['two views', { device: 'headset' }],
+  ['one view of the studio', { device: 'phone', room: 'studio' }],
+  ['two views of blocks', { device: 'headset' }],
 ])('the same script gives the same pixels and depth, %s', async (_, options) => {
   const once = await page.call<number[]>('walk', options);
   const again = await page.call<number[]>('walk', options);
