@@ -11,8 +11,6 @@ export interface FakeHost extends Host {
   emit(event: HostEvent): void;
 }
 
-const HANDLE = 'abcdef0123456789';
-
 /** A host in memory with one project; whatever crosses is checked against the contract, both ways. */
 export function createFakeHost(files: HostOutput<'project.open'>['files'], handlers: Handlers = {}): FakeHost {
   const calls: FakeHost['calls'] = [];
@@ -20,8 +18,10 @@ export function createFakeHost(files: HostOutput<'project.open'>['files'], handl
   const refusals = new Map<HostMethod, HostError>();
   let saved = files;
   let revision = 1;
+  let opened = 0;
   const open = (path: string) => ({
-    handle: HANDLE,
+    // Each opening gives another one, as the real host does.
+    handle: `abcdef0123456789${++opened}`,
     displayPath: path,
     files: saved,
     revision: `r${revision}`,

@@ -1,0 +1,45 @@
+import { expect, test } from '@jest/globals';
+import { createManualClock } from '../../export/runtime/clock.ts';
+import { createTransportClock } from './transport-clock.ts';
+
+function createRun() {
+  const base = createManualClock();
+  const clock = createTransportClock(base, () => {});
+  const times: number[] = [];
+  const tick = (timeS: number) => {
+    times.push(Math.round(timeS * 1000) / 1000);
+    clock.requestFrame(tick);
+  };
+  clock.requestFrame(tick);
+  return { base, clock, times };
+}
+
+test('runs with the display while playing, and stands while held', () => {
+  const { base, clock, times } = createRun();
+  base.advance(0.1);
+  base.advance(0.1);
+  clock.setPlaying(false);
+  times.length = 0;
+  for (let i = 0; i < 10; i++) base.advance(0.1);
+  expect(new Set(times)).toEqual(new Set([0.2]));
+  // One at once, then a few a second.
+  expect(times.length).toBeGreaterThanOrEqual(3);
+  expect(times.length).toBeLessThanOrEqual(5);
+  clock.setPlaying(true);
+  base.advance(0.1);
+  expect(times.at(-1)).toBe(0.3);
+});
+
+test('held, a step moves time on once, and a wake asks for a frame without moving it', () => {
+  const { base, clock, times } = createRun();
+  clock.setPlaying(false);
+  base.advance(0.01);
+  times.length = 0;
+  clock.step(0.04);
+  base.advance(0.01);
+  base.advance(0.01);
+  expect(times).toEqual([0.04]);
+  clock.wake();
+  base.advance(0.01);
+  expect(times).toEqual([0.04, 0.04]);
+});

@@ -1,0 +1,112 @@
+import { beforeEach, describe, expect, test } from '@jest/globals';
+import { createCompiler } from '../../export/compiler/compile.ts';
+import { LIBRARY } from '../../tests/support/library.ts';
+import { openTestEditor } from '../../tests/support/test-editor.ts';
+import type { CompilerWorker } from '../compile/compiler-link.ts';
+import type { CompileAnswer, CompileRequest } from '../compile/messages.ts';
+import type { ToPreview } from '../preview-protocol.ts';
+import { addNodeFromPalette, connect } from './edit-graph.ts';
+import { editParam } from './edit-params.ts';
+import { editShader, shaderOf } from './edit-shader.ts';
+import type { Editor } from './editor.ts';
+import { createFeed, type Feed } from './feed.ts';
+import { openPath } from './files.ts';
+
+/** The real compiler, which answers when it is told to. */
+function createSlowWorker() {
+  const compiler = createCompiler();
+  const waiting: CompileRequest[] = [];
+  const worker: CompilerWorker = { postMessage: (request) => void waiting.push(request), onmessage: null, terminate: () => {} };
+  const answer = () => {
+    const request = waiting.shift();
+    if (!request) throw new Error('Nothing was asked.');
+    const { output, diagnostics } = compiler.compile({ project: request.project, library: LIBRARY });
+    const data: CompileAnswer = { revision: request.revision, program: output, diagnostics, tookMs: 1 };
+    worker.onmessage?.({ data } as MessageEvent<CompileAnswer>);
+  };
+  return { worker, waiting, answer };
+}
+
+describe('the way from document to preview', () => {
+  let editor: Editor;
+  let feed: Feed;
+  let sent: ToPreview[];
+  let worker: ReturnType<typeof createSlowWorker>;
+  let blur: string;
+
+  const add = (type: string) => {
+    const definition = editor.document.getState().library.definition(type);
+    const id = definition && addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
+    if (!id) throw new Error(`${type} was not added.`);
+    return id;
+  };
+  const kinds = () => sent.splice(0).map((message) => (message.kind === 'param' ? `param ${message.value}` : message.kind));
+
+  beforeEach(async () => {
+    ({ editor } = await openTestEditor());
+    worker = createSlowWorker();
+    feed = createFeed(editor, worker.worker);
+    sent = [];
+    feed.attach((message) => void sent.push(message));
+    const video = add('source/camera-video');
+    blur = add('filter/gaussian-blur');
+    const screen = add('output/screen');
+    connect(editor, { node: video, port: 'layer' }, { node: blur, port: 'inputImage' });
+    connect(editor, { node: blur, port: 'layer' }, { node: screen, port: 'layer' });
+    while (worker.waiting.length > 0) worker.answer();
+    sent = [];
+  });
+
+  test('a dial goes to the preview at once and asks for no program', () => {
+    editParam(editor, blur, 'radius', 5);
+    expect(kinds()).toEqual(['param 5']);
+    expect(worker.waiting).toEqual([]);
+  });
+
+  test('values set while a program was being made are sent again after it', () => {
+    const threshold = add('filter/threshold');
+    connect(editor, { node: blur, port: 'layer' }, { node: threshold, port: 'inputImage' });
+    editParam(editor, blur, 'radius', 5);
+    editParam(editor, blur, 'radius', 6);
+    expect(kinds()).toEqual(['param 5', 'param 6']);
+    worker.answer();
+    expect(kinds()).toEqual(['program', 'param 6']);
+    worker.answer();
+    expect(kinds()).toEqual(['program', 'param 6']);
+    add('filter/sepia');
+    worker.answer();
+    expect(kinds()).toEqual(['program']);
+  });
+
+  test('a broken graph sends nothing: what worked plays on, and a page that comes anew is given it', () => {
+    const program = editor.compile.getState().program;
+    editShader(editor, blur, (shaderOf(editor.document.getState(), blur)?.text ?? '').replace('void main', 'void 0main'));
+    worker.answer();
+    expect(kinds()).toEqual([]);
+    expect(editor.compile.getState().diagnostics.some(({ severity }) => severity === 'error')).toBe(true);
+    expect(editor.compile.getState().program).toBe(program);
+    feed.receive({ kind: 'ready' });
+    expect(kinds()).toEqual(['program']);
+  });
+
+  test('what the driver said is told on the author’s lines, of the newest program alone', () => {
+    const { program, programRevision } = editor.compile.getState();
+    const shader = program?.shaders.find(({ sourceMap }) => sourceMap?.sources.includes('filters/gaussian-blur.fs'));
+    const line = (shader?.sourceMap?.lines.findIndex((entry) => entry !== null) ?? -1) + 1;
+    if (!shader || programRevision === null || line === 0) throw new Error('The blur has no shader in the program.');
+    const errors = [{ shaderId: shader.id, log: `ERROR: 0:${line}: 'x' : undeclared identifier` }];
+    feed.receive({ kind: 'shader-errors', revision: programRevision - 1, errors });
+    expect(editor.preview.getState().shaderDiagnostics).toEqual([]);
+    feed.receive({ kind: 'shader-errors', revision: programRevision, errors });
+    expect(editor.preview.getState().shaderDiagnostics).toMatchObject([
+      { code: 'SCR042', nodeId: blur, file: 'filters/gaussian-blur.fs', line: shader.sourceMap?.lines[line - 1]?.[1] },
+    ]);
+  });
+
+  test('another project starts with nothing of the one before', async () => {
+    editParam(editor, blur, 'radius', 5);
+    await openPath(editor, '/project');
+    expect(editor.compile.getState().program).toBeNull();
+    expect(editor.preview.getState().playing).toBeNull();
+  });
+});

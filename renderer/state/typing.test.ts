@@ -1,0 +1,58 @@
+import { describe, expect, test } from '@jest/globals';
+import { openTestEditor } from '../../tests/support/test-editor.ts';
+import { undo } from './apply.ts';
+import { graphOf } from './document.ts';
+import { addNodeFromPalette } from './edit-graph.ts';
+import { shaderOf } from './edit-shader.ts';
+import { filesOf } from './files.ts';
+import { createTyping } from './typing.ts';
+
+async function withSepia() {
+  const { editor, clock } = await openTestEditor();
+  const definition = editor.document.getState().library.definition('filter/sepia');
+  const node = definition && addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
+  if (!node) throw new Error('Sepia was not added.');
+  const text = () => shaderOf(editor.document.getState(), node)?.text ?? '';
+  return { editor, clock, node, text, typing: createTyping(editor), steps: () => editor.document.getState().history.past.length };
+}
+
+describe('typing a shader', () => {
+  test('a pause takes the text over, into a copy of the library’s shader, in one step', async () => {
+    const { editor, clock, node, text, typing, steps } = await withSepia();
+    const before = filesOf(editor);
+    const original = text();
+    const stepsBefore = steps();
+    typing.type(node, `${original}// a\n`);
+    expect(typing.isAhead(node)).toBe(true);
+    expect(text()).toBe(original);
+    clock.pass(300);
+    expect(text()).toBe(`${original}// a\n`);
+    expect(Object.keys(editor.document.getState().project.sources)).toEqual(['sepia-2.fs']);
+    expect(graphOf(editor.document.getState()).nodes[node]?.type).toBe('filter/sepia-2');
+    typing.type(node, `${original}// ab\n`);
+    clock.pass(300);
+    expect(steps()).toBe(stepsBefore + 1);
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('a header that is broken while it is typed takes no port and no dial away', async () => {
+    const { editor, clock, node, text, typing } = await withSepia();
+    typing.type(node, text().replace('"INPUTS"', '"DESCRIPTION2": "x", "INPUTS"'));
+    clock.pass(300);
+    typing.type(node, text().replace('"INPUTS": [', '"INPUTS": [[['));
+    clock.pass(300);
+    const { library } = editor.document.getState();
+    expect(library.diagnostics.map(({ code }) => code)).toContain('SCR040');
+    expect(Object.keys(library.definition('filter/sepia-2')?.inputs ?? {})).toEqual(['inputImage']);
+    expect(Object.keys(library.definition('filter/sepia-2')?.params ?? {})).toEqual(['amount']);
+  });
+
+  test('saving takes over what was typed a moment ago', async () => {
+    const { editor, node, text, typing } = await withSepia();
+    typing.type(node, `${text()}// last words\n`);
+    expect(filesOf(editor).sources['sepia-2.fs']).toContain('last words');
+    typing.dispose();
+    expect(editor.unfinished.size).toBe(0);
+  });
+});
