@@ -1,10 +1,13 @@
 import { mkdir, mkdtemp, readdir, readFile, rm, symlink, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
 import { type ProjectText, projectText, writeProject } from '../../tests/support/project-kit.ts';
 import { installationAt } from '../services/installation.ts';
 import { COMMANDS, runCli } from './run-cli.ts';
+
+// Disks and processors are shared with whatever else runs.
+jest.setTimeout(30_000);
 
 const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 const MODEL = resolve(import.meta.dirname, '../../examples/first-light/assets/robot.glb');

@@ -1,10 +1,13 @@
 import { createHash } from 'node:crypto';
 import { resolve } from 'node:path';
-import { describe, expect, test } from '@jest/globals';
+import { describe, expect, jest, test } from '@jest/globals';
 import { PROGRAM_VERSION, type Program } from '../program/program.ts';
 import { sessionInit } from '../runtime/sessions/webxr/features.ts';
 import { type BundleInput, bundlePage } from './bundle-page.ts';
 import type { ExportReport } from './report.ts';
+
+// Disks and processors are shared with whatever else runs.
+jest.setTimeout(30_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
@@ -35,6 +38,7 @@ const IMAGE_ONLY: Program = {
       reads: [],
       writes: ['picture-a1.out'],
       inputs: {},
+      multiple: [],
       outputs: {},
       params: {},
       config: {},
@@ -89,6 +93,7 @@ const WITH_OBJECTS: Program = {
       reads: [],
       writes: [],
       inputs: {},
+      multiple: [],
       outputs: {},
       params: {},
       config: {},
@@ -147,7 +152,7 @@ describe('a bundled page', () => {
     for (const word of NEVER) expect([word, new RegExp(`\\b${word}\\b`, 'i').test(script)]).toEqual([word, false]);
     expect(script).not.toMatch(/THREE|WebGLRenderer|GLTFLoader|BufferGeometry/);
     const parts = Object.keys((output as ExportReport).script);
-    expect(parts).toEqual(['export/page', 'export/program', 'export/runtime', 'nodes/source/image-file', 'page.ts']);
+    expect(parts).toEqual(['export/page', 'export/program', 'export/runtime', 'nodes/kit', 'nodes/source/image-file', 'page.ts']);
     expect(script.length).toBeLessThan(120_000);
   });
 

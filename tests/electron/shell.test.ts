@@ -1,4 +1,4 @@
-import { cp, mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
@@ -20,6 +20,7 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     base = await mkdtemp(join(tmpdir(), 'scrim-shell-'));
     project = join(base, 'first');
     await cp(SHELL, join(base, 'dist', 'electron'), { recursive: true });
+    await symlink(resolve(SHELL, '../../node_modules'), join(base, 'node_modules'));
     await put('dist/editor/index.html', '<!doctype html><title>Editor</title><iframe src="scrim://preview/index.html"></iframe>');
     await put('dist/preview/index.html', '<!doctype html><title>Preview</title>');
     await put('first/project.scrim.json', '{"title":"First"}\n');
