@@ -9,7 +9,7 @@
   "INPUTS": [
     { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to hide parts of." },
     { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far away the real room is." },
-    { "NAME": "biasM", "TYPE": "float", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.01, "UNIT": "m" },
+    { "NAME": "biasM", "TYPE": "float", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.0, "UNIT": "m" },
     { "NAME": "softnessM", "TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "m" }
   ]
 }*/

@@ -1,0 +1,19 @@
+import { existsSync } from 'node:fs';
+import { resolve } from 'node:path';
+import process from 'node:process';
+import { describe, test } from '@jest/globals';
+
+/** Real inputs are kept beside the repository, never in it. */
+const FOLDER = resolve(import.meta.dirname, '../../../shared/data');
+
+/** Tests on real input: where it is missing, they are skipped with one line that says so. */
+export function describeWithData(name: string, path: string, tests: (path: string) => void): void {
+  const file = resolve(FOLDER, path);
+  if (existsSync(file)) {
+    describe(name, () => tests(file));
+    return;
+  }
+  const reason = `${file} is missing`;
+  process.stderr.write(`SKIPPED ${name}: ${reason}.\n`);
+  describe(name, () => test.skip(reason, () => {}));
+}
