@@ -1,4 +1,5 @@
 import { resolve } from 'node:path';
+import process from 'node:process';
 import react from '@vitejs/plugin-react';
 import { defineConfig } from 'vite';
 
@@ -7,13 +8,14 @@ import { defineConfig } from 'vite';
  * `vite build --mode preview` its preview page in `dist/preview`. All addresses are relative: the shells choose the origins.
  */
 export default defineConfig(({ mode }) => {
+  // A build is for production, also when a test starts it: React's development runtime is in no production bundle.
+  process.env.NODE_ENV = 'production';
   const preview = mode === 'preview';
   return {
     root: resolve(import.meta.dirname, preview ? 'renderer/preview' : 'renderer'),
     base: './',
     publicDir: false,
     plugins: preview ? [shaderText()] : [react(), shaderText()],
-    define: { 'process.env.NODE_ENV': '"production"' },
     // One file a worker, so that it starts at every address and under every `worker-src`.
     worker: { format: 'iife', plugins: () => [shaderText()] },
     build: {
