@@ -30,7 +30,7 @@ afterEach(async () => {
 
 function end(child: ChildProcess): Promise<number | null> {
   return new Promise((done) => {
-    if (child.exitCode !== null) return done(child.exitCode);
+    if (child.exitCode !== null || child.signalCode !== null) return done(child.exitCode);
     child.once('exit', (code) => done(code));
     child.kill('SIGINT');
   });

@@ -78,13 +78,15 @@ async function serve(context: Context, project: string | null, port: number, why
     throw error;
   });
   if (server === null) throw new UsageError(`Port ${port} is taken or forbidden: give another one, or none.`);
+  // Listened for before anybody is told that it can be stopped.
+  const interrupted = untilInterrupted();
   if (json) print(JSON.stringify({ ok: true, shell: 'server', url: server.url }));
   else {
     if (why !== null) print(`Electron cannot run here (${why}): the editor opens in the browser instead.`);
     print(`${server.url}\nCtrl-C stops it.`);
     openAddress(server.url);
   }
-  await untilInterrupted();
+  await interrupted;
   await server.close();
   return { status: 0, json: undefined, text: '', diagnostics: [] };
 }
