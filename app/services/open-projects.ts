@@ -41,13 +41,13 @@ interface Entry {
   readonly baseUrl: string;
   /** Revision of what the editor knows to be on the disk. */
   known: string;
-  /** What is being written at this moment; changes seen meanwhile are our own. */
-  work: Promise<unknown>;
   readonly close: () => void;
 }
 
 export function createOpenProjects({ content, previewOrigin, files, emit }: OpenProjectsOptions): OpenProjects {
   const entries = new Map<string, Entry>();
+  /** Folder → what is being written there at this moment; changes seen meanwhile are our own. */
+  const writing = new Map<string, Promise<unknown>>();
 
   const entryOf = (handle: string): Entry => {
     const entry = entries.get(handle);
@@ -55,10 +55,15 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
     return entry;
   };
 
-  /** One at a time and in order: a save and an autosave of one project never overlap. */
-  const inTurn = <T>(entry: Entry, task: () => Promise<T>): Promise<T> => {
-    const result = entry.work.then(task);
-    entry.work = result.catch(() => {});
+  /** One at a time and in order: writes to one folder never overlap, though two tabs may have it open. */
+  const inTurn = <T>({ root }: Entry, task: () => Promise<T>): Promise<T> => {
+    const result = Promise.resolve(writing.get(root)).then(task);
+    const done = result
+      .catch(() => {})
+      .then(() => {
+        if (writing.get(root) === done) writing.delete(root);
+      });
+    writing.set(root, done);
     return result;
   };
 
@@ -84,7 +89,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
       watcher.dispose();
       hide();
     };
-    entries.set(handle, { root, baseUrl, known: revision, work: Promise.resolve(), close: release });
+    entries.set(handle, { root, baseUrl, known: revision, close: release });
     const recovery = await findUnsaved(root, projectFiles);
     return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles: await listAssets(root), recovery };
   };
@@ -93,7 +98,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
   const noticed = async (handle: string, revision: string) => {
     const entry = entries.get(handle);
     if (!entry) return;
-    await entry.work;
+    await writing.get(entry.root);
     if (entry.known === revision || !entries.has(handle)) return;
     const now = revisionOf(await readProjectFiles(entry.root).catch(() => ({ project: '', layout: null, sources: {} })));
     if (now !== revision) return;

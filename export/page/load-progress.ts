@@ -1,30 +1,18 @@
 /**
- * `fetch` that counts what comes in. `expectedBytes` is what all of it will be together; where a host compresses, bytes count
- * as they come out of the browser, so the sum is right.
+ * `fetch` that counts what comes in, as a fraction of `expectedBytes`, which is what all of it will be together. Bytes count as
+ * they come out of the browser, so that the sum is right whether the host compresses or not.
  */
-export interface LoadProgress {
-  readonly fetch: typeof fetch;
-}
-
-export function createLoadProgress(fetchFile: typeof fetch, expectedBytes: number, onProgress: (fraction: number) => void): LoadProgress {
+export function countingFetch(fetchFile: typeof fetch, expectedBytes: number, onProgress: (fraction: number) => void): typeof fetch {
   let loaded = 0;
-  const count = (bytes: number) => {
-    loaded += bytes;
-    onProgress(expectedBytes === 0 ? 1 : Math.min(1, loaded / expectedBytes));
+  const count = (chunk: Uint8Array, controller: TransformStreamDefaultController<Uint8Array>) => {
+    loaded += chunk.length;
+    onProgress(Math.min(1, loaded / expectedBytes));
+    controller.enqueue(chunk);
   };
-  return {
-    fetch: async (input, init) => {
-      const response = await fetchFile(input, init);
-      if (!response.ok || !response.body) return response;
-      const counted = response.body.pipeThrough(
-        new TransformStream<Uint8Array, Uint8Array>({
-          transform: (chunk, controller) => {
-            count(chunk.length);
-            controller.enqueue(chunk);
-          },
-        }),
-      );
-      return new Response(counted, { status: response.status, headers: response.headers });
-    },
+  return async (input, init) => {
+    const response = await fetchFile(input, init);
+    if (!response.ok || !response.body) return response;
+    const counted = response.body.pipeThrough(new TransformStream<Uint8Array, Uint8Array>({ transform: count }));
+    return new Response(counted, { status: response.status, headers: response.headers });
   };
 }

@@ -3,7 +3,7 @@ import { type Program, readProgram } from '../program/program.ts';
 import { createFetchAssetSource } from '../runtime/assets/asset-source.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import { noArReason } from './ar-texts.ts';
-import { createLoadProgress } from './load-progress.ts';
+import { countingFetch } from './load-progress.ts';
 import { browserFetch } from './network.ts';
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
 import { createStage } from './stage.ts';
@@ -28,12 +28,12 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
   const { panel } = stage;
   panel.show({ kind: 'loading', progress: null });
   const expectedBytes = Object.values(config.bytes).reduce((sum, bytes) => sum + bytes, 0);
-  const loading = createLoadProgress(browserFetch(), expectedBytes, (progress) => {
+  const fetchFile = countingFetch(browserFetch(), expectedBytes, (progress) => {
     if (visit === null || !visit.isReady) panel.show({ kind: 'loading', progress });
   });
   try {
-    const program = await loadProgram(new URL(config.program, page.document.baseURI), loading.fetch);
-    const assets = createFetchAssetSource(page.document.baseURI, loading.fetch);
+    const program = await loadProgram(new URL(config.program, page.document.baseURI), fetchFile);
+    const assets = createFetchAssetSource(page.document.baseURI, fetchFile);
     const noAr = noArReason(page);
     visit = createVisit({ page, stage, program, assets, ...parts });
     await visit.ready;

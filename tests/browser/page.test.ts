@@ -34,6 +34,27 @@ async function colourAt(page: Page, x: number, y: number): Promise<number[]> {
   return [...data.slice(at, at + 3)];
 }
 
+const MODEL = await readFile('examples/first-light/assets/robot.glb');
+
+/** A box in the middle of the view, and a model to load. */
+const ROBOT = {
+  title: 'Robot and box',
+  nodes: {
+    'robot-a1b2': ['source/model', { model: 'robot' }],
+    'box-a1b2': ['objects/primitive', { color: [1, 0, 0, 1] }],
+    'place-a1b2': ['objects/transform', { positionM: [0, 0.75, 0] }],
+    'scene-a1b2': 'layer/scene',
+    'screen-a1b2': 'output/screen',
+  },
+  wires: [
+    'robot-a1b2.objects -> scene-a1b2.objects',
+    'box-a1b2.objects -> place-a1b2.objects',
+    'place-a1b2.objects -> scene-a1b2.objects',
+    'scene-a1b2.layer -> screen-a1b2.layer',
+  ],
+  assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
+} as const;
+
 describe('an exported page where there is no AR', () => {
   test('shows the picture over its own background, says why there is no AR, and logs nothing', async () => {
     const { page, errors } = await open();
@@ -93,6 +114,32 @@ describe('an exported page where there is no AR', () => {
   });
 });
 
+describe('an exported page while it loads', () => {
+  test('shows how far it is, and the picture when all is there', async () => {
+    const slow = await serveProjectText(ROBOT, { 'assets/robot.glb': MODEL });
+    const page = await chromium.browser.newPage();
+    opened.push(page);
+    let letThrough = () => {};
+    const held = new Promise<void>((resolve) => {
+      letThrough = resolve;
+    });
+    await page.route('**/assets/*', async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.goto(slow.url);
+    const bar = page.getByRole('progressbar', { name: 'Loading' });
+    // The program has come, the model has not: a beginning, far from the end.
+    await page.waitForFunction(() => (document.querySelector('progress')?.value ?? 0) > 0);
+    expect(await bar.evaluate((progress) => (progress as HTMLProgressElement).value)).toBeLessThan(0.5);
+    expect(await page.getByText('look around').isVisible()).toBe(false);
+    letThrough();
+    await page.getByText('look around').waitFor();
+    expect(await bar.isVisible()).toBe(false);
+    await slow.close();
+  });
+});
+
 describe('an exported page in trouble', () => {
   test('says so when its program is missing', async () => {
     const broken = await servePage({ ...DISC, title: 'Broken' });
@@ -104,25 +151,7 @@ describe('an exported page in trouble', () => {
   });
 
   test('says so when a model is missing, and shows the rest', async () => {
-    const robot = await readFile('examples/first-light/assets/robot.glb');
-    const project = {
-      title: 'Robot and box',
-      nodes: {
-        'robot-a1b2': ['source/model', { model: 'robot' }],
-        'box-a1b2': ['objects/primitive', { color: [1, 0, 0, 1] }],
-        'place-a1b2': ['objects/transform', { positionM: [0, 0.75, 0] }],
-        'scene-a1b2': 'layer/scene',
-        'screen-a1b2': 'output/screen',
-      },
-      wires: [
-        'robot-a1b2.objects -> scene-a1b2.objects',
-        'box-a1b2.objects -> place-a1b2.objects',
-        'place-a1b2.objects -> scene-a1b2.objects',
-        'scene-a1b2.layer -> screen-a1b2.layer',
-      ],
-      assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
-    } as const;
-    const broken = await serveProjectText(project, { 'assets/robot.glb': robot });
+    const broken = await serveProjectText(ROBOT, { 'assets/robot.glb': MODEL });
     const [name = ''] = await readdir(join(broken.folder, 'assets'));
     await rename(join(broken.folder, 'assets', name), join(broken.folder, 'assets', 'gone'));
     const { page } = await open({}, broken.url);
