@@ -67,17 +67,23 @@ function createBuilder(library: NodeLibrary, title: string) {
 interface Supplier {
   readonly definition: NodeDefinition;
   readonly port: string;
-  /** Nodes it takes, those it needs itself included. */
+  /** Nodes it takes, those it needs itself included, and what `priceOf` adds. */
   readonly nodes: number;
 }
 
-/** Per wire type the output that takes the fewest nodes; of equals, the one without needs, then the first by name. */
+/** A node alone; dearer with needs, and dearest where it shows nothing before somebody has chosen a file. */
+function priceOf({ needs, params }: NodeDefinition): number {
+  if (Object.values(params).some(({ stage }) => stage === 'asset')) return 3;
+  return needs?.length ? 1.5 : 1;
+}
+
+/** Per wire type the output that takes the fewest nodes; of equals, the cheapest, then the first by name. */
 function cheapestSuppliers(definitions: readonly NodeDefinition[]): ReadonlyMap<WireType, Supplier> {
   const suppliers = new Map<WireType, Supplier>();
   const cost = (definition: NodeDefinition): number =>
     Object.values(definition.inputs)
       .filter((port) => port.required)
-      .reduce((sum, port) => sum + (suppliers.get(port.type)?.nodes ?? Number.POSITIVE_INFINITY), definition.needs?.length ? 1.5 : 1);
+      .reduce((sum, port) => sum + (suppliers.get(port.type)?.nodes ?? Number.POSITIVE_INFINITY), priceOf(definition));
   // A supplier may become cheaper once those of its own inputs are known; each round settles at least one type.
   for (let changed = true; changed; ) {
     changed = false;
