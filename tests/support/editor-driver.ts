@@ -3,7 +3,8 @@ import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent } from './pixels.ts';
 
 const WAIT_MS = 20_000;
-const FLAG_PX = 40;
+/** Height of the strip at the preview's top where the editor may put a flag. */
+export const FLAG_PX = 40;
 /** A held preview draws four times a second. */
 const REST_MS = 300;
 const RESTING_PICTURES = 2;
@@ -58,8 +59,9 @@ export class EditorDriver {
       const box = document.querySelector('.canvas')?.getBoundingClientRect();
       if (!box) throw new Error('There is no canvas.');
       const isPane = (x: number, y: number) => document.elementFromPoint(x, y)?.classList.contains('react-flow__pane') ?? false;
-      for (let y = box.top + 60; y < box.bottom - 130; y += 20) {
-        for (let x = box.left + 20; x < box.right - 240; x += 20) {
+      // A wire held within 40 px of an edge pans the canvas; ports of a node placed here stay clear of that.
+      for (let y = box.top + 80; y < box.bottom - 130; y += 20) {
+        for (let x = box.left + 100; x < box.right - 300; x += 20) {
           const around = [0, 70, 140, 210].flatMap((dx) => [-30, 0, 40, 80].map((dy) => isPane(x + dx, y + dy)));
           if (around.every(Boolean)) return { x, y };
         }

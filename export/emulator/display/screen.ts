@@ -27,7 +27,8 @@ export function createScreen(container: HTMLElement | null): Screen {
       const element = document.createElement('div');
       element.dataset.scrimEmulator = '';
       setStyles(element, container ? { ...FILL, position: 'absolute' } : { ...FILL, position: 'fixed', zIndex: '2147483000' });
-      setStyles(canvas, { width: '100%', height: '100%', objectFit: 'contain', display: 'block' });
+      // Said in full, because pages hide the canvases they know, which a device's screen is not.
+      setStyles(canvas, { width: '100%', height: '100%', objectFit: 'contain', display: 'block', visibility: 'visible' });
       element.append(canvas);
       (container ?? document.body).append(element);
       shown = { element, restoreOverlay: overlayRoot ? setStyles(overlayRoot, OVERLAY) : () => {} };

@@ -1,0 +1,109 @@
+import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { EditorDriver, FLAG_PX } from '../support/editor-driver.ts';
+import { decodePicture, type Picture } from '../support/picture.ts';
+import { countDifferent, expectSamePixels } from '../support/pixels.ts';
+import { serveProject } from '../support/project-page.ts';
+import { openXrPage } from './xr-page.ts';
+
+// An editor and a page, each with an emulated device, drawn on the CPU.
+jest.setTimeout(180_000);
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const chromium = useBrowser();
+
+/** Where the preview's walk begins: see `renderer/preview/walk.ts`. */
+const START_PITCH_RAD = -0.15;
+const START = { position: [0, 1.5, 1], quaternion: [Math.sin(START_PITCH_RAD / 2), 0, 0, Math.cos(START_PITCH_RAD / 2)] } as const;
+/** Frames after the first; the page draws as many when it enters. */
+const STEPS = 2;
+
+let base = '';
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-parity-'));
+});
+afterAll(() => rm(base, { recursive: true, force: true }));
+
+/** The example by itself has a filter over everything; without it, its layers go straight to the device. */
+async function copyExample(name: string, forward: boolean): Promise<string> {
+  const project = join(base, name);
+  await cp(join(ROOT, 'examples/first-light'), project, { recursive: true });
+  if (!forward) return project;
+  const file = join(project, 'project.scrim.json');
+  const saved = JSON.parse(await readFile(file, 'utf8')) as {
+    graphs: { main: { nodes: Record<string, { type: string; muted?: boolean }> } };
+  };
+  for (const node of Object.values(saved.graphs.main.nodes)) if (node.type === 'filter/color-temperature') node.muted = true;
+  await writeFile(file, JSON.stringify(saved));
+  return project;
+}
+
+/** What the running editor's preview shows in the studio, and at which size. */
+async function previewOf(
+  project: string,
+  views: 1 | 2,
+): Promise<{ readonly still: Picture; readonly size: { width: number; height: number } }> {
+  const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log: () => {} });
+  const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const errors = collectErrors(page);
+  await page.goto(server.url);
+  const editor = new EditorDriver(page);
+  await editor.settled();
+  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  if (views === 2) await editor.press('Two views, as in a headset');
+  await editor.settled();
+  await editor.rewind();
+  for (let i = 0; i < STEPS; i++) await editor.press('One frame on');
+  const still = await editor.restingPicture();
+  const box = await page.locator('iframe[title="Preview"]').boundingBox();
+  if (!box) throw new Error('There is no preview.');
+  expect(errors).toEqual([]);
+  await page.close();
+  await server.close();
+  return { still, size: { width: box.width, height: box.height } };
+}
+
+/** What the device of someone who visits the exported page shows, less what the page lays over it and the strip that the preview leaves out. */
+async function pageOf(project: string, views: 1 | 2, size: { width: number; height: number }, steps: number): Promise<Picture> {
+  const served = await serveProject(project);
+  const options = {
+    room: 'studio',
+    device: views === 2 ? 'headset' : 'phone',
+    views,
+    sizePx: [size.width, size.height],
+    antialias: true,
+  } as const;
+  const xr = await openXrPage(chromium.browser, served.url, options, size);
+  await xr.setPose(START);
+  await xr.enter();
+  if (steps > STEPS) await xr.step(steps - STEPS);
+  await xr.page.getByRole('button', { name: 'Leave AR' }).evaluate((button) => {
+    button.style.visibility = 'hidden';
+  });
+  const y = FLAG_PX;
+  const seen = decodePicture(await xr.page.screenshot({ clip: { x: 0, y, width: size.width, height: size.height - y } }));
+  expect(xr.errors).toEqual([]);
+  await xr.close();
+  await served.close();
+  return seen;
+}
+
+describe.each([
+  ['the example', false, 1],
+  ['the example in two views', false, 2],
+  ['layers drawn straight to the device', true, 1],
+] as const)('%s', (name, forward, views) => {
+  test('is the same in the running editor’s preview and in the served page, to the pixel', async () => {
+    const project = await copyExample(name.replaceAll(' ', '-'), forward);
+    const { still, size } = await previewOf(project, views);
+    await expectSamePixels(`parity-${name.replaceAll(' ', '-')}`, await pageOf(project, views, size, STEPS), still);
+    // The comparison sees a fifth of a second: the model moves.
+    const later = await pageOf(project, views, size, STEPS + 12);
+    expect(countDifferent(later, still).pixels).toBeGreaterThan(100);
+  });
+});
