@@ -78,6 +78,35 @@ describe('the way from document to preview', () => {
     expect(kinds()).toEqual(['program']);
   });
 
+  test('a value that the program cannot follow asks for one that can, even where it came while another was being made', () => {
+    // On the screen an `over` at full opacity is plain blending, and has no opacity to set.
+    const over = add('operator/over');
+    const video = add('source/camera-video');
+    const screen = Object.entries(editor.document.getState().project.graphs.main?.nodes ?? {}).find(([, n]) => n.type === 'output/screen');
+    connect(editor, { node: blur, port: 'layer' }, { node: over, port: 'top' });
+    connect(editor, { node: video, port: 'layer' }, { node: over, port: 'bottom' });
+    connect(editor, { node: over, port: 'layer' }, { node: screen?.[0] ?? '', port: 'layer' });
+    while (worker.waiting.length > 0) worker.answer();
+    expect(Object.keys(editor.compile.getState().program?.slots.params ?? {})).not.toContain(`${over}.opacity`);
+    sent = [];
+
+    editParam(editor, over, 'opacity', 0.5);
+    expect(worker.waiting).toHaveLength(1);
+    editParam(editor, over, 'opacity', 0.25);
+    while (worker.waiting.length > 0) worker.answer();
+    expect(kinds()).toEqual(['param 0.5', 'param 0.25', 'program', 'param 0.25', 'program']);
+    editParam(editor, over, 'opacity', 0.75);
+    expect(worker.waiting).toEqual([]);
+
+    // Full again, and a program is made of that; another value comes before it is there.
+    editParam(editor, over, 'opacity', 1);
+    add('filter/sepia');
+    editParam(editor, over, 'opacity', 0.5);
+    while (worker.waiting.length > 0) worker.answer();
+    const { program } = editor.compile.getState();
+    expect(program?.slots.numbers[program.slots.slots[program.slots.params[`${over}.opacity`] ?? -1]?.offset ?? -1]).toBe(0.5);
+  });
+
   test('a broken graph sends nothing: what worked plays on, and a page that comes anew is given it', () => {
     const program = editor.compile.getState().program;
     editShader(editor, blur, (shaderOf(editor.document.getState(), blur)?.text ?? '').replace('void main', 'void 0main'));

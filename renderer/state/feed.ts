@@ -1,4 +1,5 @@
 import { driverDiagnostics } from '../../export/glsl/driver/driver-diagnostics.ts';
+import { MAIN_GRAPH } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
@@ -40,6 +41,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     post({ kind: 'program', revision, program });
     pending = pending.filter((edit) => edit.revision > revision);
     for (const edit of pending) postEdit(edit);
+    if (pending.some((edit) => !follows(program, edit))) compile();
   };
   const postSource = () => {
     const source = previewSource(editor);
@@ -75,6 +77,9 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
         ];
         postEdit(edit);
       }
+      // Until there is a program, one is on its way already.
+      const { program } = editor.compile.getState();
+      if (program !== null && consequence.edits.some((edit) => !follows(program, edit))) compile();
     }
   });
   const stopSource = editor.preview.subscribe((state, before) => {
@@ -103,6 +108,15 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       compiler.dispose();
     },
   };
+}
+
+/**
+ * Whether a program takes the value while it runs. Some values decide what is drawn rather than how: an `over` at full opacity
+ * is plain blending, which any other opacity has to take back. And a node inside a subgraph stands in the program once for each
+ * use of it, under other names.
+ */
+function follows({ slots }: Program, { graph, node, param }: ParamEdit): boolean {
+  return graph === MAIN_GRAPH && Object.hasOwn(slots.params, `${node}.${param}`);
 }
 
 /** The last good program stays what the preview plays. */

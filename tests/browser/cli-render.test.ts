@@ -228,7 +228,7 @@ describe('scrim render in trouble writes nothing and says why', () => {
     await refused([damaged, '--session', session], 'SCR032', 'robot.glb');
   });
 
-  test('a shader that the driver refuses, on its author’s line', async () => {
+  test('a shader that the driver refuses, at its author’s word', async () => {
     const shader = `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/
 void main() {
   vec4 c = IMG_THIS_PIXEL(inputImage);
@@ -240,6 +240,6 @@ void main() {
     const wires = ['video-a1b2.layer -> own-a1b2.inputImage', 'own-a1b2.layer -> screen-a1b2.layer'];
     await writeProject(own, { 'project.scrim.json': projectText({ nodes, wires }), 'shaders/own.fs': shader });
     const diagnostics = await refused([own, '--session', session], 'SCR042', 'notDeclared');
-    expect(diagnostics.find(({ code }) => code === 'SCR042')).toMatchObject({ file: 'shaders/own.fs', line: 4 });
+    expect(diagnostics.find(({ code }) => code === 'SCR042')).toMatchObject({ file: 'shaders/own.fs', line: 4, column: 22 });
   });
 });

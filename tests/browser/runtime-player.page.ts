@@ -1,4 +1,4 @@
-import type { DrawOperation, PassUniform } from '../../export/program/program.ts';
+import type { DrawOperation, PassOperation, PassUniform } from '../../export/program/program.ts';
 import { createManualClock } from '../../export/runtime/clock.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import {
@@ -101,6 +101,40 @@ export async function builtins() {
   const result = pixel(gl, 5, 5);
   player.dispose();
   return { result, error: gl.getError() };
+}
+
+/** What comes with a picture, in shaders that read nothing else of it: its size, its placement, how its depth is read. */
+export async function asideFromPicture() {
+  const resources = [target('small', { size: { base: 'view', width: [20], height: [10] }, depth: 'window' })];
+  const depth = { name: 'picture', source: { kind: 'depth', depth: { resource: 'small', encoding: 'window' } }, fit: 'none' } as const;
+  const read = async (declaration: string, body: string, sampler: PassOperation['samplers'][number]) => {
+    const { gl, player } = await stand(
+      program({
+        resources,
+        shaders: [shader('fill', 'color = vec4(1.0);'), shader('read', body, `uniform sampler2D picture; ${declaration}`)],
+        operations: [pass('fill', 0, 'small'), pass('read', 1, 'screen', { samplers: [sampler] })],
+      }),
+    );
+    player.draw(frame(0));
+    const seen = pixel(gl, 5, 5);
+    player.dispose();
+    return seen;
+  };
+  const color = colorSampler('picture', 'small');
+  return {
+    size: await read('uniform vec2 picture_size;', 'color = vec4(picture_size / 255.0, 0.0, 1.0);', color),
+    placement: await read(
+      'uniform mat3 picture_uvFromViewUv;',
+      'color = vec4((picture_uvFromViewUv * vec3(0.2, 0.4, 1.0)).xy, 0.0, 1.0);',
+      color,
+    ),
+    // Near 0.1 m and far 100 m.
+    decode: await read(
+      'uniform vec4 picture_decode;',
+      'color = abs(picture_decode.x + 1.002) < 0.001 && abs(picture_decode.y + 0.2002) < 0.001 && picture_decode.w == 1.0 ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0);',
+      depth,
+    ),
+  };
 }
 
 /** Runs a manual clock until drivers have answered; promises need turns of their own in between. */

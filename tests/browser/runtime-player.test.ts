@@ -29,6 +29,10 @@ describe('passes', () => {
     expect(await page.call('builtins')).toEqual({ result: [0, 255, 0, 255], error: NO_ERROR });
   });
 
+  test('are told of a picture what they ask, though they never look at it', async () => {
+    expect(await page.call('asideFromPicture')).toEqual({ size: [20, 10, 0, 255], placement: [51, 102, 0, 255], decode: [0, 255, 0, 255] });
+  });
+
   test('a persistent buffer counts frames per view, keeps its picture over a resize and forgets it on reset', async () => {
     expect(await page.call('persistent')).toEqual({ left: 48, right: 48, resized: 64, restarted: 16, error: NO_ERROR });
   });

@@ -1,4 +1,5 @@
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { LIBRARY } from '../../services/compile-project.ts';
 import { type Call, type Command, failed, type Outcome, UsageError } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
 import { createFrameWriter } from '../render/frame-writer.ts';
@@ -67,6 +68,7 @@ export const renderCommand: Command = {
         root: installation.root,
         projectRoot: compiled.root,
         job: { program, session: session.output.session, ...session.output.sizePx, subject: subject.output },
+        sourceOf: (file) => compiled.files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file),
         onPicture: writer.add,
         say,
       });

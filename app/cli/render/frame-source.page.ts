@@ -57,7 +57,7 @@ async function openRoom(
   handlers: FrameHandlers,
 ): Promise<Result<FrameSource>> {
   const room = captureUrl === null ? 'studio' : { capture: await (await fetch(captureUrl)).json() };
-  const emulator = installEmulator({ device: 'phone', room, clock: 'manual', sizePx, display: false });
+  const emulator = installEmulator({ device: 'phone', room, clock: 'manual', sizePx, display: false, antialias: true });
   emulator.setPose(ROOM_POSE);
   const { antialias } = program.presentation;
   const { output, diagnostics } = await requestWebXrSession({ xr: navigator.xr, gl, needs: program.needs, antialias });

@@ -1,6 +1,5 @@
 import process from 'node:process';
 import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
-import type { Program } from '../../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import { type Chromium, findChromium } from '../../services/chromium.ts';
@@ -18,6 +17,8 @@ export interface RenderOptions {
   readonly first: number;
   /** Included. */
   readonly last: number;
+  /** Text of a shader by its file's name, to find the column of what a driver quotes. */
+  readonly sourceOf: (file: string) => string | undefined;
   readonly onPicture: (index: number, head: RenderPage.PictureHead, bytes: Uint8Array) => Promise<void>;
   readonly say: (text: string) => void;
 }
@@ -68,7 +69,7 @@ async function inBrowser(found: Chromium, server: RenderServer, options: RenderO
       ) as Promise<Awaited<ReturnType<PageApi[K]>>>;
 
     const opened = await call('open', { ...options.job, assetBaseUrl: 'project/' });
-    const early = [...opened.diagnostics, ...shaderDiagnostics(options.job.program, opened.shaderErrors), ...(await call('diagnostics'))];
+    const early = [...opened.diagnostics, ...shaderDiagnostics(options, opened.shaderErrors), ...(await call('diagnostics'))];
     if (hasErrors(early)) return early;
     if (opened.frameCount !== null && options.last >= opened.frameCount) return [...early, noSuchFrame(options.last, opened.frameCount)];
     for (let index = firstPlayed(options); index <= options.last; index++) {
@@ -96,10 +97,13 @@ function firstPlayed({ first, job: { program, session } }: RenderOptions): numbe
   return remembers ? 0 : Math.max(0, first - 1);
 }
 
-function shaderDiagnostics({ shaders }: Program, errors: Awaited<ReturnType<PageApi['open']>>['shaderErrors']): Diagnostic[] {
+function shaderDiagnostics(
+  { job, sourceOf }: RenderOptions,
+  errors: Awaited<ReturnType<PageApi['open']>>['shaderErrors'],
+): readonly Diagnostic[] {
   return errors.flatMap(({ shaderId, log }) => {
-    const shader = shaders.find(({ id }) => id === shaderId);
-    return shader ? driverDiagnostics(shader, log) : [];
+    const shader = job.program.shaders.find(({ id }) => id === shaderId);
+    return shader ? driverDiagnostics(shader, log, sourceOf) : [];
   });
 }
 

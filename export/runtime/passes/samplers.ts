@@ -19,7 +19,7 @@ export interface Sampler {
   bind(state: PlayState): void;
 }
 
-/** Null for what the linked shader does not use: some want to know an image's size and nothing else. */
+/** Null for what the linked shader does not use: each stays without the others, so that an image can be asked for its size alone. */
 interface Locations {
   readonly texture: WebGLUniformLocation | null;
   readonly uv: WebGLUniformLocation | null;
@@ -42,7 +42,7 @@ export function createSamplers(
       size: program.uniform(`${spec.name}_size`),
       decode: program.uniform(`${spec.name}_decode`),
     };
-    if (!locations.texture && !locations.size) continue;
+    if (Object.values(locations).every((location) => location === null)) continue;
     samplers.push(createSampler(gl, drawer, samplers.length, locations, spec, resources));
   }
   return samplers;
