@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
-import { draws, passes, problems, program } from '../../tests/compile/compiled.ts';
+import { draws, ids, passes, problems, program } from '../../tests/compile/compiled.ts';
 import { emptyStudio, sceneStudio, subgraphs, videoStudio } from '../../tests/compile/graphs.ts';
+import { programFaults } from '../../tests/compile/program-faults.ts';
 import { TEST_LIBRARY as library } from '../../tests/support/test-library.ts';
 import type { TestStudio } from '../../tests/support/test-studio.ts';
 import { compile } from './compile.ts';
@@ -30,6 +31,77 @@ describe('values', () => {
     const made = program(studio);
     expect(made.slots.numbers[made.slots.slots[made.slots.params['sepia-a.amount'] ?? -1]?.offset ?? -1]).toBe(1);
     expect(problems(studio)).toEqual([{ code: 'SCR018', severity: 'warning', nodeId: 'sepia-a', port: 'amount' }]);
+  });
+});
+
+describe('loops', () => {
+  const looped = () =>
+    videoStudio()
+      .add('sepia-a', 'filter/sepia')
+      .add('sum-a', 'value/math')
+      .add('delay-a', 'value/delay')
+      .wire(
+        'video-a.layer -> sepia-a.inputImage',
+        'sepia-a.layer -> screen-a.layer',
+        'sum-a.result -> delay-a.value',
+        'delay-a.value -> sum-a.a',
+        'delay-a.value -> sepia-a.amount',
+      );
+
+  test('are broken at delays, which come first and read what is written after them', () => {
+    const made = program(looped());
+    const values = made.operations.flatMap((operation) => (operation.kind === 'value' ? [operation] : []));
+    expect(values.map(({ id }) => id)).toEqual(['delay-a', 'sum-a']);
+    const [delay, sum] = values;
+    expect(sum?.outputs.result).toEqual({ kind: 'slot', slot: delay?.params.value });
+    expect(delay?.outputs.value).toEqual({ kind: 'slot', slot: sum?.params.a });
+    expect(programFaults(made)).toEqual([]);
+  });
+
+  test('are found behind delays, where only these lead to the screen', () => {
+    expect(ids(program(looped().add('time-a', 'value/time').wire('time-a.seconds -> sum-a.b')), 'value')).toEqual([
+      'delay-a',
+      'time-a',
+      'sum-a',
+    ]);
+  });
+
+  test('stay loops where the delay is muted', () => {
+    expect(problems(looped().mute('delay-a'))).toMatchObject([{ code: 'SCR014', severity: 'error' }]);
+  });
+});
+
+describe('pulses', () => {
+  const counted = () =>
+    videoStudio()
+      .add('every-a', 'pulse/every')
+      .add('every-b', 'pulse/every')
+      .add('counter-a', 'value/counter')
+      .add('sepia-a', 'filter/sepia')
+      .wire(
+        'every-b.pulse -> counter-a.count',
+        'every-a.pulse -> counter-a.count',
+        'counter-a.value -> sepia-a.amount',
+        'video-a.layer -> sepia-a.inputImage',
+        'sepia-a.layer -> screen-a.layer',
+      );
+
+  test('are resources of those that make them, read in the order of the wires', () => {
+    const made = program(counted());
+    const counter = made.operations.find(({ id }) => id === 'counter-a');
+    expect(counter).toMatchObject({
+      kind: 'value',
+      pulses: ['count', 'reset'],
+      inputs: { count: [{ resource: 'every-b.pulse' }, { resource: 'every-a.pulse' }], reset: [] },
+      reads: ['every-b.pulse', 'every-a.pulse'],
+      writes: ['counter-a.wrapped'],
+    });
+    expect(made.resources.filter(({ kind }) => kind === 'pulses').map(({ id }) => id)).toEqual([
+      'every-a.pulse',
+      'every-b.pulse',
+      'counter-a.wrapped',
+    ]);
+    expect(programFaults(made)).toEqual([]);
   });
 });
 

@@ -14,11 +14,17 @@ const studio = new TestStudio({ library: TEST_LIBRARY, readShader })
   .add('toggle-aaaa', 'value/toggle')
   .add('number-aaaa', 'value/number')
   .add('box-aaaa', 'objects/primitive')
+  .add('sum-aaaa', 'value/math')
+  .add('delay-aaaa', 'value/delay')
+  .add('delay-bbbb', 'value/delay')
   .wire(
     'video-aaaa.layer -> sepia-aaaa.inputImage',
     'sepia-aaaa.layer -> sepia-bbbb.inputImage',
     'model-aaaa.objects -> group-aaaa.objects',
+    'delay-aaaa.value -> sum-aaaa.a',
+    'sum-aaaa.result -> delay-bbbb.value',
   )
+  .mute('delay-bbbb')
   .bind('sepia-bbbb.amount', { expression: 'time' });
 
 function ask(text: string) {
@@ -32,6 +38,8 @@ describe('canConnect', () => {
     ['the same type', 'video-aaaa.layer -> sepia-bbbb.inputImage', 'same'],
     ['a number to a param', 'number-aaaa.value -> sepia-aaaa.amount', 'same'],
     ['a toggle to a number', 'toggle-aaaa.value -> sepia-aaaa.amount', 'lossless'],
+    ['a loop through a delay', 'sum-aaaa.result -> delay-aaaa.value', 'same'],
+    ['a delay of its own', 'delay-aaaa.value -> delay-aaaa.value', 'same'],
     ['another wire to a port for several', 'box-aaaa.objects -> group-aaaa.objects', 'same'],
   ])('allows %s', (_, wire, conversion) => {
     expect(ask(wire)).toEqual({ ok: true, conversion });
@@ -42,6 +50,7 @@ describe('canConnect', () => {
     ['a lossy conversion', 'color-aaaa.color -> sepia-aaaa.amount', 'SCR013', '“Colour”'],
     ['a loop', 'sepia-bbbb.layer -> sepia-aaaa.inputImage', 'SCR014', 'sepia-bbbb → sepia-aaaa → sepia-bbbb'],
     ['a node to itself', 'sepia-bbbb.layer -> sepia-bbbb.inputImage', 'SCR014', 'sepia-bbbb → sepia-bbbb'],
+    ['a loop through a delay that is muted', 'delay-bbbb.value -> sum-aaaa.b', 'SCR014', 'delay-bbbb → sum-aaaa → delay-bbbb'],
     ['an unknown node', 'video-aaaa.layer -> nothing-aaaa.layer', 'SCR012', 'no node nothing-aaaa'],
     ['an unknown port', 'video-aaaa.sound -> sepia-aaaa.inputImage', 'SCR012', 'no output "sound"; it has layer'],
     ['a name that every object has', 'video-aaaa.constructor -> sepia-aaaa.inputImage', 'SCR012', 'no output'],

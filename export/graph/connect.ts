@@ -1,7 +1,7 @@
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { Diagnostic, DiagnosticCode } from '../../nodes/kit/diagnostics.ts';
 import { conversion, WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
-import { createFaceLookup, type FaceLookup, type InputFace, inputOf, type NodeFace, takesSeveral } from './library/faces.ts';
+import { breaksLoops, createFaceLookup, type FaceLookup, type InputFace, inputOf, type NodeFace, takesSeveral } from './library/faces.ts';
 import { own } from './own.ts';
 import type { Graph, PortAddress, Project, Wire } from './project.ts';
 import { printAddress, sameAddress, sameWire } from './wires.ts';
@@ -14,7 +14,8 @@ export type Connectable =
 export function canConnect(project: Project, library: NodeLibrary, graphName: string, from: PortAddress, to: PortAddress): Connectable {
   const graph = own(project.graphs, graphName);
   if (!graph) return refuse('SCR012', to, `There is no graph "${graphName}".`);
-  const found = portsOfWire(graph, createFaceLookup(project, library), { from, to });
+  const faceOf = createFaceLookup(project, library);
+  const found = portsOfWire(graph, faceOf, { from, to });
   if (!found.ok) return found;
   if (graph.wires.some((wire) => sameWire(wire, { from, to }))) {
     return refuse('SCR016', to, `${printAddress(from)} is wired to ${printAddress(to)} already.`);
@@ -25,10 +26,10 @@ export function canConnect(project: Project, library: NodeLibrary, graphName: st
   if (outside && !takesSeveral(found.input)) {
     return refuse('SCR016', to, `${printAddress(to)} is shown outside as “${outside.name}”, and takes its one wire there.`);
   }
-  const path = pathBetween(graph, to.node, from.node);
+  const path = pathBetween(graph, faceOf, to.node, from.node);
   if (path === null) return { ok: true, conversion: found.conversion };
   const loop = [from.node, ...path].join(' → ');
-  return refuse('SCR014', to, `This wire would close a loop: ${loop}. A picture cannot depend on itself.`);
+  return refuse('SCR014', to, `This wire would close a loop: ${loop}. A loop needs a delay in it: nothing can depend on itself at once.`);
 }
 
 /** Both ends of a wire that could be: the right way round, and of types that convert. */
@@ -80,13 +81,18 @@ function noSuchPort(face: NodeFace, { node, port }: PortAddress, side: 'input' |
   return `${node} (${face.title}) has no ${side} "${port}"; it has ${names.length === 0 ? 'none' : names.join(', ')}.`;
 }
 
-/** Nodes on the way from one node to another along the wires, ends included, or null where there is no way. */
-function pathBetween(graph: Graph, start: string, end: string): string[] | null {
+/** Nodes on the way from one node to another within a frame, ends included, or null where there is no way. */
+function pathBetween(graph: Graph, faceOf: FaceLookup, start: string, end: string): string[] | null {
+  const waits = (id: string): boolean => {
+    const node = own(graph.nodes, id);
+    return node !== undefined && breaksLoops(node, faceOf);
+  };
+  if (waits(start)) return null;
   const cameFrom = new Map<string, string | null>([[start, null]]);
   const next = followers(graph.wires);
   for (const node of cameFrom.keys()) {
     if (node === end) return backwards(cameFrom, end);
-    for (const follower of next.get(node) ?? []) if (!cameFrom.has(follower)) cameFrom.set(follower, node);
+    for (const follower of next.get(node) ?? []) if (!cameFrom.has(follower) && !waits(follower)) cameFrom.set(follower, node);
   }
   return null;
 }

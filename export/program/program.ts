@@ -63,6 +63,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'room-depth' }
   | { readonly id: ResourceId; readonly kind: 'objects' }
   | { readonly id: ResourceId; readonly kind: 'lights' }
+  /** What happened in this frame: emptied before each. */
+  | { readonly id: ResourceId; readonly kind: 'pulses' }
   /** Depth from every shadow-casting light over one set of casters. */
   | { readonly id: ResourceId; readonly kind: 'shadow-maps' };
 
@@ -128,6 +130,10 @@ export interface NodeOperation extends OperationBase {
   readonly inputs: Readonly<Record<string, readonly InputRef[]>>;
   /** Input ports that take several wires: the node's runtime sees an array for these, else one view or null. */
   readonly multiple: readonly string[];
+  /** Input ports of pulses, if any: the node's runtime sees one list per port, of all its wires or of none. */
+  readonly pulses?: readonly string[];
+  /** Its inputs are read after the frame's values are computed, so that it may come before what they depend on. */
+  readonly delay?: true;
   readonly outputs: Readonly<Record<string, OutputRef>>;
   /** Uniform params → slot. */
   readonly params: Readonly<Record<string, number>>;

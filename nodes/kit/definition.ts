@@ -22,6 +22,11 @@ export interface NodeDefinition {
   /** Values edited in the inspector. A `uniform` param of a value type is also an input port: a wire to it binds it. */
   readonly params: Readonly<Record<string, ParamDefinition>>;
   readonly lowering: Lowering;
+  /**
+   * Gives what it took in the frame before, or earlier: its inputs are read when the frame's values are all there (`remember` of its
+   * runtime), so that wires into it may close a loop. No other node may be the one that closes a loop.
+   */
+  readonly delay?: true;
   readonly needs?: readonly Need[];
   /** Step `i` lifts saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];

@@ -55,6 +55,7 @@ export const DIAGNOSTICS = {
   SCR053: 'The graphics context was lost',
   SCR054: 'The session folder is broken',
   SCR055: 'A capability is missing: the picture does without it',
+  SCR056: 'More happened in one frame than a node can pass on',
   // Files and export
   SCR060: 'The folder cannot be written',
   SCR061: 'The folder holds files that Scrim did not write',

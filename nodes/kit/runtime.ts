@@ -18,6 +18,11 @@ export interface NodeModule {
 export interface NodeRuntime {
   /** Once per frame, in program order, before anything is drawn. Allocates nothing. */
   update(frame: SessionFrame): void;
+  /**
+   * For definitions with `delay`: once per frame, after the `update` of all nodes. Reads the inputs for the frames to come, while
+   * `update` reads none of them.
+   */
+  remember?(): void;
   /** For nodes that draw: once per view, with the target bound and cleared. */
   draw?(view: DrawView): void;
   /** Back to the first frame: the transport's reset, or poses became void. */
@@ -75,6 +80,44 @@ export interface ValueViews {
   color: VectorView;
   toggle: ToggleView;
   text: TextView;
+}
+
+// --- Pulses -----------------------------------------------------------------------------------------------------------
+
+/** Something that happened in this frame. What it does not bring is 0, empty or null. */
+export interface Pulse {
+  readonly number: number;
+  readonly text: string;
+  /** Column-major 4×4; of a ray, its -z axis points along it. */
+  readonly worldFromPose: Readonly<Float32Array> | null;
+  /** Which physics body it is about. */
+  readonly bodyKey: string;
+}
+
+/**
+ * What happened in this frame, oldest first: of a port with several wires, wire by wire. An unwired port has an empty one. The
+ * same objects every frame: read them during the frame, keep none.
+ */
+export interface PulseList {
+  readonly count: number;
+  /** From 0 to `count - 1`. */
+  at(index: number): Pulse;
+}
+
+/** Emptied by the player before each frame. Beyond 16 pulses a frame the rest are dropped, which the user is told once. */
+export interface PulseOutput extends PulseList {
+  /**
+   * Adds a pulse, with all that `like` brings, and returns it to be completed.
+   *
+   * @example
+   * ctx.outputs.pulse.emit().number = count;
+   */
+  emit(like?: Pulse): NewPulse;
+}
+
+export interface NewPulse extends Writable<Omit<Pulse, 'worldFromPose'>> {
+  /** Copies the matrix. */
+  setPose(worldFromPose: ArrayLike<number>): void;
 }
 
 // --- What other wires carry -------------------------------------------------------------------------------------------
@@ -149,16 +192,19 @@ export interface WireViews extends ValueViews {
   depth: RoomDepthOutput;
   objects: ObjectList;
   lights: LightList;
+  pulse: PulseList;
 }
 
 type WireView<T> = T extends keyof WireViews ? WireViews[T] : never;
-type InputView<P extends InputPort> = P extends { readonly multiple: true }
-  ? readonly WireView<P['type']>[]
-  : // Of a port that is not known, either.
-    InputPort extends P
-    ? readonly WireView<P['type']>[] | WireView<P['type']> | null
-    : WireView<P['type']> | null;
-type OutputView<T> = T extends keyof ValueViews ? Writable<ValueViews[T]> : WireView<T>;
+type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
+  ? PulseList
+  : P extends { readonly multiple: true }
+    ? readonly WireView<P['type']>[]
+    : // Of a port that is not known, either.
+      InputPort extends P
+      ? readonly WireView<P['type']>[] | WireView<P['type']> | null
+      : WireView<P['type']> | null;
+type OutputView<T> = T extends keyof ValueViews ? Writable<ValueViews[T]> : T extends 'pulse' ? PulseOutput : WireView<T>;
 type ParamView<P extends ParamDefinition> = P extends { type: 'choice' }
   ? NumberView
   : P extends { type: infer T }

@@ -20,9 +20,10 @@ export function programFaults(program: Program): string[] {
     last = view;
     for (const read of reads) {
       const resource = known.get(read);
+      const waits = 'delay' in operation && operation.delay === true;
       const lasts = resource?.kind === 'target' && resource.lifetime === 'persistent';
       fault(!resource, `${id} reads ${read}, which is not there`);
-      fault(!written.has(read) && !lasts, `${id} reads ${read} before it is written`);
+      fault(!written.has(read) && !lasts && !waits, `${id} reads ${read} before it is written`);
     }
     for (const write of writes) {
       fault(!known.has(write), `${id} writes ${write}, which is not there`);

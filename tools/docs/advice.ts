@@ -35,6 +35,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR053: 'Wait for the picture to come back, or reload; if it happens again, lower the resolution or take out the newest effect.',
   SCR054: 'Compare the session folder with `docs/SESSION-FORMAT.md`, or convert the recording again.',
   SCR055: 'Nothing has to be done; to have the full picture, use a device that offers what the message names.',
+  SCR056:
+    'A node passes on at most 16 pulses per frame; those beyond are lost. Look at what makes so many: a time that is too short, or wires that go around.',
   SCR060: 'Choose a folder that you may write to, or change its permissions.',
   SCR061: 'Choose an empty or new folder, or one that Scrim exported to before; nothing was changed.',
   SCR062: 'Free some space and try again; the files on disk are as they were.',

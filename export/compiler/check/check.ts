@@ -44,11 +44,15 @@ export function check({ project, library, graph }: Resolved, taps: readonly stri
   return { output: { graph, screen, live, tapped: order.filter(({ id }) => tappedIds.has(id)), taps: whole }, diagnostics };
 }
 
-/** By depth and then by id, so that equal graphs make equal programs whatever order their nodes were added in. */
+/**
+ * By depth and then by id, so that equal graphs make equal programs whatever order their nodes were added in. A delay does not wait
+ * for what is wired to it.
+ */
 function orderOf({ nodes }: FlatGraph): FlatNode[] {
   const followers = new Map<string, string[]>();
   for (const id of [...nodes.keys()].sort()) followers.set(id, []);
   for (const node of nodes.values()) {
+    if (node.definition.delay) continue;
     for (const sources of node.inputs.values()) for (const { node: from } of sources) followers.get(from)?.push(node.id);
   }
   const { order, left } = topologicalOrder(followers.keys(), (id) => followers.get(id) ?? []);
@@ -96,11 +100,15 @@ function wholeTaps({ standIns }: FlatGraph, order: readonly FlatNode[], taps: re
 
 /** Nodes that have all they require, all the way back. */
 function wholeNodes(order: readonly FlatNode[]): ReadonlyMap<string, FlatNode> {
-  const whole = new Map<string, FlatNode>();
-  for (const node of order) {
-    const complete = Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));
-    const sources = [...node.inputs.values()].flat();
-    if (complete && sources.every((source) => whole.has(source.node)) && checkNode(node).length === 0) whole.set(node.id, node);
+  const isComplete = (node: FlatNode) =>
+    Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));
+  const whole = new Map(order.filter((node) => isComplete(node) && checkNode(node).length === 0).map((node) => [node.id, node]));
+  // In the order of the graph one round finds all, but for loops through delays.
+  for (let before = -1; before !== whole.size; ) {
+    before = whole.size;
+    for (const [id, { inputs }] of whole) {
+      if ([...inputs.values()].some((sources) => sources.some((source) => !whole.has(source.node)))) whole.delete(id);
+    }
   }
   return whole;
 }

@@ -41,9 +41,9 @@ export function findDemand(
     sunk.set(occlusion.id, draw);
     nodes.add(occlusion.id).add(draw.id);
   }
-  for (let i = order.length - 1; i >= 0; i--) {
-    const node = order[i];
-    if (!node || !nodes.has(node.id)) continue;
+  const walked = new Set<string>();
+  const walk = (node: FlatNode) => {
+    walked.add(node.id);
     const [hidden] = layerInputs(node);
     const draw = drawBehind(graph, node);
     if (draw && hidden && !sunk.has(node.id) && canSink(hidden)) {
@@ -57,6 +57,14 @@ export function findDemand(
         if (isLayer) demandImage(source);
         else nodes.add(source.node);
       }
+    }
+  };
+  // Against the order of the graph one round reaches all, but for what only delays ask for, which may stand behind them.
+  for (let before = -1; before !== walked.size; ) {
+    before = walked.size;
+    for (let i = order.length - 1; i >= 0; i--) {
+      const node = order[i];
+      if (node && nodes.has(node.id) && !walked.has(node.id)) walk(node);
     }
   }
   return { nodes, images, sunk };

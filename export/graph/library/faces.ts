@@ -9,11 +9,11 @@ import {
 import type { ValueType, WireType } from '../../../nodes/kit/wire-types.ts';
 import { subgraphName } from '../names.ts';
 import { own } from '../own.ts';
-import type { Graph, PortAddress, Project } from '../project.ts';
+import type { Graph, GraphNode, PortAddress, Project } from '../project.ts';
 import { boundValue, misfit } from './param-value.ts';
 
 /** What the graph around a node sees of it: for a library's node its definition, for a subgraph what it exposes. */
-export type NodeFace = Pick<NodeDefinition, 'type' | 'version' | 'title' | 'doc' | 'inputs' | 'outputs' | 'params'>;
+export type NodeFace = Pick<NodeDefinition, 'type' | 'version' | 'title' | 'doc' | 'inputs' | 'outputs' | 'params' | 'delay'>;
 
 /** Looks up node types of the library and `graph/NAME`; undefined where there is none. Remembers what it made. */
 export type FaceLookup = (type: string) => NodeFace | undefined;
@@ -42,6 +42,14 @@ export function inputOf(face: NodeFace, name: string): InputFace | undefined {
   const param = own(face.params, name);
   const type = param && paramWireType(param);
   return param && type && { kind: 'param', type, param };
+}
+
+/**
+ * Whether wires into the node may close a loop, because it gives what it took in an earlier frame. A subgraph never does, whatever
+ * is in it: outside, nobody sees which of its ports wait.
+ */
+export function breaksLoops({ type, muted }: GraphNode, faceOf: FaceLookup): boolean {
+  return muted !== true && faceOf(type)?.delay === true;
 }
 
 export function takesSeveral(input: InputFace): boolean {

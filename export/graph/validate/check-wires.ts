@@ -1,5 +1,5 @@
 import { bindingAgainst, portsOfWire } from '../connect.ts';
-import { inputOf, takesSeveral } from '../library/faces.ts';
+import { breaksLoops, inputOf, takesSeveral } from '../library/faces.ts';
 import { own } from '../own.ts';
 import type { ExposedPort, Wire } from '../project.ts';
 import { findCycles } from '../topology.ts';
@@ -60,13 +60,18 @@ function checkSeveral(check: GraphCheck, wires: readonly Wire[]): void {
   }
 }
 
+/** A loop has to wait somewhere for the next frame. A muted delay waits for nothing. */
 export function checkCycles(check: GraphCheck): void {
-  const successors = new Map<string, string[]>(Object.keys(check.graph.nodes).map((id) => [id, []]));
-  for (const { from, to } of check.graph.wires) if (successors.has(to.node)) successors.get(from.node)?.push(to.node);
+  const { nodes, wires } = check.graph;
+  const successors = new Map<string, string[]>(Object.keys(nodes).map((id) => [id, []]));
+  for (const { from, to } of wires) {
+    const node = own(nodes, to.node);
+    if (node && !breaksLoops(node, check.faceOf)) successors.get(from.node)?.push(to.node);
+  }
   for (const cycle of findCycles(successors.keys(), (id) => successors.get(id) ?? [])) {
     const [first = ''] = cycle;
     const loop = [...cycle, first].join(' → ');
-    reportError(check, 'SCR014', { nodeId: first }, `Wires form a loop: ${loop}.`, 'Delete one of its wires.');
+    reportError(check, 'SCR014', { nodeId: first }, `Wires form a loop: ${loop}.`, 'Delete one of its wires, or put a delay into it.');
   }
 }
 

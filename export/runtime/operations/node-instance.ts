@@ -1,4 +1,5 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Clock, NodeContext, NodeModule, NodeRuntime, SceneService, SessionService } from '../../../nodes/kit/runtime.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
@@ -6,6 +7,7 @@ import type { DiagnosticsBoard } from '../diagnostics-board.ts';
 import { createRandom } from '../random.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { DrawBinding, SceneBackend, ShadowMaps } from '../scene-backend.ts';
+import { PULSE_CAPACITY } from '../values/pulses.ts';
 import { createSlotView, type Slots } from '../values/slots.ts';
 import { isDraw } from './node-key.ts';
 import { createNodePorts } from './node-ports.ts';
@@ -17,7 +19,7 @@ export interface NodeInstance {
   /** Maps that a drawing node was bound to when it was made. */
   readonly shadowMaps: ShadowMaps | null;
   /** Lives on in a recompiled program, whose operation has the same key. */
-  point(operation: NodeOperation, slots: Slots): void;
+  point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
   /** Back to the first frame. */
   reset(): void;
   dispose(): void;
@@ -72,14 +74,20 @@ export function createNodeInstance(
     session: host.session,
     report,
   } satisfies Record<keyof NodeContext<NodeDefinition>, unknown>;
+  for (const [port, queue] of ports.pulseOutputs) {
+    queue.onOverflow = () => {
+      queue.onOverflow = null;
+      report(overflow(port));
+    };
+  }
   const runtime = module.create(context as unknown as NodeContext<NodeDefinition>);
 
   return {
     key,
     runtime,
     shadowMaps,
-    point: (next, nextSlots) => {
-      ports.point(next, nextSlots);
+    point: (next, nextResources, nextSlots) => {
+      ports.point(next, nextResources, nextSlots);
       occlusion?.point(next, nextSlots);
     },
     reset: () => {
@@ -90,6 +98,16 @@ export function createNodeInstance(
       runtime.dispose();
       host.board.clear(node);
     },
+  };
+}
+
+function overflow(port: string): Omit<Diagnostic, 'nodeId'> {
+  return {
+    code: 'SCR056',
+    severity: 'warning',
+    port,
+    message: `More than ${PULSE_CAPACITY} pulses came in one frame: the rest of them are lost.`,
+    fix: 'Let fewer through: put a gate before it, or make it slower.',
   };
 }
 

@@ -1,8 +1,8 @@
 import type { DrawOperation, InputRef, NodeOperation, ShadowMapOperation } from '../../program/program.ts';
 
 /**
- * Equal keys: the node behind the operation can live on over a recompile, with its state. Slot numbers are left out, because
- * views are pointed anew, and so is the target of a draw, because every draw is told where to go.
+ * Equal keys: the node behind the operation can live on over a recompile, with its state. Slot numbers and where pulses come
+ * from are left out, because views are pointed anew, and so is the target of a draw, because every draw is told where to go.
  */
 export function nodeKey(
   operation: NodeOperation,
@@ -15,7 +15,7 @@ export function nodeKey(
     operation.kind,
     operation.node,
     operation.type,
-    sorted(operation.inputs, (refs) => refs.map(ref)),
+    sorted(operation.inputs, (refs, port) => (operation.pulses?.includes(port) ? 'pulses' : refs.map(ref))),
     sorted(Object.fromEntries(outputs), ref),
     sorted(operation.params, slotType),
     sorted(operation.config, (value) => value),
@@ -37,8 +37,8 @@ function drawOcclusion(operation: DrawOperation, slotType: (slot: number) => str
   return occlusion && [occlusion.roomDepth, sorted(occlusion.params, slotType)];
 }
 
-function sorted<T>(record: Readonly<Record<string, T>>, value: (entry: T) => unknown): unknown {
+function sorted<T>(record: Readonly<Record<string, T>>, value: (entry: T, key: string) => unknown): unknown {
   return Object.keys(record)
     .sort()
-    .map((key) => [key, value(record[key] as T)]);
+    .map((key) => [key, value(record[key] as T, key)]);
 }

@@ -1,5 +1,6 @@
 import type { InputRef, NodeOperation } from '../../program/program.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
+import { createMergedPulses, type PulseQueue } from '../values/pulses.ts';
 import { type AnySlotView, createSlotView, type Slots } from '../values/slots.ts';
 
 /** What a node sees behind its ports: live views, one object each for as long as the node lives. */
@@ -7,8 +8,9 @@ export interface NodePorts {
   readonly inputs: Readonly<Record<string, unknown>>;
   readonly outputs: Readonly<Record<string, unknown>>;
   readonly params: Readonly<Record<string, unknown>>;
-  /** After a recompile: the same values in other slots. The operation differs in slot numbers only. */
-  point(operation: NodeOperation, slots: Slots): void;
+  readonly pulseOutputs: readonly (readonly [port: string, queue: PulseQueue])[];
+  /** After a recompile: the same values in other slots, pulses by other wires. Else the operation is the same. */
+  point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
 }
 
 export function createNodePorts(operation: NodeOperation, resources: LiveResources, slots: Slots): NodePorts {
@@ -29,7 +31,11 @@ export function createNodePorts(operation: NodeOperation, resources: LiveResourc
         return listOf(ref.resource, resources);
     }
   };
+  const merged = (operation.pulses ?? []).map((port) => [port, createMergedPulses(queuesAt(operation, port, resources))] as const);
+  const mergedAt = new Map(merged);
   const input = (port: string, refs: readonly InputRef[]): unknown => {
+    const pulses = mergedAt.get(port);
+    if (pulses) return pulses;
     const views = refs.map((ref, i) => carried(ref, (op) => op.inputs[port]?.[i]));
     return operation.multiple.includes(port) ? views : (views[0] ?? null);
   };
@@ -37,10 +43,19 @@ export function createNodePorts(operation: NodeOperation, resources: LiveResourc
     inputs: Object.fromEntries(Object.entries(operation.inputs).map(([port, refs]) => [port, input(port, refs)])),
     outputs: Object.fromEntries(Object.entries(operation.outputs).map(([port, ref]) => [port, carried(ref, (op) => op.outputs[port])])),
     params: Object.fromEntries(Object.keys(operation.params).map((name) => [name, slotView((op) => op.params[name] ?? -1)])),
-    point: (next, nextSlots) => {
+    pulseOutputs: Object.entries(operation.outputs).flatMap(([port, ref]) => {
+      const resource = ref.kind === 'resource' ? resources.get(ref.resource) : undefined;
+      return resource?.kind === 'pulses' ? [[port, resource.queue] as const] : [];
+    }),
+    point: (next, nextResources, nextSlots) => {
       for (const { view, slotIn } of slotViews) view.point(nextSlots, slotIn(next));
+      for (const [port, pulses] of merged) pulses.point(queuesAt(next, port, nextResources));
     },
   };
+}
+
+function queuesAt({ inputs }: NodeOperation, port: string, resources: LiveResources): PulseQueue[] {
+  return (inputs[port] ?? []).flatMap((ref) => (ref.kind === 'resource' ? [liveResource(resources, ref.resource, 'pulses').queue] : []));
 }
 
 function slotOf(ref: InputRef | undefined): number {
@@ -63,6 +78,8 @@ function listOf(id: string, resources: LiveResources): unknown {
       return resource.depth;
     case 'external':
       return resource.layer;
+    case 'pulses':
+      return resource.queue;
     default:
       return liveResource(resources, id, 'objects').list;
   }

@@ -2,6 +2,7 @@ import type { LayerOutput, LightList, ObjectList, RoomDepthOutput } from '../../
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
+import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 
 /** What stands behind a resource of the program while it is played. */
 export type LiveResource =
@@ -10,6 +11,7 @@ export type LiveResource =
   | { readonly kind: 'room-depth'; readonly depth: RoomDepthOutput }
   | { readonly kind: 'objects'; readonly list: ObjectList }
   | { readonly kind: 'lights'; readonly list: LightList }
+  | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   /** Made by its operation. */
   | { readonly kind: 'shadow-maps' };
 
@@ -52,6 +54,9 @@ export function clearOutput(resource: LiveResource): void {
     case 'room-depth':
       resource.depth.views.fill(null);
       break;
+    case 'pulses':
+      resource.queue.clear();
+      break;
     case 'target':
     case 'shadow-maps':
       break;
@@ -72,6 +77,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'objects', list: { version: 0, items: [] } };
     case 'lights':
       return { kind: 'lights', list: { version: 0, items: [] } };
+    case 'pulses':
+      return { kind: 'pulses', queue: createPulseQueue() };
     case 'shadow-maps':
       return { kind: 'shadow-maps' };
   }

@@ -42,7 +42,7 @@ export function createCast(engine: Engine, program: Program, slots: Slots, resou
       shadowMaps.set(operation.id, kept.shadowMaps.get(operation.id) ?? createShadowMaps(engine, operation, resources));
     } else if (isNode(operation)) {
       const old = kept.nodes.get(operation.id);
-      old?.point(operation, slots);
+      old?.point(operation, resources, slots);
       const maps = mapsOf(operation, shadowMaps);
       nodes.set(operation.id, old ?? createNodeInstance(engine.host, keyOf(operation), operation, resources, slots, program.assets, maps));
     }
@@ -88,12 +88,13 @@ export function isShadowMaps(operation: Operation): operation is ShadowMapOperat
   return operation.kind === 'shadow-maps';
 }
 
-/** A node is bound to its lists and layers; targets are handed to it with each draw. */
+/** A node is bound to its lists and layers; targets are handed to it with each draw, and pulses pointed anew. */
 function sameResources(operation: Operation, resources: LiveResources, before: Cast): boolean {
-  return [...operation.reads, ...operation.writes].every((id) => {
+  const stays = (id: string): boolean => {
     const resource = resources.get(id);
     return !resource || resource.kind === 'target' || resource.kind === 'shadow-maps' || before.resources.get(id) === resource;
-  });
+  };
+  return operation.reads.every((id) => resources.get(id)?.kind === 'pulses' || stays(id)) && operation.writes.every(stays);
 }
 
 function clearOutputs(operation: NodeOperation, resources: LiveResources): void {

@@ -35,6 +35,8 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
   const resources = createResources(program, engine.objects, before?.resources ?? null);
   const cast = createCast(engine, program, slots, resources, before?.cast ?? null);
   const runtimes: readonly NodeRuntime[] = [...cast.nodes.values()].map((node) => node.runtime);
+  const delays = runtimes.filter((runtime) => runtime.remember !== undefined);
+  const pulses = [...resources.values()].flatMap((resource) => (resource.kind === 'pulses' ? [resource.queue] : []));
   const once = createSteps(engine, loaded, slots, cast, 'once');
   const each = createSteps(engine, loaded, slots, cast, 'each');
   const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
@@ -54,7 +56,9 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
       if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
       viewCount = frame.viewCount;
       enterView(state, 0);
+      for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
       for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
+      for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
       sizes.resizeImages(state);
       run(once);
       for (let i = 0; i < frame.viewCount; i++) {

@@ -105,7 +105,8 @@ function nodeOperation<K extends NodeKind | 'draw'>(
   id: string,
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
-  const { type, inputs: ports, params } = node.definition;
+  const { type, inputs: ports, params, delay } = node.definition;
+  const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const inputs = Object.fromEntries(
     Object.entries(ports).map(([port, { type: wire }]) => [port, sourcesAt(node, port).map((source) => inputRef(lowering, source, wire))]),
   );
@@ -119,6 +120,8 @@ function nodeOperation<K extends NodeKind | 'draw'>(
     type,
     inputs,
     multiple: Object.keys(ports).filter((port) => ports[port]?.multiple === true),
+    ...(pulses.length > 0 ? { pulses } : {}),
+    ...(delay ? { delay } : {}),
     outputs: {},
     params: uniformParams(lowering, node, params),
     config: Object.fromEntries(
@@ -141,6 +144,8 @@ function uniformParams(lowering: Lowering, node: FlatNode, params: Readonly<Reco
 
 function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef {
   if (isValueType(type)) return { kind: 'slot', slot: lowering.slots.ofInput(source, type) };
+  // A delay takes pulses of nodes that come after it.
+  if (type === 'pulse') return { kind: 'resource', resource: portKey(source) };
   if (type !== 'layer') return { kind: 'resource', resource: resourceAt(lowering, source) };
   return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
 }
@@ -161,6 +166,8 @@ function outputResource({ layers }: Lowering, source: Source, type: WireType): R
     case 'objects':
     case 'lights':
       return { id, kind: type };
+    case 'pulse':
+      return { id, kind: 'pulses' };
     default:
       throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);
   }

@@ -71,8 +71,9 @@ export function addStep(lowering: Lowering, operation: ScheduledOperation, after
   lowering.steps.push({ operation, after: [...waits] });
 }
 
-/** Operations that compute the values wired to a node. */
+/** Operations that compute the values wired to a node; a delay waits for none. */
 export function valueSteps({ computedBy }: Lowering, node: FlatNode): (string | undefined)[] {
+  if (node.definition.delay) return [];
   return [...node.inputs.values()].flatMap((sources) => sources.map((source) => computedBy.get(source.node)));
 }
 
