@@ -19,6 +19,8 @@ export function connectHost(page: Window & typeof globalThis): Host | null {
   return createHttpHost({
     origin: page.location.origin,
     token,
+    // Anew at each load: a page that was reloaded is another one, and what the first left unsaved is offered to it.
+    client: page.crypto.randomUUID().replaceAll('-', ''),
     fetch: page.fetch.bind(page),
     waitMs: (ms) => new Promise((resolve) => page.setTimeout(resolve, ms)),
   });

@@ -56,8 +56,10 @@ const openProject = z.object({
   assetBaseUrl: z.string(),
   /** Files below `assets/`, with their sizes. */
   assetFiles: z.array(z.object({ path: projectPath, bytes: z.number() })),
-  /** Unsaved work found after a crash, newer than the files. */
+  /** Unsaved work found after a crash, other than the files. From now on it counts as this window's own. */
   recovery: projectFiles.nullable(),
+  /** Whether another window or tab shows the project already. */
+  openElsewhere: z.boolean(),
 });
 
 /**
@@ -68,6 +70,7 @@ const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum
 
 /** What the window's own menu can ask of the editor. */
 export const MENU_COMMANDS = [
+  'file.new',
   'file.open',
   'file.save',
   'file.save-as',
@@ -89,14 +92,21 @@ export const HOST_CONTRACT = {
       /** What to open at start. */
       startPath: z.string().nullable(),
       examples: z.array(z.object({ title: z.string(), path: z.string() })),
+      /** What a new project can begin with, the default first. */
+      templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string() })),
       canPickFolders: z.boolean(),
     }),
   },
   /** Closes the window without asking again: the answer to `close-requested`. Does nothing where the shell has no window. */
   'app.close': { input: z.object({}), output: z.object({}) },
   /** Asks the person for a folder; null when they cancel or the shell has no dialog. */
-  'folder.pick': { input: z.object({ purpose: z.enum(['open', 'save-as', 'export']) }), output: z.object({ path: z.string().nullable() }) },
+  'folder.pick': {
+    input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export']) }),
+    output: z.object({ path: z.string().nullable() }),
+  },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
+  /** A project made from a template, in an empty or new folder whose name becomes its title; it is open then. */
+  'project.create': { input: z.object({ path: z.string().min(1).max(4096), template: z.string().min(1).max(64) }), output: openProject },
   /** Atomic: all files or none. Rejects with SCR063 when the files changed since `revision`, unless `overwrite`. */
   'project.save': {
     input: z.object({ handle, files: projectFiles, revision: z.string(), overwrite: z.boolean() }),

@@ -3,12 +3,16 @@ import { type Answer, HostError, outputOf } from './host-error.ts';
 import { encodeMessage, MESSAGE_TYPE } from './message.ts';
 
 export const TOKEN_HEADER = 'x-scrim-token';
+/** Tells the tabs of one browser apart. */
+export const CLIENT_HEADER = 'x-scrim-client';
 
 export interface HttpHostOptions {
   /** `http://127.0.0.1:PORT`. */
   readonly origin: string;
   /** The launch's secret. It travels in a header of our own: a cookie would reach every server on this address, whatever its port. */
   readonly token: string;
+  /** Letters and digits that no other tab has. */
+  readonly client: string;
   readonly fetch: typeof fetch;
   /** How long to wait before asking again for events when the connection broke. */
   readonly waitMs: (ms: number) => Promise<void>;
@@ -33,7 +37,7 @@ async function call<M extends HostMethod>(options: HttpHostOptions, method: M, i
   try {
     response = await options.fetch(`${options.origin}/api/call/${method}`, {
       method: 'POST',
-      headers: { 'content-type': MESSAGE_TYPE, [TOKEN_HEADER]: options.token },
+      headers: { 'content-type': MESSAGE_TYPE, ...credentials(options) },
       body: encodeMessage(input),
     });
   } catch {
@@ -46,11 +50,15 @@ async function call<M extends HostMethod>(options: HttpHostOptions, method: M, i
   return outputOf((await response.json()) as Answer<HostOutput<M>>);
 }
 
+function credentials({ token, client }: HttpHostOptions): Record<string, string> {
+  return { [TOKEN_HEADER]: token, [CLIENT_HEADER]: client };
+}
+
 /** One JSON value a line, until `signal`; asks again after a break. */
 async function listen(options: HttpHostOptions, listener: (event: HostEvent) => void, signal: AbortSignal): Promise<void> {
   while (!signal.aborted) {
     try {
-      const response = await options.fetch(`${options.origin}/api/events`, { headers: { [TOKEN_HEADER]: options.token }, signal });
+      const response = await options.fetch(`${options.origin}/api/events`, { headers: credentials(options), signal });
       if (response.status === 403) return;
       if (response.ok && response.body) await readLines(response.body, (line) => listener(JSON.parse(line) as HostEvent));
     } catch {

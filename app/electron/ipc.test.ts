@@ -9,7 +9,15 @@ import { connectEditor } from './ipc.ts';
 function connect() {
   const mainFrame = { url: 'scrim://editor/' };
   const sent: unknown[] = [];
-  const page = { mainFrame, isDestroyed: () => false, send: (...args: unknown[]) => sent.push(args) } as unknown as WebContents;
+  let navigated = () => {};
+  const page = {
+    mainFrame,
+    isDestroyed: () => false,
+    send: (...args: unknown[]) => sent.push(args),
+    on: (_event: 'did-navigate', listener: () => void) => {
+      navigated = listener;
+    },
+  } as unknown as WebContents;
   const handlers = new Map<string, (event: object, ...args: unknown[]) => unknown>();
   const ipc = {
     handle: (channel: string, handler: (event: object) => unknown) => handlers.set(channel, handler),
@@ -18,8 +26,17 @@ function connect() {
     removeListener: (channel: string) => handlers.delete(channel),
   } as unknown as IpcMain;
   let emit: (event: HostEvent) => void = () => {};
+  const callers: string[] = [];
+  const there = new Set<string>();
   const host = {
-    dispatch: async (method: string, input: unknown) => ({ output: [method, input] }),
+    dispatch: async (method: string, input: unknown, client: string) => {
+      callers.push(client);
+      return { output: [method, input] };
+    },
+    attend: (client: string) => {
+      there.add(client);
+      return () => there.delete(client);
+    },
     subscribe: (listener: (event: HostEvent) => void) => {
       emit = listener;
       return () => {};
@@ -27,7 +44,18 @@ function connect() {
   } as unknown as HostService;
   let listening = 0;
   const disconnect = connectEditor(ipc, page, host, () => listening++);
-  return { page, mainFrame, handlers, sent, disconnect, emit: (event: HostEvent) => emit(event), listening: () => listening };
+  return {
+    page,
+    mainFrame,
+    handlers,
+    sent,
+    disconnect,
+    emit: (event: HostEvent) => emit(event),
+    listening: () => listening,
+    callers,
+    there,
+    navigate: () => navigated(),
+  };
 }
 
 describe('the Electron channel', () => {
@@ -61,10 +89,28 @@ describe('the Electron channel', () => {
     expect(await handlers.get(CALL_CHANNEL)?.(event, { toString: () => 'app.info' }, {})).toMatchObject({ diagnostic: { code: 'SCR073' } });
   });
 
+  test('takes a page that was reloaded for another one', async () => {
+    const { page, mainFrame, handlers, callers, there, navigate } = connect();
+    const event = { sender: page, senderFrame: mainFrame };
+    navigate();
+    handlers.get(LISTENING_CHANNEL)?.(event);
+    await handlers.get(CALL_CHANNEL)?.(event, 'app.info', {});
+    const [before] = callers;
+    expect([...there]).toEqual([before]);
+    navigate();
+    expect([...there]).toEqual([]);
+    handlers.get(LISTENING_CHANNEL)?.(event);
+    await handlers.get(CALL_CHANNEL)?.(event, 'app.info', {});
+    expect(callers[1]).not.toBe(before);
+    expect([...there]).toEqual([callers[1]]);
+  });
+
   test('is gone when disconnected', () => {
-    const { handlers, disconnect } = connect();
+    const { page, mainFrame, handlers, there, disconnect } = connect();
+    handlers.get(LISTENING_CHANNEL)?.({ sender: page, senderFrame: mainFrame });
     disconnect();
     expect([...handlers.keys()]).toEqual([]);
+    expect([...there]).toEqual([]);
   });
 });
 

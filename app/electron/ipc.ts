@@ -9,22 +9,36 @@ import { ORIGINS } from './scheme.ts';
  * while it shows the editor's origin. Returns the function that disconnects.
  */
 export function connectEditor(ipc: IpcMain, page: WebContents, host: HostService, onListening: () => void): () => void {
+  // A page that was reloaded is another one: what the first left unsaved is offered to it, as after a crash.
+  let loads = 0;
+  const client = () => `window-${loads}`;
   const call = async (event: IpcMainInvokeEvent, method: unknown, input: unknown): Promise<Answer<unknown>> => {
     if (!isEditor(event, page) || typeof method !== 'string') {
       return { diagnostic: { code: 'SCR073', severity: 'error', message: 'Only the editor’s own page may ask this.' } };
     }
-    return host.dispatch(method, input);
+    return host.dispatch(method, input, client());
   };
+  let leave = () => {};
   const listening = (event: IpcMainEvent) => {
-    if (isEditor(event, page)) onListening();
+    if (!isEditor(event, page)) return;
+    leave();
+    leave = host.attend(client());
+    onListening();
+  };
+  const loaded = () => {
+    leave();
+    leave = () => {};
+    loads++;
   };
   ipc.handle(CALL_CHANNEL, call);
   ipc.on(LISTENING_CHANNEL, listening);
+  page.on('did-navigate', loaded);
   const stop = host.subscribe((event) => {
     if (!page.isDestroyed()) page.send(EVENT_CHANNEL, event);
   });
   return () => {
     stop();
+    leave();
     ipc.removeHandler(CALL_CHANNEL);
     ipc.removeListener(LISTENING_CHANNEL, listening);
   };

@@ -22,6 +22,7 @@ export function menuTemplate(
     {
       label: '&File',
       submenu: [
+        item('New Project…', 'CmdOrCtrl+Alt+N', 'file.new'),
         item('Open Project…', 'CmdOrCtrl+O', 'file.open'),
         separator,
         item('Save', 'CmdOrCtrl+S', 'file.save'),

@@ -9,7 +9,12 @@ import { ORIGINS, registerScheme, serveScheme } from './scheme.ts';
 /** What `scrim open` adds to the command line. */
 const OPEN_SWITCH = '--open=';
 
-const PICK_TITLES = { open: 'Open Project', 'save-as': 'Save Project As', export: 'Export Page' } as const;
+const PICK_TITLES = {
+  new: 'Folder of the New Project',
+  open: 'Open Project',
+  'save-as': 'Save Project As',
+  export: 'Export Page',
+} as const;
 
 /** Runs the editor in a window until that is closed. */
 export function startApp(app: App, installation: Installation): void {

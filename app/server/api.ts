@@ -1,5 +1,6 @@
 import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { HostDiagnostic } from '../contract/contract.ts';
+import { CLIENT_HEADER } from '../contract/http-client.ts';
 import { decodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
 import type { HostService } from '../services/host.ts';
 import { apiRefusal } from './checks.ts';
@@ -42,19 +43,21 @@ export function createApi({ host, token, origin, maxMessageBytes }: ApiOptions):
     } catch {
       return refuse(response, 400, 'The message is damaged.');
     }
-    const answer = await host.dispatch(method, input);
+    const answer = await host.dispatch(method, input, clientOf(request));
     send(response, 'output' in answer ? 200 : 422, answer);
   };
 
-  const stream = (response: ServerResponse) => {
+  const stream = (request: IncomingMessage, response: ServerResponse) => {
     response.writeHead(200, { 'content-type': 'application/x-ndjson', 'cache-control': 'no-store', 'x-content-type-options': 'nosniff' });
     response.write('\n');
     const stop = host.subscribe((event) => response.write(`${JSON.stringify(event)}\n`));
+    const leave = host.attend(clientOf(request));
     const timer = setInterval(() => response.write('\n'), SIGN_OF_LIFE_MS);
     streams.add(response);
     response.on('close', () => {
       clearInterval(timer);
       stop();
+      leave();
       streams.delete(response);
     });
   };
@@ -64,7 +67,7 @@ export function createApi({ host, token, origin, maxMessageBytes }: ApiOptions):
       const refusal = apiRefusal(request, origin, token);
       if (refusal !== null) return refuse(response, 403, refusal);
       const path = request.url ?? '';
-      if (request.method === 'GET' && path === '/api/events') return stream(response);
+      if (request.method === 'GET' && path === '/api/events') return stream(request, response);
       if (request.method === 'POST' && path.startsWith(CALL)) {
         return call(path.slice(CALL.length), request, response).catch(() => void response.destroy());
       }
@@ -74,6 +77,12 @@ export function createApi({ host, token, origin, maxMessageBytes }: ApiOptions):
       for (const response of streams) response.end();
     },
   };
+}
+
+/** A name and no credential: the token has been checked. */
+function clientOf(request: IncomingMessage): string {
+  const given = request.headers[CLIENT_HEADER];
+  return typeof given === 'string' ? given.slice(0, 64) : '';
 }
 
 function refuse(response: ServerResponse, status: number, message: string, code = 'SCR073'): void {

@@ -49,8 +49,17 @@ afterEach(async () => {
   expect(faults).toEqual([]);
 });
 
+let tabs = 0;
+
+/** Another tab each time. */
 function connect(token = server.token) {
-  return createHttpHost({ origin: server.editorOrigin, token, fetch: withOrigin, waitMs: () => Promise.resolve() });
+  return createHttpHost({
+    origin: server.editorOrigin,
+    token,
+    client: `tab${tabs++}`,
+    fetch: withOrigin,
+    waitMs: () => Promise.resolve(),
+  });
 }
 
 /** Node sends no `Origin`; a browser does. */
@@ -341,7 +350,8 @@ describe('the two origins', () => {
       'assets/link.txt',
       'assets/cup.glb%00.png',
       '%E0%A4%A',
-      '.scrim/unsaved.json',
+      '.scrim/.gitignore',
+      '%2escrim/.gitignore',
       'assets/',
       '',
       `${base}/secret.txt`,

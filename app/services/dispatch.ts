@@ -2,18 +2,20 @@ import { HOST_CONTRACT, type HostInput, type HostMethod, type HostOutput } from 
 import { type Answer, HostError } from '../contract/host-error.ts';
 import { refusal } from './file-errors.ts';
 
-export type Handlers = { readonly [M in HostMethod]: (input: HostInput<M>) => Promise<HostOutput<M>> };
+/** `client` is the window or tab that asks. */
+export type Handlers = { readonly [M in HostMethod]: (input: HostInput<M>, client: string) => Promise<HostOutput<M>> };
 
 /** Checks the method and its input against the contract, and calls. Never rejects: what went wrong is the answer. */
 export async function dispatch(
   handlers: Handlers,
   method: string,
   input: unknown,
+  client: string,
   log: (message: string) => void,
 ): Promise<Answer<unknown>> {
   try {
     if (!isMethod(method)) throw refusal('SCR073', `There is no method ${JSON.stringify(method)}.`);
-    return { output: await call(handlers, method, input) };
+    return { output: await call(handlers, method, input, client) };
   } catch (error) {
     if (error instanceof HostError) return { diagnostic: error.diagnostic };
     log(error instanceof Error ? (error.stack ?? error.message) : String(error));
@@ -26,11 +28,11 @@ function isMethod(name: string): name is HostMethod {
   return Object.hasOwn(HOST_CONTRACT, name);
 }
 
-function call<M extends HostMethod>(handlers: Handlers, method: M, input: unknown): Promise<HostOutput<M>> {
+function call<M extends HostMethod>(handlers: Handlers, method: M, input: unknown, client: string): Promise<HostOutput<M>> {
   const checked = HOST_CONTRACT[method].input.safeParse(input);
   if (!checked.success) {
     const [issue] = checked.error.issues;
     throw refusal('SCR073', `${method} was called wrongly: ${issue?.path.join('.') || 'the input'}: ${issue?.message ?? 'not understood'}`);
   }
-  return handlers[method](checked.data as HostInput<M>);
+  return handlers[method](checked.data as HostInput<M>, client);
 }

@@ -12,6 +12,7 @@ import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
 import { ROOMS } from './rooms.ts';
 import { findSessions } from './session-list.ts';
+import { createProject, findTemplates } from './templates.ts';
 
 /** What a shell (window or loopback server) puts around the host. */
 export interface Shell {
@@ -34,8 +35,10 @@ export interface HostOptions {
 
 export interface HostService {
   readonly content: Content;
-  /** Checks the input against the contract, calls, and never rejects. */
-  dispatch(method: string, input: unknown): Promise<Answer<unknown>>;
+  /** Checks the input against the contract, calls, and never rejects. `client` names the window or tab that asks. */
+  dispatch(method: string, input: unknown, client?: string): Promise<Answer<unknown>>;
+  /** A window or tab is there, until the function is called that this returns. */
+  attend(client: string): () => void;
   subscribe(listener: (event: HostEvent) => void): () => void;
   emit(event: HostEvent): void;
   dispose(): void;
@@ -51,7 +54,8 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   const emit = (event: HostEvent) => {
     for (const listener of listeners) listener(event);
   };
-  const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit });
+  const clients = createClients();
+  const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
   const handlers: Handlers = {
     'app.info': async () => ({
@@ -60,6 +64,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       previewUrl: `${shell.origins.preview}/index.html`,
       startPath,
       examples: await findExamples(installation.examplesDir),
+      templates: await findTemplates(installation.templatesDir),
       canPickFolders: shell.pickFolder !== null,
     }),
     'app.close': async () => {
@@ -67,9 +72,13 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),
-    'project.open': ({ path }) => projects.open(path),
+    'project.open': ({ path }, client) => projects.open(path, client),
+    'project.create': async ({ path, template }, client) => {
+      const root = await createProject({ templatesDir: installation.templatesDir, template, path, files });
+      return projects.open(root, client);
+    },
     'project.save': (input) => projects.save(input.handle, input.files, input.revision, input.overwrite),
-    'project.save-as': (input) => projects.saveAs(input.handle, input.path, input.files),
+    'project.save-as': (input, client) => projects.saveAs(input.handle, input.path, input.files, client),
     'project.autosave': async (input) => {
       await projects.autosave(input.handle, input.files);
       return {};
@@ -113,7 +122,8 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
 
   return {
     content,
-    dispatch: (method, input) => dispatch(handlers, method, input, log),
+    dispatch: (method, input, client = '') => dispatch(handlers, method, input, client, log),
+    attend: clients.attend,
     subscribe: (listener) => {
       listeners.add(listener);
       return () => listeners.delete(listener);
@@ -122,6 +132,22 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     dispose: () => {
       listeners.clear();
       projects.dispose();
+    },
+  };
+}
+
+/** Who is there, by the streams of events that are open: a page has two for a moment when it connects anew. */
+function createClients() {
+  const streams = new Map<string, number>();
+  return {
+    isThere: (client: string) => (streams.get(client) ?? 0) > 0,
+    attend: (client: string) => {
+      streams.set(client, (streams.get(client) ?? 0) + 1);
+      return () => {
+        const left = (streams.get(client) ?? 1) - 1;
+        if (left > 0) streams.set(client, left);
+        else streams.delete(client);
+      };
     },
   };
 }

@@ -20,7 +20,7 @@ export async function importAsset(root: string, name: string, bytes: Uint8Array,
   try {
     await files.makeFolder(await resolveInside(root, ASSETS_FOLDER));
     await ensureScrimFolder(root, files);
-    const temporary = temporaryIn(root, 'asset');
+    const temporary = temporaryIn(root);
     try {
       await files.writeNew(temporary, bytes);
       for (let number = 1; ; number++) {

@@ -8,6 +8,8 @@ export interface Installation {
   /** The built pages of the editor and of its preview. */
   readonly pages: { readonly editor: string; readonly preview: string };
   readonly examplesDir: string;
+  /** Projects to begin with. */
+  readonly templatesDir: string;
   /** Recorded sessions that come with Scrim. */
   readonly sessionsDir: string;
   /** Captures of emulated rooms. */
@@ -21,6 +23,7 @@ export function installationAt(root: string, version: string): Installation {
     root,
     pages: { editor: join(root, 'dist', 'editor'), preview: join(root, 'dist', 'preview') },
     examplesDir,
+    templatesDir: join(examplesDir, 'templates'),
     sessionsDir: join(examplesDir, 'sessions'),
     roomsDir: join(root, 'node_modules', '@iwer', 'sem', 'captures'),
   };

@@ -1,22 +1,23 @@
 import { randomBytes } from 'node:crypto';
-import { mkdir, readdir } from 'node:fs/promises';
-import { join, resolve } from 'node:path';
 import type { HostEvent, OpenProject, ProjectFiles } from '../contract/contract.ts';
-import { realFolder } from './confine.ts';
 import type { Content } from './content.ts';
 import { copyAssets } from './copy-assets.ts';
+import { fillEmptyFolder } from './empty-folder.ts';
 import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { isShownByOthers, leaveSign, takeSignAway } from './presence.ts';
 import { changesBetween, findProject, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
-import { findUnsaved, keepUnsaved } from './recovery.ts';
+import { withLock } from './project-lock.ts';
+import { keepUnsaved, takeOverUnsaved } from './recovery.ts';
+import { settleFolder } from './settle.ts';
 import { finishInterrupted, writeAll } from './transaction.ts';
 import { watchProject } from './watch-project.ts';
 
-/** The projects that the editor has open, by handle. */
+/** The projects that the editor has open, by handle. `client` is the window or tab that asks. */
 export interface OpenProjects {
-  open(path: string): Promise<OpenProject>;
+  open(path: string, client: string): Promise<OpenProject>;
   save(handle: string, files: ProjectFiles, revision: string, overwrite: boolean): Promise<{ revision: string }>;
-  saveAs(handle: string, path: string, files: ProjectFiles): Promise<OpenProject>;
+  saveAs(handle: string, path: string, files: ProjectFiles, client: string): Promise<OpenProject>;
   autosave(handle: string, files: ProjectFiles | null): Promise<void>;
   close(handle: string): void;
   /** The real folder of an open project. Throws SCR073. */
@@ -31,20 +32,23 @@ export interface OpenProjectsOptions {
   readonly previewOrigin: string;
   readonly files: FileLayer;
   readonly emit: (event: HostEvent) => void;
+  /** Whether the window or tab is still there: a page that was reloaded, or died, never closes what it had open. */
+  readonly isThere: (client: string) => boolean;
 }
 
-/** A page that is reloaded never closes what it had open; nobody works on this many at once. */
+/** Nobody works on this many at once: the oldest are what reloaded pages left open. */
 const MAX_OPEN = 32;
 
 interface Entry {
   readonly root: string;
   readonly baseUrl: string;
+  readonly client: string;
   /** Revision of what the editor knows to be on the disk. */
   known: string;
   readonly close: () => void;
 }
 
-export function createOpenProjects({ content, previewOrigin, files, emit }: OpenProjectsOptions): OpenProjects {
+export function createOpenProjects({ content, previewOrigin, files, emit, isThere }: OpenProjectsOptions): OpenProjects {
   const entries = new Map<string, Entry>();
   /** Folder → what is being written there at this moment; changes seen meanwhile are our own. */
   const writing = new Map<string, Promise<unknown>>();
@@ -72,10 +76,8 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
     entries.delete(handle);
   };
 
-  const openAt = async (root: string, displayPath: string): Promise<OpenProject> => {
-    await finishInterrupted(root, files).catch((error: unknown) => {
-      throw writeRefusal(error, root);
-    });
+  const openAt = async (root: string, displayPath: string, client: string): Promise<OpenProject> => {
+    await settleFolder(root, files);
     const projectFiles = await readProjectFiles(root);
     const handle = randomBytes(16).toString('hex');
     const mount = `projects/${randomBytes(16).toString('hex')}`;
@@ -88,11 +90,23 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
     const release = () => {
       watcher.dispose();
       hide();
+      takeSignAway(root, handle);
     };
-    entries.set(handle, { root, baseUrl, known: revision, close: release });
-    const recovery = await findUnsaved(root, projectFiles);
-    return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles: await listAssets(root), recovery };
+    entries.set(handle, { root, baseUrl, client, known: revision, close: release });
+    await leaveSign(root, handle, files);
+    const recovery = await takeOverUnsaved(root, handle, projectFiles, isMinded, files);
+    const assetFiles = await listAssets(root);
+    const openElsewhere = isShownBeside(root, client) || (await isShownByOthers(root));
+    return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
   };
+
+  const isMinded = (handle: string): boolean => {
+    const entry = entries.get(handle);
+    return entry !== undefined && isThere(entry.client);
+  };
+
+  const isShownBeside = (root: string, client: string): boolean =>
+    [...entries.values()].some((entry) => entry.root === root && entry.client !== client && isThere(entry.client));
 
   /** Tells of a change once per revision; a save that is under way ends first, so that it is not taken for someone else's. */
   const noticed = async (handle: string, revision: string) => {
@@ -107,41 +121,29 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
   };
 
   return {
-    open: async (path) => openAt(await findProject(path), path),
+    open: async (path, client) => openAt(await findProject(path), path, client),
     save: (handle, next, revision, overwrite) => {
       const entry = entryOf(handle);
       return inTurn(entry, async () => {
-        const current = await readProjectFiles(entry.root).catch(() => null);
-        if (!overwrite && (current === null || revisionOf(current) !== revision)) {
-          throw refusal(
-            'SCR063',
-            'The project was changed on the disk since it was opened here. Nothing was saved.',
-            'Reload it to take that version, or save over it.',
-          );
-        }
-        await write(entry.root, changesBetween(current, next), files);
+        await saveOver(entry.root, next, overwrite ? null : revision, files);
         entry.known = revisionOf(next);
-        await keepUnsaved(entry.root, null, files);
+        // It is saved: what could not be forgotten is found to be no news at the next opening.
+        await keepUnsaved(entry.root, handle, null, files).catch(() => {});
         return { revision: entry.known };
       });
     },
-    saveAs: async (handle, path, next) => {
+    saveAs: async (handle, path, next, client) => {
       const from = entryOf(handle).root;
-      const root = await emptyFolder(path);
-      try {
-        await copyAssets(from, root, files);
-        await write(root, changesBetween(null, next), files);
-      } catch (error) {
-        // The folder was empty: whatever is in it is ours.
-        for (const name of await readdir(root)) await files.remove(join(root, name));
-        throw writeRefusal(error, path);
-      }
-      return openAt(root, path);
+      const root = await fillEmptyFolder(path, files, async (folder) => {
+        await copyAssets(from, folder, files);
+        await writeAll(folder, changesBetween(null, next), files);
+      });
+      return openAt(root, path, client);
     },
     autosave: (handle, work) => {
       const entry = entryOf(handle);
       return inTurn(entry, () =>
-        keepUnsaved(entry.root, work, files).catch((error: unknown) => {
+        keepUnsaved(entry.root, handle, work, files).catch((error: unknown) => {
           throw writeRefusal(error, entry.root);
         }),
       );
@@ -156,23 +158,25 @@ export function createOpenProjects({ content, previewOrigin, files, emit }: Open
   };
 }
 
-async function write(root: string, changes: Map<string, Uint8Array | null>, files: FileLayer): Promise<void> {
+/**
+ * Writes `next` where the folder still holds `revision`; null writes it over whatever is there. The look and the write are one
+ * step for every other window and process. Throws SCR060, SCR062 and SCR063.
+ */
+async function saveOver(root: string, next: ProjectFiles, revision: string | null, files: FileLayer): Promise<void> {
   try {
-    await writeAll(root, changes, files);
+    await withLock(root, files, async () => {
+      await finishInterrupted(root, files);
+      const current = await readProjectFiles(root).catch(() => null);
+      if (revision !== null && (current === null || revisionOf(current) !== revision)) {
+        throw refusal(
+          'SCR063',
+          'The project was changed on the disk since it was opened here. Nothing was saved.',
+          'Reload it to take that version, or save over it.',
+        );
+      }
+      await writeAll(root, changesBetween(current, next), files);
+    });
   } catch (error) {
     throw writeRefusal(error, root);
   }
-}
-
-/** The folder, made where it is missing. Throws SCR061 where it holds something. */
-async function emptyFolder(path: string): Promise<string> {
-  const absolute = resolve(path);
-  try {
-    await mkdir(absolute, { recursive: true });
-    const names = await readdir(absolute);
-    if (names.length > 0) throw refusal('SCR061', `${path} is not empty. Nothing was saved.`, 'Choose a new or an empty folder.');
-  } catch (error) {
-    throw writeRefusal(error, path);
-  }
-  return realFolder(absolute);
 }

@@ -1,21 +1,24 @@
-import { readFile } from 'node:fs/promises';
+import { lstat, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { resolveInside } from './confine.ts';
 import type { FileLayer } from './file-layer.ts';
+import { isGone, OWNER, OWNER_PATTERN } from './owner.ts';
 import { revisionOf } from './project-files.ts';
-import { ensureScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
+import { ensureScrimFolder, listScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
 
-const RECOVERY = `${SCRIM_FOLDER}/unsaved.json`;
+/** Each window keeps its own, so that two on one project never take each other's away. */
+const UNSAVED = new RegExp(`^unsaved-(${OWNER_PATTERN})-([0-9a-f]+)\\.json$`);
 
 /** Keeps unsaved work beside the project, where it survives a crash; null forgets it. */
-export async function keepUnsaved(root: string, work: ProjectFiles | null, files: FileLayer): Promise<void> {
-  const target = await resolveInside(root, RECOVERY);
+export async function keepUnsaved(root: string, handle: string, work: ProjectFiles | null, files: FileLayer): Promise<void> {
+  const target = await resolveInside(root, pathOf(handle));
   if (work === null) {
     await files.remove(target);
     return;
   }
   await ensureScrimFolder(root, files);
-  const temporary = temporaryIn(root, 'unsaved');
+  const temporary = temporaryIn(root);
   try {
     await files.writeNew(temporary, new TextEncoder().encode(JSON.stringify(work)));
     await files.rename(temporary, target);
@@ -25,12 +28,47 @@ export async function keepUnsaved(root: string, work: ProjectFiles | null, files
   }
 }
 
-/** Unsaved work that differs from what is saved, or null. */
-export async function findUnsaved(root: string, saved: ProjectFiles): Promise<ProjectFiles | null> {
-  const text = await readFile(await resolveInside(root, RECOVERY), 'utf8').catch(() => null);
-  if (text === null) return null;
-  const work = parse(text);
-  return work !== null && revisionOf(work) !== revisionOf(saved) ? work : null;
+/**
+ * The newest unsaved work that no living window minds and that differs from what is saved, or null. It is taken over: from now
+ * on it is what the window `handle` has unsaved. `isMinded` tells of windows of this process. Older work stays for the next time.
+ */
+export async function takeOverUnsaved(
+  root: string,
+  handle: string,
+  saved: ProjectFiles,
+  isMinded: (handle: string) => boolean,
+  files: FileLayer,
+): Promise<ProjectFiles | null> {
+  for (const name of await abandoned(root, isMinded)) {
+    const path = join(root, SCRIM_FOLDER, name);
+    const work = parse(await readFile(await resolveInside(root, `${SCRIM_FOLDER}/${name}`), 'utf8').catch(() => ''));
+    if (work === null) continue;
+    if (revisionOf(work) === revisionOf(saved)) {
+      await files.remove(path).catch(() => {});
+      continue;
+    }
+    await files.rename(path, join(root, pathOf(handle))).catch(() => {});
+    return work;
+  }
+  return null;
+}
+
+/** Names of files that no living window minds, newest first. */
+async function abandoned(root: string, isMinded: (handle: string) => boolean): Promise<readonly string[]> {
+  const found: { readonly name: string; readonly touchedMs: number }[] = [];
+  for (const name of await listScrimFolder(root)) {
+    const [, owner, handle] = UNSAVED.exec(name) ?? [];
+    if (owner === undefined || handle === undefined) continue;
+    const entry = await lstat(join(root, SCRIM_FOLDER, name)).catch(() => null);
+    if (!entry?.isFile()) continue;
+    const minded = owner === OWNER ? isMinded(handle) : !isGone(owner, entry.mtimeMs);
+    if (!minded) found.push({ name, touchedMs: entry.mtimeMs });
+  }
+  return found.sort((a, b) => b.touchedMs - a.touchedMs).map(({ name }) => name);
+}
+
+function pathOf(handle: string): string {
+  return `${SCRIM_FOLDER}/unsaved-${OWNER}-${handle}.json`;
 }
 
 /** The file is written whole or not at all, but people's tools may have touched it. */

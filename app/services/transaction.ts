@@ -3,7 +3,7 @@ import { lstat, readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { resolveInside } from './confine.ts';
 import type { FileLayer } from './file-layer.ts';
-import { ensureScrimFolder, SCRIM_FOLDER, sweepScrimFolder } from './scrim-folder.ts';
+import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
 /** Project path → its new bytes, or null to remove it. */
 export type Changes = ReadonlyMap<string, Uint8Array | null>;
@@ -22,10 +22,12 @@ interface Change {
   readonly had: boolean;
 }
 
-const JOURNAL = `${SCRIM_FOLDER}/save.json`;
+export const JOURNAL_NAME = 'save.json';
+const JOURNAL = `${SCRIM_FOLDER}/${JOURNAL_NAME}`;
 
 /**
- * Writes several files of a project as one: all of them or none, whether an operation fails or the process dies.
+ * Writes several files of a project as one: all of them or none, whether an operation fails or the process dies. Whoever calls
+ * holds the project's lock, or has just made its folder.
  *
  * 1. New bytes go to a staging folder inside `.scrim` and onto the disk; the old files get a second name there.
  * 2. The journal is renamed into place. Before that moment nothing has happened; after it the save will be finished, by
@@ -58,9 +60,8 @@ async function takeBack(root: string, journal: Journal, files: FileLayer): Promi
   await finish(root, back, files);
 }
 
-/** Ends a save that the process did not live to end. Call before reading a project. */
+/** Ends a save that the process did not live to end. Whoever calls holds the project's lock. */
 export async function finishInterrupted(root: string, files: FileLayer): Promise<void> {
-  await sweepScrimFolder(root, files);
   const text = await readFile(await resolveInside(root, JOURNAL), 'utf8').catch(() => null);
   if (text === null) return;
   const journal = parseJournal(text);

@@ -1,6 +1,7 @@
 import { type FSWatcher, watch } from 'node:fs';
 import { join } from 'node:path';
 import { readProjectFiles, revisionOf, SHADERS_FOLDER } from './project-files.ts';
+import { isLocked } from './project-lock.ts';
 
 /** An editor that saves touches several files; they are read once all is quiet for this long. */
 const QUIET_MS = 150;
@@ -20,6 +21,11 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
   let shaders: FSWatcher | null = null;
 
   const read = async () => {
+    // Another process is in the middle of a save: half of it would be taken for a change of its own.
+    if (await isLocked(root)) {
+      if (!disposed) touch();
+      return;
+    }
     shaders ??= watchFolder(join(root, SHADERS_FOLDER), touch);
     const files = await readProjectFiles(root).catch(() => null);
     if (files && !disposed) onRevision(revisionOf(files));

@@ -5,6 +5,7 @@ import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { useEditor } from './editor-context.ts';
 import { FolderDialog } from './folder-dialog.tsx';
+import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
 
@@ -17,6 +18,8 @@ export function Dialogs() {
   switch (dialog.kind) {
     case 'open':
       return <OpenDialog onClose={close} />;
+    case 'new':
+      return <NewDialog onClose={close} />;
     case 'save-as':
     case 'export':
       return <FolderDialog key={dialog.kind} purpose={dialog.kind} onClose={close} />;
@@ -86,7 +89,8 @@ function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
   return (
     <Dialog
       title="Unsaved work was found"
-      onClose={onClose}
+      // Escape decides nothing, and going on without a decision would write over that work.
+      onClose={() => {}}
       actions={
         <>
           <Button look="quiet" onPress={() => void forget()}>

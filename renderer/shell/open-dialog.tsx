@@ -32,6 +32,9 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
           <Button look="quiet" onPress={onClose}>
             Cancel
           </Button>
+          <Button icon="add" onPress={() => editor.ui.setState({ dialog: { kind: 'new' } })}>
+            New project…
+          </Button>
           {canPick && (
             <Button
               icon="folder"

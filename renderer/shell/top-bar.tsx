@@ -10,7 +10,7 @@ import { Logo } from './logo.tsx';
 import './top-bar.css';
 
 const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
-  { label: 'File', entries: ['file.open', 'line', 'file.save', 'file.save-as', 'line', 'file.export'] },
+  { label: 'File', entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'file.export'] },
   {
     label: 'Edit',
     entries: [

@@ -3,7 +3,7 @@ import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } f
 import { deleteSelection, selectAll, toggleMuted } from './edit-graph.ts';
 import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
-import { exportPage, openProject, save, saveAs } from './files.ts';
+import { exportPage, newProject, openProject, save, saveAs } from './files.ts';
 import { type BottomTab, revealNodes } from './ui.ts';
 
 /** Something that a menu, a key or the window's own menu can ask for. */
@@ -25,6 +25,8 @@ const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
 const hasSelection = ({ selection }: Editor) => selection.getState().nodes.size + selection.getState().wires.size > 0;
 
 const COMMANDS = {
+  // Browsers keep Ctrl+N for themselves; with Alt it is free everywhere.
+  'file.new': { label: 'New…', chords: ['Mod+Alt+N'], enabled: always, run: newProject, whileTyping: true },
   'file.open': { label: 'Open…', chords: ['Mod+O'], enabled: always, run: openProject, whileTyping: true },
   'file.save': { label: 'Save', chords: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
   'file.save-as': { label: 'Save as…', chords: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },

@@ -28,6 +28,7 @@ export interface DocumentState {
   /** What the shell can do, from `app.info`. */
   readonly canPickFolders: boolean;
   readonly examples: HostOutput<'app.info'>['examples'];
+  readonly templates: HostOutput<'app.info'>['templates'];
 }
 
 /** What is needed to look things up in the open graph. */
@@ -48,6 +49,7 @@ export function createDocument(library: ProjectLibrary): DocumentStore {
     loadDiagnostics: [],
     canPickFolders: false,
     examples: [],
+    templates: [],
   }));
 }
 

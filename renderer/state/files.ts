@@ -31,6 +31,11 @@ export function openProject(editor: Editor): void {
   withoutUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'open' } }));
 }
 
+/** Asks what to begin with, after asking about unsaved work. */
+export function newProject(editor: Editor): void {
+  withoutUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'new' } }));
+}
+
 /** Goes on at once, or after the person has decided what becomes of unsaved work. */
 export function withoutUnsaved(editor: Editor, proceed: () => void): void {
   if (isDirty(editor.document.getState())) editor.ui.setState({ dialog: { kind: 'unsaved', proceed } });
@@ -39,21 +44,73 @@ export function withoutUnsaved(editor: Editor, proceed: () => void): void {
 
 /** Opens a folder in place of what is open. Where it cannot be read, what is open stays. */
 export async function openPath(editor: Editor, path: string): Promise<boolean> {
-  const before = editor.document.getState().open;
+  return goOnWith(editor, () => editor.host.call('project.open', { path }));
+}
+
+/** Makes a project from a template, in a new or an empty folder, and opens it in place of what is open. */
+export async function createProject(editor: Editor, path: string, template: string): Promise<boolean> {
+  return goOnWith(editor, () => editor.host.call('project.create', { path, template }));
+}
+
+/** Whoever calls has asked what becomes of unsaved work: what there is of it now was given up. */
+async function goOnWith(editor: Editor, ask: () => Promise<OpenProject>): Promise<boolean> {
+  const { open: before } = editor.document.getState();
   try {
-    const opened = await editor.host.call('project.open', { path });
+    const opened = await ask();
+    const givenUp = isDirty(editor.document.getState());
     if (!showProject(editor, opened, opened.files)) {
       await editor.host.call('project.close', { handle: opened.handle });
       return false;
     }
-    if (before) await editor.host.call('project.close', { handle: before.handle });
+    if (before) {
+      if (givenUp) await editor.host.call('project.autosave', { handle: before.handle, files: null });
+      await editor.host.call('project.close', { handle: before.handle });
+    }
     editor.ui.setState({ dialog: opened.recovery === null ? null : { kind: 'recovery', files: opened.recovery } });
+    if (opened.openElsewhere) tellOfOtherWindow(editor);
     await listSessions(editor);
     return true;
   } catch (error) {
     showRefusal(editor, error);
     return false;
   }
+}
+
+function tellOfOtherWindow(editor: Editor): void {
+  addToast(editor.ui, {
+    tone: 'warning',
+    text: 'This project is open in another window, too.',
+    detail: 'What is saved there shows up here. If both change it, you are asked which version stays.',
+  });
+}
+
+/**
+ * Takes the folder's version after somebody else has written it, where nothing here would be lost by that; else asks. What is
+ * done while the files are read counts, too.
+ */
+export async function followFolder(editor: Editor): Promise<void> {
+  for (const finish of editor.unfinished) finish();
+  const { open } = editor.document.getState();
+  if (open === null) return;
+  if (isDirty(editor.document.getState())) return askWhichVersion(editor);
+  try {
+    const opened = await editor.host.call('project.open', { path: open.displayPath });
+    for (const finish of editor.unfinished) finish();
+    const now = editor.document.getState();
+    const stays = now.open?.handle === open.handle && !isDirty(now);
+    const taken = stays && showProject(editor, opened, opened.files);
+    await editor.host.call('project.close', { handle: (taken ? open : opened).handle });
+    if (taken) {
+      addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was loaded again.' });
+      if (opened.recovery !== null) editor.ui.setState({ dialog: { kind: 'recovery', files: opened.recovery } });
+    } else if (now.open?.handle === open.handle && isDirty(now)) askWhichVersion(editor);
+  } catch (error) {
+    showRefusal(editor, error);
+  }
+}
+
+function askWhichVersion(editor: Editor): void {
+  editor.ui.setState({ dialog: { kind: 'changed-outside' } });
 }
 
 /** Puts files on the canvas; false, with the reasons shown, where they are no project. */
@@ -100,7 +157,7 @@ export async function save(editor: Editor, overwrite = false): Promise<boolean> 
     editor.document.setState((state) => ({ open: state.open && { ...state.open, revision }, savedState: history.state }));
     return true;
   } catch (error) {
-    if (error instanceof HostError && error.diagnostic.code === 'SCR063') editor.ui.setState({ dialog: { kind: 'changed-outside' } });
+    if (error instanceof HostError && error.diagnostic.code === 'SCR063') askWhichVersion(editor);
     else showRefusal(editor, error);
     return false;
   }
@@ -172,7 +229,6 @@ async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promis
 export async function reload(editor: Editor): Promise<boolean> {
   const { open } = editor.document.getState();
   if (open === null) return false;
-  await editor.host.call('project.autosave', { handle: open.handle, files: null }).catch((error: unknown) => showRefusal(editor, error));
   return openPath(editor, open.displayPath);
 }
 

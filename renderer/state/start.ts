@@ -2,8 +2,7 @@ import { debounce } from '../clock.ts';
 import { type AppCommandId, runCommand } from './app-commands.ts';
 import { isDirty } from './document.ts';
 import type { Editor } from './editor.ts';
-import { filesOf, openPath, showRefusal, withoutUnsaved } from './files.ts';
-import { addToast } from './ui.ts';
+import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files.ts';
 
 /** Unsaved work is on disk at most this long after it was done. */
 const AUTOSAVE_MS = 2000;
@@ -11,7 +10,7 @@ const AUTOSAVE_MS = 2000;
 /** Asks the host what it is and opens what it was started with. Returns the preview's address. */
 export async function start(editor: Editor): Promise<string> {
   const info = await editor.host.call('app.info', {});
-  editor.document.setState({ canPickFolders: info.canPickFolders, examples: info.examples });
+  editor.document.setState({ canPickFolders: info.canPickFolders, examples: info.examples, templates: info.templates });
   return info.previewUrl;
 }
 
@@ -49,24 +48,12 @@ export function followHost(editor: Editor): () => void {
         runCommand(editor, event.command satisfies AppCommandId);
         return;
       case 'project-changed-outside':
-        if (event.handle === editor.document.getState().open?.handle) noticeChange(editor);
+        if (event.handle === editor.document.getState().open?.handle) void followFolder(editor);
         return;
       case 'close-requested':
         withoutUnsaved(editor, () => void close(editor));
         return;
     }
-  });
-}
-
-function noticeChange(editor: Editor): void {
-  if (isDirty(editor.document.getState())) {
-    editor.ui.setState({ dialog: { kind: 'changed-outside' } });
-    return;
-  }
-  const { open } = editor.document.getState();
-  if (open === null) return;
-  void openPath(editor, open.displayPath).then((taken) => {
-    if (taken) addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was loaded again.' });
   });
 }
 

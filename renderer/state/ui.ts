@@ -25,6 +25,7 @@ export interface PaletteRequest {
 
 export type DialogRequest =
   | { readonly kind: 'open' }
+  | { readonly kind: 'new' }
   | { readonly kind: 'save-as' }
   | { readonly kind: 'export' }
   /** Something is about to drop unsaved work; `proceed` goes on with it. */

@@ -28,6 +28,7 @@ export function createFakeHost(files: HostOutput<'project.open'>['files'], handl
     assetBaseUrl: 'http://127.0.0.1:1/projects/x/',
     assetFiles: [],
     recovery: null,
+    openElsewhere: false,
   });
   const all: Required<Handlers> = {
     'app.info': () => ({
@@ -36,11 +37,13 @@ export function createFakeHost(files: HostOutput<'project.open'>['files'], handl
       previewUrl: 'http://127.0.0.1:1/',
       startPath: '/project',
       examples: [],
+      templates: [{ name: 'empty', title: 'Empty', description: 'Nothing yet.' }],
       canPickFolders: false,
     }),
     'app.close': () => ({}),
     'folder.pick': () => ({ path: null }),
     'project.open': ({ path }) => open(path),
+    'project.create': ({ path }) => open(path),
     'project.save': (input) => {
       saved = input.files;
       revision++;

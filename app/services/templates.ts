@@ -1,0 +1,72 @@
+import { readdir } from 'node:fs/promises';
+import { basename, join, resolve } from 'node:path';
+import { loadProject } from '../../export/graph/load.ts';
+import type { Project } from '../../export/graph/project.ts';
+import { saveProject } from '../../export/graph/save.ts';
+import { copyAssets } from './copy-assets.ts';
+import { fillEmptyFolder } from './empty-folder.ts';
+import { refusal } from './file-errors.ts';
+import type { FileLayer } from './file-layer.ts';
+import { changesBetween, readProjectFiles } from './project-files.ts';
+import { writeAll } from './transaction.ts';
+
+/** A project to begin with: a folder in `examples/templates`. */
+export interface Template {
+  /** The folder's name. */
+  readonly name: string;
+  readonly title: string;
+  readonly description: string;
+}
+
+/** The one that is meant where none is named. */
+export const DEFAULT_TEMPLATE = 'empty';
+
+/** The templates that come with Scrim, the default one first. */
+export async function findTemplates(templatesDir: string): Promise<Template[]> {
+  const entries = await readdir(templatesDir, { withFileTypes: true }).catch(() => []);
+  const names = entries.filter((entry) => entry.isDirectory()).map((entry) => entry.name);
+  const rank = (name: string) => `${name === DEFAULT_TEMPLATE ? 0 : 1}${name}`;
+  names.sort((a, b) => (rank(a) < rank(b) ? -1 : 1));
+  return Promise.all(
+    names.map(async (name) => {
+      const { title, page } = await readTemplate(templatesDir, name);
+      return { name, title, description: page.description };
+    }),
+  );
+}
+
+export interface NewProjectJob {
+  readonly templatesDir: string;
+  readonly template: string;
+  /** A new or an empty folder; its name becomes the title. */
+  readonly path: string;
+  readonly files: FileLayer;
+}
+
+/** Makes a project folder from a template, and answers with where it really lies. Throws SCR060, SCR061, SCR062 and SCR073. */
+export async function createProject({ templatesDir, template, path, files }: NewProjectJob): Promise<string> {
+  const known = await findTemplates(templatesDir);
+  if (!known.some(({ name }) => name === template)) {
+    throw refusal('SCR073', `There is no template ${JSON.stringify(template)}.`, `There are ${known.map(({ name }) => name).join(', ')}.`);
+  }
+  const project: Project = { ...(await readTemplate(templatesDir, template)), title: titleFor(path) };
+  return fillEmptyFolder(path, files, async (root) => {
+    await copyAssets(join(templatesDir, template), root, files);
+    await writeAll(root, changesBetween(null, saveProject(project)), files);
+  });
+}
+
+async function readTemplate(templatesDir: string, name: string): Promise<Project> {
+  const { output } = loadProject(await readProjectFiles(join(templatesDir, name)));
+  if (output === null) throw new Error(`The template ${name} is no project.`);
+  return output;
+}
+
+/** `my-first_effect` → `My first effect`. */
+function titleFor(path: string): string {
+  const words = basename(resolve(path))
+    .split(/[-_\s]+/)
+    .filter((word) => word !== '')
+    .join(' ');
+  return words === '' ? 'Untitled' : words.charAt(0).toUpperCase() + words.slice(1);
+}
