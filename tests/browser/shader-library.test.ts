@@ -9,6 +9,7 @@ import gaussianBlur from '../../shader-library/filters/gaussian-blur.fs';
 import sepia from '../../shader-library/filters/sepia.fs';
 import sobelEdges from '../../shader-library/filters/sobel-edges.fs';
 import threshold from '../../shader-library/filters/threshold.fs';
+import blend from '../../shader-library/operators/blend.fs';
 import mask from '../../shader-library/operators/mask.fs';
 import over from '../../shader-library/operators/over.fs';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
@@ -22,6 +23,7 @@ const SHADERS: Readonly<Record<string, string>> = {
   'filters/color-temperature.fs': colorTemperature,
   'filters/gaussian-blur.fs': gaussianBlur,
   'filters/sobel-edges.fs': sobelEdges,
+  'operators/blend.fs': blend,
   'operators/over.fs': over,
   'operators/mask.fs': mask,
 };
