@@ -1,15 +1,22 @@
 import { describe, expect, test } from '@jest/globals';
 import { setTitle } from '../../export/graph/commands/project-info.ts';
+import { newProject } from '../../export/graph/new-project.ts';
+import { saveProject } from '../../export/graph/save.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { addFiles } from './add-files.ts';
 import { apply } from './apply.ts';
 import { graphOf } from './document.ts';
 import type { Editor } from './editor.ts';
-import { openPath, openProject, reload, save } from './files.ts';
+import { createProject, openPath, openProject, reload, save } from './files.ts';
 import { autosave, followHost } from './start.ts';
 
 function retitle(editor: Editor, title: string): void {
   apply(editor, 'Title', setTitle(editor.document.getState().project, { title }));
+}
+
+/** What the editor has asked its host for has come and been worked in. */
+function settle(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, 0));
 }
 
 describe('files', () => {
@@ -51,6 +58,38 @@ describe('files', () => {
     expect(editor.ui.getState().dialog?.kind).toBe('open');
   });
 
+  test('a new project takes the place of the open one, whose unsaved work is forgotten once it was given up', async () => {
+    const { editor, host } = await openTestEditor();
+    const before = editor.document.getState().open?.handle;
+    retitle(editor, 'Given up');
+    expect(await createProject(editor, '/new', 'empty')).toBe(true);
+    expect(host.calls.find(({ method }) => method === 'project.create')?.input).toEqual({ path: '/new', template: 'empty' });
+    expect(editor.document.getState().open?.displayPath).toBe('/new');
+    const rest = host.calls.slice(-3).map(({ method, input }) => [method, input]);
+    expect(rest).toEqual([
+      ['project.autosave', { handle: before, files: null }],
+      ['project.close', { handle: before }],
+      ['session.list', { handle: editor.document.getState().open?.handle }],
+    ]);
+  });
+
+  test('work that is not given up is not forgotten: a folder that cannot be opened changes nothing', async () => {
+    const { editor, host } = await openTestEditor();
+    retitle(editor, 'Kept');
+    host.refuse('project.create', 'SCR061', 'The folder is not empty.');
+    expect(await createProject(editor, '/full', 'empty')).toBe(false);
+    expect(editor.document.getState().project.title).toBe('Kept');
+    expect(host.calls.some(({ method }) => method === 'project.autosave' || method === 'project.close')).toBe(false);
+    expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual(['The folder is not empty.']);
+  });
+
+  test('a project that another window shows is opened with a word of warning', async () => {
+    const { editor } = await openTestEditor(undefined, { openElsewhere: true });
+    expect(editor.ui.getState().toasts.map(({ tone, text }) => [tone, text])).toEqual([
+      ['warning', 'This project is open in another window, too.'],
+    ]);
+  });
+
   test('reload takes the version on disk and forgets the unsaved one', async () => {
     const { editor, host } = await openTestEditor();
     retitle(editor, 'Mine');
@@ -86,6 +125,55 @@ describe('files', () => {
     await Promise.resolve();
     await new Promise((resolve) => setTimeout(resolve, 0));
     expect(host.calls.at(-1)?.method).toBe('app.close');
+  });
+
+  test('a change on disk is taken over where nothing is unsaved', async () => {
+    const { editor, host } = await openTestEditor();
+    followHost(editor);
+    const { handle = '' } = editor.document.getState().open ?? {};
+    host.writeOutside(saveProject(newProject('Theirs')));
+    host.emit({ kind: 'project-changed-outside', handle, revision: 'r2' });
+    await settle();
+    expect(editor.document.getState().project.title).toBe('Theirs');
+    expect(editor.ui.getState().dialog).toBeNull();
+    expect(host.calls.at(-1)).toEqual({ method: 'project.close', input: { handle } });
+  });
+
+  test('a change on disk asks where something is unsaved, typed or done while the files were read', async () => {
+    for (const when of ['before', 'typed', 'meanwhile'] as const) {
+      const { editor, host } = await openTestEditor();
+      followHost(editor);
+      const { handle = '' } = editor.document.getState().open ?? {};
+      host.writeOutside(saveProject(newProject('Theirs')));
+      if (when === 'before') retitle(editor, 'Mine');
+      if (when === 'typed') {
+        const finish = () => {
+          editor.unfinished.delete(finish);
+          retitle(editor, 'Mine');
+        };
+        editor.unfinished.add(finish);
+      }
+      host.emit({ kind: 'project-changed-outside', handle, revision: 'r2' });
+      if (when === 'meanwhile') retitle(editor, 'Mine');
+      await settle();
+      expect([when, editor.document.getState().project.title]).toEqual([when, 'Mine']);
+      expect([when, editor.ui.getState().dialog?.kind]).toEqual([when, 'changed-outside']);
+      // Nothing was lost: the person takes one version or the other.
+      expect(await reload(editor)).toBe(true);
+      expect(editor.document.getState().project.title).toBe('Theirs');
+    }
+  });
+
+  test('a change on disk that is no project leaves the canvas alone, and says what is wrong', async () => {
+    const { editor, host } = await openTestEditor();
+    followHost(editor);
+    const { handle = '' } = editor.document.getState().open ?? {};
+    host.writeOutside({ project: '{ "half', layout: null, sources: {} });
+    host.emit({ kind: 'project-changed-outside', handle, revision: 'r2' });
+    await settle();
+    expect(editor.document.getState().project.title).toBe('Test');
+    expect(editor.document.getState().open?.handle).toBe(handle);
+    expect(editor.ui.getState().toasts.map(({ tone }) => tone)).toContain('error');
   });
 
   test('dropped files become assets, shaders and nodes; what cannot be used is named', async () => {

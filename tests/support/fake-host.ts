@@ -8,11 +8,21 @@ export interface FakeHost extends Host {
   readonly calls: { readonly method: HostMethod; readonly input: unknown }[];
   /** Makes the next call of a method be refused. */
   refuse(method: HostMethod, code: string, message: string): void;
+  /** Somebody else writes the folder: it has another revision. Nobody is told. */
+  writeOutside(files: HostOutput<'project.open'>['files']): void;
   emit(event: HostEvent): void;
 }
 
+export interface FakeFolder {
+  readonly openElsewhere?: boolean;
+}
+
 /** A host in memory with one project; whatever crosses is checked against the contract, both ways. */
-export function createFakeHost(files: HostOutput<'project.open'>['files'], handlers: Handlers = {}): FakeHost {
+export function createFakeHost(
+  files: HostOutput<'project.open'>['files'],
+  handlers: Handlers = {},
+  { openElsewhere = false }: FakeFolder = {},
+): FakeHost {
   const calls: FakeHost['calls'] = [];
   const listeners = new Set<(event: HostEvent) => void>();
   const refusals = new Map<HostMethod, HostError>();
@@ -28,7 +38,7 @@ export function createFakeHost(files: HostOutput<'project.open'>['files'], handl
     assetBaseUrl: 'http://127.0.0.1:1/projects/x/',
     assetFiles: [],
     recovery: null,
-    openElsewhere: false,
+    openElsewhere,
   });
   const all: Required<Handlers> = {
     'app.info': () => ({
@@ -63,6 +73,10 @@ export function createFakeHost(files: HostOutput<'project.open'>['files'], handl
   return {
     calls,
     refuse: (method, code, message) => refusals.set(method, new HostError({ code, severity: 'error', message })),
+    writeOutside: (theirs) => {
+      saved = theirs;
+      revision++;
+    },
     emit: (event) => {
       for (const listener of listeners) listener(event);
     },

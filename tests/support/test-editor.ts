@@ -6,7 +6,7 @@ import type { EditorClock } from '../../renderer/clock.ts';
 import { createEditor, type Editor } from '../../renderer/state/editor.ts';
 import { openPath } from '../../renderer/state/files.ts';
 import { DEFAULT_SIZES } from '../../renderer/state/ui.ts';
-import { createFakeHost, type FakeHost } from './fake-host.ts';
+import { createFakeHost, type FakeFolder, type FakeHost } from './fake-host.ts';
 
 /** Time that stands until `pass`. */
 export interface TestClock extends EditorClock {
@@ -42,8 +42,8 @@ export interface TestEditor {
 }
 
 /** The editor without its page, over the library that ships and a host in memory. Random numbers repeat. */
-export async function openTestEditor(project: Project = newProject('Test')): Promise<TestEditor> {
-  const host = createFakeHost(saveProject(project));
+export async function openTestEditor(project: Project = newProject('Test'), folder: FakeFolder = {}): Promise<TestEditor> {
+  const host = createFakeHost(saveProject(project), {}, folder);
   const clock = createTestClock();
   let seed = 1;
   const random = () => {
