@@ -21,6 +21,28 @@ export interface Program {
   readonly tiers: readonly Tier[];
   /** Layers kept for looking at, `node.port` → resource. Empty in an export. */
   readonly taps: Readonly<Record<string, LayerRef>>;
+  /** What visitors can set on screen, from top to bottom; absent where there is nothing. */
+  readonly controls?: readonly Control[];
+}
+
+/**
+ * A control on screen. Setting it is `setParam(node, param, value)`: for a slider a number, for a toggle a boolean or 0 and 1, for a
+ * choice the place of the option, from 0. Each press of a button sets one more than before: two within a frame count as two.
+ */
+export type Control = ControlBase &
+  (
+    | { readonly kind: 'slider'; readonly min: number; readonly max: number; /** 0: none. */ readonly step: number }
+    | { readonly kind: 'toggle' }
+    | { readonly kind: 'button' }
+    | { readonly kind: 'choice'; readonly options: readonly string[] }
+  );
+
+interface ControlBase {
+  readonly node: string;
+  readonly param: string;
+  readonly label: string;
+  /** Where it stands at first; 0 or 1 for a toggle. */
+  readonly value: number;
 }
 
 /** Numbers live in one flat Float64Array, texts in one table; operations name them by slot index. */

@@ -27,6 +27,12 @@ export interface NodeDefinition {
    * runtime), so that wires into it may close a loop. No other node may be the one that closes a loop.
    */
   readonly delay?: true;
+  /**
+   * Visitors set it on screen. Such a node has params by these names: `label` (structure text) and `place` (structure number) all of
+   * them; `value` (uniform: number, toggle) all but buttons, which count their `presses` (uniform number); `min`, `max` and `step`
+   * (structure numbers) sliders; `options` (structure text, parted by commas) choices, whose value is the place from 0.
+   */
+  readonly control?: 'slider' | 'toggle' | 'button' | 'choice';
   readonly needs?: readonly Need[];
   /** Step `i` lifts saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];

@@ -1,6 +1,7 @@
-import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
+import { createPulseQueue, type PulseQueue } from '../../export/runtime/values/pulses.ts';
+import type { InputPort, NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { NodeContext } from '../../nodes/kit/runtime.ts';
+import type { NodeContext, PulseList } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES, type WireType } from '../../nodes/kit/wire-types.ts';
 
 /** A param as the inspector would set it. */
@@ -21,7 +22,7 @@ export interface FakeContext<D extends NodeDefinition> {
   readonly reports: readonly Omit<Diagnostic, 'nodeId'>[];
   /** Changes a uniform param, as a wire or the inspector would between two frames. */
   set(param: keyof D['params'] & string, value: PlainValue): void;
-  /** Moves the clock to the next frame. */
+  /** Moves the clock to the next frame, and empties the outputs of pulses. */
   tick(deltaS: number): void;
 }
 
@@ -40,13 +41,14 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
   const params = ofStage('uniform', (value, param) => ({ value: live(value, param) }));
   const clock = { timeS: 0, deltaS: 0, frame: 0 };
   const reports: Omit<Diagnostic, 'nodeId'>[] = [];
+  const outputs = Object.fromEntries(Object.entries(definition.outputs).map(([name, port]) => [name, emptyOutput(port.type)]));
   const context = {
     node: `${definition.type.split('/')[1]}-test`,
     inputs: {
-      ...Object.fromEntries(Object.entries(definition.inputs).map(([name, port]) => [name, port.multiple ? [] : null])),
+      ...Object.fromEntries(Object.entries(definition.inputs).map(([name, port]) => [name, emptyInput(port)])),
       ...options.inputs,
     },
-    outputs: Object.fromEntries(Object.entries(definition.outputs).map(([name, port]) => [name, emptyOutput(port.type)])),
+    outputs,
     params,
     config: ofStage('structure', (value) => value),
     assetIds: ofStage('asset', (value) => (value === '' ? null : value)),
@@ -69,6 +71,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
       clock.timeS += deltaS;
       clock.deltaS = deltaS;
       clock.frame += 1;
+      for (const [name, { type }] of Object.entries(definition.outputs)) if (type === 'pulse') (outputs[name] as PulseQueue).clear();
     },
   };
 }
@@ -76,6 +79,16 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
 /** As the player's value slots hold it: vectors and colours in a `Float64Array`. */
 function live(value: PlainValue, param: ParamDefinition): unknown {
   return Array.isArray(value) && param.type !== 'choice' ? Float64Array.from(value as readonly number[]) : value;
+}
+
+/** The numbers of the pulses in a list. */
+export function pulseNumbers(list: PulseList): number[] {
+  return Array.from({ length: list.count }, (_, i) => list.at(i).number);
+}
+
+function emptyInput({ type, multiple }: InputPort): unknown {
+  if (type === 'pulse') return createPulseQueue();
+  return multiple ? [] : null;
 }
 
 function emptyOutput(type: WireType): unknown {
@@ -92,6 +105,8 @@ function emptyOutput(type: WireType): unknown {
       return { value: false };
     case 'text':
       return { value: '' };
+    case 'pulse':
+      return createPulseQueue();
     case 'objects':
     case 'lights':
       return { version: 0, items: [] };

@@ -22,6 +22,8 @@ export function definitionProblems(definition: NodeDefinition, isShader: (name: 
       paramProblems(name, param).map((problem) => `param ${name}: ${problem}`),
     ),
     ...layerProblems(definition),
+    ...pulseProblems(definition),
+    ...controlProblems(definition),
     ...loweringProblems(definition, isShader),
     ...needProblems(definition),
   ];
@@ -106,6 +108,30 @@ function layerProblems({ inputs, outputs }: NodeDefinition): string[] {
       ...(unsaid ? [`output ${name} has to say its domain and depth`] : []),
       ...(same ? [`output ${name} cannot be the same as an input layer: there is none`] : []),
     ];
+  });
+}
+
+/** Where one thing may start something, several may. */
+function pulseProblems({ inputs }: NodeDefinition): string[] {
+  return Object.entries(inputs).flatMap(([name, { type, multiple }]) =>
+    type === 'pulse' && multiple !== true ? [`input ${name} has to take pulses of several wires`] : [],
+  );
+}
+
+const CONTROL_PARAMS = {
+  slider: { value: 'uniform number', min: 'structure number', max: 'structure number', step: 'structure number' },
+  toggle: { value: 'uniform toggle' },
+  button: { presses: 'uniform number' },
+  choice: { value: 'uniform number', options: 'structure text' },
+} as const;
+
+/** The compiler finds them by these names. */
+function controlProblems({ control, params }: NodeDefinition): string[] {
+  if (control === undefined) return [];
+  const expected = { label: 'structure text', place: 'structure number', ...CONTROL_PARAMS[control] };
+  return Object.entries(expected).flatMap(([name, kind]) => {
+    const param = params[name];
+    return param && `${param.stage} ${param.type}` === kind ? [] : [`a ${control} has a param ${name}, a ${kind}`];
   });
 }
 

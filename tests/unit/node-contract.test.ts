@@ -77,6 +77,22 @@ describe('the contract of definitions', () => {
     ],
     ['a shader that exists', problems({ lowering: { kind: 'image', shader: 'no.fs', access: 'pointwise' } }), 'there is no shader no.fs'],
     [
+      'pulses from several wires',
+      problems({ inputs: { go: { type: 'pulse', label: 'Go', doc: 'Go.', required: false } } }),
+      'input go has to take pulses of several wires',
+    ],
+    [
+      'what its control needs',
+      problems({
+        control: 'toggle',
+        params: {
+          label: { type: 'text', stage: 'structure', label: 'L', doc: 'L.', default: '' },
+          place: { type: 'number', stage: 'structure', label: 'P', doc: 'P.', default: 0 },
+        },
+      }),
+      'a toggle has a param value, a uniform toggle',
+    ],
+    [
       'shadow maps from its own ports',
       problems({ lowering: { kind: 'geometry', shadowMap: { casters: ['objects'], lights: 'sun' } } }),
       'lights sun is no input of lights',

@@ -2,12 +2,14 @@ import type { ProjectLogic } from '../../graph/project.ts';
 import { type Operation, PROGRAM_VERSION, type Program, type ProgramAsset } from '../../program/program.ts';
 import type { LinkedOperations } from '../link/link.ts';
 import type { Schedule } from '../schedule/schedule.ts';
+import { collectControls } from './controls.ts';
 import { collectNeeds } from './needs.ts';
 import { findTiers } from './tiers.ts';
 
 /** Last phase: the program. Equal projects give equal text, because everything in it has an order. */
 export function print(project: ProjectLogic, scheduled: Schedule, { operations, shaders }: LinkedOperations): Program {
   const needs = collectNeeds(scheduled.nodes, scheduled.working);
+  const controls = collectControls(scheduled);
   return {
     format: 'scrim-program',
     version: PROGRAM_VERSION,
@@ -21,6 +23,7 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
     needs,
     tiers: findTiers(needs, scheduled.presentation),
     taps: scheduled.taps,
+    ...(controls.length > 0 ? { controls } : {}),
   };
 }
 

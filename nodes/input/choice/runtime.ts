@@ -1,0 +1,15 @@
+import { choiceOptions } from '../../kit/choice-options.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const options = choiceOptions(ctx.config.options);
+  return {
+    update: () => {
+      const index = Math.max(0, Math.min(Math.round(ctx.params.value.value), options.length - 1));
+      ctx.outputs.index.value = index;
+      ctx.outputs.word.value = options[index] ?? '';
+    },
+    dispose: () => {},
+  };
+}
