@@ -145,7 +145,12 @@ interface OperationBase {
   readonly view: 'each' | 'once';
 }
 
-/** Played by the node type's `runtime.ts`. */
+/**
+ * Played by the node type's `runtime.ts`. Two types are no nodes but what params are bound to, and write the param's slot:
+ * `binding/expression` (config `postfix`, as `nodes/kit/expression.ts` says, and the numbers used `otherwise`, where a result is not
+ * finite), and `binding/track` (config `times` in seconds, ascending; `values`, all numbers of the first key first; `easings`, one
+ * word per key for the way to the next; `repeat`).
+ */
 export interface NodeOperation extends OperationBase {
   readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw';
   readonly type: string;
@@ -159,8 +164,8 @@ export interface NodeOperation extends OperationBase {
   readonly outputs: Readonly<Record<string, OutputRef>>;
   /** Uniform params → slot. */
   readonly params: Readonly<Record<string, number>>;
-  /** Structure params → value. */
-  readonly config: Readonly<Record<string, string | number | boolean>>;
+  /** Structure params → value. Of a text that is an expression, its postfix. */
+  readonly config: Readonly<Record<string, string | number | boolean | readonly number[]>>;
   /** Asset params → asset id, or null where none is chosen. */
   readonly assets: Readonly<Record<string, string | null>>;
 }

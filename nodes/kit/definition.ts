@@ -110,6 +110,8 @@ export interface TextParam extends ParamBase {
   readonly type: 'text';
   readonly stage: 'uniform' | 'structure';
   readonly default: string;
+  /** The text is an expression (`expression.ts`) over these numbers of the node's own; its runtime gets the postfix. */
+  readonly expression?: { readonly names: readonly string[] };
 }
 
 /** One of a list. A `uniform` choice holds numbers (ISF `long`), a `structure` choice holds words. */

@@ -38,6 +38,7 @@ export const DIAGNOSTICS = {
   SCR019: 'The param cannot be bound this way',
   SCR020: 'The subgraph does not exist or contains itself',
   SCR021: 'The node does nothing: nothing on screen depends on it',
+  SCR022: 'The expression cannot be read',
   // Assets
   SCR030: 'The asset is not in the project',
   SCR031: 'The asset lies outside the project folder',

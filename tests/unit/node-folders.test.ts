@@ -8,8 +8,8 @@ import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import { LIBRARY } from '../support/library.ts';
 import { definitionProblems } from '../support/node-contract.ts';
 
-/** Folders that are no categories of nodes. */
-const OTHERS = ['kit', 'generated'];
+/** Folders that are no categories of nodes; what is in `binding` plays what params are bound to. */
+const OTHERS = ['kit', 'generated', 'binding'];
 
 const FOLDERS = subfolders('nodes')
   .filter((category) => !OTHERS.includes(category))

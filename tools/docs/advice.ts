@@ -21,6 +21,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR019: 'Bind the param to a value, or choose one that can change while the picture runs: those have a port.',
   SCR020: 'Choose another subgraph, or break the circle of subgraphs that contain each other.',
   SCR021: 'Wire the node towards the screen, or delete it; it costs nothing as it is.',
+  SCR022:
+    'Mend the expression at the character that the message names. What can be written is in the description of the node “Expression”.',
   SCR030: 'Import the file into the project, or choose another in the inspector.',
   SCR031: 'Copy the file into the project’s `assets` folder and choose it from there.',
   SCR032: 'Open the file in the program that made it and save it again: pictures as PNG, JPEG or WebP, models as glTF 2.0 (.glb).',

@@ -18,6 +18,8 @@ export interface ShaderFile {
 
 export interface Found {
   readonly nodes: readonly NodeFolder[];
+  /** Runtimes of `nodes/binding/`, which play what params are bound to; no node types. */
+  readonly bindings: readonly string[];
   /** ISF files that are nodes by themselves. */
   readonly library: readonly ShaderFile[];
   /** Shaders that a node's definition names. */
@@ -35,8 +37,10 @@ export async function findNodes(root: string): Promise<Found> {
     .filter((path) => path.endsWith('/definition.ts'))
     .map((path) => path.slice(0, -'/definition.ts'.length))
     .map((type) => ({ type, hasRuntime: present.has(`${type}/runtime.ts`) }));
+  const bindings = inFolders.flatMap((path) => /^(binding\/[^/]+)\/runtime\.ts$/.exec(path)?.[1] ?? []);
   return {
     nodes,
+    bindings,
     library: await readLibrary(root),
     nodeShaders: await readShaders(join(root, 'nodes'), inFolders.filter(isShader)),
   };

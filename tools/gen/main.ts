@@ -16,7 +16,7 @@ export async function main(_args: readonly string[], context: ToolContext): Prom
   const { definitions, problems } = await isfDefinitions(found.library, context);
   for (const problem of problems) console.error(problem);
   await writeIfChanged(join(folder, 'definitions.gen.ts'), printDefinitions(found, definitions));
-  await writeIfChanged(join(folder, 'runtimes.gen.ts'), printRuntimes(found.nodes));
-  await writeIfChanged(join(folder, 'runtime-files.gen.ts'), printRuntimeFiles(found.nodes));
+  await writeIfChanged(join(folder, 'runtimes.gen.ts'), printRuntimes(found));
+  await writeIfChanged(join(folder, 'runtime-files.gen.ts'), printRuntimeFiles(found));
   return problems.length === 0 ? 0 : 1;
 }

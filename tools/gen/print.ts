@@ -1,5 +1,5 @@
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import type { Found, NodeFolder } from './find-nodes.ts';
+import type { Found } from './find-nodes.ts';
 
 const HEADER = '// Made by `npm run gen` from nodes/ and shader-library/; not committed. Change the folders, not this file.\n';
 
@@ -25,29 +25,32 @@ export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefi
 }
 
 /** `runtimes.gen.ts`: the behaviour of every node type, for pages that play any project. */
-export function printRuntimes(nodes: readonly NodeFolder[]): string {
-  const withRuntime = nodes.filter((node) => node.hasRuntime);
+export function printRuntimes(found: Found): string {
+  const played = playedTypes(found);
   return [
     HEADER,
     "import type { NodeModule } from '../kit/runtime.ts';\n",
-    ...withRuntime.map(({ type }) => `import * as ${identifier(type)} from '../${type}/runtime.ts';\n`),
-    '\n/** Node type → its behaviour. Nodes that are only a shader, or only a sink, have none. */\n',
+    ...played.map((type) => `import * as ${identifier(type)} from '../${type}/runtime.ts';\n`),
+    '\n/** Node type → its behaviour; also of what params are bound to. Nodes that are only a shader, or only a sink, have none. */\n',
     'export const RUNTIMES: Readonly<Record<string, NodeModule>> = {\n',
-    ...withRuntime.map(({ type }) => `  ${JSON.stringify(type)}: ${identifier(type)},\n`),
+    ...played.map((type) => `  ${JSON.stringify(type)}: ${identifier(type)},\n`),
     '};\n',
   ].join('');
 }
 
 /** `runtime-files.gen.ts`: where the behaviours are, so that an exported page can be given the used ones only. */
-export function printRuntimeFiles(nodes: readonly NodeFolder[]): string {
-  const withRuntime = nodes.filter((node) => node.hasRuntime);
+export function printRuntimeFiles(found: Found): string {
   return [
     HEADER,
     '\n/** Node type → path of its runtime, relative to the repository. */\n',
     'export const RUNTIME_FILES: Readonly<Record<string, string>> = {\n',
-    ...withRuntime.map(({ type }) => `  ${JSON.stringify(type)}: ${JSON.stringify(`nodes/${type}/runtime.ts`)},\n`),
+    ...playedTypes(found).map((type) => `  ${JSON.stringify(type)}: ${JSON.stringify(`nodes/${type}/runtime.ts`)},\n`),
     '};\n',
   ].join('');
+}
+
+function playedTypes({ nodes, bindings }: Found): string[] {
+  return [...nodes.filter(({ hasRuntime }) => hasRuntime).map(({ type }) => type), ...bindings];
 }
 
 /** `layer/depth-occlusion` → `layerDepthOcclusion`. */

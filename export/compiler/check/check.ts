@@ -1,4 +1,6 @@
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import { parseBinding, parseValue } from '../../graph/expression/param-expression.ts';
+import { boundValue } from '../../graph/library/param-value.ts';
 import { topologicalOrder } from '../../graph/topology.ts';
 import { validateProject } from '../../graph/validate/validate.ts';
 import type { FlatGraph, FlatNode, Source } from '../flat-graph.ts';
@@ -69,7 +71,17 @@ export function nodesBehind({ nodes }: FlatGraph, roots: Iterable<string>): Read
   return behind;
 }
 
-/** What only shows in the flat graph, and what this compiler cannot lower. */
+/** Whether the expressions in its params can be read. Where the screen depends on them, it has been told. */
+function isReadable({ definition, bindings }: FlatNode): boolean {
+  return [...bindings].every(([name, binding]) => {
+    const param = definition.params[name];
+    if (!param) return true;
+    const expression = 'expression' in binding ? parseBinding(param, binding.expression) : parseValue(param, boundValue(binding));
+    return expression?.ok !== false;
+  });
+}
+
+/** What only shows in the flat graph. */
 function checkNode(node: FlatNode): Diagnostic[] {
   const { id: nodeId, definition } = node;
   const diagnostics: Diagnostic[] = [];
@@ -77,13 +89,6 @@ function checkNode(node: FlatNode): Diagnostic[] {
     if (definition.inputs[port]?.required !== true) continue;
     const message = `${nodeId} has nothing at “${definition.inputs[port].label}”, because ${muted} is muted and lets nothing through.`;
     diagnostics.push({ code: 'SCR015', severity: 'error', nodeId, port, message, fix: `Unmute ${muted}, or mute ${nodeId} too.` });
-  }
-  for (const [port, binding] of node.bindings) {
-    if ('value' in binding || 'port' in binding) continue;
-    const what = 'track' in binding ? 'Keyframe tracks' : 'Expressions';
-    const label = definition.params[port]?.label ?? port;
-    const message = `“${label}” of ${nodeId} cannot be played: ${what} are not compiled yet.`;
-    diagnostics.push({ code: 'SCR019', severity: 'error', nodeId, port, message, fix: 'Bind it to a value, or wire value nodes to it.' });
   }
   return diagnostics;
 }
@@ -102,7 +107,9 @@ function wholeTaps({ standIns }: FlatGraph, order: readonly FlatNode[], taps: re
 function wholeNodes(order: readonly FlatNode[]): ReadonlyMap<string, FlatNode> {
   const isComplete = (node: FlatNode) =>
     Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));
-  const whole = new Map(order.filter((node) => isComplete(node) && checkNode(node).length === 0).map((node) => [node.id, node]));
+  const whole = new Map(
+    order.filter((node) => isComplete(node) && checkNode(node).length === 0 && isReadable(node)).map((node) => [node.id, node]),
+  );
   // In the order of the graph one round finds all, but for loops through delays.
   for (let before = -1; before !== whole.size; ) {
     before = whole.size;

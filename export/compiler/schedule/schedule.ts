@@ -8,6 +8,7 @@ import { type DemandStart, findDemand } from './demand.ts';
 import { describeLayers } from './layers.ts';
 import { depthAt } from './lower/lower-depth.ts';
 import { lowerShown, lowerTapped } from './lower/lower-graph.ts';
+import { lowerMovedParam } from './lower/lower-moved-param.ts';
 import { isLinkable } from './lower/lower-passes.ts';
 import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
 import { orderOperations } from './order.ts';
@@ -48,7 +49,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const uses = countUses(live);
   const plan = planScreen(graph, screen, layers, uses);
   const samples = readScreen(screen).antialias ? DRAW_SAMPLES : 1;
-  const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, samples, ...options });
+  const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
   const demand = findDemand(graph, live, startOf(plan), (hidden) => uses.get(portKey(hidden)) === 1);
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   if (hasErrors(lowering.diagnostics)) return { output: null, diagnostics: lowering.diagnostics };

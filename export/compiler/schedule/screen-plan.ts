@@ -3,7 +3,7 @@ import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '
 import { type Fit, fitOf } from './fit.ts';
 import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput } from './layers.ts';
 import { readScreen } from './screen-options.ts';
-import { startValue } from './slots.ts';
+import { movingBinding, startValue } from './slots.ts';
 
 /** One thing laid onto the screen, over those before it. */
 export type Leaf =
@@ -57,7 +57,9 @@ function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: 
   const [top] = sourcesAt(node, 'top');
   const [bottom] = sourcesAt(node, 'bottom');
   const plain = Object.entries(node.definition.params).every(
-    ([name, param]) => param.stage !== 'uniform' || (!node.inputs.has(name) && startValue(node, name, param) === param.default),
+    ([name, param]) =>
+      param.stage !== 'uniform' ||
+      (!node.inputs.has(name) && !movingBinding(node, name) && startValue(node, name, param) === param.default),
   );
   return plain && top && bottom ? { top, bottom } : null;
 }

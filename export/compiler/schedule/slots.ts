@@ -1,7 +1,7 @@
 import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
 import { VALUE_SIZES, type ValueType } from '../../../nodes/kit/wire-types.ts';
 import { boundValue, clampToRange } from '../../graph/library/param-value.ts';
-import type { ParamValue } from '../../graph/project.ts';
+import type { Binding, ParamValue } from '../../graph/project.ts';
 import type { Slot, SlotTable } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 
@@ -16,8 +16,32 @@ export interface SlotAllocator {
   table(): SlotTable;
 }
 
-/** Params of `compiledIn` nodes get slots, but no names to be set by: the program does not follow them everywhere. */
-export function createSlotAllocator(graph: FlatGraph, compiledIn: ReadonlySet<string>): SlotAllocator {
+/** A uniform param that a track or an expression moves, and the slot to move it in. */
+export interface MovedParam {
+  readonly node: FlatNode;
+  readonly name: string;
+  readonly definition: ParamDefinition;
+  readonly binding: MovingBinding;
+  readonly slot: number;
+}
+
+export type MovingBinding = Extract<Binding, { track: unknown } | { expression: unknown }>;
+
+/** What moves a param that nothing is wired to, or null where its value stands still. */
+export function movingBinding(node: FlatNode, name: string): MovingBinding | null {
+  const binding = node.inputs.has(name) ? undefined : node.bindings.get(name);
+  return binding && ('track' in binding || 'expression' in binding) ? binding : null;
+}
+
+/**
+ * Params of `compiledIn` nodes get slots, but no names to be set by: the program does not follow them everywhere. Nor do params that
+ * move by themselves; `onMoved` hears of each of these once, when its slot is first asked for.
+ */
+export function createSlotAllocator(
+  graph: FlatGraph,
+  compiledIn: ReadonlySet<string>,
+  onMoved: (moved: MovedParam) => void,
+): SlotAllocator {
   const numbers: number[] = [];
   const texts: string[] = [];
   const slots: Slot[] = [];
@@ -68,7 +92,9 @@ export function createSlotAllocator(graph: FlatGraph, compiledIn: ReadonlySet<st
       if (known !== undefined) return known;
       const slot = add(type, startValue(node, name, definition));
       own.set(key, slot);
-      if (!compiledIn.has(node.id)) for (const address of [key, ...(outerNames.get(key) ?? [])]) params.push([address, slot]);
+      const binding = movingBinding(node, name);
+      if (binding) onMoved({ node, name, definition, binding, slot });
+      else if (!compiledIn.has(node.id)) for (const address of [key, ...(outerNames.get(key) ?? [])]) params.push([address, slot]);
       return slot;
     },
     table: () => ({ numbers, texts, slots, params: Object.fromEntries(params) }),

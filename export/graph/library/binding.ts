@@ -10,7 +10,10 @@ export interface BindingMisfit {
 
 const MAX_EXPRESSION_CHARACTERS = 10_000;
 
-/** Why the param cannot be bound so, or null where it can. Ranges and asset tables are not looked at. */
+/**
+ * Why the param cannot be bound so, or null where it can. Ranges and asset tables are not looked at, nor is an expression read: it
+ * may be half written.
+ */
 export function bindingMisfit(param: ParamDefinition, binding: Binding): BindingMisfit | null {
   if ('value' in binding) return valueMisfit(param, binding.value);
   if (paramWireType(param) === undefined) {
@@ -18,6 +21,7 @@ export function bindingMisfit(param: ParamDefinition, binding: Binding): Binding
   }
   if ('port' in binding) return valueMisfit(param, binding.port);
   if ('track' in binding) return trackMisfit(param, binding.track);
+  if (param.type === 'text') return { code: 'SCR019', message: 'cannot follow an expression: it is a text, and expressions give numbers.' };
   if (binding.expression.trim() === '') return { code: 'SCR019', message: 'is bound to an empty expression.' };
   if (binding.expression.length <= MAX_EXPRESSION_CHARACTERS) return null;
   return { code: 'SCR019', message: `is bound to an expression of more than ${MAX_EXPRESSION_CHARACTERS} characters.` };

@@ -1,4 +1,5 @@
 import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import { parseBinding, parseValue } from '../expression/param-expression.ts';
 import { bindingMisfit } from '../library/binding.ts';
 import { boundValue, outOfRange } from '../library/param-value.ts';
 import { own } from '../own.ts';
@@ -29,6 +30,13 @@ function checkBinding(check: GraphCheck, nodeId: string, port: string, param: Pa
     return;
   }
   const value = boundValue(binding);
+  const expression = 'expression' in binding ? parseBinding(param, binding.expression) : parseValue(param, value);
+  if (expression?.ok === false) {
+    const { message, column } = expression;
+    const severity = check.live.has(nodeId) ? 'error' : 'warning';
+    const words = `The expression of “${param.label}” of ${nodeId} cannot be read: ${message} (character ${column}).${inGraph(check)}`;
+    check.report({ code: 'SCR022', severity, ...place, column, message: words });
+  }
   if (value === undefined) return;
   if (param.type === 'asset') checkAsset(check, nodeId, port, param, String(value));
   const range = outOfRange(param, value);

@@ -1,5 +1,7 @@
 import type { ParamDefinition } from '../../../../nodes/kit/definition.ts';
 import { isValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
+import { parseValue } from '../../../graph/expression/param-expression.ts';
+import type { ParamValue } from '../../../graph/project.ts';
 import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import { isDraw, layerOutput } from '../layers.ts';
@@ -126,7 +128,7 @@ function nodeOperation<K extends NodeKind | 'draw'>(
     params: uniformParams(lowering, node, params),
     config: Object.fromEntries(
       Object.entries(params).flatMap(([name, param]) =>
-        param.stage === 'structure' ? [[name, startValue(node, name, param) as string | number | boolean]] : [],
+        param.stage === 'structure' ? [[name, configValue(param, startValue(node, name, param))]] : [],
       ),
     ),
     assets: Object.fromEntries(
@@ -140,6 +142,13 @@ function nodeOperation<K extends NodeKind | 'draw'>(
 function uniformParams(lowering: Lowering, node: FlatNode, params: Readonly<Record<string, ParamDefinition>>): Record<string, number> {
   const uniform = Object.keys(params).filter((name) => params[name]?.stage === 'uniform');
   return Object.fromEntries(uniform.map((name) => [name, lowering.slots.ofParam(node, name)]));
+}
+
+function configValue(param: ParamDefinition, value: ParamValue): ParamValue {
+  const expression = parseValue(param, value);
+  if (expression === null) return value;
+  if (!expression.ok) throw new Error(`An expression has not been checked: ${expression.message}.`);
+  return expression.parts.join(' ');
 }
 
 function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef {

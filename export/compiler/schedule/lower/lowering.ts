@@ -5,7 +5,7 @@ import { type FlatGraph, type FlatNode, portKey, type Source } from '../../flat-
 import type { ShaderStore } from '../../shaders/shader-store.ts';
 import type { LayerTable } from '../layers.ts';
 import type { ScheduledOperation, Step } from '../scheduled.ts';
-import { createSlotAllocator, type SlotAllocator } from '../slots.ts';
+import { createSlotAllocator, type MovedParam, type SlotAllocator } from '../slots.ts';
 
 /** The program while it grows: what the lowering of one node leaves for that of the next. */
 export interface Lowering {
@@ -31,6 +31,8 @@ export interface Lowering {
   readonly writerOf: Map<ResourceId, string>;
   /** Node → the operation that computes its values. */
   readonly computedBy: Map<string, string>;
+  /** Node → the operations that move params of its own. */
+  readonly movedBy: Map<string, string[]>;
   readonly diagnostics: Diagnostic[];
 }
 
@@ -38,13 +40,14 @@ export function createLowering(
   start: Pick<Lowering, 'graph' | 'library' | 'shaders' | 'loopBudget' | 'layers' | 'samples'> & {
     readonly order: readonly FlatNode[];
     readonly compiledIn: ReadonlySet<string>;
+    readonly onMoved: (lowering: Lowering, moved: MovedParam) => void;
   },
 ): Lowering {
-  const { order, compiledIn, ...given } = start;
-  return {
+  const { order, compiledIn, onMoved, ...given } = start;
+  const lowering: Lowering = {
     ...given,
     rank: new Map(order.map((node, index) => [node.id, index])),
-    slots: createSlotAllocator(start.graph, compiledIn),
+    slots: createSlotAllocator(start.graph, compiledIn, (moved) => onMoved(lowering, moved)),
     resources: [],
     steps: [],
     resourceOf: new Map(),
@@ -52,8 +55,10 @@ export function createLowering(
     computedDepth: new Map(),
     writerOf: new Map(),
     computedBy: new Map(),
+    movedBy: new Map(),
     diagnostics: [],
   };
+  return lowering;
 }
 
 export function addResource(lowering: Lowering, resource: Resource): ResourceId {
@@ -71,10 +76,11 @@ export function addStep(lowering: Lowering, operation: ScheduledOperation, after
   lowering.steps.push({ operation, after: [...waits] });
 }
 
-/** Operations that compute the values wired to a node; a delay waits for none. */
-export function valueSteps({ computedBy }: Lowering, node: FlatNode): (string | undefined)[] {
+/** Operations that compute the values wired to a node, or move its params; a delay waits for none. */
+export function valueSteps({ computedBy, movedBy }: Lowering, node: FlatNode): (string | undefined)[] {
   if (node.definition.delay) return [];
-  return [...node.inputs.values()].flatMap((sources) => sources.map((source) => computedBy.get(source.node)));
+  const wired = [...node.inputs.values()].flatMap((sources) => sources.map((source) => computedBy.get(source.node)));
+  return [...wired, ...(movedBy.get(node.id) ?? [])];
 }
 
 export function resourceAt({ resourceOf }: Lowering, source: Source): ResourceId {

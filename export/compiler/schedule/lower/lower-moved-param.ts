@@ -1,0 +1,78 @@
+import { type ParamDefinition, paramWireType } from '../../../../nodes/kit/definition.ts';
+import { parseBinding } from '../../../graph/expression/param-expression.ts';
+import { clampToRange } from '../../../graph/library/param-value.ts';
+import type { Track } from '../../../graph/project.ts';
+import type { NodeOperation } from '../../../program/program.ts';
+import type { MovedParam } from '../slots.ts';
+import { addStep, type Lowering } from './lowering.ts';
+
+/**
+ * A param bound to an expression or a track: an operation of values like any other, which writes the param's slot before the node
+ * reads it. Its type names what plays it, `nodes/binding/…`, which is in a page only where something is bound so.
+ */
+export function lowerMovedParam(lowering: Lowering, { node, name, definition, binding, slot }: MovedParam): void {
+  const kind = 'track' in binding ? 'track' : 'expression';
+  const id = `${node.id}.${name}.${kind}`;
+  addStep(lowering, {
+    id,
+    node: node.id,
+    kind: 'value',
+    view: 'once',
+    type: `binding/${kind}`,
+    reads: [],
+    writes: [],
+    inputs: {},
+    multiple: [],
+    outputs: { value: { kind: 'slot', slot } },
+    params: {},
+    config: 'track' in binding ? trackConfig(definition, binding.track) : expressionConfig(definition, binding.expression),
+    assets: {},
+  });
+  const known = lowering.movedBy.get(node.id);
+  if (known) known.push(id);
+  else lowering.movedBy.set(node.id, [id]);
+}
+
+function expressionConfig(definition: ParamDefinition, expression: string): NodeOperation['config'] {
+  const parsed = parseBinding(definition, expression);
+  if (!parsed.ok) throw new Error(`An expression has not been checked: ${parsed.message}.`);
+  const postfix = parsed.parts.map((part, i) => withinLimits(definition, part, i)).join(' ');
+  return { postfix, otherwise: numbersIn(definition, definition.default) };
+}
+
+/** As a value that is typed in, one that is computed is used as the nearest within the param's limits. */
+function withinLimits(definition: ParamDefinition, postfix: string, part: number): string {
+  if (paramWireType(definition) === 'toggle') return `${postfix} 0 !=`;
+  const [low, high] = limitsOf(definition, part);
+  return `${postfix}${low === undefined ? '' : ` ${low} max`}${high === undefined ? '' : ` ${high} min`}`;
+}
+
+function limitsOf(definition: ParamDefinition, part: number): readonly [low: number | undefined, high: number | undefined] {
+  switch (definition.type) {
+    case 'number':
+      return [definition.min, definition.max];
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+      return [definition.min?.[part], definition.max?.[part]];
+    case 'color':
+      return [0, 1];
+    default:
+      return [undefined, undefined];
+  }
+}
+
+function trackConfig(definition: ParamDefinition, { keys, repeat }: Track): NodeOperation['config'] {
+  return {
+    times: keys.map(({ timeS }) => timeS),
+    // Between two keys a track never leaves what lies between their values.
+    values: keys.flatMap(({ value }) => numbersIn(definition, value)),
+    easings: keys.map(({ easing }) => easing).join(' '),
+    repeat,
+  };
+}
+
+function numbersIn(definition: ParamDefinition, value: ParamDefinition['default'] | Track['keys'][number]['value']): readonly number[] {
+  const clamped = clampToRange(definition, value);
+  return typeof clamped === 'object' ? clamped : [Number(clamped)];
+}

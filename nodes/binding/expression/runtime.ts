@@ -1,0 +1,27 @@
+import { type BindingContext, type BoundValue, writeNumbers } from '../../kit/binding.ts';
+import { playExpression } from '../../kit/play-expression.ts';
+import type { NodeRuntime } from '../../kit/runtime.ts';
+
+interface Config {
+  readonly postfix: string;
+  /** In the place of results that are not finite, such as 1 / 0: what the param has by itself. */
+  readonly otherwise: readonly number[];
+}
+
+export function create({ outputs, config: made, clock }: BindingContext): NodeRuntime {
+  const config = made as unknown as Config;
+  const bound = outputs.value as BoundValue;
+  const expression = playExpression(config.postfix);
+  const values = new Float64Array(expression.results.length);
+  return {
+    update: () => {
+      expression.update(clock);
+      for (let i = 0; i < values.length; i++) {
+        const result = expression.results[i] ?? 0;
+        values[i] = Number.isFinite(result) ? result : (config.otherwise[i] ?? 0);
+      }
+      writeNumbers(bound, values);
+    },
+    dispose: () => {},
+  };
+}

@@ -1,0 +1,56 @@
+import { type BindingContext, type BoundValue, writeNumbers } from '../../kit/binding.ts';
+import type { NodeRuntime } from '../../kit/runtime.ts';
+import { type Easing, ease } from './ease.ts';
+import { type Repeat, timeInTrack } from './repeat.ts';
+
+interface Config {
+  /** Seconds since the session began, ascending. */
+  readonly times: readonly number[];
+  /** All numbers of the first key, then those of the second. */
+  readonly values: readonly number[];
+  /** One word per key, for the way to the next one. */
+  readonly easings: string;
+  readonly repeat: Repeat;
+}
+
+/** Before its first key and after its last, a track stays at what these say. */
+export function create({ outputs, config: made, clock }: BindingContext): NodeRuntime {
+  const config = made as unknown as Config;
+  const bound = outputs.value as BoundValue;
+  const times = Float64Array.from(config.times);
+  const values = Float64Array.from(config.values);
+  const easings = config.easings.split(' ') as Easing[];
+  const size = values.length / times.length;
+  const now = new Float64Array(size);
+  const last = times.length - 1;
+  return {
+    update: () => {
+      const timeS = timeInTrack(clock.timeS, times, config.repeat);
+      const key = keyBefore(times, timeS);
+      const next = Math.min(key + 1, last);
+      const startS = times[key] ?? 0;
+      const lengthS = (times[next] ?? 0) - startS;
+      const progress = lengthS > 0 && timeS > startS ? ease(easings[key] ?? 'linear', (timeS - startS) / lengthS) : 0;
+      for (let i = 0; i < size; i++) {
+        const from = values[key * size + i] ?? 0;
+        const to = values[next * size + i] ?? 0;
+        // Exact at both ends, so that a track rests at what its keys say.
+        now[i] = progress === 1 ? to : from + (to - from) * progress;
+      }
+      writeNumbers(bound, now);
+    },
+    dispose: () => {},
+  };
+}
+
+/** The last key at or before a time; the first where there is none. By halves, because a track may have thousands. */
+function keyBefore(times: Float64Array, timeS: number): number {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if ((times[middle] ?? 0) <= timeS) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}

@@ -1,0 +1,202 @@
+import { EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS, type ExpressionWord } from './expression.ts';
+import type { Clock, NumberView } from './runtime.ts';
+
+/** An expression as the compiler prints it, ready to be played. */
+export interface PlayedExpression {
+  /** What it left at the last `update`; the same array every time. */
+  readonly results: Readonly<Float64Array>;
+  update(clock: Pick<Clock, 'timeS' | 'frame'>): void;
+}
+
+/** How many numbers each operation takes; it leaves one. */
+const TAKES: Readonly<Record<string, number>> = {
+  ...Object.fromEntries(EXPRESSION_CLOCK.map((name) => [name, 0])),
+  ...Object.fromEntries(EXPRESSION_OPERATORS.map((operator) => [operator, 2])),
+  ...Object.fromEntries(Object.entries(EXPRESSION_FUNCTIONS).map(([name, takes]) => [name, takes.length])),
+  negate: 1,
+  '!': 1,
+  '?:': 3,
+};
+
+const MOST_TAKEN = 3;
+
+/**
+ * Reads postfix (`nodes/kit/expression.ts`); `numbers` are the node's own, by name. Throws where the text is no postfix that the
+ * compiler prints. Nothing is allocated by `update`: numbers live in one array, because an engine makes a heap object of a
+ * fraction that a function hands back.
+ */
+export function playExpression(postfix: string, numbers: Readonly<Record<string, NumberView>> = {}): PlayedExpression {
+  const words = postfix.split(' ');
+  const constants = Float64Array.from(words, Number);
+  const views = words.map((word) => (Object.hasOwn(numbers, word) ? numbers[word] : undefined));
+  const takes = words.map((word, i) => {
+    if (views[i] || !Number.isNaN(constants[i])) return 0;
+    if (!Object.hasOwn(TAKES, word)) throw new Error(`"${word}" is no word of an expression: ${postfix}`);
+    return TAKES[word] ?? 0;
+  });
+  let depth = 0;
+  let deepest = 0;
+  for (const count of takes) {
+    if (count > depth) throw new Error(`An operation lacks a number: ${postfix}`);
+    depth += 1 - count;
+    deepest = Math.max(deepest, depth);
+  }
+  // Above it, room for the numbers that an operation looks at before it leaves one.
+  const stack = new Float64Array(deepest + MOST_TAKEN);
+  return {
+    results: stack.subarray(0, depth),
+    update: (clock) => {
+      let top = -1;
+      for (let i = 0; i < words.length; i++) {
+        const view = views[i];
+        const constant = constants[i] ?? 0;
+        if (view) stack[++top] = view.value;
+        else if (!Number.isNaN(constant)) stack[++top] = constant;
+        else {
+          top += 1 - (takes[i] ?? 0);
+          operate(words[i] as ExpressionWord, stack, top, clock);
+        }
+      }
+    },
+  };
+}
+
+/** Does one operation with the numbers from `at` on, and leaves what comes out there. */
+function operate(word: ExpressionWord, stack: Float64Array, at: number, clock: Pick<Clock, 'timeS' | 'frame'>): void {
+  const a = stack[at] ?? 0;
+  const b = stack[at + 1] ?? 0;
+  const c = stack[at + 2] ?? 0;
+  switch (word) {
+    case 'time':
+      stack[at] = clock.timeS;
+      break;
+    case 'frame':
+      stack[at] = clock.frame;
+      break;
+    case 'negate':
+      stack[at] = -a;
+      break;
+    case '!':
+      stack[at] = a ? 0 : 1;
+      break;
+    case 'sin':
+      stack[at] = Math.sin(a);
+      break;
+    case 'cos':
+      stack[at] = Math.cos(a);
+      break;
+    case 'tan':
+      stack[at] = Math.tan(a);
+      break;
+    case 'asin':
+      stack[at] = Math.asin(a);
+      break;
+    case 'acos':
+      stack[at] = Math.acos(a);
+      break;
+    case 'atan':
+      stack[at] = Math.atan(a);
+      break;
+    case 'sqrt':
+      stack[at] = Math.sqrt(a);
+      break;
+    case 'exp':
+      stack[at] = Math.exp(a);
+      break;
+    case 'log':
+      stack[at] = Math.log(a);
+      break;
+    case 'abs':
+      stack[at] = Math.abs(a);
+      break;
+    case 'sign':
+      stack[at] = Math.sign(a);
+      break;
+    case 'floor':
+      stack[at] = Math.floor(a);
+      break;
+    case 'ceil':
+      stack[at] = Math.ceil(a);
+      break;
+    case 'round':
+      stack[at] = Math.round(a);
+      break;
+    case 'fract':
+      stack[at] = a - Math.floor(a);
+      break;
+    case '+':
+      stack[at] = a + b;
+      break;
+    case '-':
+      stack[at] = a - b;
+      break;
+    case '*':
+      stack[at] = a * b;
+      break;
+    case '/':
+      stack[at] = a / b;
+      break;
+    case '%':
+      stack[at] = a - b * Math.floor(a / b);
+      break;
+    case '^':
+      stack[at] = a ** b;
+      break;
+    case '<':
+      stack[at] = a < b ? 1 : 0;
+      break;
+    case '<=':
+      stack[at] = a <= b ? 1 : 0;
+      break;
+    case '>':
+      stack[at] = a > b ? 1 : 0;
+      break;
+    case '>=':
+      stack[at] = a >= b ? 1 : 0;
+      break;
+    case '==':
+      stack[at] = a === b ? 1 : 0;
+      break;
+    case '!=':
+      stack[at] = a !== b ? 1 : 0;
+      break;
+    case '&&':
+      stack[at] = a && b ? 1 : 0;
+      break;
+    case '||':
+      stack[at] = a || b ? 1 : 0;
+      break;
+    case 'atan2':
+      stack[at] = Math.atan2(a, b);
+      break;
+    case 'min':
+      stack[at] = Math.min(a, b);
+      break;
+    case 'max':
+      stack[at] = Math.max(a, b);
+      break;
+    case 'step':
+      stack[at] = b < a ? 0 : 1;
+      break;
+    case '?:':
+      stack[at] = a ? b : c;
+      break;
+    case 'clamp':
+      stack[at] = Math.min(Math.max(a, b), c);
+      break;
+    case 'mix':
+      stack[at] = a * (1 - c) + b * c;
+      break;
+    case 'smoothstep': {
+      const t = Math.min(Math.max((c - a) / (b - a), 0), 1);
+      stack[at] = t * t * (3 - 2 * t);
+      break;
+    }
+    default:
+      exhaustive(word);
+  }
+}
+
+function exhaustive(word: never): never {
+  throw new Error(`Unknown word ${String(word)}.`);
+}

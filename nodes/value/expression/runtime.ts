@@ -1,0 +1,17 @@
+import { playExpression } from '../../kit/play-expression.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+/** `config.expression` is the postfix that the compiler has made of what the designer wrote. */
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const expression = playExpression(ctx.config.expression, ctx.params);
+  const { result } = ctx.outputs;
+  return {
+    update: () => {
+      expression.update(ctx.clock);
+      const computed = expression.results[0] ?? 0;
+      result.value = Number.isFinite(computed) ? computed : 0;
+    },
+    dispose: () => {},
+  };
+}
