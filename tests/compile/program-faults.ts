@@ -14,6 +14,7 @@ export function programFaults(program: Program): string[] {
   const written = new Set<ResourceId>();
   let last = 'once';
   let onScreen = false;
+  let left = false;
   for (const operation of operations) {
     const { id, view, reads, writes } = operation;
     fault(last === 'each' && view === 'once', `${id} runs once after operations that run per view`);
@@ -30,8 +31,9 @@ export function programFaults(program: Program): string[] {
       written.add(write);
     }
     const toScreen = 'target' in operation && operation.target === 'screen';
-    fault(onScreen && !toScreen, `${id} leaves the screen to come back to it`);
+    fault(left && toScreen, `${id} comes back to the screen`);
     onScreen ||= toScreen;
+    left ||= onScreen && !toScreen;
     for (const slot of slotsOf(operation)) fault(slots.slots[slot] === undefined, `${id} names the slot ${slot}`);
     if (operation.kind === 'pass') fault(shaders[operation.shader] === undefined, `${id} names the shader ${operation.shader}`);
   }

@@ -1,4 +1,5 @@
 import { topologicalOrder } from '../../graph/topology.ts';
+import type { ResourceId } from '../../program/program.ts';
 import type { ScheduledOperation, Step } from './scheduled.ts';
 
 /**
@@ -12,9 +13,22 @@ import type { ScheduledOperation, Step } from './scheduled.ts';
  * graph as Blender's compositor does: of the pictures that an operation reads, the one that needs the most buffers itself is
  * made first, while none of the others takes up room. What goes onto the screen comes last, in painter's order and all at once:
  * leaving the session's framebuffer and coming back would make a tiled GPU store and load it. `onScreen` names those operations.
+ *
+ * After all that, what is kept for the next frame in `delayed` pictures: until then these show the frame before.
  */
-export function orderOperations(steps: readonly Step[], onScreen: readonly string[]): ScheduledOperation[] {
-  return [...orderOnce(steps.filter(runs('once'))), ...orderEach(steps.filter(runs('each')), onScreen)].map(({ operation }) => operation);
+export function orderOperations(
+  steps: readonly Step[],
+  onScreen: readonly string[],
+  delayed: ReadonlySet<ResourceId>,
+): ScheduledOperation[] {
+  const isCapture = ({ operation }: Step) => operation.writes.some((resource) => delayed.has(resource));
+  const each = steps.filter(runs('each'));
+  const frame = orderEach(
+    each.filter((step) => !isCapture(step)),
+    onScreen,
+  );
+  const ordered = [...orderOnce(steps.filter(runs('once'))), ...frame, ...orderCaptures(each.filter(isCapture))];
+  return ordered.map(({ operation }) => operation);
 }
 
 function runs(view: 'once' | 'each') {
@@ -38,6 +52,15 @@ function orderEach(steps: readonly Step[], onScreen: readonly string[]): Step[] 
   const last = new Set(screen);
   const pictures = needsFirst([...shown, ...steps.filter((step) => !last.has(step))], byId, mostFirst);
   return [...pictures, ...screen];
+}
+
+/** A capture of what another one keeps comes before it, for the picture of this frame. Captures of each other alone never hold any. */
+function orderCaptures(steps: readonly Step[]): Step[] {
+  const readersOf = ({ operation }: Step) =>
+    steps
+      .filter((other) => other.operation.reads.some((resource) => operation.writes.includes(resource)))
+      .map((other) => other.operation.id);
+  return needsFirst(steps, stepsById(steps), readersOf);
 }
 
 /** How many pictures there are at most while that of a step is made, what it needs in the best order. Sethi and Ullman's labels. */

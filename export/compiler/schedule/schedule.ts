@@ -5,7 +5,8 @@ import { type Checked, nodesBehind, type Tap } from '../check/check.ts';
 import { type FlatNode, portKey } from '../flat-graph.ts';
 import type { ShaderStore } from '../shaders/shader-store.ts';
 import { type DemandStart, findDemand } from './demand.ts';
-import { describeLayers } from './layers.ts';
+import { describeLayers, layerOutput } from './layers.ts';
+import { isDelayed } from './lower/lower-delayed.ts';
 import { depthAt } from './lower/lower-depth.ts';
 import { lowerShown, lowerTapped } from './lower/lower-graph.ts';
 import { lowerMovedParam } from './lower/lower-moved-param.ts';
@@ -67,7 +68,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const tappedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
   return {
     output: {
-      operations: orderOperations(lowering.steps, shown.onScreen),
+      operations: orderOperations(lowering.steps, shown.onScreen, delayedPictures(order)),
       resources: lowering.resources,
       slots: lowering.slots.table(),
       presentation,
@@ -94,6 +95,16 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
   // Passes cover whole pixels: a multisampled framebuffer would cost them a resolve and show no difference.
   const antialias = samples > 1 && draws.some(({ target }) => target === 'screen');
   return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
+}
+
+/** Pictures that show the frame before. */
+function delayedPictures(order: readonly FlatNode[]): ReadonlySet<string> {
+  return new Set(
+    order
+      .filter(isDelayed)
+      .flatMap((node) => layerOutput(node) ?? [])
+      .map(portKey),
+  );
 }
 
 /** A shader that cannot be linked takes the pictures behind it, and no others: the screen does not depend on it. */

@@ -67,7 +67,8 @@ function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: 
 /** What needs no picture on its way to the screen, if nobody else needs one of it. */
 function directLeaf(graph: FlatGraph, node: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): Leaf | null {
   if (isDraw(node)) return { kind: 'draw', node, occlusion: null };
-  if (node.definition.lowering.kind !== 'image') return null;
+  // A delayed picture has to be kept.
+  if (node.definition.lowering.kind !== 'image' || node.definition.delay) return null;
   const draw = drawBehind(graph, node);
   const [hidden] = layerInputs(node);
   if (draw && hidden && uses.get(portKey(hidden)) === 1) return { kind: 'draw', node: draw, occlusion: node };

@@ -15,7 +15,7 @@ export interface Target {
   back(viewIndex: number): TargetBuffer;
   /** What was drawn last, ready to be read. May bind framebuffers and turn the scissor off. */
   front(viewIndex: number): TargetBuffer;
-  /** As `front`, or null while nothing has a size. */
+  /** What readers were given in the last frame, or null while nothing has a size: of a persistent picture, the one before. */
   peek(viewIndex: number): TargetBuffer | null;
   /** The picture in `back` is complete. */
   finish(viewIndex: number): void;
@@ -73,7 +73,7 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
     },
     back: (viewIndex) => present(at(viewIndex).back ?? at(viewIndex).front, resource),
     front: (viewIndex) => present(resolved(at(viewIndex)), resource),
-    peek: (viewIndex) => resolved(at(viewIndex)),
+    peek: (viewIndex) => at(viewIndex).back ?? resolved(at(viewIndex)),
     finish: (viewIndex) => {
       const state = at(viewIndex);
       if (state.back) {
@@ -84,7 +84,9 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
       state.unresolved = true;
     },
     clear: () => {
-      for (const { front } of states) if (front) clearAll(gl, front.resolvedFramebuffer, false);
+      for (const { front, back } of states) {
+        for (const buffer of [front, back]) if (buffer) clearAll(gl, buffer.resolvedFramebuffer, false);
+      }
     },
     trim: (viewCount) => {
       for (let i = viewCount; i < states.length; i++) {

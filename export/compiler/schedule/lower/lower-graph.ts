@@ -3,6 +3,7 @@ import type { Demand } from '../demand.ts';
 import { isDraw, layerOutput } from '../layers.ts';
 import type { Leaf } from '../screen-plan.ts';
 import { lowerCopyToScreen } from './lower-copy.ts';
+import { isDelayed, lowerCaptures, lowerDelayed } from './lower-delayed.ts';
 import { isPlayed, lowerDraw, lowerNode } from './lower-node.ts';
 import { type LoweredPasses, lowerLastPassAgain, lowerPasses } from './lower-passes.ts';
 import type { Lowering } from './lowering.ts';
@@ -25,6 +26,7 @@ export function lowerShown(lowering: Lowering, order: readonly FlatNode[], leave
     // Where the occlusion stands, because the room's depth may come after what it hides.
     const draw = sunkInto ?? (isDraw(node) && !sinking.has(node.id) ? node : null);
     if (isPlayed(node)) lowerNode(lowering, node);
+    else if (isDelayed(node)) lowerDelayed(lowering, node);
     else if (draw) {
       lowerDraw(lowering, {
         node: draw,
@@ -37,6 +39,7 @@ export function lowerShown(lowering: Lowering, order: readonly FlatNode[], leave
       if (direct.has(node.id)) ends.set(node.id, lowered);
     }
   }
+  lowerCaptures(lowering);
   return { onScreen: leaves.map((leaf, index) => lowerLeaf(lowering, leaf, index, ends)), ends };
 }
 
@@ -61,8 +64,10 @@ export function lowerTapped(lowering: Lowering, order: readonly FlatNode[], dema
       if (!lowering.computedBy.has(node.id)) lowerNode(lowering, node);
     } else if (sunkInto) lowerDraw(lowering, { node: sunkInto, occlusion: node, target: 'picture', extra: true });
     else if (!isPicture) continue;
+    else if (isDelayed(node)) lowerDelayed(lowering, node);
     else if (isDraw(node)) lowerDraw(lowering, { node, occlusion: null, target: 'picture', extra: true });
     else if (ended) lowerLastPassAgain(lowering, node, ended);
     else lowerPasses(lowering, node, 'picture');
   }
+  lowerCaptures(lowering);
 }

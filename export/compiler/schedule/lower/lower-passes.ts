@@ -18,14 +18,23 @@ export interface LoweredPasses {
  * cannot be linked, diagnostics say why, and the picture exists in name alone.
  */
 export function lowerPasses(lowering: Lowering, node: FlatNode, target: 'screen' | 'picture'): LoweredPasses {
-  const passes = linkPasses(lowering, node);
+  return drawPasses(lowering, node, linkPasses(lowering, node), (pass, id) => lastTarget(lowering, node, pass, id, target));
+}
+
+/** Draws linked passes; `outputOf` says what the node's own picture is drawn into. */
+export function drawPasses(
+  lowering: Lowering,
+  node: FlatNode,
+  passes: readonly LinkedPass[],
+  outputOf: (pass: LinkedPass, id: string) => ResourceId | 'screen',
+): LoweredPasses {
   // Every uniform param can be set while running, whether a pass uses it or not.
   for (const [name, param] of Object.entries(node.definition.params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
   const lowered = { passes, buffers: addBuffers(lowering, node, passes) };
   let before: string | undefined;
   passes.forEach((pass, i) => {
     const id = `${node.id}.pass${i}`;
-    const drawsInto = isBuffer(pass.target) ? bufferOf(lowered, pass.target) : lastTarget(lowering, node, pass, id, target);
+    const drawsInto = isBuffer(pass.target) ? bufferOf(lowered, pass.target) : outputOf(pass, id);
     // The passes of a node run one after the other, whoever reads what: a persistent buffer is read before it is drawn.
     addPass(lowering, node, lowered, { pass, id, target: drawsInto, after: before });
     before = id;
@@ -50,7 +59,7 @@ export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
   return lowering.shaders.link(file, source, variant).output !== null;
 }
 
-function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
+export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
   // Linked as if every layer had depth, so that the samplers say whether the shader asks for it.
   const asking = shaderOf(lowering, node, () => true);
   const { output, diagnostics } = lowering.shaders.link(asking.file, asking.source, asking.variant);

@@ -31,6 +31,8 @@ export interface Lowering {
   readonly writerOf: Map<ResourceId, string>;
   /** Node → the operation that computes its values. */
   readonly computedBy: Map<string, string>;
+  /** Delayed image nodes whose pictures are there and are still to be drawn. */
+  readonly delayed: FlatNode[];
   /** Node → the operations that move params of its own. */
   readonly movedBy: Map<string, string[]>;
   readonly diagnostics: Diagnostic[];
@@ -55,6 +57,7 @@ export function createLowering(
     computedDepth: new Map(),
     writerOf: new Map(),
     computedBy: new Map(),
+    delayed: [],
     movedBy: new Map(),
     diagnostics: [],
   };

@@ -1,0 +1,40 @@
+import { type FlatNode, portKey } from '../../flat-graph.ts';
+import { layerOutput } from '../layers.ts';
+import { drawPasses, linkPasses } from './lower-passes.ts';
+import { addResource, type Lowering } from './lowering.ts';
+import { sizeOf } from './pass-parts.ts';
+
+/** An image node that gives what it made in the frame before. */
+export function isDelayed({ definition: { lowering, delay } }: FlatNode): boolean {
+  return lowering.kind === 'image' && delay === true;
+}
+
+/**
+ * The picture of a delayed node: there before what it is made of, because that may be made of it. Nobody waits for it to be drawn;
+ * it keeps what it has until the end of the frame (`captures` in `order.ts`), a picture of its own for each view.
+ */
+export function lowerDelayed(lowering: Lowering, node: FlatNode): void {
+  const output = layerOutput(node);
+  if (!output || node.definition.outputs[output.port]?.domain !== 'view') throw new Error(`${node.id} has to give a layer of the view.`);
+  const id = portKey(output);
+  addResource(lowering, {
+    id,
+    kind: 'target',
+    domain: 'view',
+    size: sizeOf(lowering, node, null, null),
+    format: 'rgba8',
+    depth: 'none',
+    samples: 1,
+    lifetime: 'persistent',
+  });
+  lowering.resourceOf.set(id, id);
+  lowering.delayed.push(node);
+}
+
+/** Draws the pictures for the next frame, when all that they are made of has been lowered. */
+export function lowerCaptures(lowering: Lowering): void {
+  for (const node of lowering.delayed.splice(0)) {
+    const output = layerOutput(node);
+    if (output) drawPasses(lowering, node, linkPasses(lowering, node), () => portKey(output));
+  }
+}
