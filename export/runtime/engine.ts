@@ -6,6 +6,7 @@ import type { FrameClock } from './clock.ts';
 import type { DiagnosticsBoard } from './diagnostics-board.ts';
 import { COPY_SHADER } from './gl/copy-shader.ts';
 import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
+import { createLoopProbe, type LoopProbe } from './gl/loop-probe.ts';
 import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
 import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
 import type { NodeHost } from './operations/node-instance.ts';
@@ -21,6 +22,8 @@ export interface Engine {
   readonly copy: GlProgram;
   /** A program for work outside of frames: linked when first asked for, and kept. */
   tool(shader: LinkedShader): GlProgram;
+  /** For programs with bounded loops: made when first asked for, and kept. */
+  loopProbe(): LoopProbe;
   readonly assets: AssetStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
@@ -61,6 +64,7 @@ export function createEngine(options: EngineOptions): Engine {
     return backend;
   };
   const tools = new Map<string, GlProgram>();
+  let probe: LoopProbe | null = null;
   const assets = createAssetStore(objects, options.assets, scenes);
   return {
     objects,
@@ -72,6 +76,10 @@ export function createEngine(options: EngineOptions): Engine {
       tools.set(shader.id, tool);
       programs.finish(tool);
       return tool;
+    },
+    loopProbe: () => {
+      probe ??= createLoopProbe(objects);
+      return probe;
     },
     assets,
     clock,
@@ -108,6 +116,7 @@ export function createEngine(options: EngineOptions): Engine {
     dispose: () => {
       assets.dispose();
       backend?.dispose();
+      probe?.dispose();
       drawer.dispose();
       programs.dispose();
     },

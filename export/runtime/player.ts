@@ -138,6 +138,7 @@ export function createPlayer(options: PlayerOptions): Player {
     setParam: (node, param, value) => {
       const name = `${node}.${param}`;
       values.set(name, value);
+      stage?.loops?.retry();
       return stage !== null && setValue(stage, name, value);
     },
     replaceProgram: (program) => {

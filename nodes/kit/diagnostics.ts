@@ -49,6 +49,7 @@ export const DIAGNOSTICS = {
   SCR041: 'The shader has a syntax error',
   SCR042: 'The shader does not compile',
   SCR043: 'The shader uses something that Scrim cannot give it',
+  SCR044: 'The loops of the shader do not end in time',
   // Sessions
   SCR050: 'This browser has no WebXR',
   SCR051: 'The device or the visitor refused',

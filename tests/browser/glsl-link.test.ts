@@ -251,11 +251,14 @@ describe('the loop budget', () => {
   gl_FragColor = vec4(s, 0.0, 0.0, 1.0);
 }`;
 
-  test('ends endless loops, draws on, and tells the probe', async () => {
+  /** Of both: the header's line, the function's, a statement's, the loop's. */
+  const LOOP_LINE = 4;
+
+  test('ends endless loops, draws on, and tells the probe which loop it was', async () => {
     const passes = linkText(endless, { loopBudget: true });
     const job = { width: 8, height: 8, passes };
     expect(pixelAt(await drawPicture(page, job), 4, 4)).toEqual([0, 255, 0, 255]);
-    expect(await page.call<boolean>('exceedsLoopBudget', job, 500)).toBe(true);
+    expect(await page.call('endlessLine', job, 500)).toBe(LOOP_LINE);
   });
 
   test('leaves loops that end as they are', async () => {
@@ -264,8 +267,17 @@ describe('the loop budget', () => {
     expect(withBudget).toEqual(await render(brief, { params }));
     expect(pixelAt(withBudget, 4, 4)[0]).toBe(128);
     const job = { width: 8, height: 8, passes: linkText(brief, { loopBudget: true }), params };
-    expect(await page.call<boolean>('exceedsLoopBudget', job, 6)).toBe(true);
-    expect(await page.call<boolean>('exceedsLoopBudget', job, 7)).toBe(false);
+    expect(await page.call('endlessLine', job, 6)).toBe(LOOP_LINE);
+    expect(await page.call('endlessLine', job, 7)).toBeNull();
+  });
+
+  test('the vertex shader draws nothing where a probe found too many rounds, or nowhere else', async () => {
+    const job = { width: 8, height: 8, passes: linkText(brief, { loopBudget: true }), params: { n: 6 } };
+    expect(await page.call('drawBehindGate', job)).toEqual({
+      free: [true, true],
+      unlessExceeded: [true, false],
+      ifExceeded: [false, true],
+    });
   });
 
   test('is not in the text of what has no loops, nor of an export', () => {

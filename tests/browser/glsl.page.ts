@@ -1,5 +1,13 @@
 import type { NamedSize } from '../../export/glsl/isf/isf-shader.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../export/glsl/link/linked-pass.ts';
+import {
+  GATE_SAMPLER,
+  GATE_UNIFORM,
+  LOOP_BUDGET_UNIFORM,
+  PROBE_ATTACHMENT,
+  PROBE_SIDE_PX,
+  readProbe,
+} from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
 
 /**
@@ -76,6 +84,9 @@ export function compileElsewhere(fragment: string): string {
   return other.getShaderParameter(shader, other.COMPILE_STATUS) ? '' : (other.getShaderInfoLog(shader) ?? 'failed without a word');
 }
 
+/** A unit where there is nothing: the first may still hold what is drawn into. */
+const NO_TEXTURE = 15;
+
 export function draw(job: DrawJob): Drawing {
   const programs = job.passes.map((pass) => link(pass.shader));
   const logs = programs.map(({ log }) => log);
@@ -93,6 +104,7 @@ export function draw(job: DrawJob): Drawing {
       gl.useProgram(program);
       setUniforms(program, pass.uniforms, pass, target, job, frame);
       setSamplers(program, pass.samplers, textures, buffers, job);
+      gl.uniform1i(gl.getUniformLocation(program, GATE_SAMPLER), NO_TEXTURE);
       gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffers[1 - target.front] ?? null);
       gl.viewport(0, 0, target.width, target.height);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
@@ -103,27 +115,54 @@ export function draw(job: DrawJob): Drawing {
   return { ...read(output, job.passes.at(-1)), glError: gl.getError(), logs };
 }
 
-/** Whether a probe of the loop budget, as `prelude.ts` describes it, finds that it is exceeded. */
-export function exceedsLoopBudget(job: DrawJob, budget: number): boolean {
+/** The author's line that a probe of the loop budget finds, as `export/program/loop-budget.ts` describes it, or null. */
+export function endlessLine(job: DrawJob, budget: number): number | null {
   const [pass] = job.passes;
   if (pass === undefined) throw new Error('Nothing to draw.');
   const { program, log } = link(pass.shader);
   if (log !== '') throw new Error(log);
-  const texture = createTexture(gl.R8UI, 16, 16, gl.NEAREST);
+  const texture = createTexture(gl.RG8, PROBE_SIDE_PX, PROBE_SIDE_PX, gl.NEAREST);
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT1, gl.TEXTURE_2D, texture, 0);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + PROBE_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
   gl.drawBuffers([gl.NONE, gl.COLOR_ATTACHMENT1]);
-  gl.viewport(0, 0, 16, 16);
+  gl.viewport(0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX);
   gl.useProgram(program);
-  gl.uniform1i(gl.getUniformLocation(program, 'scrim_loopBudget'), budget);
-  setUniforms(program, pass.uniforms, pass, { width: 16, height: 16 }, job, 0);
+  gl.uniform1i(gl.getUniformLocation(program, LOOP_BUDGET_UNIFORM), budget);
+  gl.uniform1i(gl.getUniformLocation(program, GATE_SAMPLER), NO_TEXTURE);
+  setUniforms(program, pass.uniforms, pass, { width: PROBE_SIDE_PX, height: PROBE_SIDE_PX }, job, 0);
   gl.drawArrays(gl.TRIANGLES, 0, 3);
-  const found = new Uint32Array(16 * 16 * 4);
+  const found = new Uint8Array(PROBE_SIDE_PX ** 2 * 4);
   gl.readBuffer(gl.COLOR_ATTACHMENT1);
-  gl.readPixels(0, 0, 16, 16, gl.RGBA_INTEGER, gl.UNSIGNED_INT, found);
+  gl.readPixels(0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, gl.RGBA, gl.UNSIGNED_BYTE, found);
   const glError = gl.getError();
   if (glError !== 0) throw new Error(`GL error ${glError}`);
-  return found.some((value, i) => i % 4 === 0 && value === 1);
+  return readProbe(found);
+}
+
+/** Whether anything is drawn, by the value of the gate: with a probe that is all zero, and with one of a single line. */
+export function drawBehindGate(job: DrawJob): Record<'free' | 'unlessExceeded' | 'ifExceeded', readonly boolean[]> {
+  const [pass] = job.passes;
+  if (pass === undefined) throw new Error('Nothing to draw.');
+  const { program } = link(pass.shader);
+  const target = createTexture(gl.RGBA8, 8, 8);
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
+  gl.viewport(0, 0, 8, 8);
+  gl.useProgram(program);
+  const drawn = (gate: number) =>
+    [0, 300].map((line) => {
+      createTexture(gl.RG8, PROBE_SIDE_PX, PROBE_SIDE_PX, gl.NEAREST);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 3, 14, 1, 1, gl.RG, gl.UNSIGNED_BYTE, Uint8Array.of(line & 255, line >> 8));
+      gl.uniform1i(gl.getUniformLocation(program, GATE_UNIFORM), gate);
+      gl.uniform1i(gl.getUniformLocation(program, GATE_SAMPLER), 0);
+      gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      const found = new Uint8Array(4);
+      gl.readPixels(4, 4, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, found);
+      return (found[3] ?? 0) > 0;
+    });
+  return { free: drawn(0), unlessExceeded: drawn(1), ifExceeded: drawn(2) };
 }
 
 function link(shader: LinkedShader): { program: WebGLProgram; log: string } {

@@ -9,7 +9,15 @@ import type { LinkedPass, LinkedSampler, LinkOptions } from './linked-pass.ts';
 import { createNames, type Names } from './names.ts';
 import { passImages } from './pass-images.ts';
 import type { PlannedPass } from './plan-passes.ts';
-import { DEFAULT_LOOP_BUDGET, FRAGMENT_HEAD, LOOP_BUDGET_TEXT, LOOP_BUDGET_UNIFORM, outputText, VERTEX_SHADER } from './prelude.ts';
+import {
+  BOUNDED_VERTEX_SHADER,
+  FRAGMENT_HEAD,
+  LOOP_BUDGET_END,
+  LOOP_BUDGET_START,
+  LOOP_BUDGET_TEXT,
+  outputText,
+  VERTEX_SHADER,
+} from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
 import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './print-declaration.ts';
 import { printBlock } from './print-statement.ts';
@@ -84,7 +92,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     'vec4 scrim_fragColor;',
   ];
   return {
-    shader: linkedShader(unit, head.join('\n'), context.writer),
+    shader: linkedShader(unit, head.join('\n'), context.writer, context.loopBudget ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER),
     passIndex: pass.passIndex,
     target: pass.target,
     samplers: samplersOf(needed.images, images),
@@ -144,7 +152,7 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
   const main = unit.checked.main.symbol;
   writer.own('void main() {');
   writer.indent(1);
-  if (context.loopBudget) writer.own(`scrim_loopsLeft = ${LOOP_BUDGET_UNIFORM} > 0 ? ${LOOP_BUDGET_UNIFORM} : ${DEFAULT_LOOP_BUDGET};`);
+  if (context.loopBudget) writer.own(LOOP_BUDGET_START);
   // The viewport may lie anywhere in the target, so GLSL's own position will not do; this one is exact at pixel centres.
   if (usesFragCoord(reach)) writer.own('scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);');
   writer.own('scrim_fragColor = vec4(0.0);');
@@ -158,7 +166,7 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
   if (main !== null) writer.own(`${reach.instances.get(main)?.[0]?.name}();`);
   if (context.found.discards) writer.own('if (scrim_discarded) scrim_fragColor = vec4(0.0);');
   writer.own(outputText(unit.shader.premultiplied, pass.target));
-  if (context.loopBudget) writer.own('scrim_overrun = scrim_loopsLeft < 0 ? 1u : 0u;');
+  if (context.loopBudget) writer.own(LOOP_BUDGET_END);
   writer.indent(-1);
   writer.own('}');
 }
@@ -176,12 +184,12 @@ function samplersOf(used: ReadonlyMap<Image, ReadonlySet<ImageUse>>, images: Rea
   return [...samplers.values()];
 }
 
-export function linkedShader(unit: Omit<LinkSource, 'given'>, head: string, writer: LineWriter): LinkedShader {
+export function linkedShader(unit: Omit<LinkSource, 'given'>, head: string, writer: LineWriter, vertex = VERTEX_SHADER): LinkedShader {
   const headLines = head.split('\n');
   const fragment = `${[...headLines, ...writer.lines].join('\n')}\n`;
   return {
-    id: hashText(`${VERTEX_SHADER}\0${fragment}`),
-    vertex: VERTEX_SHADER,
+    id: hashText(`${vertex}\0${fragment}`),
+    vertex,
     fragment,
     sourceMap: { sources: [unit.shader.file], nodes: [unit.options.node], lines: [...headLines.map(() => null), ...writer.map] },
   };

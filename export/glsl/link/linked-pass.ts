@@ -52,7 +52,7 @@ export interface LinkedUniform {
 export interface LinkOptions {
   /** Node that the text belongs to, for source maps and diagnostics. */
   readonly node: string;
-  /** Bound every invocation's loops, for previews and checks; see `loop-budget.ts`. */
+  /** Bound every invocation's loops, for previews and checks; see `export/program/loop-budget.ts`. */
   readonly loopBudget?: boolean;
   /** Optional image and depth inputs without a wire: reads give transparent black and 0. */
   readonly absent?: readonly string[];

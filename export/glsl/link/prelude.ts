@@ -1,17 +1,28 @@
+import { GATE_TEXT, LOOP_BUDGET, LOOP_BUDGET_UNIFORM, PROBE_ATTACHMENT } from '../../program/loop-budget.ts';
 import type { PassTarget } from './linked-pass.ts';
 
 /**
  * Three vertices, no attributes: draw 3 vertices as TRIANGLES. `scrim_uv` runs from (0, 0) at the bottom left of the viewport
  * to (1, 1) at its top right.
  */
-export const VERTEX_SHADER = `#version 300 es
+export const VERTEX_SHADER = vertexShader('', 'vec4(corner * 2.0 - 1.0, 0.0, 1.0)');
+
+/** The same, behind a gate. */
+export const BOUNDED_VERTEX_SHADER = vertexShader(
+  `${GATE_TEXT}\n`,
+  'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(corner * 2.0 - 1.0, 0.0, 1.0)',
+);
+
+function vertexShader(declarations: string, position: string): string {
+  return `#version 300 es
 out vec2 scrim_uv;
-void main() {
+${declarations}void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
   scrim_uv = corner;
-  gl_Position = vec4(corner * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = ${position};
 }
 `;
+}
 
 export const FRAGMENT_HEAD = `#version 300 es
 precision highp float;
@@ -21,32 +32,27 @@ in vec2 scrim_uv;
 layout(location = 0) out vec4 scrim_output;`;
 
 /**
- * Iterations that one invocation may spend on all its loops where the uniform `scrim_loopBudget` is 0. A march of 256 steps
- * through 16 octaves takes 4,096 and a blur of 61 × 61 taps 3,721, so four times that is room enough; at a probe's 16 × 16 pixels
- * it is milliseconds even on a CPU, and a whole view of endless loops is seconds instead of for ever.
- */
-export const DEFAULT_LOOP_BUDGET = 16_384;
-
-/** Uniform that holds the budget; 0, what a program starts with, means the default. */
-export const LOOP_BUDGET_UNIFORM = 'scrim_loopBudget';
-
-/** Draw buffer that a probe reads: 1 where the budget was exceeded, else 0. */
-export const LOOP_PROBE_LOCATION = 1;
-
-/**
- * The loop budget. Each round of each loop first calls `scrim_spend`; once the budget is gone it says no, so every loop ends
- * at its next round, and the invocation with them. The second output is written to nowhere in a normal draw, whose target has
- * one attachment. A probe draws the same program into an R8UI texture at `LOOP_PROBE_LOCATION` with
- * `drawBuffers([NONE, COLOR_ATTACHMENT1])`, 16 × 16 pixels or so, and reads it back: any 1 in it means that the shader's loops
- * do not end in time.
+ * What bounds the loops of a text (`export/program/loop-budget.ts`). Each round of each loop first calls `scrim_spend`; once the
+ * budget is gone it says no, so every loop ends at its next round, and the invocation with them.
  */
 export const LOOP_BUDGET_TEXT = `uniform int ${LOOP_BUDGET_UNIFORM};
-layout(location = ${LOOP_PROBE_LOCATION}) out uint scrim_overrun;
-int scrim_loopsLeft;
-bool scrim_spend() {
-  scrim_loopsLeft -= 1;
-  return scrim_loopsLeft >= 0;
+layout(location = ${PROBE_ATTACHMENT}) out vec2 scrim_overrun;
+int scrim_roundsLeft;
+int scrim_endlessLine = 0;
+bool scrim_spend(int line) {
+  scrim_roundsLeft -= 1;
+  if (scrim_roundsLeft >= 0) return true;
+  if (scrim_endlessLine == 0) scrim_endlessLine = line;
+  return false;
 }`;
+
+export const LOOP_BUDGET_START = `scrim_roundsLeft = ${LOOP_BUDGET_UNIFORM} > 0 ? ${LOOP_BUDGET_UNIFORM} : ${LOOP_BUDGET};`;
+export const LOOP_BUDGET_END = 'scrim_overrun = vec2(scrim_endlessLine & 255, scrim_endlessLine >> 8) / 255.0;';
+
+/** The condition of a loop's next round; two bytes name the line. */
+export function spend(line: number): string {
+  return `scrim_spend(${Math.min(line, 0xffff)})`;
+}
 
 /**
  * How the author's colour becomes what the target holds. Clamped before alpha is multiplied in: a bright colour would outshine

@@ -1,6 +1,7 @@
 import type { Expression, Statement, VariableDeclaration } from '../syntax/ast.ts';
 import type { Token } from '../syntax/token.ts';
 import { decideBranch, reachableStatements } from './pass-condition.ts';
+import { spend } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
 import { printVariables } from './print-declaration.ts';
 import { printExpression } from './print-expression.ts';
@@ -33,7 +34,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
       writer.write('for (', statement.start);
       printHead(statement.initial, context);
       writer.write('; ');
-      printCondition(statement.condition, context);
+      printCondition(statement, context);
       writer.write('; ');
       printHead(statement.step, context);
       writer.write(')');
@@ -41,7 +42,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
       return;
     case 'while':
       writer.write('while (', statement.start);
-      printCondition(statement.condition, context);
+      printCondition(statement, context);
       writer.write(')');
       printBody(statement.body, context);
       return;
@@ -49,7 +50,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
       writer.write('do', statement.start);
       printBody(statement.body, context);
       writer.write('while (', statement.end);
-      printCondition(statement.condition, context);
+      printCondition(statement, context);
       writer.write(');');
       break;
     case 'switch':
@@ -146,22 +147,23 @@ function printHead(head: Expression | VariableDeclaration | null, context: Print
 }
 
 /** Under a budget every round of every loop is paid for first; see `prelude.ts`. */
-function printCondition(condition: Expression | VariableDeclaration | null, context: PrintContext): void {
+function printCondition({ start, condition }: Extract<Statement, { kind: 'for' | 'while' | 'do' }>, context: PrintContext): void {
   const { writer } = context;
   if (!context.loopBudget) {
     printHead(condition, context);
-  } else if (condition === null) {
-    writer.write(PAY);
+    return;
+  }
+  const pay = spend(start.line);
+  if (condition === null) {
+    writer.write(pay);
   } else if (condition.kind === 'variables') {
-    printVariables(condition, context, `${PAY} && `);
+    printVariables(condition, context, `${pay} && `);
   } else {
-    writer.write(`${PAY} && (`);
+    writer.write(`${pay} && (`);
     printExpression(condition, context);
     writer.write(')');
   }
 }
-
-const PAY = 'scrim_spend()';
 
 /**
  * `discard` would leave what happens to be in the target. Elsewhere it means "nothing here", so the function returns, the

@@ -1,3 +1,4 @@
+import { GATE_TEXT } from '../../program/loop-budget.ts';
 import type { LinkedShader } from '../../program/program.ts';
 
 /**
@@ -6,13 +7,7 @@ import type { LinkedShader } from '../../program/program.ts';
  */
 export const COPY_SHADER: LinkedShader = {
   id: 'scrim:copy',
-  vertex: `#version 300 es
-out vec2 viewUv;
-void main() {
-  viewUv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(viewUv * 2.0 - 1.0, 0.0, 1.0);
-}
-`,
+  vertex: vertexShader('', 'vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),
   fragment: `#version 300 es
 precision highp float;
 uniform highp sampler2D picture;
@@ -26,5 +21,22 @@ void main() {
 `,
 };
 
+/** The same behind a gate: what a pass draws while its loops do not end. */
+export const GATED_COPY_SHADER: LinkedShader = {
+  id: 'scrim:gated-copy',
+  vertex: vertexShader(`${GATE_TEXT}\n`, 'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),
+  fragment: COPY_SHADER.fragment,
+};
+
 export const COPY_SAMPLER = 'picture';
 export const COPY_UV = 'picture_uvFromViewUv';
+
+function vertexShader(declarations: string, position: string): string {
+  return `#version 300 es
+out vec2 viewUv;
+${declarations}void main() {
+  viewUv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+  gl_Position = ${position};
+}
+`;
+}

@@ -1,14 +1,15 @@
+import { PROBE_SIDE_PX } from '../../program/loop-budget.ts';
 import type { PassOperation } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
-import { COPY_SAMPLER } from '../gl/copy-shader.ts';
+import type { Asker, LoopProbe } from '../gl/loop-probe.ts';
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
-import type { Target } from '../targets/target.ts';
 import type { Slots } from '../values/slots.ts';
-import { createSamplers, type Sampler } from './samplers.ts';
-import { createUniforms, type SetUniform } from './uniforms.ts';
+import { createDrawing, createHandOn, type Drawing, GATE } from './drawing.ts';
+import { createSamplers } from './samplers.ts';
+import { createUniforms } from './uniforms.ts';
 
 /** A full-screen pass, ready to be drawn once per view or frame. */
 export interface Pass {
@@ -25,59 +26,70 @@ export interface PassParts {
   readonly copy: GlProgram;
 }
 
-/** A pass whose shader does not compile hands its first picture on, as a muted node would. */
-export function createPass(operation: PassOperation, program: GlProgram, parts: PassParts): Pass {
-  const { gl, drawer, copy } = parts;
-  if (program.state !== 'broken') {
-    const samplers = createSamplers(gl, drawer, program, operation, parts.resources);
-    const uniforms = createUniforms(gl, program, operation, parts.slots, parts.clock);
-    return assemble(operation, program, samplers, uniforms, parts);
-  }
-  const first = operation.samplers.find((sampler) => sampler.source.kind === 'color');
-  const handedOn = { ...operation, samplers: first ? [{ ...first, name: COPY_SAMPLER }] : [] };
-  const samplers = first ? createSamplers(gl, drawer, copy, handedOn, parts.resources) : [transparent(drawer, copy)];
-  return assemble(operation, copy, samplers, [], parts);
+/** Stands over a pass of a node whose loops are bounded (`export/program/loop-budget.ts`). */
+export interface PassGuard {
+  /** The node goes round too often, in this pass or another: all of them hand their first picture on. */
+  readonly bypassed: boolean;
+  /** Null for a pass that has no loops itself. */
+  readonly loops: {
+    readonly probe: LoopProbe;
+    /** Linked: `COPY_SHADER` behind a gate. */
+    readonly gatedCopy: GlProgram;
+    readonly asker: Asker;
+    /** Whether to look at the loops in this frame. */
+    readonly due: boolean;
+  } | null;
 }
 
-/** What a generator hands on. */
-function transparent(drawer: PassDrawer, copy: GlProgram): Sampler {
-  const location = copy.uniform(COPY_SAMPLER);
-  return { prepare: () => {}, bind: () => location && drawer.texture(0, location, null, 'linear') };
-}
+/** A pass whose shader does not compile hands its first picture on, and so does one that its guard stops. */
+export function createPass(operation: PassOperation, program: GlProgram, parts: PassParts, guard: PassGuard | null): Pass {
+  const { gl, drawer, resources } = parts;
+  const loops = guard?.loops ?? null;
+  const probeTexture = loops?.probe.texture ?? null;
+  const handOn = createHandOn(gl, drawer, loops?.gatedCopy ?? parts.copy, operation, resources, probeTexture);
+  const own = program.state === 'broken' ? handOn : createOwn(operation, program, parts, probeTexture);
+  const destination = operation.target === 'screen' ? null : liveResource(resources, operation.target, 'target');
 
-function assemble(
-  operation: PassOperation,
-  program: GlProgram,
-  samplers: readonly Sampler[],
-  uniforms: readonly SetUniform[],
-  parts: PassParts,
-): Pass {
-  const { drawer } = parts;
-  const destination = operation.target === 'screen' ? null : liveResource(parts.resources, operation.target, 'target');
-
-  const drawInto = (state: PlayState, widthPx: number, heightPx: number): void => {
-    drawer.use(program);
-    for (let i = 0; i < samplers.length; i++) samplers[i]?.bind(state);
-    for (let i = 0; i < uniforms.length; i++) uniforms[i]?.(state, widthPx, heightPx);
-    drawer.draw();
+  const drawProbe = (state: PlayState, widthPx: number, heightPx: number): void => {
+    if (!loops?.due) return;
+    drawer.begin(loops.probe.framebuffer, 0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, 'replace');
+    loops.probe.clear();
+    own.draw(state, widthPx, heightPx, GATE.open);
+    loops.probe.ask(loops.asker);
     drawer.end();
   };
-  const drawTarget = (state: PlayState, target: Target, viewIndex: number): void => {
-    const { framebuffer, widthPx, heightPx } = target.back(viewIndex);
-    drawer.begin(framebuffer, 0, 0, widthPx, heightPx, operation.blend);
-    drawInto(state, widthPx, heightPx);
-    target.finish(viewIndex);
+  const drawPicture = (state: PlayState, widthPx: number, heightPx: number): void => {
+    if (guard?.bypassed) {
+      handOn.draw(state, widthPx, heightPx, GATE.open);
+    } else {
+      // One of the two draws; which, the GPU knows before we do.
+      if (loops) handOn.draw(state, widthPx, heightPx, GATE.ifExceeded);
+      own.draw(state, widthPx, heightPx, loops ? GATE.unlessExceeded : GATE.open);
+    }
+    drawer.end();
   };
   return {
     run: (state) => {
-      for (let i = 0; i < samplers.length; i++) samplers[i]?.prepare(state);
+      own.prepare(state);
       if (destination) {
-        drawTarget(state, destination.target, destination.domain === 'view' ? state.viewIndex : 0);
+        const viewIndex = destination.domain === 'view' ? state.viewIndex : 0;
+        const { framebuffer, widthPx, heightPx } = destination.target.back(viewIndex);
+        drawProbe(state, widthPx, heightPx);
+        drawer.begin(framebuffer, 0, 0, widthPx, heightPx, operation.blend);
+        drawPicture(state, widthPx, heightPx);
+        destination.target.finish(viewIndex);
       } else if (state.view) {
         const { x, y, widthPx, heightPx } = state.view.viewport;
+        drawProbe(state, widthPx, heightPx);
         drawer.begin(state.frame.framebuffer, x, y, widthPx, heightPx, operation.blend);
-        drawInto(state, widthPx, heightPx);
+        drawPicture(state, widthPx, heightPx);
       }
     },
   };
+}
+
+function createOwn(operation: PassOperation, program: GlProgram, parts: PassParts, probe: WebGLTexture | null): Drawing {
+  const { gl, drawer } = parts;
+  const samplers = createSamplers(gl, drawer, program, operation, parts.resources);
+  return createDrawing(gl, drawer, program, samplers, createUniforms(gl, program, operation, parts.slots, parts.clock), probe);
 }

@@ -11,6 +11,7 @@ import { createTargetSizes } from '../targets/target-sizes.ts';
 import { createSlots, type Slots } from '../values/slots.ts';
 import { type Cast, createCast, isShadowMaps, releaseCast } from './cast.ts';
 import { createDrawStep } from './draw-step.ts';
+import { createLoopWatch, type LoopWatch } from './loop-watch.ts';
 import type { Step } from './step.ts';
 
 /** A program set up on the GPU and ready to be drawn. */
@@ -19,6 +20,8 @@ export interface Stage {
   readonly slots: Slots;
   readonly resources: LiveResources;
   readonly cast: Cast;
+  /** Null where no loops are bounded, as in exported pages. */
+  readonly loops: LoopWatch | null;
   /** Draws the frame of the engine's play state, all views. */
   draw(session: SessionTraits | null): void;
   /** State of nodes and persistent pictures back to the first frame. */
@@ -37,8 +40,9 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
   const runtimes: readonly NodeRuntime[] = [...cast.nodes.values()].map((node) => node.runtime);
   const delays = runtimes.filter((runtime) => runtime.remember !== undefined);
   const pulses = [...resources.values()].flatMap((resource) => (resource.kind === 'pulses' ? [resource.queue] : []));
-  const once = createSteps(engine, loaded, slots, cast, 'once');
-  const each = createSteps(engine, loaded, slots, cast, 'each');
+  const loops = createLoopWatch(engine, loaded, before?.loops ?? null);
+  const once = createSteps(engine, loaded, slots, cast, loops, 'once');
+  const each = createSteps(engine, loaded, slots, cast, loops, 'each');
   const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
   const background = createBackground(engine.objects.gl, engine.drawer, engine.copy, program.presentation.background);
   let viewCount = 0;
@@ -51,6 +55,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
     slots,
     resources,
     cast,
+    loops,
     draw: (session) => {
       const { frame } = state;
       if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
@@ -59,6 +64,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
       for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
       for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
       for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
+      loops?.poll();
       sizes.resizeImages(state);
       run(once);
       for (let i = 0; i < frame.viewCount; i++) {
@@ -72,12 +78,14 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
     },
     reset: () => {
       for (const node of cast.nodes.values()) node.reset();
+      loops?.retry();
       for (const resource of resources.values()) {
         if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
       }
     },
     release: (next) => {
       if (!next) releaseCast(cast);
+      loops?.release(next?.loops ?? null);
       disposeUnused(resources, next?.resources ?? null);
       loaded.release();
     },
@@ -85,7 +93,14 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
 }
 
 /** What draws, in order; nodes that draw nothing have done their work in `update`. */
-function createSteps(engine: Engine, loaded: LoadedProgram, slots: Slots, cast: Cast, view: 'once' | 'each'): Step[] {
+function createSteps(
+  engine: Engine,
+  loaded: LoadedProgram,
+  slots: Slots,
+  cast: Cast,
+  loops: LoopWatch | null,
+  view: 'once' | 'each',
+): Step[] {
   const { resources } = cast;
   const parts: PassParts = { gl: engine.objects.gl, drawer: engine.drawer, clock: engine.clock, resources, slots, copy: engine.copy };
   const steps: Step[] = [];
@@ -94,7 +109,7 @@ function createSteps(engine: Engine, loaded: LoadedProgram, slots: Slots, cast: 
     if (operation.kind === 'pass') {
       const glProgram = loaded.glPrograms[operation.shader];
       if (!glProgram) throw new Error(`The program has no shader ${operation.shader}.`);
-      steps.push(createPass(operation, glProgram, parts));
+      steps.push(createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null));
     } else if (isShadowMaps(operation)) {
       const maps = cast.shadowMaps.get(operation.id)?.maps;
       steps.push({

@@ -1,0 +1,88 @@
+import { PROBE_ATTACHMENT, PROBE_SIDE_PX, readProbe } from '../../program/loop-budget.ts';
+import { allocateTexture } from './allocate-texture.ts';
+import type { GlObjects } from './gl-objects.ts';
+
+/** Waits for what a probe found. */
+export interface Asker {
+  /** The last of the probe's rounds in which it was asked for. */
+  round: number;
+  answer(line: number | null): void;
+}
+
+/**
+ * Where bounded shaders tell whether their loops end (`export/program/loop-budget.ts`). One texture serves all passes, one after
+ * the other, because the GPU works in order. Answers for the user come later and one at a time: nobody waits for the GPU.
+ */
+export interface LoopProbe {
+  readonly texture: WebGLTexture;
+  readonly framebuffer: WebGLFramebuffer;
+  /** With the framebuffer bound: makes it all zero. A pixel that is discarded would keep what another shader left. */
+  clear(): void;
+  /** Right after a probe was drawn, its framebuffer still bound: takes down what it holds, if it is this asker's turn. */
+  ask(asker: Asker): void;
+  /** Before each frame: passes an answer on where the GPU has come that far. */
+  poll(): void;
+  dispose(): void;
+}
+
+const BYTES = PROBE_SIDE_PX ** 2 * 4;
+const ZERO = new Float32Array(4);
+
+export function createLoopProbe(objects: GlObjects): LoopProbe {
+  const { gl } = objects;
+  const texture = allocateTexture(gl, objects.createTexture(), gl.RG8, gl.NEAREST, PROBE_SIDE_PX, PROBE_SIDE_PX);
+  const framebuffer = objects.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + PROBE_ATTACHMENT, gl.TEXTURE_2D, texture, 0);
+  gl.drawBuffers([gl.NONE, gl.COLOR_ATTACHMENT0 + PROBE_ATTACHMENT]);
+  gl.readBuffer(gl.COLOR_ATTACHMENT0 + PROBE_ATTACHMENT);
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+  gl.bufferData(gl.PIXEL_PACK_BUFFER, BYTES, gl.STREAM_READ);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  const bytes = new Uint8Array(BYTES);
+  let pending: { readonly asker: Asker; readonly fence: WebGLSync } | null = null;
+  /** Each asker has one turn in a round; one is over when a whole frame went by without a question. */
+  let round = 1;
+  return {
+    texture,
+    framebuffer,
+    clear: () => gl.clearBufferfv(gl.COLOR, PROBE_ATTACHMENT, ZERO),
+    ask: (asker) => {
+      if (pending || asker.round === round) return;
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+      gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
+      gl.pixelStorei(gl.PACK_ROW_LENGTH, 0);
+      gl.pixelStorei(gl.PACK_SKIP_PIXELS, 0);
+      gl.pixelStorei(gl.PACK_SKIP_ROWS, 0);
+      gl.readPixels(0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, gl.RGBA, gl.UNSIGNED_BYTE, 0);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      if (!fence) return;
+      gl.flush();
+      asker.round = round;
+      pending = { asker, fence };
+    },
+    poll: () => {
+      if (!pending) {
+        round++;
+        return;
+      }
+      if (gl.getSyncParameter(pending.fence, gl.SYNC_STATUS) !== gl.SIGNALED) return;
+      const { asker, fence } = pending;
+      pending = null;
+      gl.deleteSync(fence);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, buffer);
+      gl.getBufferSubData(gl.PIXEL_PACK_BUFFER, 0, bytes);
+      gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+      asker.answer(readProbe(bytes));
+    },
+    dispose: () => {
+      if (pending) gl.deleteSync(pending.fence);
+      pending = null;
+      gl.deleteBuffer(buffer);
+      objects.deleteFramebuffer(framebuffer);
+      objects.deleteTexture(texture);
+    },
+  };
+}

@@ -1,0 +1,101 @@
+import { LOOP_BUDGET_UNIFORM } from '../../program/loop-budget.ts';
+import type { LinkedShader, PassOperation } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
+import { GATED_COPY_SHADER } from '../gl/copy-shader.ts';
+import type { GlProgram } from '../gl/program-cache.ts';
+import type { LoadedProgram } from '../loading.ts';
+import type { PassGuard } from '../passes/pass.ts';
+import { tooManyRounds } from './loop-diagnostic.ts';
+
+/** Which nodes of a program go round too often in their loops, and are bypassed until that changes. */
+export interface LoopWatch {
+  /** Null for passes of nodes without bounded loops. */
+  guardOf(operation: PassOperation): PassGuard | null;
+  /** Before each frame. */
+  poll(): void;
+  /** The picture changed: what went round too often is looked at again. */
+  retry(): void;
+  /** What is known of a pass, for the watch after this one. */
+  lineOf(operation: PassOperation, glProgram: GlProgram): number | null;
+  isBypassed(node: string): boolean;
+  /** Takes back what was said of nodes that `next` does not bypass. */
+  release(next: LoopWatch | null): void;
+}
+
+interface WatchedPass {
+  readonly operation: PassOperation;
+  readonly glProgram: GlProgram;
+  readonly shader: LinkedShader | undefined;
+  /** The author's line of the loop that spent the budget's last round; null where none did. */
+  line: number | null;
+  /** To be probed though its node is bypassed. */
+  onTrial: boolean;
+}
+
+/** Null where no loops are bounded. */
+export function createLoopWatch(engine: Engine, { program, glPrograms }: LoadedProgram, before: LoopWatch | null): LoopWatch | null {
+  const { board } = engine.host;
+  const byNode = new Map<string, WatchedPass[]>();
+  let released = false;
+  const isBypassed = (node: string): boolean => byNode.get(node)?.some(({ line }) => line !== null) ?? false;
+  const settle = (pass: WatchedPass, line: number | null): void => {
+    pass.onTrial = false;
+    if (released || line === pass.line) return;
+    const { node } = pass.operation;
+    pass.line = line;
+    board.clear(node);
+    for (const watched of byNode.get(node) ?? []) {
+      if (watched.line !== null) board.report(node, tooManyRounds(watched.shader, watched.line));
+    }
+  };
+
+  for (const operation of program.operations) {
+    if (operation.kind !== 'pass') continue;
+    const glProgram = glPrograms[operation.shader];
+    if (glProgram?.state !== 'linked' || glProgram.uniform(LOOP_BUDGET_UNIFORM) === null) continue;
+    const line = before?.lineOf(operation, glProgram) ?? null;
+    const pass: WatchedPass = { operation, glProgram, shader: program.shaders[operation.shader], line, onTrial: false };
+    const passes = byNode.get(operation.node);
+    if (passes) passes.push(pass);
+    else byNode.set(operation.node, [pass]);
+  }
+  if (byNode.size === 0) return null;
+  const probe = engine.loopProbe();
+  const gatedCopy = engine.tool(GATED_COPY_SHADER);
+  const passOf = ({ id, node }: PassOperation): WatchedPass | undefined => byNode.get(node)?.find(({ operation }) => operation.id === id);
+
+  return {
+    isBypassed,
+    poll: probe.poll,
+    guardOf: (operation) => {
+      const { node } = operation;
+      if (!byNode.has(node)) return null;
+      const pass = passOf(operation);
+      const loops = pass && {
+        probe,
+        gatedCopy,
+        asker: { round: 0, answer: (line: number | null) => settle(pass, line) },
+        get due() {
+          return pass.onTrial || !isBypassed(node);
+        },
+      };
+      return {
+        get bypassed() {
+          return isBypassed(node);
+        },
+        loops: loops ?? null,
+      };
+    },
+    retry: () => {
+      for (const passes of byNode.values()) for (const pass of passes) pass.onTrial = pass.line !== null;
+    },
+    lineOf: (operation, glProgram) => {
+      const pass = passOf(operation);
+      return pass?.glProgram === glProgram ? pass.line : null;
+    },
+    release: (next) => {
+      released = true;
+      for (const node of byNode.keys()) if (isBypassed(node) && !next?.isBypassed(node)) board.clear(node);
+    },
+  };
+}

@@ -1,0 +1,42 @@
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+
+const chromium = useBrowser();
+let page: PageModule;
+
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/loop-guard.page.ts');
+}, 60_000);
+
+afterAll(async () => {
+  await page.close();
+  expect(page.errors).toEqual([]);
+});
+
+const BLUE = [0, 0, 255, 255];
+/** The node's second pass halves what the first gives it. */
+const HALF_GREEN = [0, 128, 0, 255];
+const HALF_BLUE = [0, 0, 128, 255];
+
+test('an endless loop is never drawn: its picture passes through, and its line is told until the shader changes', async () => {
+  expect(await page.call('endless')).toEqual({
+    // The GPU shuts the pass out by itself; that the whole node is left out is known some frames later.
+    first: HALF_BLUE,
+    bypassed: BLUE,
+    told: [expect.objectContaining({ code: 'SCR044', severity: 'error', nodeId: 'looped', file: 'shaders/looped.fs', line: 3, column: 3 })],
+    stillTold: 1,
+    stillBypassed: BLUE,
+    mended: HALF_GREEN,
+    taken: [],
+    error: 0,
+  });
+});
+
+test('a heavy loop is drawn; one that a param makes too long is left out until the param lets it end', async () => {
+  expect(await page.call('tooLong')).toEqual({ heavy: HALF_GREEN, atOnce: HALF_BLUE, again: HALF_GREEN, error: 0 });
+});
+
+test('nothing stays behind on the GPU, and programs without loops pay nothing', async () => {
+  expect(await page.call('leavesNothing')).toEqual([]);
+  expect(await page.call('withoutLoops')).toEqual({ framebuffers: 0, programs: 2 });
+});
