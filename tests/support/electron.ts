@@ -1,4 +1,5 @@
-import { execFile } from 'node:child_process';
+import { type ChildProcess, execFile } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync } from 'node:fs';
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { createRequire } from 'node:module';
@@ -94,10 +95,18 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
         args: [...(process.getuid?.() === 0 ? ['--no-sandbox'] : []), ...args],
         env: environment({ ...env, DISPLAY: display?.name ?? '', XDG_CONFIG_HOME: settings }),
       });
-      cleanUps.push(() => app.close().catch(() => {}));
+      cleanUps.push(() => kill(app.process()));
       return app;
     });
   });
+}
+
+/** Not closed: a window with unsaved work would ask a question that nobody answers. */
+async function kill(process: ChildProcess): Promise<void> {
+  if (process.exitCode !== null || process.signalCode !== null) return;
+  const ended = once(process, 'exit');
+  process.kill('SIGKILL');
+  await ended;
 }
 
 /** Without Jest's flags for Node, which Electron's own Node may not know and then refuses to start with. */
