@@ -95,7 +95,9 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
         args: [...(process.getuid?.() === 0 ? ['--no-sandbox'] : []), ...args],
         env: environment({ ...env, DISPLAY: display?.name ?? '', XDG_CONFIG_HOME: settings }),
       });
-      cleanUps.push(() => kill(app.process()));
+      // Asked for now: of an app that has ended, Playwright knows no process any more.
+      const child = app.process();
+      cleanUps.push(() => kill(child));
       return app;
     });
   });
