@@ -1,4 +1,13 @@
-import type { LightList, ModelAsset, NumberView, ObjectList, RoomDepthOutput, SceneService } from '../../nodes/kit/runtime.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type {
+  EnvironmentAsset,
+  LightList,
+  ModelAsset,
+  NumberView,
+  ObjectList,
+  RoomDepthOutput,
+  SceneService,
+} from '../../nodes/kit/runtime.ts';
 
 /**
  * What the player asks of three.js. Types only: the player never imports three, so that a page without objects carries none of
@@ -18,8 +27,14 @@ export interface SceneBackend {
   /** The service that one drawing operation sees as `ctx.scenes`. */
   serviceFor(binding: DrawBinding): SceneService;
   createShadowMaps(casters: readonly ObjectList[], lights: readonly LightList[]): ShadowMaps;
-  /** Rejects with an `Error` that says what is wrong with the file. */
-  loadModel(bytes: ArrayBuffer, path: string): Promise<LoadedModel>;
+  /**
+   * Rejects with an `Error` that says what is wrong with the file.
+   *
+   * @param readFile bytes of another file, by its path in the project, for models in several
+   */
+  loadModel(bytes: ArrayBuffer, path: string, readFile: (path: string) => Promise<ArrayBuffer>): Promise<LoadedModel>;
+  /** A panorama, filtered for lighting. Rejects with an `Error` that says what is wrong with the file. */
+  loadEnvironment(bytes: ArrayBuffer, path: string): Promise<LoadedEnvironment>;
   /** Called when passes have drawn since three last did. */
   invalidateState(): void;
   /** GPU objects alive, for leak tests. */
@@ -29,6 +44,14 @@ export interface SceneBackend {
 
 /** A model as the asset service holds it: freed when the last handle is released. */
 export interface LoadedModel extends ModelAsset {
+  /** What to know of it although it loaded well; told at the nodes that use it. */
+  readonly findings: readonly ModelFinding[];
+  dispose(): void;
+}
+
+export type ModelFinding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
+
+export interface LoadedEnvironment extends EnvironmentAsset {
   dispose(): void;
 }
 
@@ -36,6 +59,8 @@ export interface LoadedModel extends ModelAsset {
 export interface DrawBinding {
   readonly shadowMaps: ShadowMaps | null;
   readonly occlusion: OcclusionBinding | null;
+  /** Where limits are told that what is wired goes beyond. */
+  readonly report?: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void;
 }
 
 export interface ShadowMaps {

@@ -39,11 +39,15 @@ export const DIAGNOSTICS = {
   SCR020: 'The subgraph does not exist or contains itself',
   SCR021: 'The node does nothing: nothing on screen depends on it',
   SCR022: 'The expression cannot be read',
+  SCR023: 'More lights are wired than can be drawn',
   // Assets
   SCR030: 'The asset is not in the project',
   SCR031: 'The asset lies outside the project folder',
   SCR032: 'The asset cannot be decoded',
   SCR033: 'The asset is of another kind',
+  SCR034: 'The asset is very large',
+  SCR035: 'The model is no closed surface',
+  SCR036: 'The asset could not be compressed',
   // Shaders
   SCR040: 'The shader header is broken',
   SCR041: 'The shader has a syntax error',

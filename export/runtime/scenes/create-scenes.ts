@@ -1,9 +1,11 @@
 import type { NumberView } from '../../../nodes/kit/runtime.ts';
-import type { CreateSceneBackend, ShadowMaps } from '../scene-backend.ts';
-import { createNeutralEnvironment } from './lights/environment.ts';
+import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '../scene-backend.ts';
+import { createNeutralEnvironment } from './environments/neutral.ts';
+import { createPanoramaStore } from './environments/panorama-store.ts';
+import { createLightLimits } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createOcclusionPatch } from './materials/occlusion-patch.ts';
-import { loadModel } from './models/load-model.ts';
+import { createModelLoader, type ModelTools, NO_TOOLS } from './models/load-model.ts';
 import { createSceneRenderer } from './scene-renderer.ts';
 import { createShadedScene } from './shaded-scene.ts';
 import { createShadowScene } from './shadow-scene.ts';
@@ -11,9 +13,17 @@ import { createShadowScene } from './shadow-scene.ts';
 const FULL_AMBIENT: NumberView = { value: 1 };
 
 /** three.js for the player: scenes of flat proxies, shadow maps and models, on the player's own context and framebuffers. */
-export const createScenes: CreateSceneBackend = (host) => {
+export const createScenes: CreateSceneBackend = (host) => create(host, NO_TOOLS);
+
+/** The same, with decoders for compressed models. */
+export function createScenesWith(tools: ModelTools): CreateSceneBackend {
+  return (host) => create(host, tools);
+}
+
+function create(host: SceneHost, tools: ModelTools): SceneBackend {
   const renderer = createSceneRenderer(host);
-  const environment = createNeutralEnvironment(renderer);
+  const neutral = createNeutralEnvironment(renderer);
+  const panoramas = createPanoramaStore(renderer);
   return {
     serviceFor: (binding) => {
       const shadowMaps = binding.shadowMaps === null ? null : rendered(binding.shadowMaps);
@@ -22,26 +32,43 @@ export const createScenes: CreateSceneBackend = (host) => {
           const occlusion = binding.occlusion === null ? null : createOcclusionPatch(binding.occlusion);
           switch (look.kind) {
             case 'shaded':
-              return createShadedScene({ renderer, environment, ambient: look.ambient ?? FULL_AMBIENT, shadowMaps, occlusion });
+              return createShadedScene({
+                renderer,
+                neutral,
+                panoramas,
+                ambient: look.ambient ?? FULL_AMBIENT,
+                shadowMaps,
+                occlusion,
+                watchLimits: createLightLimits(binding.report),
+              });
             case 'shadow-catcher':
-              return createShadowScene({ renderer, strength: look.strength, color: look.color, shadowMaps, occlusion });
+              return createShadowScene({
+                renderer,
+                strength: look.strength,
+                color: look.color,
+                shadowMaps,
+                occlusion,
+                watchLimits: createLightLimits(binding.report),
+              });
           }
         },
       };
     },
     createShadowMaps: (casters, lights) => createShadowMaps(renderer, casters, lights),
-    loadModel,
+    loadModel: createModelLoader(tools, renderer.three),
+    loadEnvironment: panoramas.load,
     invalidateState: renderer.invalidateState,
     counts: () => {
       const { memory, programs } = renderer.three.info;
       return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
     },
     dispose: () => {
-      environment.dispose();
+      neutral.dispose();
+      panoramas.dispose();
       renderer.dispose();
     },
   };
-};
+}
 
 /** The player hands back what `createShadowMaps` gave it. */
 function rendered(maps: ShadowMaps): RenderedShadowMaps {

@@ -1,24 +1,49 @@
-import type { BufferGeometry, Material, Object3D, Texture } from 'three';
+import type { BufferGeometry, Material, Object3D, Texture, WebGLRenderer } from 'three';
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
-import type { LoadedModel } from '../../scene-backend.ts';
+import { neededDecoders } from '../../../gltf/decoders.ts';
+import { damaged, type Gltf, ModelError } from '../../../gltf/document.ts';
+import { readWholeModel } from '../../../gltf/whole-model.ts';
+import type { LoadedModel, ModelFinding, SceneBackend } from '../../scene-backend.ts';
 import { isDrawable, materialsOf } from '../proxies/drawable.ts';
-import { damaged, type GltfDocument, ModelError, readGltf } from './check-gltf.ts';
-import { embeddedContent } from './embedded.ts';
+import type { DecoderFiles, ModelDecoder, ModelDecoders } from './decoders/decoder.ts';
+import { createDecoderPool } from './decoders/decoder-pool.ts';
+import { embeddedPictures } from './embedded.ts';
+
+export interface ModelTools {
+  readonly decoders: ModelDecoders;
+  readonly files: DecoderFiles;
+  /** What to tell designers of a model that loads well; pages for visitors have none. */
+  readonly inspect?: (gltf: Gltf, path: string, fileBytes: number) => readonly ModelFinding[];
+}
+
+export const NO_TOOLS: ModelTools = { decoders: {}, files: () => Promise.reject(new Error('this page has none')) };
 
 /**
- * Reads a glTF 2.0 model, `.glb` or self-contained `.gltf`. Its first scene counts; its cameras and lights are not used.
- *
- * @throws ModelError, by rejection
+ * Makes the backend's `loadModel`: reads a glTF 2.0 model, `.glb` or `.gltf`. Its first scene counts; its cameras and lights are
+ * not used. It rejects with `ModelError`.
  */
-export async function loadModel(bytes: ArrayBuffer): Promise<LoadedModel> {
-  const document = readGltf(bytes);
+export function createModelLoader({ decoders, files, inspect }: ModelTools, renderer: WebGLRenderer): SceneBackend['loadModel'] {
+  const pool = createDecoderPool(decoders, files, renderer);
+  return async (file, path, readFile) => {
+    const { bytes, gltf } = await readWholeModel(new Uint8Array(file), path, async (beside) => new Uint8Array(await readFile(beside)));
+    const findings = inspect?.(gltf, path, bytes.length) ?? [];
+    const model = await pool.use(neededDecoders(gltf.document), (ready) => decode(bytes.buffer, gltf, ready));
+    return { ...model, findings };
+  };
+}
+
+async function decode(bytes: ArrayBuffer, { document }: Gltf, decoders: readonly ModelDecoder[]): Promise<Omit<LoadedModel, 'findings'>> {
   const bitmaps: ImageBitmap[] = [];
   const closeBitmaps = (): void => {
     for (const bitmap of bitmaps) bitmap.close();
   };
+  const decodeKtx2 = decoders.find(({ decodePicture }) => decodePicture)?.decodePicture;
+  const loader = new GLTFLoader();
+  for (const decoder of decoders) decoder.attach(loader);
+  loader.register((parser) => embeddedPictures({ document, bitmaps, decodeKtx2 }, parser));
   try {
-    const { scene, animations } = await parse(bytes, document, bitmaps);
+    const { scene, animations } = await parse(loader, bytes);
     const freeable = collectFreeable(scene);
     return {
       clips: animations,
@@ -34,14 +59,19 @@ export async function loadModel(bytes: ArrayBuffer): Promise<LoadedModel> {
   }
 }
 
-async function parse(bytes: ArrayBuffer, document: GltfDocument, bitmaps: ImageBitmap[]): Promise<GLTF> {
-  const loader = new GLTFLoader();
-  loader.register((parser) => embeddedContent(document, parser, bitmaps));
+async function parse(loader: GLTFLoader, bytes: ArrayBuffer): Promise<GLTF> {
   try {
     return await loader.parseAsync(bytes, '');
   } catch (error) {
-    throw error instanceof ModelError ? error : damaged(error instanceof Error ? error.message : String(error));
+    throw error instanceof ModelError ? error : damaged(reasonOf(error));
   }
+}
+
+/** Decoders answer from their workers with messages, which are no errors. */
+function reasonOf(error: unknown): string {
+  if (error instanceof Error) return error.message;
+  if (typeof error === 'object' && error !== null && 'error' in error) return String(error.error);
+  return String(error);
 }
 
 /** Geometries, materials and textures: what `instantiate` shares between its subtrees. */

@@ -1,0 +1,85 @@
+/** What Scrim reads of a glTF document by itself (Khronos glTF 2.0 specification, §5). */
+export interface GltfDocument {
+  readonly asset?: { readonly version?: string };
+  readonly extensionsUsed?: readonly string[];
+  readonly extensionsRequired?: readonly string[];
+  readonly scenes?: readonly unknown[];
+  readonly meshes?: readonly GltfMesh[];
+  readonly animations?: readonly { readonly samplers: readonly { readonly input: number; readonly output: number }[] }[];
+  readonly skins?: readonly { readonly inverseBindMatrices?: number }[];
+  readonly accessors?: readonly GltfAccessor[];
+  readonly bufferViews?: readonly GltfBufferView[];
+  readonly buffers?: readonly GltfBuffer[];
+  readonly images?: readonly GltfImage[];
+}
+
+export interface GltfMesh {
+  readonly primitives: readonly GltfPrimitive[];
+}
+
+export interface GltfPrimitive {
+  readonly attributes: Readonly<Record<string, number>>;
+  readonly indices?: number;
+  /** 4, triangles, where it is missing. */
+  readonly mode?: number;
+  readonly targets?: readonly Readonly<Record<string, number>>[];
+  readonly extensions?: Readonly<Record<string, unknown>>;
+}
+
+export interface GltfAccessor {
+  readonly bufferView?: number;
+  readonly byteOffset?: number;
+  readonly componentType: number;
+  readonly count: number;
+  readonly type: string;
+  readonly sparse?: unknown;
+}
+
+export interface GltfBufferView {
+  readonly buffer: number;
+  readonly byteOffset?: number;
+  readonly byteLength: number;
+  readonly byteStride?: number;
+  readonly extensions?: Readonly<Record<string, unknown>>;
+}
+
+export interface GltfBuffer {
+  readonly uri?: string;
+  readonly byteLength?: number;
+  readonly extensions?: Readonly<Record<string, unknown>>;
+}
+
+export interface GltfImage {
+  readonly uri?: string;
+  readonly bufferView?: number;
+  readonly mimeType?: string;
+}
+
+/** A file as read: its document, and the content of a GLB's own buffer. */
+export interface Gltf {
+  readonly document: GltfDocument;
+  /** Null for a `.gltf`. */
+  readonly binary: Uint8Array | null;
+}
+
+/** Says what is wrong with a model and what to do, going on after "cannot be decoded: ". */
+export class ModelError extends Error {}
+
+export function damaged(what: string): ModelError {
+  return new ModelError(`the file is damaged: ${what}. Export it again.`);
+}
+
+const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
+const COMPONENTS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
+
+/** Bytes of one element, without padding; null for kinds that glTF does not know. */
+export function elementBytes({ componentType, type }: GltfAccessor): number | null {
+  const bytes = COMPONENT_BYTES[componentType];
+  const count = COMPONENTS[type];
+  return bytes === undefined || count === undefined ? null : bytes * count;
+}
+
+/** Its content is packed by an extension, so that its own length says nothing of what is in it. */
+export function isPacked(view: GltfBufferView): boolean {
+  return view.extensions !== undefined && ('EXT_meshopt_compression' in view.extensions || 'KHR_meshopt_compression' in view.extensions);
+}

@@ -1,0 +1,83 @@
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { Gltf } from './document.ts';
+import { measureModel } from './measure.ts';
+import { findEdgeFaults } from './open-edges.ts';
+
+/** What a model can do without harm on a phone of 2022; beyond, it is shown, and said. */
+export const LIMITS = {
+  triangles: 300_000,
+  /** 4,096 × 4,096: the largest texture that all phones take. */
+  picturePx: 4096 * 4096,
+  /** A third of what browsers on phones give a page before they reload it. */
+  gpuBytes: 256 * 2 ** 20,
+  /** A minute at 4 Mbit/s. */
+  fileBytes: 32 * 10 ** 6,
+} as const;
+
+type Finding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
+
+/** What a designer should know of a model that loads well: that it is huge (SCR034), or no closed surface (SCR035). */
+export function findingsOf(gltf: Gltf, path: string, fileBytes: number): Finding[] {
+  return [...hugeness(gltf, path, fileBytes), ...holes(gltf, path)];
+}
+
+function hugeness(gltf: Gltf, path: string, fileBytes: number): Finding[] {
+  const { triangles, largestPicturePx, geometryBytes, pictureBytes } = measureModel(gltf);
+  const findings: Finding[] = [];
+  const add = (what: string, fix: string) =>
+    findings.push({ code: 'SCR034', severity: 'warning', message: `The model "${path}" ${what}.`, fix });
+  if (triangles > LIMITS.triangles) {
+    add(
+      `has ${count(triangles)} triangles; above ${count(LIMITS.triangles)} phones draw it slowly`,
+      'Reduce it in a 3D program, such as with Decimate in Blender.',
+    );
+  }
+  if (largestPicturePx > LIMITS.picturePx) {
+    add(
+      `has a texture of ${megapixels(largestPicturePx)} million pixels; above ${megapixels(LIMITS.picturePx)} not every phone can show it`,
+      'Make its textures at most 4096 pixels wide and high; 2048 is enough for most.',
+    );
+  }
+  if (geometryBytes + pictureBytes > LIMITS.gpuBytes) {
+    add(
+      `takes about ${megabytes(geometryBytes + pictureBytes)} MB of graphics memory, ${megabytes(pictureBytes)} of them for textures; above ${megabytes(LIMITS.gpuBytes)} MB phones may end the page`,
+      'Use fewer or smaller textures. The export compresses them unless it is told not to.',
+    );
+  }
+  if (fileBytes > LIMITS.fileBytes) {
+    add(
+      `is a file of ${megabytes(fileBytes)} MB; above ${megabytes(LIMITS.fileBytes)} MB visitors wait long`,
+      'Remove what is not seen, or reduce its triangles and textures.',
+    );
+  }
+  return findings;
+}
+
+function holes(gltf: Gltf, path: string): Finding[] {
+  const faults = findEdgeFaults(gltf);
+  if (!faults || faults.open + faults.branching === 0) return [];
+  const parts = [
+    ...(faults.open > 0 ? [`${count(faults.open)} edges at holes or rims`] : []),
+    ...(faults.branching > 0 ? [`${count(faults.branching)} edges where more than two triangles meet`] : []),
+  ];
+  return [
+    {
+      code: 'SCR035',
+      severity: 'info',
+      message: `The model "${path}" is no closed surface: it has ${parts.join(' and ')}.`,
+      fix: 'That matters only where it stands for a real thing or casts shadows: light and views pass through holes. Close them in a 3D program, such as with Fill Holes in Blender.',
+    },
+  ];
+}
+
+function count(number: number): string {
+  return number.toLocaleString('en-GB');
+}
+
+function megapixels(pixels: number): string {
+  return (pixels / 1e6).toFixed(1);
+}
+
+function megabytes(bytes: number): string {
+  return (bytes / 1e6).toFixed(0);
+}

@@ -1,0 +1,63 @@
+import { elementBytes, type Gltf, type GltfDocument } from './document.ts';
+import { pictureSize } from './picture-size.ts';
+
+/** How much a model is, estimated from what its file says, without decoding it. */
+export interface ModelMeasure {
+  readonly triangles: number;
+  /** Pixels of the largest picture. */
+  readonly largestPicturePx: number;
+  /** Bytes of vertices, indices and morph targets on the GPU. */
+  readonly geometryBytes: number;
+  /** Bytes of pictures on the GPU, mip maps included. */
+  readonly pictureBytes: number;
+}
+
+/** Mip maps add a quarter, a sixteenth and so on. */
+const MIPS = 4 / 3;
+const RGBA8_BYTES = 4;
+/** Of what KTX2 is turned into on most GPUs: ASTC 4×4, BC7 and ETC2 with alpha have 16 bytes per 4×4 pixels. */
+const BLOCK_BYTES = 1;
+/** three keeps morph targets as 32-bit RGBA texels, one per attribute, vertex and target (`WebGLMorphtargets`). */
+const MORPH_TEXEL_BYTES = 16;
+
+export function measureModel({ document, binary }: Gltf): ModelMeasure {
+  let pictureBytes = 0;
+  let largestPicturePx = 0;
+  for (const { bufferView } of document.images ?? []) {
+    const view = bufferView === undefined ? undefined : document.bufferViews?.[bufferView];
+    const start = view?.byteOffset ?? 0;
+    const size = view && binary ? pictureSize(binary.subarray(start, start + view.byteLength)) : null;
+    if (!size) continue;
+    const pixels = size.widthPx * size.heightPx;
+    largestPicturePx = Math.max(largestPicturePx, pixels);
+    // A KTX2 file with one level is drawn without mip maps.
+    pictureBytes += pixels * (size.ktx2 ? BLOCK_BYTES * (size.ktx2.levels === 1 ? 1 : MIPS) : RGBA8_BYTES * MIPS);
+  }
+  return { ...measureGeometry(document), largestPicturePx, pictureBytes: Math.round(pictureBytes) };
+}
+
+function measureGeometry({ meshes = [], accessors = [] }: GltfDocument): Pick<ModelMeasure, 'triangles' | 'geometryBytes'> {
+  const lists = new Set<number>();
+  let triangles = 0;
+  let morphBytes = 0;
+  for (const { attributes, indices, mode = 4, targets = [] } of meshes.flatMap((mesh) => mesh.primitives)) {
+    const vertices = accessors[attributes.POSITION ?? -1]?.count ?? 0;
+    const corners = indices === undefined ? vertices : (accessors[indices]?.count ?? 0);
+    if (mode === 4) triangles += Math.floor(corners / 3);
+    else if (mode > 4) triangles += Math.max(0, corners - 2);
+    for (const index of Object.values(attributes)) lists.add(index);
+    if (indices !== undefined) lists.add(indices);
+    morphBytes += targets.length * vertices * Object.keys(targets[0] ?? {}).length * MORPH_TEXEL_BYTES;
+  }
+  let geometryBytes = morphBytes;
+  for (const index of lists) {
+    const accessor = accessors[index];
+    // Padded to 4 bytes, as WebGL's vertices have to be aligned.
+    if (accessor) geometryBytes += accessor.count * paddedBytes(elementBytes(accessor) ?? 0, accessor.type === 'SCALAR');
+  }
+  return { triangles, geometryBytes };
+}
+
+function paddedBytes(bytes: number, isScalar: boolean): number {
+  return isScalar ? bytes : (bytes + 3) & ~3;
+}

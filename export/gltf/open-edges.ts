@@ -1,0 +1,114 @@
+import { type Gltf, type GltfAccessor, type GltfPrimitive, isPacked } from './document.ts';
+
+/** Edges of a model's surfaces that are not between exactly two triangles. */
+export interface EdgeFaults {
+  /** At a hole or a rim: one triangle only. */
+  readonly open: number;
+  /** More than two triangles meet. */
+  readonly branching: number;
+}
+
+/** About 0.2 s of work; larger models are not judged. */
+const MAX_TRIANGLES = 300_000;
+
+/**
+ * Counts the edges by which a model's meshes are no closed surfaces. Vertices at the same place count as one, since files split
+ * them at seams. Null where that cannot be told cheaply: packed or huge geometry.
+ */
+export function findEdgeFaults(gltf: Gltf): EdgeFaults | null {
+  let open = 0;
+  let branching = 0;
+  let triangles = 0;
+  for (const { primitives } of gltf.document.meshes ?? []) {
+    const places = new Map<string, number>();
+    const edges = new Map<number, number>();
+    for (const primitive of primitives) {
+      if ((primitive.mode ?? 4) !== 4) continue;
+      const corners = cornerPlaces(gltf, primitive, places);
+      if (!corners) return null;
+      triangles += corners.length / 3;
+      if (triangles > MAX_TRIANGLES) return null;
+      countEdges(corners, edges);
+    }
+    for (const count of edges.values()) {
+      if (count === 1) open++;
+      else if (count > 2) branching++;
+    }
+  }
+  return { open, branching };
+}
+
+/** Distinct places from the origin to the farthest vertex: seams differ by rounding, such as sin 2π from sin 0. */
+const PLACES = 2 ** 20;
+
+/** Beyond any number of vertices that can be judged. */
+const STRIDE = 2 ** 24;
+
+function countEdges(corners: Uint32Array, edges: Map<number, number>): void {
+  for (let i = 0; i + 2 < corners.length; i += 3) {
+    const triangle = [corners[i] as number, corners[i + 1] as number, corners[i + 2] as number] as const;
+    const [a, b, c] = triangle;
+    // Without area: it closes nothing.
+    if (a === b || b === c || c === a) continue;
+    for (const [from, to] of [
+      [a, b],
+      [b, c],
+      [c, a],
+    ] as const) {
+      const key = Math.min(from, to) * STRIDE + Math.max(from, to);
+      edges.set(key, (edges.get(key) ?? 0) + 1);
+    }
+  }
+}
+
+/** Number of the place, one per distinct position, of every triangle's corner. */
+function cornerPlaces(gltf: Gltf, { attributes, indices, extensions }: GltfPrimitive, places: Map<string, number>): Uint32Array | null {
+  if (extensions && 'KHR_draco_mesh_compression' in extensions) return null;
+  const positions = readNumbers(gltf, attributes.POSITION);
+  if (!positions) return null;
+  const scale = PLACES / positions.reduce((largest, x) => Math.max(largest, Math.abs(x)), Number.MIN_VALUE);
+  const placeOf = new Uint32Array(positions.length / 3);
+  for (let i = 0; i < placeOf.length; i++) {
+    const key = [0, 1, 2].map((c) => Math.round((positions[3 * i + c] ?? 0) * scale)).join(' ');
+    let place = places.get(key);
+    if (place === undefined) {
+      place = places.size;
+      places.set(key, place);
+    }
+    placeOf[i] = place;
+  }
+  if (indices === undefined) return placeOf;
+  const corners = readNumbers(gltf, indices);
+  return corners && Uint32Array.from(corners, (index) => placeOf[index] ?? 0);
+}
+
+const READERS = {
+  5120: { bytes: 1, read: (view: DataView, at: number) => view.getInt8(at) },
+  5121: { bytes: 1, read: (view: DataView, at: number) => view.getUint8(at) },
+  5122: { bytes: 2, read: (view: DataView, at: number) => view.getInt16(at, true) },
+  5123: { bytes: 2, read: (view: DataView, at: number) => view.getUint16(at, true) },
+  5125: { bytes: 4, read: (view: DataView, at: number) => view.getUint32(at, true) },
+  5126: { bytes: 4, read: (view: DataView, at: number) => view.getFloat32(at, true) },
+} as const;
+
+/** The numbers of a plain list, as they stand in the file: normalised integers are not divided. */
+function readNumbers({ document, binary }: Gltf, index: number | undefined): Float64Array | null {
+  const accessor = index === undefined ? undefined : document.accessors?.[index];
+  const view = accessor?.bufferView === undefined ? undefined : document.bufferViews?.[accessor.bufferView];
+  if (!accessor || !view || !binary || view.buffer !== 0 || isPacked(view) || accessor.sparse !== undefined) return null;
+  const reader = READERS[accessor.componentType as keyof typeof READERS];
+  const components = componentsOf(accessor);
+  if (!reader || components === null) return null;
+  const numbers = new Float64Array(accessor.count * components);
+  const data = new DataView(binary.buffer, binary.byteOffset + (view.byteOffset ?? 0) + (accessor.byteOffset ?? 0));
+  const stride = view.byteStride ?? components * reader.bytes;
+  for (let i = 0; i < accessor.count; i++) {
+    for (let c = 0; c < components; c++) numbers[i * components + c] = reader.read(data, i * stride + c * reader.bytes);
+  }
+  return numbers;
+}
+
+function componentsOf({ type }: GltfAccessor): 1 | 3 | null {
+  if (type === 'SCALAR') return 1;
+  return type === 'VEC3' ? 3 : null;
+}

@@ -1,0 +1,109 @@
+import { checkAccessors } from './check-accessors.ts';
+import { isDecoded } from './decoders.ts';
+import { damaged, type Gltf, type GltfDocument, ModelError } from './document.ts';
+
+const GLB_MAGIC = 0x46546c67;
+const JSON_CHUNK = 0x4e4f534a;
+const BINARY_CHUNK = 0x004e4942;
+const HEADER_BYTES = 12;
+const CHUNK_HEADER_BYTES = 8;
+
+/** Extensions that three's loader applies by itself. Others may be used, but not required. */
+const SUPPORTED = new Set([
+  ...['KHR_lights_punctual', 'KHR_materials_anisotropy', 'KHR_materials_clearcoat', 'KHR_materials_diffuse_roughness'],
+  ...['KHR_materials_dispersion', 'KHR_materials_emissive_strength', 'KHR_materials_ior', 'KHR_materials_iridescence'],
+  ...['KHR_materials_sheen', 'KHR_materials_specular', 'KHR_materials_transmission', 'KHR_materials_unlit', 'KHR_materials_volume'],
+  ...['KHR_mesh_quantization', 'KHR_texture_transform', 'EXT_materials_bump', 'EXT_mesh_gpu_instancing'],
+  ...['EXT_texture_avif', 'EXT_texture_webp'],
+]);
+
+/**
+ * Reads a `.glb` or `.gltf` file without decoding what is in it, and refuses what cannot be shown. Files that it refers to are
+ * for the caller to find (`externalFiles`).
+ *
+ * @throws ModelError
+ */
+export function readGltf(bytes: Uint8Array): Gltf {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const isBinary = bytes.length >= 4 && view.getUint32(0, true) === GLB_MAGIC;
+  const chunks = isBinary ? readChunks(bytes, view) : null;
+  const document = parse(decode(chunks?.json ?? bytes), isBinary);
+  checkVersion(document);
+  checkExtensions(document);
+  checkBuffers(document, isBinary);
+  checkAccessors(document);
+  if (!document.scenes?.length) throw new ModelError('it holds no scene, so there is nothing to show.');
+  return { document, binary: chunks?.binary ?? null };
+}
+
+interface Chunks {
+  readonly json: Uint8Array;
+  readonly binary: Uint8Array | null;
+}
+
+/** A GLB file: 12 bytes of header, then chunks of length, type and content (§4.4). */
+function readChunks(bytes: Uint8Array, view: DataView): Chunks {
+  if (bytes.length < HEADER_BYTES + CHUNK_HEADER_BYTES) throw truncated(bytes.length, HEADER_BYTES + CHUNK_HEADER_BYTES);
+  const version = view.getUint32(4, true);
+  if (version !== 2)
+    throw new ModelError(`it is a GLB file of version ${version}, and only version 2 can be read. Export it again as glTF 2.0.`);
+  const length = view.getUint32(8, true);
+  if (bytes.length < length) throw truncated(bytes.length, length);
+  let json: Uint8Array | null = null;
+  let binary: Uint8Array | null = null;
+  for (let at = HEADER_BYTES; at < length; ) {
+    if (at + CHUNK_HEADER_BYTES > length) throw damaged('a part of it ends in the middle');
+    const chunkBytes = view.getUint32(at, true);
+    const type = view.getUint32(at + 4, true);
+    const start = at + CHUNK_HEADER_BYTES;
+    if (start + chunkBytes > length) throw damaged('a part of it is longer than the file');
+    if (json === null && type !== JSON_CHUNK) throw damaged('it does not begin with its description');
+    const chunk = bytes.subarray(start, start + chunkBytes);
+    if (type === JSON_CHUNK) json ??= chunk;
+    else if (type === BINARY_CHUNK) binary ??= chunk;
+    at = start + chunkBytes;
+  }
+  if (json === null) throw damaged('its description is missing');
+  return { json, binary };
+}
+
+function parse(text: string, isBinary: boolean): GltfDocument {
+  try {
+    const json: unknown = JSON.parse(text);
+    if (typeof json === 'object' && json !== null && 'asset' in json) return json as GltfDocument;
+  } catch {
+    // Said below, in words for people who never saw a parser.
+  }
+  throw isBinary ? damaged('its description is not valid JSON') : new ModelError('it is neither a .glb nor a .gltf file.');
+}
+
+function checkVersion({ asset }: GltfDocument): void {
+  const version = String(asset?.version ?? 'unknown');
+  if (!version.startsWith('2.')) throw new ModelError(`it is glTF ${version}, and only glTF 2.0 can be read. Export it again as glTF 2.0.`);
+}
+
+function checkExtensions({ extensionsRequired = [] }: GltfDocument): void {
+  const missing = extensionsRequired.filter((name) => !SUPPORTED.has(name) && !isDecoded(name));
+  if (missing.length === 0) return;
+  throw new ModelError(`it needs ${missing.join(', ')}, which Scrim cannot decode. Export it without, as a plain .glb.`);
+}
+
+/** Every buffer has its content somewhere, and every part of one lies inside. */
+function checkBuffers({ buffers = [], bufferViews = [] }: GltfDocument, isBinary: boolean): void {
+  buffers.forEach(({ uri, extensions }, i) => {
+    // Buffers that meshopt's packed parts take the place of have no content (EXT_meshopt_compression, "Fallback buffers").
+    if (uri === undefined && extensions === undefined && !(isBinary && i === 0)) throw damaged(`its buffer ${i} has no content`);
+  });
+  bufferViews.forEach(({ buffer, byteOffset = 0, byteLength }, i) => {
+    const size = buffers[buffer]?.byteLength ?? 0;
+    if (byteOffset + byteLength > size) throw damaged(`its part ${i} lies outside its buffer`);
+  });
+}
+
+function decode(bytes: Uint8Array): string {
+  return new TextDecoder().decode(bytes);
+}
+
+function truncated(actual: number, expected: number): ModelError {
+  return new ModelError(`the file is cut off: it should have ${expected} bytes and has ${actual}. Copy or export it again.`);
+}

@@ -1,0 +1,52 @@
+import type { WebGLRenderer } from 'three';
+import type { DecoderName } from '../../../../gltf/decoders.ts';
+import { ModelError } from '../../../../gltf/document.ts';
+import type { DecoderFiles, ModelDecoder, ModelDecoders } from './decoder.ts';
+
+/** Decoders while models load: opened by the first that needs one, closed after the last, since their memory is worth more. */
+export interface DecoderPool {
+  /** Rejects with `ModelError` where the page has no such decoder, or its files are out of reach. */
+  use<T>(names: readonly DecoderName[], work: (decoders: readonly ModelDecoder[]) => Promise<T>): Promise<T>;
+}
+
+interface Entry {
+  users: number;
+  readonly opening: Promise<ModelDecoder>;
+}
+
+export function createDecoderPool(decoders: ModelDecoders, files: DecoderFiles, renderer: WebGLRenderer): DecoderPool {
+  const open = new Map<DecoderName, Entry>();
+
+  const acquire = (name: DecoderName): Entry => {
+    const openDecoder = decoders[name];
+    if (!openDecoder) throw new ModelError(`the decoder for ${TITLES[name]} is not part of this page.`);
+    const entry = open.get(name) ?? { users: 0, opening: openDecoder(files, renderer) };
+    open.set(name, entry);
+    entry.users++;
+    return entry;
+  };
+  const release = (name: DecoderName, entry: Entry): void => {
+    if (--entry.users > 0) return;
+    open.delete(name);
+    // What could not be opened was told to whoever asked for it.
+    entry.opening.then((decoder) => decoder.dispose()).catch(() => {});
+  };
+  return {
+    use: async (names, work) => {
+      const acquired: [DecoderName, Entry][] = [];
+      try {
+        for (const name of names) acquired.push([name, acquire(name)]);
+        const ready = await Promise.all(acquired.map(([name, { opening }]) => opening.catch((error) => unopened(name, error))));
+        return await work(ready);
+      } finally {
+        for (const [name, entry] of acquired) release(name, entry);
+      }
+    },
+  };
+}
+
+const TITLES: Readonly<Record<DecoderName, string>> = { draco: 'Draco meshes', meshopt: 'meshopt meshes', ktx2: 'KTX2 textures' };
+
+function unopened(name: DecoderName, error: unknown): never {
+  throw new ModelError(`the decoder for ${TITLES[name]} cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
+}

@@ -1,0 +1,22 @@
+import type { Texture, WebGLRenderer } from 'three';
+import type { DecoderFiles, ModelDecoder } from './decoder.ts';
+import { preloaded } from './preloaded.ts';
+
+/** `KHR_texture_basisu`: Basis Universal's transcoder as WebAssembly, in workers. Pictures stay packed on the GPU. */
+export async function openKtx2(files: DecoderFiles, renderer: WebGLRenderer): Promise<ModelDecoder> {
+  const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js');
+  const ktx2 = new KTX2Loader().detectSupport(renderer);
+  const folder = 'basis/';
+  ktx2.setTranscoderPath(folder);
+  const contents = await Promise.all([files('basis/basis_transcoder.js'), files('basis/basis_transcoder.wasm')]);
+  const named = {
+    [`${folder}basis_transcoder.js`]: new TextDecoder().decode(contents[0]),
+    [`${folder}basis_transcoder.wasm`]: contents[1],
+  };
+  preloaded(named, () => ktx2.init());
+  return {
+    attach: (loader) => loader.setKTX2Loader(ktx2),
+    decodePicture: (bytes) => new Promise<Texture>((resolve, reject) => ktx2.parse(bytes, resolve, reject)),
+    dispose: () => ktx2.dispose(),
+  };
+}
