@@ -24,7 +24,7 @@ const TEST_FILES = ['**/*.test.{ts,tsx}', 'tests/**'];
 const SHELLS = 'app/{services,electron,server,cli}/**';
 const PAGES = '{export/runtime,export/page,export/emulator,renderer}/**';
 const EXPORT_KIT = ['kit', 'kit runtime'];
-const HOST = ['kit', 'contract', 'host client', 'graph', 'glsl', 'compiler', 'program', 'bundle', 'registry of definitions', 'manifest'];
+const HOST = ['kit', 'contract', 'host client', 'graph', 'glsl', 'gltf', 'compiler', 'program', 'bundle', 'registry of definitions', 'manifest'];
 
 export const LAYERS: readonly Layer[] = [
   // Whatever proves something may look everywhere; nothing but tests may import them (see `check.ts`).
@@ -42,11 +42,12 @@ export const LAYERS: readonly Layer[] = [
   { name: 'shader library', files: ['shader-library/**'], noCode: true },
 
   { name: 'program', files: ['export/program/**'] },
+  { name: 'gltf', files: ['export/gltf/**'], imports: ['kit'] },
   { name: 'graph', files: ['export/graph/**'], imports: ['kit'], packages: ['immer', 'jsonc-parser'] },
   { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['jsonc-parser'] },
   { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
   // Image passes need no three.js: only the scenes load it, and a page without objects leaves them out.
-  { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'runtime'], packages: ['three', 'cannon-es'] },
+  { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime'], packages: ['three', 'cannon-es'] },
   { name: 'recorded session format', files: ['export/runtime/sessions/format.ts'] },
   // Plays recordings, in the preview and `scrim render`; like the emulator it is never in a page.
   {
@@ -71,8 +72,8 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'bundle',
     files: ['export/bundle/**'],
-    imports: ['kit', 'compiler', 'program', 'page', 'registry of runtime files'],
-    packages: ['esbuild', 'node:*'],
+    imports: ['kit', 'compiler', 'program', 'gltf', 'page', 'registry of runtime files'],
+    packages: ['esbuild', 'node:*', '@gltf-transform/core', '@gltf-transform/extensions', '@gltf-transform/functions', 'meshoptimizer', 'ktx2-encoder'],
   },
 
   { name: 'contract', files: ['app/contract/contract.ts'], imports: ['kit'], packages: ['zod'] },

@@ -3,9 +3,9 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { AssetHandle, AssetService, ImageAsset, ModelAsset } from '../../../nodes/kit/runtime.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
-import type { SceneBackend } from '../scene-backend.ts';
+import type { LoadedModel, SceneBackend } from '../scene-backend.ts';
 import type { AssetSource } from './asset-source.ts';
-import { loadImage } from './load-image.ts';
+import { type LoadedImage, loadImage } from './load-image.ts';
 
 /** All assets of a player: each file is loaded once, shared by all who use it, and freed with its last user. */
 export interface AssetStore {
@@ -22,7 +22,7 @@ export interface AssetHold {
   release(): void;
 }
 
-type Loaded = (ImageAsset | ModelAsset) & { dispose(): void };
+type Loaded = LoadedImage | LoadedModel;
 
 interface Entry {
   readonly asset: ProgramAsset;
@@ -70,7 +70,9 @@ export function createAssetStore(objects: GlObjects, source: AssetSource, scenes
         return released ? null : (entry.value as T | null);
       },
       settled: entry.settled.then(() => {
-        if (entry.failure && !released) report(entry.failure);
+        if (released) return;
+        if (entry.failure) report(entry.failure);
+        if (entry.value && 'findings' in entry.value) for (const finding of entry.value.findings) report(finding);
       }),
       release: () => {
         if (!released) release(entry);
@@ -120,7 +122,7 @@ async function load(asset: ProgramAsset, objects: GlObjects, source: AssetSource
     return { kind: 'failed', failure: unreadable(asset, error) };
   }
   try {
-    const value = asset.kind === 'image' ? await loadImage(objects, bytes) : await scenes().loadModel(bytes, asset.path);
+    const value = asset.kind === 'image' ? await loadImage(objects, bytes) : await scenes().loadModel(bytes, asset.path, source.load);
     return { kind: 'loaded', value };
   } catch (error) {
     return { kind: 'failed', failure: undecodable(asset, error) };
