@@ -8,7 +8,7 @@ export interface BindingContext {
   /** `value` is the param's own. */
   readonly outputs: Readonly<Record<string, unknown>>;
   readonly config: Readonly<Record<string, unknown>>;
-  readonly clock: Clock;
+  readonly clock: Pick<Clock, 'timeS' | 'frame'>;
 }
 
 /** Whatever type a param has, its value is made of numbers. */

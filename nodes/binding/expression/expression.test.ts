@@ -3,7 +3,7 @@ import { create } from './runtime.ts';
 
 function bound(value: number | boolean | Float64Array, postfix: string, otherwise: readonly number[], timeS = 0): unknown {
   const output = { value };
-  create({ outputs: { value: output }, config: { postfix, otherwise }, clock: { timeS, deltaS: 0, frame: 4 } }).update({} as never);
+  create({ outputs: { value: output }, config: { postfix, otherwise }, clock: { timeS, frame: 4 } }).update({} as never);
   return output.value;
 }
 

@@ -12,7 +12,7 @@ interface Key {
 
 /** What a param bound to the track has at a time. */
 function play(keys: readonly Key[], repeat: Repeat, timesS: readonly number[], size = 1): (number | number[])[] {
-  const clock = { timeS: 0, deltaS: 0, frame: 0 };
+  const clock = { timeS: 0, frame: 0 };
   const value: { value: number | Float64Array } = { value: size === 1 ? 0 : new Float64Array(size) };
   const config = {
     times: keys.map(({ timeS }) => timeS),
