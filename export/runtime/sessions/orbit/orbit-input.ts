@@ -7,6 +7,9 @@ const KEY_ZOOM = 1.1;
 /** One notch of a wheel, 100 px, is a tenth of the way. */
 const WHEEL_ZOOM_PER_PX = 0.001;
 
+/** What gestures steer: an orbit, or a viewer who stands somewhere. */
+export type Steered = Pick<Orbit, 'rotate' | 'zoom' | 'pan' | 'reset' | 'distanceM'>;
+
 interface Pointer {
   readonly id: number;
   x: number;
@@ -17,7 +20,7 @@ interface Pointer {
  * Turns the orbit by mouse, touch and keys: drag or arrows turn, wheel, pinch, + and − go nearer, a drag with the right button,
  * Shift or two fingers moves the point looked at, Home goes back. Returns what takes the listeners off again.
  */
-export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Orbit, tanHalfFovY: () => number): () => void {
+export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Steered, tanHalfFovY: () => number): () => void {
   const listeners = new AbortController();
   const { signal } = listeners;
   const pointers: Pointer[] = [];
@@ -101,7 +104,7 @@ export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Orbit, tanHalfF
   };
 }
 
-function keyAction(key: string, orbit: Orbit): (() => void) | null {
+function keyAction(key: string, orbit: Steered): (() => void) | null {
   switch (key) {
     case 'ArrowLeft':
       return () => orbit.rotate(-KEY_RAD, 0);

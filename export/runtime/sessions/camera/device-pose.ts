@@ -1,0 +1,79 @@
+/**
+ * How a device is turned, as `deviceorientation` tells it: rotations about its z, x and y axes, in this order, from lying flat with
+ * its top to the north (W3C Device Orientation §4.1). Radians.
+ */
+export interface DeviceAngles {
+  alphaRad: number;
+  betaRad: number;
+  gammaRad: number;
+  /** How far the page is turned against the device: `screen.orientation.angle`. */
+  screenRad: number;
+}
+
+/** Held upright, the screen towards the viewer: looks level along -z. */
+export function setUpright(out: DeviceAngles): void {
+  out.alphaRad = 0;
+  out.betaRad = Math.PI / 2;
+  out.gammaRad = 0;
+  out.screenRad = 0;
+}
+
+/**
+ * Rotation of a camera that looks out of the device's back, column-major 4×4 without a position. The world is y up; the device's
+ * earth is z up with y to the north, so that north is -z here.
+ */
+export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaRad, screenRad }: DeviceAngles): void {
+  const sa = Math.sin(alphaRad);
+  const ca = Math.cos(alphaRad);
+  const sb = Math.sin(betaRad);
+  const cb = Math.cos(betaRad);
+  const sg = Math.sin(gammaRad);
+  const cg = Math.cos(gammaRad);
+  const ss = Math.sin(screenRad);
+  const cs = Math.cos(screenRad);
+  // The device's axes in earth coordinates: the columns of Rz(alpha) Rx(beta) Ry(gamma).
+  const xEast = ca * cg - sa * sb * sg;
+  const xNorth = sa * cg + ca * sb * sg;
+  const xUp = -cb * sg;
+  const yEast = -sa * cb;
+  const yNorth = ca * cb;
+  const yUp = sb;
+  const zEast = ca * sg + sa * sb * cg;
+  const zNorth = sa * sg - ca * sb * cg;
+  const zUp = cb * cg;
+  out.fill(0);
+  out[0] = cs * xEast - ss * yEast;
+  out[1] = cs * xUp - ss * yUp;
+  out[2] = -(cs * xNorth - ss * yNorth);
+  out[4] = ss * xEast + cs * yEast;
+  out[5] = ss * xUp + cs * yUp;
+  out[6] = -(ss * xNorth + cs * yNorth);
+  out[8] = zEast;
+  out[9] = zUp;
+  out[10] = -zNorth;
+  out[15] = 1;
+}
+
+/** Turns a rotation about the world's vertical. */
+export function turnAboutVertical(m: Float32Array, yawRad: number): void {
+  const s = Math.sin(yawRad);
+  const c = Math.cos(yawRad);
+  for (let column = 0; column < 12; column += 4) {
+    const x = m[column] ?? 0;
+    const z = m[column + 2] ?? 0;
+    m[column] = c * x + s * z;
+    m[column + 2] = c * z - s * x;
+  }
+}
+
+/** The turn about the vertical that makes a rotation look along -z; looking straight down or up, the way its top points. */
+export function yawToFront(m: Float32Array): number {
+  let x = -(m[8] ?? 0);
+  let z = -(m[10] ?? 0);
+  if (Math.hypot(x, z) < 0.3) {
+    const sign = (m[9] ?? 0) > 0 ? 1 : -1;
+    x = sign * (m[4] ?? 0);
+    z = sign * (m[6] ?? 0);
+  }
+  return Math.atan2(x, -z);
+}
