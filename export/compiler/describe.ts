@@ -1,4 +1,5 @@
-import type { DrawOperation, Operation, PassOperation, Program, ProgramNeed, Tier } from '../program/program.ts';
+import type { DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
+import { bindingInWords, needInWords, tierInWords } from './plan-words.ts';
 import { REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
 /**
@@ -17,8 +18,11 @@ export function describeProgram(program: Program, reference: ReferenceSize = REF
     ...section('Per view', run('each')),
     '',
     ...pictures(program, reference),
-    ...section('Asks for', needs.map(describeNeed)),
-    ...section('Plays as', tiers.map(describeTier)),
+    ...section('Asks the visitor for', needs.map(needInWords)),
+    ...section(
+      'Plays in, best first',
+      tiers.map((tier) => tierInWords(tier).join('\n     ')),
+    ),
     ...(assets.length === 0
       ? []
       : section(
@@ -36,14 +40,6 @@ function presentation({ presentation: { mode, antialias, background } }: Program
   return `Drawn ${how}; behind it ${behind}; ${antialias ? 'with' : 'without'} multisampling on the screen.`;
 }
 
-function describeNeed({ capability, required, nodes, why }: ProgramNeed): string {
-  return `${capability} ${why}${required ? ', without which it does not start' : ''} (${nodes.join(', ')})`;
-}
-
-function describeTier({ id, without }: Tier): string {
-  return [id, ...without.map(({ capability, effect }) => `without ${capability}: ${effect.replace(/\.$/, '')}`)].join('; ');
-}
-
 function list(lines: readonly string[]): string[] {
   return lines.length === 0 ? ['  nothing'] : lines.map((line, i) => `  ${i + 1}. ${line}`);
 }
@@ -57,7 +53,7 @@ function describeOperation(operation: Operation, program: Program): string {
     case 'draw':
       return describeDraw(operation as DrawOperation);
     case 'value':
-      return `${operation.id}: computes ${Object.keys(operation.outputs).join(', ')} (${operation.type})`;
+      return bindingInWords(operation) ?? `${operation.id}: computes ${Object.keys(operation.outputs).join(', ')} (${operation.type})`;
     case 'source':
       return `${operation.id}: brings ${operation.writes.join(', ')} (${operation.type})`;
     case 'behaviour':

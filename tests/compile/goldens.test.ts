@@ -3,7 +3,7 @@ import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
 import { TEST_LIBRARY as library } from '../support/test-library.ts';
 import type { TestStudio } from '../support/test-studio.ts';
 import { expectText } from '../support/texts.ts';
-import { arScene, blurAfterMerging, blurBeforeMerging, fog, imageOnly, subgraphs } from './graphs.ts';
+import { arScene, blurAfterMerging, blurBeforeMerging, fog, imageOnly, movedParams, subgraphs } from './graphs.ts';
 import { programText } from './program-text.ts';
 
 const GRAPHS: readonly (readonly [name: string, studio: () => TestStudio, options: CompileOptions])[] = [
@@ -13,6 +13,7 @@ const GRAPHS: readonly (readonly [name: string, studio: () => TestStudio, option
   ['blur-after-merging', blurAfterMerging, {}],
   ['image-only', imageOnly, {}],
   ['subgraphs', subgraphs, {}],
+  ['moved-params', movedParams, {}],
   ['fog', fog, {}],
 ];
 

@@ -115,6 +115,23 @@ export function subgraphs(): TestStudio {
     .wire('video-a.layer -> twice-a.picture', 'toggle-a.value -> twice-a.strength', 'twice-a.layer -> screen-a.layer');
 }
 
+/** A filter whose strength and colour move by themselves, within a subgraph and from outside of it. */
+export function movedParams(): TestStudio {
+  const keys = [
+    { timeS: 0, value: 0, easing: 'ease-in' as const },
+    { timeS: 2, value: 3, easing: 'linear' as const },
+  ];
+  return subgraphs()
+    .unwire('toggle-a.value -> twice-a.strength')
+    .remove('toggle-a')
+    .bind('twice-a.strength', { expression: 'abs(sin(time))' })
+    .add('noise-a', 'generator/noise')
+    .add('over-a', 'operator/over')
+    .bind('noise-a.scale', { track: { keys, repeat: 'mirror' } })
+    .bind('over-a.opacity', { expression: 'frame % 2' })
+    .wire('noise-a.layer -> over-a.top', 'twice-a.layer -> over-a.bottom', 'over-a.layer -> screen-a.layer');
+}
+
 /** Fog reads the depth of what `over` has merged. */
 export function fog(): TestStudio {
   return arScene()
