@@ -1,8 +1,8 @@
-import process from 'node:process';
 import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import { type Chromium, findChromium } from '../../services/chromium.ts';
+import { NO_BROWSER, startBrowser } from '../browser.ts';
 import type * as RenderPage from './render.page.ts';
 import { type RenderServer, startRenderServer } from './render-server.ts';
 
@@ -43,21 +43,8 @@ export async function renderFrames(options: RenderOptions): Promise<readonly Dia
   }
 }
 
-const NO_BROWSER: Diagnostic = {
-  code: 'SCR071',
-  severity: 'error',
-  message: 'No browser was found to render with.',
-  fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
-};
-
 async function inBrowser(found: Chromium, server: RenderServer, options: RenderOptions): Promise<readonly Diagnostic[]> {
-  // Loaded here, because other commands start faster without it.
-  const { chromium } = await import('playwright-core');
-  const browser = await chromium.launch({
-    executablePath: found.executablePath,
-    args: [...found.args],
-    env: { ...process.env, ...found.env } as Record<string, string>,
-  });
+  const browser = await startBrowser(found);
   try {
     const page = await browser.newPage();
     await page.goto(server.url);
