@@ -1,0 +1,39 @@
+import { formatDiagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { findChromium } from '../../services/chromium.ts';
+import { NO_BROWSER } from '../browser.ts';
+import { type Command, EXIT, failed } from '../command.ts';
+import { type CheckedFile, checkShaders } from '../shader/check-shaders.ts';
+import { findShaders } from '../shader/find-shaders.ts';
+
+export const shaderCheckCommand: Command = {
+  name: 'shader check',
+  usage: 'FILE|DIR…',
+  summary: 'Compile shader files with a graphics driver and say what is wrong',
+  doc: 'Reads ISF files (filters, operators, generators), compiles them with a real driver in a headless browser and lets their loops run. What is wrong with the header, the syntax or the types, and loops that do not end, are printed with file, line and column of the author’s text. Only errors give status 1.',
+  project: 'required',
+  operand: { word: 'FILE|DIR', doc: 'an ISF file, or a folder with such files at any depth', many: true },
+  options: {},
+  examples: [
+    { line: 'scrim shader check my-project/shaders', says: 'Prints one line per problem: file:line:column: error SCR042: message.' },
+    { line: 'scrim shader check glow.fs edge.fs --json', says: 'For other programs: { files: [{ path, ok, diagnostics }] }.' },
+  ],
+  run: async ({ operands }, { installation, say, interrupted }) => {
+    const paths = await findShaders(operands);
+    const chromium = await findChromium();
+    if (chromium === null) return failed([NO_BROWSER]);
+    const files = await checkShaders(paths, { root: installation.root, chromium, say, interrupted });
+    const lines = files.flatMap(({ diagnostics }) => diagnostics.map(formatDiagnostic));
+    return {
+      status: files.every(({ ok }) => ok) ? EXIT.done : EXIT.problems,
+      json: { files },
+      text: [...lines, summary(files)].join('\n'),
+      diagnostics: [],
+    };
+  },
+};
+
+function summary(files: readonly CheckedFile[]): string {
+  const broken = files.filter(({ ok }) => !ok).length;
+  const all = files.length === 1 ? '1 shader' : `${files.length} shaders`;
+  return broken === 0 ? `${all}: no errors.` : `${all}: ${broken} with errors.`;
+}

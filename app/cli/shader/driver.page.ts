@@ -1,0 +1,128 @@
+import { GATE_SAMPLER, LOOP_BUDGET_UNIFORM, PROBE_SIDE_PX, readProbe } from '../../../export/program/loop-budget.ts';
+import type { BuiltinUniform, LinkedShader, PassUniform } from '../../../export/program/program.ts';
+import { createBrowserClock } from '../../../export/runtime/clock.ts';
+import { createGlObjects, type GlObjects } from '../../../export/runtime/gl/gl-objects.ts';
+import { createLoopProbe, type LoopProbe } from '../../../export/runtime/gl/loop-probe.ts';
+import { createPassDrawer, type PassDrawer } from '../../../export/runtime/gl/pass-drawer.ts';
+import { createProgramCache, type GlProgram } from '../../../export/runtime/gl/program-cache.ts';
+import { createTestPicture } from './test-picture.page.ts';
+
+/** A linked shader and what it is drawn with. */
+export interface ShaderJob {
+  readonly shader: LinkedShader;
+  readonly passIndex: number;
+  readonly uniforms: readonly {
+    readonly name: string;
+    readonly type: PassUniform['type'];
+    readonly value: readonly number[] | BuiltinUniform;
+  }[];
+  readonly samplers: readonly { readonly name: string; readonly isDepth: boolean }[];
+}
+
+export interface ShaderVerdict {
+  /** What the driver said against it. */
+  readonly logs: readonly string[];
+  /** The author's line of a loop that does not end in time. */
+  readonly endlessLine: number | null;
+}
+
+interface Bench {
+  readonly gl: WebGL2RenderingContext;
+  readonly objects: GlObjects;
+  readonly drawer: PassDrawer;
+  readonly probe: LoopProbe;
+  readonly color: WebGLTexture;
+  readonly depth: WebGLTexture;
+}
+
+let bench: Bench | null = null;
+
+/** Compiles all of them at once, in as many threads as the driver takes, and draws those with loops. */
+export async function judge(jobs: readonly ShaderJob[]): Promise<readonly ShaderVerdict[]> {
+  bench ??= createBench();
+  const at = bench;
+  const { gl, objects } = at;
+  const programs = createProgramCache(objects);
+  const clock = createBrowserClock();
+  const entries = jobs.map((job) => ({ job, program: programs.acquire(job.shader) }));
+  while (entries.some(({ program }) => program.state === 'linking')) {
+    programs.poll();
+    if (gl.isContextLost()) throw new Error('The graphics driver gave up.');
+    await clock.delay(0.002);
+  }
+  const verdicts = entries.map(({ job, program }) => verdictOf(at, job, program));
+  programs.dispose();
+  return verdicts;
+}
+
+function verdictOf(of: Bench, job: ShaderJob, program: GlProgram): ShaderVerdict {
+  const logs = program.errors.map(({ log }) => log);
+  const isBounded = program.state === 'linked' && program.uniform(LOOP_BUDGET_UNIFORM) !== null;
+  return { logs, endlessLine: isBounded ? probeLoops(of, job, program) : null };
+}
+
+function probeLoops({ gl, drawer, probe, color, depth }: Bench, job: ShaderJob, program: GlProgram): number | null {
+  drawer.begin(probe.framebuffer, 0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, 'replace');
+  probe.clear();
+  drawer.use(program);
+  job.samplers.forEach(({ name, isDepth }, unit) => {
+    const location = program.uniform(name);
+    if (location) drawer.texture(unit, location, isDepth ? depth : color, isDepth ? 'nearest' : 'linear');
+    gl.uniformMatrix3fv(program.uniform(`${name}_uvFromViewUv`), false, [1, 0, 0, 0, 1, 0, 0, 0, 1]);
+    gl.uniform2f(program.uniform(`${name}_size`), VIEW_PX[0], VIEW_PX[1]);
+    gl.uniform4f(program.uniform(`${name}_decode`), 1, 0, 0, 0);
+  });
+  for (const { name, type, value } of job.uniforms) {
+    setUniform(gl, program.uniform(name), type, typeof value === 'string' ? builtinValue(value, job.passIndex) : value);
+  }
+  const gate = program.uniform(GATE_SAMPLER);
+  if (gate) drawer.texture(job.samplers.length, gate, null, 'nearest');
+  drawer.draw();
+  // Nothing else is to be drawn meanwhile, so that waiting costs nothing.
+  const bytes = new Uint8Array(PROBE_SIDE_PX ** 2 * 4);
+  gl.readPixels(0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+  drawer.end();
+  return readProbe(bytes);
+}
+
+const VIEW_PX = [1280, 720] as const;
+
+/** Somewhere in the middle of things, so that what only begins at 0 has begun. */
+function builtinValue(builtin: BuiltinUniform, passIndex: number): readonly number[] {
+  switch (builtin) {
+    case 'TIME':
+      return [1.5];
+    case 'TIMEDELTA':
+      return [1 / 60];
+    case 'FRAMEINDEX':
+      return [90];
+    case 'DATE':
+      return [2024, 1, 1, 43_200];
+    case 'RENDERSIZE':
+      return VIEW_PX;
+    case 'PASSINDEX':
+      return [passIndex];
+  }
+}
+
+function setUniform(
+  gl: WebGL2RenderingContext,
+  location: WebGLUniformLocation | null,
+  type: PassUniform['type'],
+  value: readonly number[],
+): void {
+  const [x = 0, y = 0, z = 0, w = 0] = value;
+  if (type === 'float') gl.uniform1f(location, x);
+  else if (type === 'vec2') gl.uniform2f(location, x, y);
+  else if (type === 'vec3') gl.uniform3f(location, x, y, z);
+  else if (type === 'vec4') gl.uniform4f(location, x, y, z, w);
+  else gl.uniform1i(location, x);
+}
+
+function createBench(): Bench {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (!gl) throw new Error('The browser has no WebGL 2.');
+  const objects = createGlObjects(gl);
+  const drawer = createPassDrawer(objects);
+  return { gl, objects, drawer, probe: createLoopProbe(objects), ...createTestPicture(objects) };
+}

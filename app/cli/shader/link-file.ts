@@ -1,0 +1,43 @@
+import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
+import { readIsf } from '../../../export/glsl/isf/read-isf.ts';
+import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
+import type { LinkedPass } from '../../../export/glsl/link/linked-pass.ts';
+import type { LinkedShader } from '../../../export/program/program.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { ShaderJob } from './driver.page.ts';
+
+export interface LinkedFile {
+  readonly file: string;
+  readonly source: string;
+  /** One for each pass, with what the driver has to be given to draw it. */
+  readonly passes: readonly { readonly shader: LinkedShader; readonly job: ShaderJob }[];
+  /** What can be said without a driver; with an error among it there are no passes. */
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** An ISF file as a new node would have it: all inputs wired, and with their first values. */
+export function linkFile(source: string, file: string): LinkedFile {
+  const read = readIsf(source, file);
+  if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics };
+  const shader = read.output;
+  const linked = linkIsf(shader, { node: '', loopBudget: true });
+  return {
+    file,
+    source,
+    passes: (linked.output ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
+    diagnostics: [...read.diagnostics, ...linked.diagnostics],
+  };
+}
+
+function jobOf({ shader, passIndex, uniforms, samplers }: LinkedPass, { inputs }: IsfShader): ShaderJob {
+  return {
+    shader: { id: shader.id, vertex: shader.vertex, fragment: shader.fragment },
+    passIndex,
+    uniforms: uniforms.map(({ name, type, source }) => ({
+      name,
+      type,
+      value: 'builtin' in source ? source.builtin : (inputs.find((input) => input.name === source.param)?.default ?? []),
+    })),
+    samplers: samplers.map(({ name, source }) => ({ name, isDepth: source.kind === 'input-depth' || source.kind === 'room-depth' })),
+  };
+}
