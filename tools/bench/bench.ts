@@ -5,7 +5,7 @@
 export interface Bench {
   /** Stable: results are compared by it. Names what is measured and at which size: `compile, 100 nodes`. */
   readonly name: string;
-  readonly unit: 'ms' | 'kB' | 'count';
+  readonly unit: 'ms' | 'kB' | 'count' | 'ratio';
   /** Takes one sample. */
   sample(): number | Promise<number>;
   /** How many samples to take after one that is thrown away; 1, without warming up, for what never varies. Default 15. */

@@ -6,7 +6,7 @@ import { chainProject, LIBRARY } from './sample-project.ts';
 
 /** What opening a project costs before anything is compiled. */
 export async function benches(): Promise<readonly Bench[]> {
-  return [10, 100, 1000].map((nodeCount): Bench => {
+  return [10, 100, 1000, 10_000].map((nodeCount): Bench => {
     const texts = saveProject(chainProject(nodeCount));
     return {
       name: `load and validate, ${nodeCount} nodes`,

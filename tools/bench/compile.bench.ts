@@ -1,0 +1,34 @@
+import { createCompiler } from '../../export/compiler/compile.ts';
+import { type Bench, timeMs } from './bench.ts';
+import { chainProject, LIBRARY } from './sample-project.ts';
+
+const NODE_COUNTS = [10, 100, 1000, 10_000];
+
+/** What an edit costs that changes the program: the compiler has read all shaders before. Every node of the chain is on screen. */
+export async function benches(): Promise<readonly Bench[]> {
+  const { compile } = createCompiler();
+  const projects = new Map(NODE_COUNTS.map((nodeCount) => [nodeCount, chainProject(nodeCount)]));
+  const compileMs = (nodeCount: number) =>
+    timeMs(() => {
+      const project = projects.get(nodeCount) ?? chainProject(nodeCount);
+      if (!compile({ project, library: LIBRARY }).output) throw new Error('The sample project does not compile.');
+    });
+  const perSize = NODE_COUNTS.map(
+    (nodeCount): Bench => ({
+      name: `compile, ${nodeCount} nodes`,
+      unit: 'ms',
+      samples: nodeCount < 10_000 ? 15 : 5,
+      sample: () => compileMs(nodeCount),
+    }),
+  );
+  // 10 where time grows with the number of nodes; 100 where it grows with its square.
+  const growth = NODE_COUNTS.slice(1).map(
+    (nodeCount): Bench => ({
+      name: `compile, ${nodeCount} nodes against ${nodeCount / 10}`,
+      unit: 'ratio',
+      samples: nodeCount < 10_000 ? 15 : 5,
+      sample: async () => (await compileMs(nodeCount)) / (await compileMs(nodeCount / 10)),
+    }),
+  );
+  return [...perSize, ...growth];
+}
