@@ -1,5 +1,6 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
 import type { Clock, NodeContext, NodeModule, NodeRuntime, SceneService, SessionService } from '../../../nodes/kit/runtime.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
@@ -7,7 +8,6 @@ import type { DiagnosticsBoard } from '../diagnostics-board.ts';
 import { createRandom } from '../random.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { DrawBinding, SceneBackend, ShadowMaps } from '../scene-backend.ts';
-import { PULSE_CAPACITY } from '../values/pulses.ts';
 import { createSlotView, type Slots } from '../values/slots.ts';
 import { isDraw } from './node-key.ts';
 import { createNodePorts } from './node-ports.ts';
@@ -68,7 +68,7 @@ export function createNodeInstance(
     assets: host.assets.serviceFor(assets, report),
     // Nodes that draw nothing never ask, so that a page without objects needs no three.js.
     get scenes() {
-      scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null });
+      scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null, report });
       return scenes;
     },
     session: host.session,

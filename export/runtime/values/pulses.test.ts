@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
+import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
 import type { PulseList } from '../../../nodes/kit/runtime.ts';
-import { createMergedPulses, createPulseQueue, PULSE_CAPACITY } from './pulses.ts';
+import { createMergedPulses, createPulseQueue } from './pulses.ts';
 
 function numbers(list: PulseList): number[] {
   return Array.from({ length: list.count }, (_, i) => list.at(i).number);

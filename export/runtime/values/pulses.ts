@@ -1,7 +1,5 @@
+import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
 import type { NewPulse, Pulse, PulseList, PulseOutput } from '../../../nodes/kit/runtime.ts';
-
-/** Pulses that an output can pass on in one frame. Fixed, so that a frame allocates nothing. */
-export const PULSE_CAPACITY = 16;
 
 /** The pulses of one output. */
 export interface PulseQueue extends PulseOutput {

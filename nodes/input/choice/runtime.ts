@@ -1,3 +1,4 @@
+import { choiceIndex } from '../../kit/choice-index.ts';
 import { choiceOptions } from '../../kit/choice-options.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
@@ -6,7 +7,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const options = choiceOptions(ctx.config.options);
   return {
     update: () => {
-      const index = Math.max(0, Math.min(Math.round(ctx.params.value.value), options.length - 1));
+      const index = choiceIndex(ctx.params.value.value, options.length);
       ctx.outputs.index.value = index;
       ctx.outputs.word.value = options[index] ?? '';
     },

@@ -1,0 +1,35 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'input/button',
+  version: 1,
+  title: 'Button',
+  doc: 'Puts a button on the visitor’s screen and gives a pulse for each press. In the editor, every step up of “Presses” in the inspector is a press.',
+  keywords: ['input', 'control', 'ui', 'press', 'click', 'trigger', 'bang', 'visitor', 'interactive'],
+  inputs: {},
+  outputs: {
+    pressed: { type: 'pulse', label: 'Pressed', doc: 'One pulse per press. Its number says which press it is, from 1.' },
+  },
+  params: {
+    presses: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Presses',
+      doc: 'Counts the presses: each step up is one. Wired, no button is shown, and the wire presses.',
+      default: 0,
+      min: 0,
+      step: 1,
+    },
+    label: { type: 'text', stage: 'structure', label: 'Label', doc: 'What is written on the button.', default: 'Press' },
+    place: {
+      type: 'number',
+      stage: 'structure',
+      label: 'Place',
+      doc: 'Where it stands among the controls: those with smaller numbers come first.',
+      default: 0,
+      step: 1,
+    },
+  },
+  lowering: { kind: 'value' },
+  control: 'button',
+});

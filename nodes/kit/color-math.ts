@@ -1,0 +1,78 @@
+/**
+ * Colour arithmetic on display-referred sRGB, three numbers in [0, 1]. Results are written into `out`, which may be one of the
+ * arguments.
+ */
+export type Triple = { [index: number]: number } & ArrayLike<number>;
+
+/** Hexcone model (Smith 1978): hue in turns, [0, 1), saturation and value in [0, 1]. Greys have the hue 0. */
+export function hsvFromRgb(out: Triple, r: number, g: number, b: number): void {
+  const value = Math.max(r, g, b);
+  const chroma = value - Math.min(r, g, b);
+  out[0] = hueOf(r, g, b, value, chroma);
+  out[1] = value === 0 ? 0 : chroma / value;
+  out[2] = value;
+}
+
+/** The hue may be any number of turns. */
+export function rgbFromHsv(out: Triple, hue: number, saturation: number, value: number): void {
+  const chroma = value * saturation;
+  writeHue(out, hue, chroma, value - chroma);
+}
+
+/** As CSS has it (Color 4, §7): hue in turns, [0, 1), saturation and lightness in [0, 1]. */
+export function hslFromRgb(out: Triple, r: number, g: number, b: number): void {
+  const most = Math.max(r, g, b);
+  const chroma = most - Math.min(r, g, b);
+  const lightness = most - chroma / 2;
+  out[0] = hueOf(r, g, b, most, chroma);
+  out[1] = chroma === 0 ? 0 : chroma / (1 - Math.abs(2 * lightness - 1));
+  out[2] = lightness;
+}
+
+export function rgbFromHsl(out: Triple, hue: number, saturation: number, lightness: number): void {
+  const chroma = (1 - Math.abs(2 * lightness - 1)) * saturation;
+  writeHue(out, hue, chroma, lightness - chroma / 2);
+}
+
+/** IEC 61966-2-1. */
+export function linearFromSrgb(c: number): number {
+  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+}
+
+export function srgbFromLinear(c: number): number {
+  return c <= 0.0031308 ? c * 12.92 : 1.055 * c ** (1 / 2.4) - 0.055;
+}
+
+/** Björn Ottosson, "A perceptual color space for image processing" (2020), from linear-sRGB. */
+export function oklabFromLinear(out: Triple, r: number, g: number, b: number): void {
+  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+  out[0] = 0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s;
+  out[1] = 1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s;
+  out[2] = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
+}
+
+export function linearFromOklab(out: Triple, lightness: number, a: number, b: number): void {
+  const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+  const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+  const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+  out[0] = 4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s;
+  out[1] = -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s;
+  out[2] = -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s;
+}
+
+function hueOf(r: number, g: number, b: number, most: number, chroma: number): number {
+  if (chroma === 0) return 0;
+  if (most === r) return ((g - b) / chroma / 6 + 1) % 1;
+  return most === g ? (b - r) / chroma / 6 + 1 / 3 : (r - g) / chroma / 6 + 2 / 3;
+}
+
+/** Each channel is a trapezoid over the hue, a third of a turn apart. */
+function writeHue(out: Triple, hue: number, chroma: number, base: number): void {
+  for (let i = 0; i < 3; i++) {
+    const turn = hue - i / 3;
+    const away = Math.abs((turn - Math.floor(turn)) * 6 - 3);
+    out[i] = base + chroma * Math.min(Math.max(away - 1, 0), 1);
+  }
+}

@@ -1,0 +1,45 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'value/adjust-color',
+  version: 1,
+  title: 'Adjust colour',
+  doc: 'Turns the hue of a colour, makes it stronger or paler, lighter or darker.',
+  keywords: ['color', 'hue', 'saturation', 'lightness', 'hsl', 'shift', 'tint', 'brighten', 'darken', 'rotate'],
+  inputs: {},
+  outputs: { color: { type: 'color', label: 'Colour', doc: 'The adjusted colour, as opaque as before.' } },
+  params: {
+    base: { type: 'color', stage: 'uniform', label: 'Colour', doc: 'What to adjust.', default: [0.85, 0.3, 0.2, 1] },
+    hueRad: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Turn hue',
+      doc: 'How far around the colour circle: red, yellow, green, cyan, blue, magenta are a sixth of a turn apart.',
+      default: 0,
+      step: 0.01,
+      unit: 'rad',
+    },
+    saturation: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Saturation',
+      doc: 'Factor on how strong the colour is: 0 is grey.',
+      default: 1,
+      min: 0,
+      max: 4,
+      step: 0.01,
+      unit: 'ratio',
+    },
+    lightness: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Lightness',
+      doc: 'Added: −1 is black, 1 is white.',
+      default: 0,
+      min: -1,
+      max: 1,
+      step: 0.01,
+    },
+  },
+  lowering: { kind: 'value' },
+});

@@ -1,0 +1,53 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'value/hsv-color',
+  version: 1,
+  title: 'Colour from HSV',
+  doc: 'Makes a colour from hue, saturation and brightness. Wire Time to the hue for a rainbow.',
+  keywords: ['color', 'hsv', 'hsb', 'hue', 'saturation', 'brightness', 'rainbow', 'make'],
+  inputs: {},
+  outputs: { color: { type: 'color', label: 'Colour', doc: 'The colour.' } },
+  params: {
+    hueRad: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Hue',
+      doc: 'Around the colour circle: 0° red, 60° yellow, 120° green, 180° cyan, 240° blue, 300° magenta. It goes on beyond a turn.',
+      default: 0,
+      step: 0.01,
+      unit: 'rad',
+    },
+    saturation: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Saturation',
+      doc: '0 is white, 1 is the full colour.',
+      default: 1,
+      min: 0,
+      max: 1,
+      step: 0.01,
+    },
+    brightness: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Brightness',
+      doc: '0 is black, 1 is as bright as the colour gets.',
+      default: 1,
+      min: 0,
+      max: 1,
+      step: 0.01,
+    },
+    alpha: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Alpha',
+      doc: '0 is transparent, 1 is opaque.',
+      default: 1,
+      min: 0,
+      max: 1,
+      step: 0.01,
+    },
+  },
+  lowering: { kind: 'value' },
+});

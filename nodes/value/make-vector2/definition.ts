@@ -1,0 +1,16 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'value/make-vector2',
+  version: 1,
+  title: 'Make vector 2',
+  doc: 'Puts two numbers together to a vector, such as a position or a size.',
+  keywords: ['vector', 'vec2', 'combine', 'join', 'pack', 'compose', 'position', 'xy'],
+  inputs: {},
+  outputs: { vector: { type: 'vector2', label: 'Vector', doc: 'The numbers in order.' } },
+  params: {
+    x: { type: 'number', stage: 'uniform', label: 'X', doc: 'Number 1 of 2.', default: 0 },
+    y: { type: 'number', stage: 'uniform', label: 'Y', doc: 'Number 2 of 2.', default: 0 },
+  },
+  lowering: { kind: 'value' },
+});

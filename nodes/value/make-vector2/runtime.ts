@@ -1,0 +1,15 @@
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { x, y } = ctx.params;
+  const vector = new Float64Array(2);
+  return {
+    update: () => {
+      vector[0] = x.value;
+      vector[1] = y.value;
+      ctx.outputs.vector.value = vector;
+    },
+    dispose: () => {},
+  };
+}

@@ -1,0 +1,18 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'value/make-vector4',
+  version: 1,
+  title: 'Make vector 4',
+  doc: 'Puts four numbers together to a vector, such as a position or a size.',
+  keywords: ['vector', 'vec4', 'combine', 'join', 'pack', 'compose', 'position', 'xyzw'],
+  inputs: {},
+  outputs: { vector: { type: 'vector4', label: 'Vector', doc: 'The numbers in order.' } },
+  params: {
+    x: { type: 'number', stage: 'uniform', label: 'X', doc: 'Number 1 of 4.', default: 0 },
+    y: { type: 'number', stage: 'uniform', label: 'Y', doc: 'Number 2 of 4.', default: 0 },
+    z: { type: 'number', stage: 'uniform', label: 'Z', doc: 'Number 3 of 4.', default: 0 },
+    w: { type: 'number', stage: 'uniform', label: 'W', doc: 'Number 4 of 4.', default: 0 },
+  },
+  lowering: { kind: 'value' },
+});

@@ -1,0 +1,21 @@
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+/** `1 − 2^(−Δt/h)` of the way: exact for a target that stands still, so that two half steps are one whole one. */
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { number, halfLifeS } = ctx.params;
+  let at: number | null = null;
+  return {
+    update: () => {
+      const jumps = at === null || ctx.inputs.jump.count > 0 || halfLifeS.value <= 0;
+      const part = jumps ? 1 : 1 - 2 ** (-ctx.clock.deltaS / halfLifeS.value);
+      const from = at ?? number.value;
+      at = part === 1 ? number.value : from + (number.value - from) * part;
+      ctx.outputs.result.value = at;
+    },
+    reset: () => {
+      at = null;
+    },
+    dispose: () => {},
+  };
+}

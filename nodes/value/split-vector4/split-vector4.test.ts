@@ -1,0 +1,11 @@
+import { expect, test } from '@jest/globals';
+import { fakeContext } from '../../../tests/support/node-context.ts';
+import { definition } from './definition.ts';
+import { create } from './runtime.ts';
+
+test('gives the numbers in their order', () => {
+  const { ctx } = fakeContext(definition, { params: { vector: [1.5, -2, 0.25, 8] } });
+  create(ctx).update({} as never);
+  const { x, y, z, w } = ctx.outputs;
+  expect([x.value, y.value, z.value, w.value]).toEqual([1.5, -2, 0.25, 8]);
+});

@@ -1,0 +1,59 @@
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+/**
+ * The exact motion of a damped oscillator about a target that stands still for a frame: with `ω = 2πf` and `e` the way from the
+ * target, `e″ + 2ζω e′ + ω² e = 0`. Semi-implicit steps were the alternative, and explode where `ω Δt` passes 2: at 30 Hz below 95
+ * frames per second.
+ */
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { number, frequencyHz, damping } = ctx.params;
+  let at: number | null = null;
+  let speed = 0;
+
+  function move(deltaS: number, target: number, from: number): number {
+    const omega = 2 * Math.PI * frequencyHz.value;
+    if (!(omega > 0)) return from;
+    const zeta = Math.max(damping.value, 0);
+    const decay = zeta * omega;
+    const way = from - target;
+    const turn = omega * Math.sqrt(Math.abs(zeta * zeta - 1));
+    let cosine: number;
+    let sine: number;
+    // Both with e^(−ζωΔt) in them, and the sine by its frequency: so they stay finite in long frames and near critical damping.
+    if (turn * deltaS < 1e-6) {
+      cosine = Math.exp(-decay * deltaS);
+      sine = deltaS * cosine;
+    } else if (zeta < 1) {
+      cosine = Math.exp(-decay * deltaS) * Math.cos(turn * deltaS);
+      sine = (Math.exp(-decay * deltaS) * Math.sin(turn * deltaS)) / turn;
+    } else {
+      const slow = Math.exp((turn - decay) * deltaS);
+      const fast = Math.exp(-(turn + decay) * deltaS);
+      cosine = (slow + fast) / 2;
+      sine = (slow - fast) / (2 * turn);
+    }
+    const next = way * cosine + (speed + decay * way) * sine;
+    speed = speed * cosine - (omega * omega * way + decay * speed) * sine;
+    return target + next;
+  }
+
+  return {
+    update: () => {
+      const target = number.value;
+      if (at === null || ctx.inputs.jump.count > 0) {
+        at = target;
+        speed = 0;
+      } else {
+        at = move(ctx.clock.deltaS, target, at);
+      }
+      ctx.outputs.result.value = at;
+      ctx.outputs.speed.value = speed;
+    },
+    reset: () => {
+      at = null;
+      speed = 0;
+    },
+    dispose: () => {},
+  };
+}
