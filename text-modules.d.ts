@@ -11,3 +11,9 @@ declare module '*.glsl' {
   const text: string;
   export default text;
 }
+
+// Vite puts the file beside the script, and gives its address.
+declare module '*?url' {
+  const url: string;
+  export default url;
+}

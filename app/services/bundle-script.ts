@@ -11,6 +11,8 @@ export async function bundleScript(root: string, entry: string, globalName: stri
     format: 'iife',
     globalName,
     target: 'es2022',
+    // three's decoders name files beside their own module, which they are never asked for; a classic script has no such address.
+    define: { 'import.meta.url': 'document.baseURI' },
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     logLevel: 'silent',
   });

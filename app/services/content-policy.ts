@@ -29,7 +29,8 @@ export function editorHeaders(origins: Origins): Record<string, string> {
 export function previewHeaders(origins: Origins): Record<string, string> {
   return headers([
     "default-src 'none'",
-    "script-src 'self'",
+    // Decoders of models are WebAssembly; scripts from texts stay forbidden.
+    "script-src 'self' 'wasm-unsafe-eval'",
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' blob: data:",
     "connect-src 'self'",

@@ -1,11 +1,14 @@
+import { findingsOf } from '../../export/gltf/findings.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
-import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
+import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { previewDecoderFile } from './decoder-files.ts';
 import { pageFetch } from './network.ts';
 
 /** A canvas, its context and the player on it: what cannot be changed without beginning anew. */
@@ -42,6 +45,7 @@ export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostic
   const fitter = createCanvasFitter(canvas);
   fitter.update();
   const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
+  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect: findingsOf });
   const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: SEED, onDiagnostics, clock });
   const lost = (event: Event) => {
     // Without this the browser never gives the context back.

@@ -89,6 +89,7 @@ async function bundleForPage(entry: string): Promise<string> {
     format: 'iife',
     globalName: 'testModule',
     target: 'chrome108',
+    define: { 'import.meta.url': 'document.baseURI' },
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     sourcemap: 'inline',
     logLevel: 'silent',

@@ -68,12 +68,12 @@ export const LAYERS: readonly Layer[] = [
     imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes'],
     packages: ['iwer', '@iwer/sem', 'three'],
   },
-  { name: 'page', files: ['export/page/**'], imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes'] },
+  { name: 'page', files: ['export/page/**'], imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime', 'scenes'] },
   {
     name: 'bundle',
     files: ['export/bundle/**'],
     imports: ['kit', 'compiler', 'program', 'gltf', 'page', 'registry of runtime files'],
-    packages: ['esbuild', 'node:*', '@gltf-transform/core', '@gltf-transform/extensions', '@gltf-transform/functions', 'meshoptimizer', 'ktx2-encoder'],
+    packages: ['esbuild', 'node:*', 'fast-png', '@gltf-transform/core', '@gltf-transform/extensions', '@gltf-transform/functions', 'meshoptimizer', 'ktx2-encoder'],
   },
 
   { name: 'contract', files: ['app/contract/contract.ts'], imports: ['kit'], packages: ['zod'] },
@@ -105,7 +105,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'preview',
     files: ['renderer/preview/**'],
-    imports: [...EXPORT_KIT, 'program', 'preview protocol', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
+    imports: [...EXPORT_KIT, 'program', 'gltf', 'preview protocol', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
     packages: ['three'],
   },
   {
@@ -127,7 +127,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'tools',
     files: ['tools/**'],
     imports: [...HOST, 'services', 'makers of examples'],
-    packages: ['node:*', 'esbuild', 'vite', 'oxc-parser', 'fast-png', 'playwright-core'],
+    packages: ['node:*', 'esbuild', 'vite', 'oxc-parser', 'fast-png', 'playwright-core', '@electron/packager', '@electron/fuses'],
   },
   { name: 'start script', files: ['bin/**'], imports: ['build output', 'tools'], packages: ['node:*'] },
   { name: 'build output', files: ['dist/**'] },

@@ -1,4 +1,6 @@
+import { join } from 'node:path';
 import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
+import { DECODER_FILES_FOLDER } from '../../../export/gltf/decoders.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import { type Chromium, findChromium } from '../../services/chromium.ts';
@@ -11,7 +13,7 @@ export interface RenderOptions {
   readonly root: string;
   /** The project's real folder. */
   readonly projectRoot: string;
-  readonly job: Omit<RenderPage.RenderJob, 'assetBaseUrl'>;
+  readonly job: Omit<RenderPage.RenderJob, 'assetBaseUrl' | 'decodersBaseUrl'>;
   /** Real folders that the session is in, by the first part of its address. */
   readonly sessionFolders: Readonly<Record<string, string>>;
   readonly first: number;
@@ -34,8 +36,9 @@ const PAGE_ENTRY = 'app/cli/render/render.page.ts';
 export async function renderFrames(options: RenderOptions): Promise<readonly Diagnostic[]> {
   const found = await findChromium();
   if (found === null) return [NO_BROWSER];
+  const decoders = join(options.root, DECODER_FILES_FOLDER);
   const script = await bundleScript(options.root, PAGE_ENTRY, 'scrimRender');
-  const server = await startRenderServer({ script, folders: { project: options.projectRoot, ...options.sessionFolders } });
+  const server = await startRenderServer({ script, folders: { project: options.projectRoot, decoders, ...options.sessionFolders } });
   try {
     return await inBrowser(found, server, options);
   } finally {
@@ -55,7 +58,7 @@ async function inBrowser(found: Chromium, server: RenderServer, options: RenderO
         [name, args] as const,
       ) as Promise<Awaited<ReturnType<PageApi[K]>>>;
 
-    const opened = await call('open', { ...options.job, assetBaseUrl: 'project/' });
+    const opened = await call('open', { ...options.job, assetBaseUrl: 'project/', decodersBaseUrl: 'decoders/' });
     const early = [...opened.diagnostics, ...shaderDiagnostics(options, opened.shaderErrors), ...(await call('diagnostics'))];
     if (hasErrors(early)) return early;
     if (opened.frameCount !== null && options.last >= opened.frameCount) return [...early, noSuchFrame(options.last, opened.frameCount)];

@@ -3,7 +3,8 @@ import { createFetchAssetSource } from '../../../export/runtime/assets/asset-sou
 import { createBrowserClock, createManualClock, type FrameClock } from '../../../export/runtime/clock.ts';
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
-import { createScenes } from '../../../export/runtime/scenes/create-scenes.ts';
+import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
+import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
@@ -12,6 +13,7 @@ import { type FrameSource, openFrameSource, type RenderSession } from './frame-s
 export interface RenderJob {
   readonly program: Program;
   readonly assetBaseUrl: string;
+  readonly decodersBaseUrl: string;
   readonly session: RenderSession;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -67,13 +69,15 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
   const { antialias } = job.program.presentation;
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
   if (!gl) throw new Error('The browser has no WebGL 2.');
+  const fetchFile = fetch.bind(globalThis);
+  const decodersUrl = new URL(job.decodersBaseUrl, document.baseURI).href;
   const player = createPlayer({
     gl,
     canvas,
     program: job.program,
     modules: RUNTIMES,
-    createScenes,
-    assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetch.bind(globalThis)),
+    createScenes: createScenesWith({ decoders: ALL_DECODERS, files: createFetchAssetSource(decodersUrl, fetchFile).load }),
+    assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
     seed: SEED,
     clock: createFrozenClock(),
     onDiagnostics: (diagnostics) => {

@@ -1,0 +1,190 @@
+import { readFile } from 'node:fs/promises';
+import { basename, join } from 'node:path';
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { DECODER_FILES, DECODER_FILES_FOLDER, DECODERS, type DecoderFile, type DecoderName, neededDecoders } from '../../gltf/decoders.ts';
+import { ModelError } from '../../gltf/document.ts';
+import { pictureSize } from '../../gltf/picture-size.ts';
+import { readGltf } from '../../gltf/read-gltf.ts';
+import { readWholeModel } from '../../gltf/whole-model.ts';
+import type { ProgramAsset } from '../../program/program.ts';
+import type { CompressedModel } from '../compress/compressed-model.ts';
+import { createCompressor } from '../compress/compressor.ts';
+import { hashedName } from '../hashed-name.ts';
+import { type AssetCache, remembered } from './asset-cache.ts';
+import { chooseForms, type Form, gpuBytesOf } from './choose-forms.ts';
+
+export interface AssetOptions {
+  /** Absolute folder with Scrim's sources and `node_modules`. */
+  readonly root: string;
+  /** Bytes of a file by its project path. Rejects with an `Error` that says in plain words why there are none. */
+  readonly readAsset: (path: string) => Promise<Uint8Array>;
+  /** False: as they are, but for models in several files, which become one. */
+  readonly compress: boolean;
+  readonly cache: AssetCache | null;
+  /** Hears what takes its time. */
+  readonly say: (text: string) => void;
+}
+
+export interface PreparedAsset {
+  readonly asset: ProgramAsset;
+  /** In the page. */
+  readonly path: string;
+  readonly bytes: Uint8Array;
+  readonly report: ReportedAsset;
+}
+
+/** What export made of an asset. Bytes on the GPU are estimated: vertices, indices, and pictures with their mip maps. */
+export interface ReportedAsset {
+  /** In the project. */
+  readonly source: string;
+  /** In the page. */
+  readonly path: string;
+  readonly kind: ProgramAsset['kind'];
+  readonly form: Form;
+  readonly fileBytes: BeforeAfter;
+  readonly gpuBytes: BeforeAfter;
+}
+
+export interface BeforeAfter {
+  readonly before: number;
+  readonly after: number;
+}
+
+export interface PreparedAssets {
+  readonly assets: readonly PreparedAsset[];
+  /** What the models need to be read. */
+  readonly decoders: readonly DecoderName[];
+  /** Their files, under the names that they have in the page. */
+  readonly decoderFiles: readonly { readonly file: DecoderFile; readonly path: string; readonly bytes: Uint8Array }[];
+}
+
+interface ReadAsset {
+  readonly asset: ProgramAsset;
+  /** One GLB, for models in several files. */
+  readonly bytes: Uint8Array;
+  /** All files of it in the project. */
+  readonly fileBytes: number;
+}
+
+/** Below this, no model is worth the decoder that a smaller one would need. */
+const MIN_MODEL_BYTES = 16_000;
+
+/**
+ * Reads a page's assets and makes its models as small as they can be without anything to see. What cannot be read is SCR030, what is no
+ * model SCR032; a model that cannot be compressed stays as it is, with a warning (SCR036).
+ */
+export async function prepareAssets(assets: readonly ProgramAsset[], options: AssetOptions): Promise<Result<PreparedAssets>> {
+  const read: ReadAsset[] = [];
+  const diagnostics: Diagnostic[] = [];
+  for (const asset of assets) {
+    try {
+      read.push(await readAsset(asset, options));
+    } catch (error) {
+      diagnostics.push(unreadable(asset, error));
+    }
+  }
+  if (diagnostics.length > 0) return { output: null, diagnostics };
+  const forms = await formsOf(read, options, diagnostics);
+  const prepared = read.map((one) => prepare(one, forms.get(one) ?? { form: 'original', bytes: one.bytes }));
+  const models = prepared.filter(({ asset }) => asset.kind === 'model');
+  const needed = new Set(models.flatMap(({ bytes }) => neededDecoders(readGltf(bytes).document)));
+  const decoders = DECODERS.filter((name) => needed.has(name));
+  return { output: { assets: prepared, decoders, decoderFiles: await readDecoders(options.root, decoders) }, diagnostics };
+}
+
+async function readAsset(asset: ProgramAsset, { readAsset: readFileOf }: AssetOptions): Promise<ReadAsset> {
+  const bytes = await readFileOf(asset.path);
+  if (asset.kind !== 'model') return { asset, bytes, fileBytes: bytes.length };
+  let fileBytes = bytes.length;
+  const model = await readWholeModel(Uint8Array.from(bytes), asset.path, async (path) => {
+    const beside = await readFileOf(path);
+    fileBytes += beside.length;
+    return beside;
+  });
+  return { asset, bytes: model.bytes, fileBytes };
+}
+
+async function formsOf(read: readonly ReadAsset[], { root, compress, cache, say }: AssetOptions, diagnostics: Diagnostic[]) {
+  const models = read.filter(({ asset }) => asset.kind === 'model');
+  const total = models.reduce((sum, { bytes }) => sum + bytes.length, 0);
+  if (!compress || total < MIN_MODEL_BYTES) return new Map<ReadAsset, never>();
+  const compressor = createCompressor(root);
+  try {
+    const forms: { original: Uint8Array; compressed: CompressedModel }[] = [];
+    for (const [i, model] of models.entries()) {
+      const { asset, bytes } = model;
+      const make = () => {
+        say(`Compressing ${asset.path} (${i + 1} of ${models.length})…`);
+        return compressor.compress(bytes);
+      };
+      const compressed = await remembered(cache, bytes, make).catch((error: unknown) => {
+        diagnostics.push(uncompressed(asset, error));
+        return NOTHING;
+      });
+      forms.push({ original: bytes, compressed });
+    }
+    const chosen = chooseForms(forms);
+    return new Map(models.map((model, i) => [model, chosen[i]]));
+  } finally {
+    await compressor.dispose();
+  }
+}
+
+const NOTHING: CompressedModel = { meshopt: null, ktx2: null };
+
+function prepare(
+  { asset, bytes: original, fileBytes }: ReadAsset,
+  { form, bytes }: { readonly form: Form; readonly bytes: Uint8Array },
+): PreparedAsset {
+  const name = fileName(asset.path).replace(/\.gltf$/i, '.glb');
+  const path = hashedName(`assets/${name}`, bytes);
+  const gpu = (content: Uint8Array) => (asset.kind === 'model' ? gpuBytesOf(content) : picturesGpuBytes(content));
+  const report = {
+    source: asset.path,
+    path,
+    kind: asset.kind,
+    form,
+    fileBytes: { before: fileBytes, after: bytes.length },
+    gpuBytes: { before: gpu(original), after: gpu(bytes) },
+  };
+  return { asset, path, bytes, report };
+}
+
+/** Pictures on their own are drawn without mip maps. */
+function picturesGpuBytes(bytes: Uint8Array): number {
+  const size = pictureSize(bytes);
+  return size ? size.widthPx * size.heightPx * 4 : 0;
+}
+
+async function readDecoders(root: string, decoders: readonly DecoderName[]): Promise<PreparedAssets['decoderFiles']> {
+  const files = decoders.flatMap((name): readonly DecoderFile[] => DECODER_FILES[name]);
+  return Promise.all(
+    files.map(async (file) => {
+      const bytes = await readFile(join(root, DECODER_FILES_FOLDER, file));
+      return { file, path: hashedName(`decoders/${basename(file)}`, bytes), bytes };
+    }),
+  );
+}
+
+function unreadable({ path }: ProgramAsset, error: unknown): Diagnostic {
+  const reason = error instanceof Error ? error.message : String(error);
+  if (error instanceof ModelError)
+    return { code: 'SCR032', severity: 'error', message: `${path} cannot be decoded: ${reason}`, file: path };
+  return { code: 'SCR030', severity: 'error', message: `${path} cannot be read: ${reason}`, file: path };
+}
+
+function uncompressed({ path }: ProgramAsset, error: unknown): Diagnostic {
+  const reason = error instanceof Error ? error.message : String(error);
+  return {
+    code: 'SCR036',
+    severity: 'warning',
+    message: `${path} could not be compressed, and goes into the page as it is: ${reason.replace(/\.$/, '')}.`,
+    file: path,
+    fix: 'Exporting it again from the program that made it often helps.',
+  };
+}
+
+/** Letters that every host and every file system carries unchanged. */
+function fileName(path: string): string {
+  return path.slice(path.lastIndexOf('/') + 1).replace(/[^A-Za-z0-9._-]+/g, '-');
+}

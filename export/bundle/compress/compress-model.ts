@@ -1,0 +1,91 @@
+import { type Document, NodeIO, type Texture } from '@gltf-transform/core';
+import { ALL_EXTENSIONS, EXTMeshoptCompression, KHRTextureBasisu } from '@gltf-transform/extensions';
+import { dedup, getTextureColorSpace, listTextureSlots, prune, quantize, reorder, resample, weld } from '@gltf-transform/functions';
+import { MeshoptEncoder } from 'meshoptimizer/encoder';
+import { neededDecoders } from '../../gltf/decoders.ts';
+import { pictureSize } from '../../gltf/picture-size.ts';
+import { readGltf } from '../../gltf/read-gltf.ts';
+import type { CompressedModel } from './compressed-model.ts';
+import { encodeKtx2 } from './encode-ktx2.ts';
+import { GPU_BYTES_PER_FILE_BYTE } from './trade.ts';
+
+/**
+ * Steps between which positions are rounded, per axis and mesh: 1/16,384 of its size, a tenth of a millimetre for a piece of
+ * furniture. Texture coordinates keep a quarter of a pixel of a 4,096 texture, normals 0.1°.
+ */
+const PRECISION = { quantizePosition: 14, quantizeTexcoord: 14, quantizeNormal: 10, quantizeColor: 8, quantizeWeight: 8 } as const;
+
+/**
+ * Compresses a whole model (one GLB, nothing beside it) without anything to see: duplicates and what nothing refers to go, equal
+ * vertices and key frames that lie between others are merged, the rest is packed. Nodes, clips, skins and morph targets stay, with their
+ * names. The same bytes give the same bytes. Rejects where glTF-Transform cannot read the model.
+ */
+export async function compressModel(bytes: Uint8Array): Promise<CompressedModel> {
+  const { document } = readGltf(bytes);
+  // Somebody else has chosen how; unpacking and packing again would lose precision twice.
+  if (neededDecoders(document).length > 0) return { meshopt: null, ktx2: null };
+  if (document.extensionsUsed?.some((name) => !KNOWN.has(name))) return { meshopt: null, ktx2: null };
+  await MeshoptEncoder.ready;
+  const io = new NodeIO().registerExtensions(ALL_EXTENSIONS).registerDependencies({ 'meshopt.encoder': MeshoptEncoder });
+  const doc = await io.readBinary(bytes);
+  await doc.transform(
+    dedup({ keepUniqueNames: true }),
+    prune({ keepLeaves: true, keepAttributes: true, keepSolidTextures: true, keepExtras: true }),
+    weld(),
+    resample(),
+    reorder({ encoder: MeshoptEncoder, target: 'size' }),
+    // Its own cleaning up would take nodes without a mesh away, which clips and constraints may name.
+    quantize({ ...PRECISION, cleanup: false }),
+  );
+  const method = EXTMeshoptCompression.EncoderMethod.QUANTIZE;
+  doc.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method });
+  const packed = await io.writeBinary(doc);
+  const encoded = await encodePictures(doc);
+  return { meshopt: owned(packed), ktx2: encoded ? owned(await io.writeBinary(doc)) : null };
+}
+
+/** What glTF-Transform does not know it would drop. */
+const KNOWN = new Set(ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME));
+
+/** False where no picture gains by it. */
+async function encodePictures(doc: Document): Promise<boolean> {
+  let encoded = false;
+  for (const texture of doc.getRoot().listTextures()) {
+    const image = texture.getImage();
+    const mimeType = texture.getMimeType();
+    if (!image || (mimeType !== 'image/png' && mimeType !== 'image/jpeg') || !isEncodable(image)) continue;
+    const slots = listTextureSlots(texture);
+    const ktx2 = await encodeKtx2(image, {
+      mimeType,
+      srgb: getTextureColorSpace(texture) === 'srgb',
+      normals: slots.length > 0 && slots.every((slot) => /normalTexture$/i.test(slot)),
+    });
+    if (ktx2 && isWorthIt(texture, image, ktx2)) encoded = true;
+  }
+  if (encoded) doc.createExtension(KHRTextureBasisu).setRequired(true);
+  return encoded;
+}
+
+/** What the encoder takes, in pixels. */
+const MAX_PIXELS = 12 * 2 ** 20;
+
+/** `KHR_texture_basisu` asks for sides that are multiples of the block's. */
+function isEncodable(image: Uint8Array): boolean {
+  const size = pictureSize(image);
+  return size !== null && size.widthPx % 4 === 0 && size.heightPx % 4 === 0 && size.widthPx * size.heightPx <= MAX_PIXELS;
+}
+
+function isWorthIt(texture: Texture, image: Uint8Array, ktx2: Uint8Array): boolean {
+  const { widthPx, heightPx } = pictureSize(image) ?? { widthPx: 0, heightPx: 0 };
+  // 4 bytes a pixel become 1, mip maps included.
+  const savedBytes = widthPx * heightPx * 3 * (4 / 3);
+  if ((ktx2.length - image.length) * GPU_BYTES_PER_FILE_BYTE >= savedBytes) return false;
+  texture.setImage(ktx2).setMimeType('image/ktx2');
+  if (texture.getURI() !== '') texture.setURI(texture.getURI().replace(/(\.\w+)?$/, '.ktx2'));
+  return true;
+}
+
+/** Bytes alone in their buffer can be handed over between threads. */
+function owned(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(bytes);
+}

@@ -1,0 +1,77 @@
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Worker } from 'node:worker_threads';
+import { build } from 'esbuild';
+import type { CompressedModel, WorkerAnswer } from './compressed-model.ts';
+
+/** Compresses models beside the program that asks: one worker thread, made for the first model. */
+export interface Compressor {
+  /** Rejects with an `Error` that says why the model cannot be compressed. One at a time. */
+  compress(bytes: Uint8Array): Promise<CompressedModel>;
+  dispose(): Promise<void>;
+}
+
+/** @param root Absolute folder with Scrim's sources and `node_modules` */
+export function createCompressor(root: string): Compressor {
+  let worker: Promise<Worker> | null = null;
+  const drop = async () => {
+    const dropped = worker;
+    worker = null;
+    await (await dropped?.catch(() => null))?.terminate();
+  };
+  return {
+    compress: async (bytes) => {
+      worker ??= bundleWorker(root).then(startWorker);
+      const answer = await ask(await worker, bytes).catch(async (error: unknown) => {
+        // What ended a worker, such as memory it did not get, must not end the next model.
+        await drop();
+        throw error;
+      });
+      if (answer.ok) return answer.model;
+      throw new Error(answer.reason);
+    },
+    dispose: drop,
+  };
+}
+
+async function bundleWorker(root: string): Promise<string> {
+  const encoder = join(root, 'node_modules/ktx2-encoder/dist/basis/basis_encoder.js');
+  const { outputFiles } = await build({
+    entryPoints: [join(root, 'export/bundle/compress/compress-worker.ts')],
+    absWorkingDir: root,
+    bundle: true,
+    write: false,
+    format: 'cjs',
+    platform: 'node',
+    target: 'node16',
+    // The encoder finds its WebAssembly beside its own file.
+    define: { 'import.meta.url': JSON.stringify(pathToFileURL(encoder).href) },
+    logLevel: 'silent',
+  });
+  const [file] = outputFiles;
+  if (!file) throw new Error('esbuild made no worker.');
+  return file.text;
+}
+
+function startWorker(script: string): Worker {
+  // The encoder prints what it does; standard output may be a program's.
+  const worker = new Worker(script, { eval: true, stdout: true, stderr: true });
+  worker.unref();
+  return worker;
+}
+
+function ask(worker: Worker, bytes: Uint8Array): Promise<WorkerAnswer> {
+  return new Promise((resolve, reject) => {
+    const end = (settle: () => void) => {
+      worker.off('message', onMessage).off('error', onError).off('exit', onExit);
+      worker.unref();
+      settle();
+    };
+    const onMessage = (answer: WorkerAnswer) => end(() => resolve(answer));
+    const onError = (error: unknown) => end(() => reject(error instanceof Error ? error : new Error(String(error))));
+    const onExit = () => end(() => reject(new Error('the compressor ended')));
+    worker.on('message', onMessage).on('error', onError).on('exit', onExit);
+    worker.ref();
+    worker.postMessage(bytes);
+  });
+}
