@@ -10,8 +10,10 @@ export interface Command {
   readonly summary: string;
   /** What it does, in a few sentences. */
   readonly doc: string;
-  /** Whether a project must be, may be, or cannot be named. */
+  /** Whether what it works on must be named, or may be. */
   readonly project: 'required' | 'optional';
+  /** What that is, where it is no project. */
+  readonly operand?: { readonly word: string; readonly doc: string; readonly many?: boolean };
   readonly options: Readonly<Record<string, Option>>;
   readonly examples: readonly Example[];
   run(call: Call, context: Context): Promise<Outcome>;
@@ -19,6 +21,8 @@ export interface Command {
 
 export interface Option {
   readonly type: 'string' | 'boolean';
+  /** One letter that stands for it. */
+  readonly short?: string;
   /** How its value is called in `--help`: `DIR`. */
   readonly value?: string;
   /** What an argument after it has to look like to be its value; with it, the value may be left out and is then empty. */
@@ -35,20 +39,24 @@ export interface Example {
 export interface Call {
   /** As given; empty where none was named and none is required. */
   readonly project: string;
+  /** All that were named, for a command that takes several. */
+  readonly operands: readonly string[];
   text(option: string): string | null;
   flag(option: string): boolean;
 }
 
 export interface Context {
   readonly installation: Installation;
-  /** For progress: shown at once, and only where a person looks on. */
+  /** For progress: shown at once until the next, and only where a person looks on. */
   say(text: string): void;
+  /** The person has had enough: what is not finished leaves nothing behind. */
+  readonly interrupted: AbortSignal;
   /** On standard output at once, for a command that goes on. */
   print(text: string): void;
 }
 
 export interface Outcome {
-  /** 0 done, 1 something is wrong with the project or the machine. */
+  /** As `EXIT` names it. */
   readonly status: 0 | 1;
   /** The one value on standard output with `--json`; undefined where the command has printed it already. */
   readonly json: unknown;
@@ -57,6 +65,9 @@ export interface Outcome {
   /** Without `--json`, on standard error. */
   readonly diagnostics: readonly Diagnostic[];
 }
+
+/** The exit status, for scripts. What a signal ends has 128 and the signal's number, as in every shell. */
+export const EXIT = { done: 0, problems: 1, notUnderstood: 2, ownFault: 70, interrupted: 130, terminated: 143 } as const;
 
 /** The command line is not understood: status 2. */
 export class UsageError extends Error {

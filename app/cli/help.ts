@@ -1,7 +1,7 @@
-import type { Command, Option } from './command.ts';
+import { type Command, EXIT, type Option } from './command.ts';
 
 const JSON_OPTION: Option = { type: 'boolean', doc: 'Print one JSON value on standard output, and nothing else there.' };
-const HELP_OPTION: Option = { type: 'boolean', doc: 'Show this.' };
+const HELP_OPTION: Option = { type: 'boolean', short: 'h', doc: 'Show this.' };
 
 /** What every command takes beside its own. */
 export const COMMON_OPTIONS: Readonly<Record<string, Option>> = { json: JSON_OPTION, help: HELP_OPTION };
@@ -12,14 +12,36 @@ export function overviewHelp(commands: readonly Command[]): string {
   const width = Math.max(...commands.map(({ name }) => name.length));
   return `Scrim turns a graph of mixed-reality layers and effects into a WebXR page.
 
-Usage: scrim COMMAND PROJECT [OPTIONS]
+Usage: scrim COMMAND [PROJECT] [OPTIONS]
 
 ${commands.map(({ name, summary }) => `  ${name.padEnd(width)}  ${summary}`).join('\n')}
 
 PROJECT is a project's folder, or the project.scrim.json in it.
-scrim COMMAND --help explains a command, with examples.
-Exit status: 0 done, 1 errors in the project or on this machine, 2 the command line is not understood.`;
+
+A first page:
+  scrim new my-effect --template occlusion
+  scrim open my-effect
+  scrim export my-effect --out site
+
+scrim COMMAND --help explains a command, with examples. scrim --version tells which Scrim this is.
+
+Exit status:
+${EXIT_LINES.map(([status, says]) => `  ${String(status).padStart(3)}  ${says}`).join('\n')}
+
+Environment:
+  NO_COLOR                      Write without colour; so does a pipe.
+  SCRIM_CHROMIUM                The browser program that scrim render uses.
+  ELECTRON_OVERRIDE_DIST_PATH   Folder with the Electron that scrim open uses.`;
 }
+
+const EXIT_LINES: readonly (readonly [number, string])[] = [
+  [EXIT.done, 'done'],
+  [EXIT.problems, 'something is wrong with the project, or on this machine; each problem is printed'],
+  [EXIT.notUnderstood, 'the command line is not understood'],
+  [EXIT.ownFault, 'Scrim made a mistake of its own'],
+  [EXIT.interrupted, 'ended by Ctrl-C; nothing half-done is left behind'],
+  [EXIT.terminated, 'ended by another program (SIGTERM), in the same way'],
+];
 
 export function commandHelp({ name, usage, doc, options, examples }: Command): string {
   const all = Object.entries({ ...options, ...COMMON_OPTIONS }).map(([key, option]) => [optionHead(key, option), option.doc] as const);
@@ -36,8 +58,8 @@ Examples:
 ${examples.map(({ line, says }) => `  ${line}\n      ${wrap(says, WIDTH - 6, '      ')}`).join('\n')}`;
 }
 
-function optionHead(name: string, { value }: Option): string {
-  return `--${name}${value === undefined ? '' : ` ${value}`}`;
+function optionHead(name: string, { short, value }: Option): string {
+  return `${short === undefined ? '' : `-${short}, `}--${name}${value === undefined ? '' : ` ${value}`}`;
 }
 
 function wrap(text: string, width: number, indent: string): string {

@@ -1,13 +1,43 @@
 import process from 'node:process';
 import manifest from '../../package.json';
 import { installationAt } from '../services/installation.ts';
+import { EXIT } from './command.ts';
 import { runCli } from './run-cli.ts';
+import { createTerminal } from './terminal.ts';
 
 /** The command line of the Scrim at `root`; bundled to dist/cli/main.mjs and called by bin/scrim.mjs. */
 export async function main(args: readonly string[], root: string): Promise<number> {
-  return runCli(args, installationAt(root, manifest.version), {
-    out: (text) => process.stdout.write(`${text}\n`),
-    err: (text) => process.stderr.write(`${text}\n`),
-    interactive: process.stderr.isTTY === true,
+  const terminal = createTerminal(process.stdout, process.stderr, process.env);
+  leaveWithReader();
+  const interruption = new AbortController();
+  let ended: number | null = null;
+  for (const [signal, status] of SIGNALS) {
+    process.on(signal, () => {
+      // Asked a second time, it goes at once.
+      if (ended !== null) process.exit(status);
+      ended = status;
+      interruption.abort();
+    });
+  }
+  try {
+    const status = await runCli(args, installationAt(root, manifest.version), terminal, interruption.signal);
+    // Ctrl-C is how the served editor is meant to end.
+    return ended === null || args[0] === 'open' ? status : ended;
+  } catch (error) {
+    terminal.err(`Scrim made a mistake of its own: ${error instanceof Error ? (error.stack ?? error.message) : String(error)}`);
+    return EXIT.ownFault;
+  }
+}
+
+const SIGNALS = [
+  ['SIGINT', EXIT.interrupted],
+  ['SIGTERM', EXIT.terminated],
+] as const;
+
+/** `scrim plan … | head`: whoever read has read enough. */
+function leaveWithReader(): void {
+  process.stdout.on('error', (error: NodeJS.ErrnoException) => {
+    if (error.code === 'EPIPE') process.exit(EXIT.done);
+    throw error;
   });
 }

@@ -1,18 +1,23 @@
 import { parseArgs } from 'node:util';
 import { type Call, type Command, UsageError } from './command.ts';
 import { COMMON_OPTIONS } from './help.ts';
+import { didYouMean } from './suggest.ts';
+
+const PROJECT: NonNullable<Command['operand']> = { word: 'PROJECT', doc: 'a folder, or the project.scrim.json in it' };
 
 /** Throws `UsageError`, in words. */
 export function parseCall(command: Command, args: readonly string[]): Call {
   const { values, positionals } = parse(command, args);
-  if (positionals.length > 1) throw new UsageError(`One project at a time: ${positionals.slice(1).join(' ')} is too much.`);
+  const { word, doc, many = false } = command.operand ?? PROJECT;
+  if (positionals.length > 1 && !many) throw new UsageError(`One ${word} at a time: ${positionals.slice(1).join(' ')} is too much.`);
   const [project = ''] = positionals;
   // `--help` needs no project.
   if (project === '' && command.project === 'required' && values.help !== true) {
-    throw new UsageError('PROJECT is missing: a folder, or the project.scrim.json in it.');
+    throw new UsageError(`${word} is missing: ${doc}.`);
   }
   return {
     project,
+    operands: positionals,
     text: (option) => (typeof values[option] === 'string' ? values[option] : null),
     flag: (option) => values[option] === true,
   };
@@ -35,13 +40,19 @@ function settleOptionalValues({ options }: Command, args: readonly string[]): st
 }
 
 function parse(command: Command, args: readonly string[]) {
-  const options = Object.fromEntries(Object.entries({ ...command.options, ...COMMON_OPTIONS }).map(([name, { type }]) => [name, { type }]));
+  const known = { ...command.options, ...COMMON_OPTIONS };
+  const options = Object.fromEntries(
+    Object.entries(known).map(([name, { type, short }]) => [name, { type, ...(short === undefined ? {} : { short }) }]),
+  );
   try {
     return parseArgs({ args: settleOptionalValues(command, args), options, allowPositionals: true, strict: true });
   } catch (error) {
-    // Node explains at length how to pass a file whose name begins with a hyphen; its first sentence is what matters.
-    throw new UsageError(
-      (error as Error).message.replace(/\. To specify .*$/s, '.').replace(/^Option '([^']*?) <value>' /, "Option '$1' "),
-    );
+    const { message } = error as Error;
+    const unknown = /^Unknown option '(--?[^']*)'/.exec(message)?.[1];
+    if (unknown !== undefined) {
+      const names = Object.keys(known).map((name) => `--${name}`);
+      throw new UsageError(`There is no option ${unknown}.${didYouMean(unknown, names)}`);
+    }
+    throw new UsageError(message.replace(/^Option '([^']*?) <value>' /, "Option '$1' "));
   }
 }

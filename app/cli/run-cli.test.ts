@@ -1,9 +1,13 @@
-import { mkdir, mkdtemp, readdir, readFile, rm, symlink, truncate, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, readFile, realpath, rm, symlink, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { loadProject } from '../../export/graph/load.ts';
+import { saveProject } from '../../export/graph/save.ts';
 import { type ProjectText, projectText, writeProject } from '../../tests/support/project-kit.ts';
 import { installationAt } from '../services/installation.ts';
+import { readProjectFiles } from '../services/project-files.ts';
+import { EXIT } from './command.ts';
 import { COMMANDS, runCli } from './run-cli.ts';
 
 // Disks and processors are shared with whatever else runs.
@@ -77,9 +81,12 @@ describe('the command line', () => {
   test('explains itself, and every command with its options and an example', async () => {
     const overview = await scrim('--help');
     expect(overview.status).toBe(0);
-    for (const { name, options } of COMMANDS) {
+    for (const status of Object.values(EXIT)) expect(overview.out).toMatch(new RegExp(`^ +${status} {2}\\S`, 'm'));
+    for (const { name, options, examples } of COMMANDS) {
+      expect(examples.length).toBeGreaterThanOrEqual(2);
+      for (const { line } of examples) expect(line).toMatch(new RegExp(`^scrim ${name} `));
       expect(overview.out).toContain(`  ${name}`);
-      const help = await scrim(name, '--help');
+      const help = await scrim(...name.split(' '), '--help');
       expect(help.status).toBe(0);
       expect(help.err).toBe('');
       for (const option of [...Object.keys(options), 'json', 'help']) expect(help.out).toContain(`--${option}`);
@@ -87,14 +94,20 @@ describe('the command line', () => {
       for (const line of help.out.split('\n')) expect(line.length).toBeLessThanOrEqual(110);
     }
     expect(await scrim('--version')).toEqual({ status: 0, out: '1.2.3', err: '' });
+    expect(await scrim('help', 'check')).toEqual(await scrim('check', '-h'));
   });
 
   test.each([
     ['nothing', [], ''],
-    ['an unknown command', ['exprot', '.'], 'no command "exprot"'],
-    ['an unknown option', ['check', '.', '--verbose'], "'--verbose'"],
+    ['an unknown command', ['exprot', '.'], 'There is no command "exprot". Did you mean "export"?'],
+    ['a command that is near to none', ['build', '.'], 'There is no command "build".'],
+    ['help on an unknown command', ['help', 'chekc'], 'Did you mean "check"?'],
+    ['an unknown option', ['check', '.', '--verbose'], 'There is no option --verbose.'],
+    ['an option written wrongly', ['export', '.', '--ouy', 'site'], 'There is no option --ouy. Did you mean "--out"?'],
+    ['no name for a project', ['new'], 'NAME is missing: the folder of the new project.'],
+    ['a template that is none', ['new', 'x', '--template', 'oclusion'], 'Did you mean "occlusion"? There are empty, filter, occlusion.'],
     ['no project', ['check'], 'PROJECT is missing'],
-    ['two projects', ['check', 'a', 'b'], 'One project at a time'],
+    ['two projects', ['check', 'a', 'b'], 'One PROJECT at a time'],
     ['no place for a page', ['export', '.'], '--out DIR is missing'],
     ['an option without its value', ['export', '.', '--out'], "'--out"],
     ['no place for pictures', ['render', '.'], '--out FILE.png or --out DIR is missing'],
@@ -107,7 +120,7 @@ describe('the command line', () => {
     const { status, out, err } = await scrim(...args);
     expect(status).toBe(2);
     expect(args.length === 0 ? out : err).toContain(words);
-    if (args.length === 0) return;
+    if (args.length === 0 || args[0] === 'help') return;
     expect(out).toBe('');
     const json = await scrimJson(...args);
     expect(json).toMatchObject({ status: 2, json: { ok: false, diagnostics: [{ code: 'SCR070' }] } });
@@ -211,11 +224,54 @@ const OWN = `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "ima
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
 `;
 
+describe('scrim new', () => {
+  test.each(['empty', 'filter', 'occlusion'])('makes a project that is whole: %s', async (template) => {
+    const path = join(base, 'my-first_effect');
+    const { status, out, err } = await scrim('new', path, '--template', template);
+    expect([status, err]).toEqual([0, '']);
+    expect(out).toContain(`scrim open ${path}`);
+    expect(await scrim('check', path)).toEqual({ status: 0, out: 'Nothing is wrong.', err: '' });
+    const { title, page } = JSON.parse(await readFile(join(path, 'project.scrim.json'), 'utf8'));
+    expect(title).toBe('My first effect');
+    expect(page.description).not.toBe('');
+    expect(await scrim('export', path, '--out', join(base, 'site'))).toMatchObject({ status: 0, err: '' });
+    const help = await scrim('new', '--help');
+    expect(help.out.replace(/\s+/g, ' ')).toContain(`${template}: `);
+  });
+
+  test('begins with the camera’s picture unless told otherwise, and says where it is', async () => {
+    const { status, json } = await scrimJson('new', join(base, 'mine'));
+    expect([status, json]).toEqual([0, { ok: true, path: await realpath(join(base, 'mine')), template: 'empty' }]);
+    await scrim('new', join(base, 'same'), '--template', 'empty');
+    expect(await readFile(join(base, 'mine', 'project.layout.json'), 'utf8')).toBe(
+      await readFile(join(base, 'same', 'project.layout.json'), 'utf8'),
+    );
+  });
+
+  test('refuses a folder that holds something, and leaves it alone', async () => {
+    const before = await tree(project);
+    expect(await scrimJson('new', project)).toMatchObject({ status: 1, json: { diagnostics: [{ code: 'SCR061' }] } });
+    expect(await tree(project)).toEqual(before);
+  });
+
+  test('the templates that come with Scrim are written as Scrim writes them', async () => {
+    const templates = INSTALLATION.templatesDir;
+    const names = await readdir(templates);
+    expect(names.sort()).toEqual(['empty', 'filter', 'occlusion']);
+    for (const name of names) {
+      const files = await readProjectFiles(join(templates, name));
+      const { output, diagnostics } = loadProject(files);
+      expect([name, diagnostics]).toEqual([name, []]);
+      expect(output && saveProject(output)).toEqual(files);
+    }
+  });
+});
+
 describe('scrim plan', () => {
   test('tells the program in words, and as JSON', async () => {
     const { status, out } = await scrim('plan', project);
     expect(status).toBe(0);
-    for (const words of ['Robot', 'scene-e5f6', 'filters/sepia.fs', 'camera-image', 'orbit']) expect(out).toContain(words);
+    for (const words of ['Robot', 'scene-e5f6', 'filters/sepia.fs', 'the camera’s picture', 'Any other browser']) expect(out).toContain(words);
     const { json } = await scrimJson('plan', project);
     expect(json).toMatchObject({ ok: true, program: { format: 'scrim-program', title: 'Robot' } });
   });
@@ -238,6 +294,27 @@ describe('scrim export', () => {
   test('takes a project’s own shader along', async () => {
     await write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } }, { 'shaders/own.fs': OWN });
     expect(await scrim('export', project, '--out', join(base, 'site'))).toMatchObject({ status: 0, err: '' });
+  });
+
+  test('stops when it is interrupted, and leaves what was there', async () => {
+    const out = join(base, 'site');
+    await scrim('export', project, '--out', out);
+    const before = await tree(base);
+    await write({ ...GOOD, title: 'Changed' });
+    const interruption = new AbortController();
+    const said: string[] = [];
+    const streams = {
+      out: (text: string) => said.push(text),
+      err: (text: string) => said.push(text),
+      interactive: true,
+      // As soon as the first file of the new page is being written.
+      progress: (text: string | null) => text?.startsWith('Writing') && interruption.abort(),
+    };
+    expect(await runCli(['export', project, '--out', out], INSTALLATION, streams, interruption.signal)).toBe(EXIT.interrupted);
+    expect(said).toEqual(['Interrupted: nothing was written.']);
+    const after = await tree(base);
+    expect(Object.keys(after)).toEqual(Object.keys(before));
+    expect(after['site/index.html']).toBe(before['site/index.html']);
   });
 
   test('refuses a folder with foreign files, and one that cannot be written', async () => {

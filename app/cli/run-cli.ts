@@ -1,16 +1,28 @@
-import { type Diagnostic, formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { HostError } from '../contract/host-error.ts';
 import type { Installation } from '../services/installation.ts';
-import { type Call, type Command, type Context, failed, type Outcome, UsageError } from './command.ts';
+import { type Call, type Command, type Context, EXIT, failed, type Outcome, UsageError } from './command.ts';
 import { checkCommand } from './commands/check.ts';
 import { exportCommand } from './commands/export.ts';
+import { newCommand } from './commands/new.ts';
 import { openCommand } from './commands/open.ts';
 import { planCommand } from './commands/plan.ts';
 import { renderCommand } from './commands/render.ts';
+import { shaderCheckCommand } from './commands/shader-check.ts';
 import { commandHelp, overviewHelp } from './help.ts';
+import { createPaint } from './paint.ts';
 import { parseCall } from './parse-call.ts';
+import { didYouMean } from './suggest.ts';
 
-export const COMMANDS: readonly Command[] = [openCommand, checkCommand, planCommand, exportCommand, renderCommand];
+export const COMMANDS: readonly Command[] = [
+  newCommand,
+  openCommand,
+  checkCommand,
+  planCommand,
+  exportCommand,
+  renderCommand,
+  shaderCheckCommand,
+];
 
 /** Where the words go. */
 export interface CliStreams {
@@ -18,51 +30,96 @@ export interface CliStreams {
   err(text: string): void;
   /** Whether a person reads `err`: progress is for people. */
   readonly interactive: boolean;
+  /** Shows how far the work has come, in place of what it showed before; null takes it away. Lines on `err` unless given. */
+  progress?(text: string | null): void;
+  /** Not at all unless given. */
+  readonly colored?: { readonly out: boolean; readonly err: boolean };
 }
 
-/** Runs one command line and answers with the exit status: 0 done, 1 errors, 2 not understood. */
-export async function runCli(args: readonly string[], installation: Installation, streams: CliStreams): Promise<number> {
+/** Runs one command line and answers with the exit status, as `EXIT` names it. */
+export async function runCli(
+  args: readonly string[],
+  installation: Installation,
+  streams: CliStreams,
+  interrupted: AbortSignal = new AbortController().signal,
+): Promise<number> {
   const [name, ...rest] = args;
-  if (name === '--version') {
+  if (name === '--version' || name === '-v' || name === 'version') {
     streams.out(installation.version);
-    return 0;
+    return EXIT.done;
   }
-  if (name === undefined || name === '--help' || name === 'help') {
-    const command = COMMANDS.find((c) => c.name === rest[0]);
-    streams.out(command ? commandHelp(command) : overviewHelp(COMMANDS));
-    return name === undefined ? 2 : 0;
-  }
-  const command = COMMANDS.find((c) => c.name === name);
-  if (!command) return refuse(streams, rest, 'scrim --help', `There is no command ${JSON.stringify(name)}.`);
+  if (name === undefined || name === '--help' || name === '-h' || name === 'help') return help(name === undefined, rest, streams);
+  const command = findCommand(args);
+  if (!command) return refuse(streams, rest, 'scrim --help', noCommand(args));
   let call: Call;
   try {
-    call = parseCall(command, rest);
+    call = parseCall(command, args.slice(wordsOf(command)));
   } catch (error) {
-    if (error instanceof UsageError) return refuse(streams, rest, `scrim ${name} --help`, error.message);
+    if (error instanceof UsageError) return refuse(streams, rest, `scrim ${command.name} --help`, error.message);
     throw error;
   }
   if (call.flag('help')) {
     streams.out(commandHelp(command));
-    return 0;
+    return EXIT.done;
   }
-  return runCommand(command, call, installation, streams);
+  return runCommand(command, call, installation, streams, interrupted);
 }
 
-async function runCommand(command: Command, call: Call, installation: Installation, streams: CliStreams): Promise<number> {
+/** Some have names of two words. */
+function findCommand(args: readonly string[]): Command | undefined {
+  return COMMANDS.find((command) => args.slice(0, wordsOf(command)).join(' ') === command.name);
+}
+
+function wordsOf({ name }: Command): number {
+  return name.split(' ').length;
+}
+
+function help(asError: boolean, named: readonly string[], streams: CliStreams): number {
+  const command = findCommand(named);
+  if (named.length > 0 && !command) return refuse(streams, [], 'scrim --help', noCommand(named));
+  streams.out(command ? commandHelp(command) : overviewHelp(COMMANDS));
+  return asError ? EXIT.notUnderstood : EXIT.done;
+}
+
+function noCommand([name = '']: readonly string[]): string {
+  const group = COMMANDS.filter((command) => command.name.startsWith(`${name} `));
+  if (group.length > 0) return `${name} is one word of a command: ${group.map((command) => `scrim ${command.name}`).join(', ')}.`;
+  const names = COMMANDS.map((command) => command.name);
+  return `There is no command ${JSON.stringify(name)}.${didYouMean(name, names)}`;
+}
+
+async function runCommand(
+  command: Command,
+  call: Call,
+  installation: Installation,
+  streams: CliStreams,
+  interrupted: AbortSignal,
+): Promise<number> {
   const json = call.flag('json');
-  const context: Context = { installation, say: (text) => streams.interactive && streams.err(text), print: streams.out };
+  const show = (text: string | null) => {
+    if (streams.progress) streams.progress(text);
+    else if (streams.interactive && text !== null) streams.err(text);
+  };
+  const context: Context = { installation, say: show, print: streams.out, interrupted };
   let outcome: Outcome;
   try {
     outcome = await command.run(call, context);
   } catch (error) {
+    if (interrupted.aborted && error === interrupted.reason) {
+      show(null);
+      streams.err('Interrupted: nothing was written.');
+      return EXIT.interrupted;
+    }
     if (error instanceof UsageError) return refuse(streams, json ? ['--json'] : [], `scrim ${command.name} --help`, error.message);
     if (!(error instanceof HostError)) throw error;
     outcome = failed([error.diagnostic as Diagnostic]);
   }
+  show(null);
   if (json) {
     if (outcome.json !== undefined) streams.out(JSON.stringify(outcome.json, null, 2));
   } else {
-    for (const diagnostic of outcome.diagnostics) streams.err(formatDiagnostic(diagnostic));
+    const paint = createPaint(streams.colored?.err === true);
+    for (const diagnostic of outcome.diagnostics) streams.err(paint.diagnostic(diagnostic));
     if (outcome.text !== '') streams.out(outcome.text);
   }
   return outcome.status;
@@ -72,5 +129,5 @@ function refuse(streams: CliStreams, args: readonly string[], help: string, mess
   if (args.includes('--json')) {
     streams.out(JSON.stringify({ ok: false, diagnostics: [{ code: 'SCR070', severity: 'error', message }] }, null, 2));
   } else streams.err(`${message}\nTry: ${help}`);
-  return 2;
+  return EXIT.notUnderstood;
 }

@@ -16,7 +16,8 @@ export const checkCommand: Command = {
       says: 'For other programs: { ok, diagnostics: [{ code, severity, message, nodeId, file, line, … }] }.',
     },
   ],
-  run: async (call) => {
+  run: async (call, { say }) => {
+    say('Compiling…');
     const { diagnostics } = await compileFolder(call.project, () => ({ reportUnused: true }));
     const ok = !hasErrors(diagnostics);
     const lines = diagnostics.map(formatDiagnostic);

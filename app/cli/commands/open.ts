@@ -34,7 +34,7 @@ export const openCommand: Command = {
     const electron = call.flag('browser') ? null : await findElectron(context.installation.root, context.say);
     if (electron && 'path' in electron) {
       const started = await runElectron(electron.path, context, project);
-      if (started) return { status: 0, json: { ok: true, shell: 'electron' }, text: '', diagnostics: [] };
+      if (started || context.interrupted.aborted) return { status: 0, json: { ok: true, shell: 'electron' }, text: '', diagnostics: [] };
     }
     const why = electron === null ? null : 'path' in electron ? 'it ended as soon as it started' : electron.missing;
     return serve(context, project, port, why, call.flag('json'));
@@ -78,22 +78,20 @@ async function serve(context: Context, project: string | null, port: number, why
     throw error;
   });
   if (server === null) throw new UsageError(`Port ${port} is taken or forbidden: give another one, or none.`);
-  // Listened for before anybody is told that it can be stopped.
-  const interrupted = untilInterrupted();
   if (json) print(JSON.stringify({ ok: true, shell: 'server', url: server.url }));
   else {
     if (why !== null) print(`Electron cannot run here (${why}): the editor opens in the browser instead.`);
     print(`${server.url}\nCtrl-C stops it.`);
     openAddress(server.url);
   }
-  await interrupted;
+  await untilAborted(context.interrupted);
   await server.close();
   return { status: 0, json: undefined, text: '', diagnostics: [] };
 }
 
-function untilInterrupted(): Promise<void> {
+function untilAborted(signal: AbortSignal): Promise<void> {
   return new Promise((resolve) => {
-    process.once('SIGINT', () => resolve());
-    process.once('SIGTERM', () => resolve());
+    if (signal.aborted) resolve();
+    else signal.addEventListener('abort', () => resolve(), { once: true });
   });
 }

@@ -45,7 +45,7 @@ export const renderCommand: Command = {
       says: 'How far away the picture’s virtual parts are.',
     },
   ],
-  run: async (call, { installation, say }): Promise<Outcome> => {
+  run: async (call, { installation, say, interrupted }): Promise<Outcome> => {
     const out = readOut(call);
     const range = readRange(call.text('frames'));
     const size = readSize(call.text('size'));
@@ -69,7 +69,10 @@ export const renderCommand: Command = {
         projectRoot: compiled.root,
         job: { program, session: session.output.session, ...session.output.sizePx, subject: subject.output },
         sourceOf: (file) => compiled.files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file),
-        onPicture: writer.add,
+        onPicture: async (...picture) => {
+          interrupted.throwIfAborted();
+          await writer.add(...picture);
+        },
         say,
       });
       const all = [...compiled.diagnostics, ...diagnostics];

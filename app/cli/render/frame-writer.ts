@@ -1,5 +1,7 @@
+import { rmSync } from 'node:fs';
 import { mkdir, mkdtemp, rename, rm, writeFile } from 'node:fs/promises';
 import { basename, dirname, join, resolve } from 'node:path';
+import process from 'node:process';
 import { writeRefusal } from '../../services/file-errors.ts';
 import { encodeDepth, encodeLayer } from '../pictures.ts';
 import type { PictureHead } from './render.page.ts';
@@ -23,6 +25,12 @@ export async function createFrameWriter(out: string, isFile: boolean, isDepth: b
   const aside = await mkdtemp(join(folder, '.scrim-render-')).catch(refuse);
   const names: string[] = [];
   let finished = false;
+  // The browser's driver ends the process by itself when it is interrupted.
+  const sweep = () => {
+    rmSync(aside, { recursive: true, force: true });
+    if (!finished && firstMade !== undefined) rmSync(firstMade, { recursive: true, force: true });
+  };
+  process.once('exit', sweep);
   return {
     add: async (index, { widthPx, heightPx }, bytes) => {
       const name = isFile ? basename(out) : `${String(index).padStart(6, '0')}.png`;
@@ -38,6 +46,7 @@ export async function createFrameWriter(out: string, isFile: boolean, isDepth: b
       return names.map((name) => (isFile ? out : join(out, name)));
     },
     dispose: async () => {
+      process.off('exit', sweep);
       await rm(aside, { recursive: true, force: true });
       if (!finished && firstMade !== undefined) await rm(firstMade, { recursive: true, force: true });
     },
