@@ -78,6 +78,8 @@ export type Resource =
       readonly samples: 1 | 4;
       /** `persistent` keeps last frame's picture: reading it while writing it gives the earlier one. */
       readonly lifetime: 'frame' | 'persistent';
+      /** An equal target, drawn earlier, whose picture nobody reads any more when this one is drawn: both are one texture. */
+      readonly shares?: ResourceId;
     }
   /** A texture that a source brings: picture, video, camera. */
   | { readonly id: ResourceId; readonly kind: 'external'; readonly domain: 'view' | 'image' }
@@ -85,6 +87,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'room-depth' }
   | { readonly id: ResourceId; readonly kind: 'objects' }
   | { readonly id: ResourceId; readonly kind: 'lights' }
+  /** A panorama around the scene. */
+  | { readonly id: ResourceId; readonly kind: 'environment' }
   /** What happened in this frame: emptied before each. */
   | { readonly id: ResourceId; readonly kind: 'pulses' }
   /** Depth from every shadow-casting light over one set of casters. */
@@ -261,7 +265,7 @@ export interface SourceMap {
 
 export interface ProgramAsset {
   readonly id: string;
-  readonly kind: 'image' | 'model';
+  readonly kind: 'image' | 'model' | 'video' | 'environment';
   /** Relative to the project folder in a preview, to the page in an export. */
   readonly path: string;
 }

@@ -49,6 +49,7 @@ export interface EngineOptions {
   readonly clock: FrameClock;
   readonly board: DiagnosticsBoard;
   readonly state: PlayState;
+  readonly held?: boolean;
 }
 
 export function createEngine(options: EngineOptions): Engine {
@@ -98,6 +99,7 @@ export function createEngine(options: EngineOptions): Engine {
         get frame() {
           return state.frame.index;
         },
+        held: options.held ?? false,
       },
       session: {
         get frame() {

@@ -29,6 +29,8 @@ export interface PlayerOptions {
   /** Everything wrong with the running program, whenever that changes. Shader errors come with `PlayResult`. */
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly clock?: FrameClock;
+  /** Frames come one by one, however long each takes, as in a render: videos are sought instead of played. */
+  readonly held?: boolean;
 }
 
 /** How a program was received. */
@@ -50,6 +52,13 @@ export interface Player {
   setSession(session: SessionTraits | null): void;
   /** Draws all views of a frame into its framebuffer. */
   draw(frame: SessionFrame): void;
+  /**
+   * For a held player, and sessions whose frames last until the next: draws when everything that the frame shows is there, such as
+   * its moment of a video. Resolves when it is drawn.
+   */
+  drawSettled(frame: SessionFrame): Promise<void>;
+  /** For a held player: resolves when everything is there that the last frame asked for. The next one shows it. */
+  settle(): Promise<void>;
   /** False where the running program has no such param or the value does not fit it. */
   setParam(node: string, param: string, value: SlotValue): boolean;
   /**
@@ -133,7 +142,20 @@ export function createPlayer(options: PlayerOptions): Player {
     draw: (frame) => {
       if (!live || !stage) return;
       state.frame = frame;
+      stage.update();
       stage.draw(session);
+    },
+    drawSettled: async (frame) => {
+      if (!live || !stage) return;
+      const mine = stage;
+      state.frame = frame;
+      mine.update();
+      await mine.settle();
+      // The context may be lost by now, or another program be playing.
+      if (live && stage === mine) mine.draw(session);
+    },
+    settle: async () => {
+      await stage?.settle();
     },
     setParam: (node, param, value) => {
       const name = `${node}.${param}`;

@@ -34,7 +34,7 @@ export interface SceneBackend {
    */
   loadModel(bytes: ArrayBuffer, path: string, readFile: (path: string) => Promise<ArrayBuffer>): Promise<LoadedModel>;
   /** A panorama, filtered for lighting. Rejects with an `Error` that says what is wrong with the file. */
-  loadEnvironment(bytes: ArrayBuffer, path: string): Promise<LoadedEnvironment>;
+  loadEnvironment(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
   /** Called when passes have drawn since three last did. */
   invalidateState(): void;
   /** GPU objects alive, for leak tests. */

@@ -67,7 +67,7 @@ export type LayerDomain = 'view' | 'image';
 export type ParamStage = 'uniform' | 'structure' | 'asset';
 
 /** The unit of the stored value. The inspector shows `rad` in degrees; everything else as stored. */
-export type Unit = 'm' | 's' | 'rad' | 'px' | 'K' | 'Hz' | 'ratio' | 'none';
+export type Unit = 'm' | 's' | 'rad' | 'px' | 'K' | 'Hz' | 'cd' | 'ratio' | 'none';
 
 interface ParamBase {
   readonly label: string;
@@ -130,7 +130,7 @@ export interface AssetParam extends ParamBase {
   readonly accept: AssetKind;
 }
 
-export type AssetKind = 'image' | 'model';
+export type AssetKind = 'image' | 'model' | 'video' | 'environment';
 
 export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | AssetParam;
 

@@ -1,4 +1,4 @@
-import type { AnimationClip, Matrix4, Object3D } from 'three';
+import type { AnimationClip, Matrix4, Object3D, Texture } from 'three';
 import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
@@ -18,6 +18,11 @@ export interface NodeModule {
 export interface NodeRuntime {
   /** Once per frame, in program order, before anything is drawn. Allocates nothing. */
   update(frame: SessionFrame): void;
+  /**
+   * For nodes that bring something in which takes time to get, such as a moment of a video: resolves when what the last `update`
+   * asked for is there, and is null when it is already. Asked only while the clock is held (`Clock.held`); the frame is drawn then.
+   */
+  settle?(): Promise<void> | null;
   /**
    * For definitions with `delay`: once per frame, after the `update` of all nodes. Reads the inputs for the frames to come, while
    * `update` reads none of them.
@@ -150,14 +155,61 @@ export interface LightList {
   readonly items: LightItem[];
 }
 
-export interface LightItem {
+export type LightItem = DirectionalLightItem | PointLightItem | SpotLightItem | EnvironmentLightItem;
+
+/** Light from one direction everywhere. */
+export interface DirectionalLightItem {
   key: string;
-  kind: 'directional';
+  readonly kind: 'directional';
   /** Linear-sRGB, times intensity in lux-like three.js units. */
   readonly radiance: Float32Array;
   /** Unit vector from the scene towards the light, world space. */
   readonly towardsLightWorld: Float32Array;
   shadow: LightShadow | null;
+}
+
+/** A lamp that shines alike in all directions: at d metres a surface that faces it receives intensity / d². */
+export interface PointLightItem {
+  key: string;
+  readonly kind: 'point';
+  /** Candela per channel of linear-sRGB. */
+  readonly intensityCd: Float32Array;
+  readonly positionWorld: Float32Array;
+  /** Where its light ends, metres: it is faded out on the way there (`getDistanceAttenuation` of three.js). 0: it has no end. */
+  rangeM: number;
+  shadow: LampShadow | null;
+}
+
+/** A lamp that shines in a cone. */
+export interface SpotLightItem {
+  key: string;
+  readonly kind: 'spot';
+  /** Candela per channel of linear-sRGB, in the middle of the cone. */
+  readonly intensityCd: Float32Array;
+  readonly positionWorld: Float32Array;
+  /** Unit vector against the beam, world space. */
+  readonly towardsLightWorld: Float32Array;
+  /** As of a point light. */
+  rangeM: number;
+  /** From the cone's axis to its edge, below a quarter turn. */
+  halfAngleRad: number;
+  /** The part of that angle, from the edge inwards, over which the light comes up: 0 is a sharp edge. */
+  penumbra: number;
+  shadow: LampShadow | null;
+}
+
+/** Surroundings that light a scene from all sides; without shadows. */
+export interface EnvironmentLightItem {
+  key: string;
+  readonly kind: 'environment';
+  /** Null while it loads. */
+  environment: EnvironmentAsset | null;
+  /** Factor on its radiance. */
+  intensity: number;
+  /** About the world's y axis. At 0 the middle of the panorama lies towards -z. */
+  rotationRad: number;
+  /** Whether it shows behind the objects. */
+  visible: boolean;
 }
 
 export interface LightShadow {
@@ -167,6 +219,24 @@ export interface LightShadow {
   /** Normalised depth added against acne, and metres along the normal. */
   bias: number;
   normalBiasM: number;
+}
+
+/** The shadow of a lamp with a place: its map covers all that it shines on. */
+export interface LampShadow {
+  /** Side of the map; a point light has six. */
+  mapSizePx: number;
+  /** How far the shadow is held off its surface, in the map's pixels there. */
+  biasPx: number;
+}
+
+/** A panorama on its way to the lights. */
+export interface EnvironmentOutput {
+  /** Null while it loads, and where none is chosen. */
+  asset: EnvironmentAsset | null;
+  /** Factor on its radiance. */
+  intensity: number;
+  /** About the world's y axis. At 0 the middle of the panorama lies towards -z. */
+  rotationRad: number;
 }
 
 /** A layer brought in from outside. View domain: one entry per view; image domain: entry 0 serves all. */
@@ -192,6 +262,7 @@ export interface WireViews extends ValueViews {
   depth: RoomDepthOutput;
   objects: ObjectList;
   lights: LightList;
+  environment: EnvironmentOutput;
   pulse: PulseList;
 }
 
@@ -228,6 +299,8 @@ export interface Clock {
   readonly timeS: number;
   readonly deltaS: number;
   readonly frame: number;
+  /** Frames come one by one, however long each takes, as in a render: what takes time is waited for (`NodeRuntime.settle`). */
+  readonly held: boolean;
 }
 
 export interface SessionService {
@@ -239,6 +312,8 @@ export interface SessionService {
 export interface AssetService {
   image(id: string): AssetHandle<ImageAsset>;
   model(id: string): AssetHandle<ModelAsset>;
+  environment(id: string): AssetHandle<EnvironmentAsset>;
+  video(id: string): AssetHandle<VideoAsset>;
 }
 
 export interface AssetHandle<T> {
@@ -260,6 +335,34 @@ export interface ModelAsset {
   /** Each call makes a new subtree with bones of its own, sharing geometries, materials and textures. */
   instantiate(): Object3D;
   readonly clips: readonly AnimationClip[];
+}
+
+/** Equirectangular radiance, linear where it is sampled; its middle is `u` 0.5, and `v` 1 is the zenith. */
+export interface EnvironmentAsset {
+  readonly texture: Texture;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+export interface VideoAsset {
+  readonly durationS: number;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Each call makes a playback with a time of its own. `onProblem` is told what hinders it, in words, and what to do. */
+  open(onProblem: (problem: { readonly message: string; readonly fix: string }) => void): VideoPlayback;
+}
+
+export interface VideoPlayback {
+  /** The newest picture that is there; null before the first. */
+  readonly picture: ImageAsset | null;
+  /**
+   * Asks for the picture at `timeS` of the file, in [0, durationS]; every frame. A `rate` above 0 lets the video run on by itself
+   * at this speed, `loop` from its end to its start, and puts it right where it strays; 0 asks for exactly this picture.
+   */
+  follow(timeS: number, rate: number, loop: boolean): void;
+  /** As `NodeRuntime.settle`. */
+  settle(): Promise<void> | null;
+  dispose(): void;
 }
 
 /** Where `draw` draws. */

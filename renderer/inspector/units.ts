@@ -14,6 +14,7 @@ const SHOWN: Readonly<Record<Unit, ShownUnit>> = {
   px: { suffix: 'px', shownPerStored: 1 },
   K: { suffix: 'K', shownPerStored: 1 },
   Hz: { suffix: 'Hz', shownPerStored: 1 },
+  cd: { suffix: 'cd', shownPerStored: 1 },
   ratio: { suffix: '', shownPerStored: 1 },
   none: { suffix: '', shownPerStored: 1 },
 };

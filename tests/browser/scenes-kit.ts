@@ -1,7 +1,16 @@
 import { Box3, Matrix4, type Object3D, PerspectiveCamera, Sphere, Vector3 } from 'three';
-import type { LoadedModel, SceneBackend } from '../../export/runtime/scene-backend.ts';
+import type { CreateSceneBackend, LoadedModel, SceneBackend } from '../../export/runtime/scene-backend.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
-import type { DrawView, LightItem, LightList, ObjectItem, ObjectList } from '../../nodes/kit/runtime.ts';
+import type {
+  DirectionalLightItem,
+  DrawView,
+  LightItem,
+  LightList,
+  ObjectItem,
+  ObjectList,
+  PointLightItem,
+  SpotLightItem,
+} from '../../nodes/kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 
 /** A canvas, a layer to draw into and the scene backend over them: what the player would give, without the player. */
@@ -38,9 +47,9 @@ export function createGl(widthPx = WIDTH, heightPx = HEIGHT, attributes: WebGLCo
   return gl;
 }
 
-export function createStand(widthPx = WIDTH, heightPx = HEIGHT): Stand {
+export function createStand(widthPx = WIDTH, heightPx = HEIGHT, createBackend: CreateSceneBackend = createScenes): Stand {
   const gl = createGl(widthPx, heightPx);
-  const backend = createScenes({ gl, canvas: gl.canvas });
+  const backend = createBackend({ gl, canvas: gl.canvas });
   return { gl, backend, layer: createLayer(gl, widthPx, heightPx) };
 }
 
@@ -150,8 +159,8 @@ export function objects(...items: ObjectItem[]): ObjectList {
 
 export function sun(
   towards: readonly [number, number, number],
-  options: { shadow?: LightItem['shadow']; radiance?: number } = {},
-): LightItem {
+  options: { shadow?: DirectionalLightItem['shadow']; radiance?: number } = {},
+): DirectionalLightItem {
   const { x, y, z } = new Vector3(...towards).normalize();
   return {
     key: 'sun',
@@ -159,6 +168,45 @@ export function sun(
     radiance: new Float32Array(3).fill(options.radiance ?? Math.PI),
     towardsLightWorld: new Float32Array([x, y, z]),
     shadow: options.shadow ?? null,
+  };
+}
+
+/** White, of so many candela. */
+export function bulb(positionWorld: readonly [number, number, number], cd: number, more: Partial<PointLightItem> = {}): PointLightItem {
+  return {
+    key: 'bulb',
+    kind: 'point',
+    intensityCd: new Float32Array(3).fill(cd),
+    positionWorld: new Float32Array(positionWorld),
+    rangeM: 0,
+    shadow: null,
+    ...more,
+  };
+}
+
+/** The same in a cone of 60 degrees with a sharp edge, aimed at a point. */
+export function spot(
+  positionWorld: readonly [number, number, number],
+  targetWorld: readonly [number, number, number],
+  cd: number,
+  more: Partial<SpotLightItem> = {},
+): SpotLightItem {
+  return {
+    key: 'spot',
+    kind: 'spot',
+    intensityCd: new Float32Array(3).fill(cd),
+    positionWorld: new Float32Array(positionWorld),
+    towardsLightWorld: new Float32Array(
+      new Vector3(...positionWorld)
+        .sub(new Vector3(...targetWorld))
+        .normalize()
+        .toArray(),
+    ),
+    rangeM: 0,
+    halfAngleRad: Math.PI / 6,
+    penumbra: 0,
+    shadow: null,
+    ...more,
   };
 }
 
@@ -213,7 +261,7 @@ export function normalising(root: Object3D): Matrix4 {
 export async function loadUrl(backend: SceneBackend, url: string): Promise<LoadedModel> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  return await backend.loadModel(await response.arrayBuffer(), url);
+  return await backend.loadModel(await response.arrayBuffer(), url, fetchFile);
 }
 
 const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];

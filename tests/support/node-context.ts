@@ -39,7 +39,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
     );
 
   const params = ofStage('uniform', (value, param) => ({ value: live(value, param) }));
-  const clock = { timeS: 0, deltaS: 0, frame: 0 };
+  const clock = { timeS: 0, deltaS: 0, frame: 0, held: false };
   const reports: Omit<Diagnostic, 'nodeId'>[] = [];
   const outputs = Object.fromEntries(Object.entries(definition.outputs).map(([name, port]) => [name, emptyOutput(port.type)]));
   const context = {
@@ -110,6 +110,8 @@ function emptyOutput(type: WireType): unknown {
     case 'objects':
     case 'lights':
       return { version: 0, items: [] };
+    case 'environment':
+      return { asset: null, intensity: 1, rotationRad: 0 };
     case 'layer':
     case 'depth':
       return { views: [] };

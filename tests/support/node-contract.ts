@@ -5,6 +5,7 @@ const ENDINGS: readonly (readonly [string, Unit])[] = [
   ['Rad', 'rad'],
   ['Px', 'px'],
   ['Hz', 'Hz'],
+  ['Cd', 'cd'],
   ['M', 'm'],
   ['S', 's'],
   ['K', 'K'],

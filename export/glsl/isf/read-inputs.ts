@@ -17,7 +17,7 @@ const SIZES: Readonly<Record<IsfInputType, number>> = {
   depth: 0,
 };
 
-const UNITS: ReadonlySet<string> = new Set(['m', 's', 'rad', 'px', 'K', 'Hz', 'ratio', 'none'] satisfies Unit[]);
+const UNITS: ReadonlySet<string> = new Set(['m', 's', 'rad', 'px', 'K', 'Hz', 'cd', 'ratio', 'none'] satisfies Unit[]);
 
 /** Of a `long` without VALUES; more would be no list to choose from. */
 const MAX_CHOICES = 64;

@@ -1,11 +1,13 @@
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { AssetHandle, AssetService, ImageAsset, ModelAsset } from '../../../nodes/kit/runtime.ts';
+import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/runtime.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
-import type { LoadedModel, SceneBackend } from '../scene-backend.ts';
+import type { LoadedEnvironment, LoadedModel, SceneBackend } from '../scene-backend.ts';
 import type { AssetSource } from './asset-source.ts';
 import { type LoadedImage, loadImage } from './load-image.ts';
+import { type LoadedVideo, loadVideo } from './video/load-video.ts';
+import { VideoError } from './video/video-element.ts';
 
 /** All assets of a player: each file is loaded once, shared by all who use it, and freed with its last user. */
 export interface AssetStore {
@@ -22,7 +24,7 @@ export interface AssetHold {
   release(): void;
 }
 
-type Loaded = LoadedImage | LoadedModel;
+type Loaded = LoadedImage | LoadedModel | LoadedVideo | LoadedEnvironment;
 
 interface Entry {
   readonly asset: ProgramAsset;
@@ -97,7 +99,12 @@ export function createAssetStore(objects: GlObjects, source: AssetSource, scenes
         report(asset ? wrongKind(asset, kind) : missing(id));
         return { kind, value: null, settled: Promise.resolve(), release: () => {} };
       };
-      return { image: (id) => find<ImageAsset>('image', id), model: (id) => find<ModelAsset>('model', id) };
+      return {
+        image: (id) => find<ImageAsset>('image', id),
+        model: (id) => find<ModelAsset>('model', id),
+        video: (id) => find<VideoAsset>('video', id),
+        environment: (id) => find<EnvironmentAsset>('environment', id),
+      };
     },
     dispose: () => {
       for (const entry of entries.values()) {
@@ -122,14 +129,32 @@ async function load(asset: ProgramAsset, objects: GlObjects, source: AssetSource
     return { kind: 'failed', failure: unreadable(asset, error) };
   }
   try {
-    const value = asset.kind === 'image' ? await loadImage(objects, bytes) : await scenes().loadModel(bytes, asset.path, source.load);
-    return { kind: 'loaded', value };
+    return { kind: 'loaded', value: await decode(asset, bytes, objects, source, scenes) };
   } catch (error) {
     return { kind: 'failed', failure: undecodable(asset, error) };
   }
 }
 
-const NAMES: Readonly<Record<AssetKind, string>> = { image: 'picture', model: 'model' };
+function decode(
+  { kind, path }: ProgramAsset,
+  bytes: ArrayBuffer,
+  objects: GlObjects,
+  source: AssetSource,
+  scenes: () => SceneBackend,
+): Promise<Loaded> {
+  switch (kind) {
+    case 'image':
+      return loadImage(objects, bytes);
+    case 'video':
+      return loadVideo(objects, bytes);
+    case 'model':
+      return scenes().loadModel(bytes, path, source.load);
+    case 'environment':
+      return scenes().loadEnvironment(bytes);
+  }
+}
+
+const NAMES: Readonly<Record<AssetKind, string>> = { image: 'picture', model: 'model', video: 'video', environment: 'panorama' };
 
 function missing(id: string): Omit<Diagnostic, 'nodeId'> {
   return { code: 'SCR030', severity: 'error', message: `The asset "${id}" is not in the project.`, fix: 'Choose another one.' };
@@ -147,7 +172,8 @@ function unreadable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'node
 
 function undecodable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
   const message = `The ${NAMES[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
-  return { code: 'SCR032', severity: 'error', message, fix: 'Check that the file opens in another program, or save it anew.' };
+  const fix = error instanceof VideoError ? error.fix : 'Check that the file opens in another program, or save it anew.';
+  return { code: 'SCR032', severity: 'error', message, fix };
 }
 
 function reason(error: unknown): string {

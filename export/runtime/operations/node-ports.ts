@@ -76,6 +76,8 @@ function listOf(id: string, resources: LiveResources): unknown {
       return resource.list;
     case 'room-depth':
       return resource.depth;
+    case 'environment':
+      return resource.environment;
     case 'external':
       return resource.layer;
     case 'pulses':

@@ -1,4 +1,4 @@
-import type { LayerOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
+import type { EnvironmentOutput, LayerOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
@@ -11,6 +11,7 @@ export type LiveResource =
   | { readonly kind: 'room-depth'; readonly depth: RoomDepthOutput }
   | { readonly kind: 'objects'; readonly list: ObjectList }
   | { readonly kind: 'lights'; readonly list: LightList }
+  | { readonly kind: 'environment'; readonly environment: EnvironmentOutput }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   /** Made by its operation. */
   | { readonly kind: 'shadow-maps' };
@@ -54,6 +55,9 @@ export function clearOutput(resource: LiveResource): void {
     case 'room-depth':
       resource.depth.views.fill(null);
       break;
+    case 'environment':
+      resource.environment.asset = null;
+      break;
     case 'pulses':
       resource.queue.clear();
       break;
@@ -77,6 +81,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'objects', list: { version: 0, items: [] } };
     case 'lights':
       return { kind: 'lights', list: { version: 0, items: [] } };
+    case 'environment':
+      return { kind: 'environment', environment: { asset: null, intensity: 1, rotationRad: 0 } };
     case 'pulses':
       return { kind: 'pulses', queue: createPulseQueue() };
     case 'shadow-maps':

@@ -39,7 +39,7 @@ function create(host: SceneHost, tools: ModelTools): SceneBackend {
                 ambient: look.ambient ?? FULL_AMBIENT,
                 shadowMaps,
                 occlusion,
-                watchLimits: createLightLimits(binding.report),
+                watchLimits: createLightLimits(binding.report, 'all'),
               });
             case 'shadow-catcher':
               return createShadowScene({
@@ -48,7 +48,7 @@ function create(host: SceneHost, tools: ModelTools): SceneBackend {
                 color: look.color,
                 shadowMaps,
                 occlusion,
-                watchLimits: createLightLimits(binding.report),
+                watchLimits: createLightLimits(binding.report, 'shadows'),
               });
           }
         },

@@ -17,8 +17,8 @@ export interface SceneRenderer {
   readonly three: ThreeRenderer;
   /** Draws over what the view's framebuffer holds, and leaves that framebuffer bound. */
   draw(view: DrawView, scene: Scene, camera: Camera): void;
-  /** Clears the depth of a target of three's own and draws into it; leaves no framebuffer bound. */
-  drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
+  /** Clears the depth of a target of three's own, or of one face of a cube, and draws into it; leaves no framebuffer bound. */
+  drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /** Lets three do other work on the GPU, at any time between draws; leaves no framebuffer bound. */
   work(task: (three: ThreeRenderer) => void): void;
   /** Others have drawn since three last did. */
@@ -84,9 +84,9 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       three.render(scene, camera);
       three.state.setScissorTest(false);
     },
-    drawDepth: (depthTarget, scene, camera) => {
+    drawDepth: (depthTarget, scene, camera, face = 0) => {
       restoreState();
-      three.setRenderTarget(depthTarget);
+      three.setRenderTarget(depthTarget, face);
       three.clear(false, true, false);
       three.render(scene, camera);
       three.setRenderTarget(null);

@@ -1,6 +1,9 @@
 import { BackSide, DoubleSide, FrontSide, type Material, Scene } from 'three';
 import type { DrawnScene, NumberView, ObjectItem } from '../../../nodes/kit/runtime.ts';
-import type { NeutralEnvironment } from './lights/environment.ts';
+import type { NeutralEnvironment } from './environments/neutral.ts';
+import type { PanoramaStore } from './environments/panorama-store.ts';
+import { createSurroundings } from './environments/surroundings.ts';
+import type { LightLimits } from './lights/light-limits.ts';
 import { createLightRig } from './lights/light-rig.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
@@ -16,11 +19,13 @@ import { createViewCamera } from './view-camera.ts';
 
 export interface ShadedSceneOptions {
   readonly renderer: SceneRenderer;
-  readonly environment: NeutralEnvironment;
+  readonly neutral: NeutralEnvironment;
+  readonly panoramas: PanoramaStore;
   /** Brightness of the neutral surroundings; 1 makes a white matt surface white by them alone. */
   readonly ambient: NumberView;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
+  readonly watchLimits: LightLimits;
 }
 
 /** Phantoms before all, so that what they hide costs nothing; then the depth of surfaces that fade at a soft border. */
@@ -31,14 +36,16 @@ type Side = LayerTwinOptions['side'];
 
 /** Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. */
 export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
-  const { renderer, environment, ambient, shadowMaps, occlusion } = options;
+  const { renderer, shadowMaps, occlusion, watchLimits } = options;
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
   const lights = createLightRig(scene);
+  const surroundings = createSurroundings({ ...options, scene });
   const twins = createTwinCache();
   const proxies = createProxySet(scene, plan);
   let outdated = false;
+  let lit = false;
   const onChange = (): void => {
     outdated = true;
   };
@@ -66,9 +73,10 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       if (proxies.update(objects, outdated)) {
         outdated = false;
         twins.sweep();
-        if (proxies.proxies.some(({ object }) => materialsOf(object).some(isLit))) scene.environment ??= environment.texture();
+        lit = proxies.proxies.some(({ object }) => materialsOf(object).some(isLit));
       }
-      scene.environmentIntensity = ambient.value;
+      watchLimits(lightLists);
+      surroundings.update(lightLists, lit);
       lights.update(lightLists);
     },
     draw: (drawView) => {
@@ -81,6 +89,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       proxies.dispose();
       twins.dispose();
       lights.dispose();
+      surroundings.dispose();
     },
   };
 }

@@ -1,5 +1,6 @@
 import { Scene } from 'three';
 import type { DrawnScene, LightList, NumberView, ObjectItem, VectorView } from '../../../nodes/kit/runtime.ts';
+import type { LightLimits } from './lights/light-limits.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
@@ -17,6 +18,7 @@ export interface ShadowSceneOptions {
   readonly color: VectorView;
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
+  readonly watchLimits: LightLimits;
 }
 
 const receivesShadow = (item: ObjectItem): boolean => item.receivesShadow;
@@ -26,7 +28,7 @@ const receivesShadow = (item: ObjectItem): boolean => item.receivesShadow;
  * stand before is covered there.
  */
 export function createShadowScene(options: ShadowSceneOptions): DrawnScene {
-  const { renderer, strength, color, shadowMaps, occlusion } = options;
+  const { renderer, strength, color, shadowMaps, occlusion, watchLimits } = options;
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
@@ -49,6 +51,7 @@ export function createShadowScene(options: ShadowSceneOptions): DrawnScene {
   return {
     update: (objects, lightLists) => {
       lights = lightLists;
+      watchLimits(lightLists);
       twins.sync();
       if (proxies.update(objects, false)) twins.sweep();
     },

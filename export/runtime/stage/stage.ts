@@ -22,7 +22,11 @@ export interface Stage {
   readonly cast: Cast;
   /** Null where no loops are bounded, as in exported pages. */
   readonly loops: LoopWatch | null;
-  /** Draws the frame of the engine's play state, all views. */
+  /** Lets the nodes work out the frame of the engine's play state. */
+  update(): void;
+  /** Resolves when what the nodes asked for in `update` is there. */
+  settle(): Promise<void>;
+  /** Draws that frame, all views. */
   draw(session: SessionTraits | null): void;
   /** State of nodes and persistent pictures back to the first frame. */
   reset(): void;
@@ -56,14 +60,21 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
     resources,
     cast,
     loops,
+    update: () => {
+      const { frame } = state;
+      enterView(state, 0);
+      for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
+      for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
+      for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
+    },
+    settle: async () => {
+      await Promise.all(runtimes.map((runtime) => runtime.settle?.()));
+    },
     draw: (session) => {
       const { frame } = state;
       if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
       viewCount = frame.viewCount;
       enterView(state, 0);
-      for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
-      for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
-      for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
       loops?.poll();
       sizes.resizeImages(state);
       run(once);

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'layer/scene',
   version: 1,
   title: 'Scene',
-  doc: 'Draws objects as a layer with depth, lit by the lights and by soft neutral surroundings. Phantoms among them hide what is behind them and show no colour.',
+  doc: 'Draws objects as a layer with depth, lit by the lights and by soft neutral surroundings, or by an Environment light instead of these. Phantoms among them hide what is behind them and show no colour.',
   keywords: ['render', '3d', 'draw', 'camera', 'virtual'],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'What to draw.', required: true, multiple: true },
@@ -24,7 +24,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Surroundings',
-      doc: 'Brightness of the neutral surroundings: at 1 a white matt surface is about white by them alone. Metals mirror them.',
+      doc: 'Brightness of the neutral surroundings: at 1 a white matt surface is about white by them alone. Metals mirror them. An Environment light takes their place.',
       default: 0.5,
       min: 0,
       max: 3,

@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import type { DirectionalLightItem } from '../../kit/runtime.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -7,9 +8,7 @@ function make(params: Record<string, PlainValue>) {
   const { ctx, set } = fakeContext(definition, { params });
   const node = create(ctx);
   node.update({} as never);
-  const [light] = ctx.outputs.lights.items;
-  if (!light) throw new Error('no light');
-  return { node, light, set };
+  return { node, light: ctx.outputs.lights.items[0] as DirectionalLightItem, set };
 }
 
 const rounded = (numbers: Iterable<number>): number[] => [...numbers].map((x) => Math.round(x * 1e6) / 1e6 + 0);

@@ -1,5 +1,5 @@
 import { Color } from 'three';
-import type { LightItem, LightShadow, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
+import type { DirectionalLightItem, LightShadow, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /** A matt surface sends back 1/π of the light that meets it: this much light makes a white one white. */
@@ -14,7 +14,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
   // shadow's filter, so it is counted in the map's pixels.
   const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0 };
-  const light: LightItem = {
+  const light: DirectionalLightItem = {
     key: 'light',
     kind: 'directional',
     radiance: new Float32Array(3),

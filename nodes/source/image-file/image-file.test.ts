@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { type FakeContextOptions, fakeContext } from '../../../tests/support/node-context.ts';
-import type { AssetHandle, ImageAsset, LayerTexture, Writable } from '../../kit/runtime.ts';
+import type { AssetHandle, AssetService, ImageAsset, LayerTexture, Writable } from '../../kit/runtime.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -23,7 +23,7 @@ function assets() {
   const load = (loaded: ImageAsset): void => {
     value = loaded;
   };
-  return { log, service: { image, model: () => handle as never }, load };
+  return { log, service: { image } as Partial<AssetService> as AssetService, load };
 }
 
 function start(options: FakeContextOptions<typeof definition>) {

@@ -174,6 +174,7 @@ function outputResource({ layers }: Lowering, source: Source, type: WireType): R
       return { id, kind: 'room-depth' };
     case 'objects':
     case 'lights':
+    case 'environment':
       return { id, kind: type };
     case 'pulse':
       return { id, kind: 'pulses' };

@@ -1,23 +1,30 @@
-import { type Color, DirectionalLight, type Scene, Vector3 } from 'three';
-import type { LightItem, LightList } from '../../../../nodes/kit/runtime.ts';
+import { type Color, DirectionalLight, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import type { DirectionalLightItem, LightItem, LightList, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
+import type { ShadowMap } from './light-map.ts';
 import type { RenderedShadowMaps } from './shadow-maps.ts';
 
-/** three's lights for the light lists of one scene. */
+/** three's lights for the light lists of one scene. Surroundings are not among them: see `surroundings.ts`. */
 export interface LightRig {
-  /** Takes over changed lists and this frame's directions and colours. */
+  /** Takes over changed lists and this frame's places and colours. */
   update(lists: readonly LightList[]): void;
   /** Hands three the maps rendered this frame, or takes them away. */
   bindShadows(maps: RenderedShadowMaps | null): void;
   dispose(): void;
 }
 
+/** Below this, the two cosines between which three fades the edge of a cone would be one. */
+export const MIN_PENUMBRA = 1e-3;
+
 // Read by the call that fills it, before anything else can.
-const scratchDirection = new Vector3();
+const scratchPoint = new Vector3();
+
+type Lamp = DirectionalLight | PointLight | SpotLight;
 
 interface RigLight {
   readonly item: LightItem;
-  readonly light: DirectionalLight;
+  readonly light: Lamp;
+  update(): void;
 }
 
 export function createLightRig(scene: Scene): LightRig {
@@ -34,47 +41,112 @@ export function createLightRig(scene: Scene): LightRig {
     rig.length = 0;
   }
 
+  function add(item: LightItem): void {
+    const made = createLight(item);
+    if (made === null) return;
+    setUp(made.light);
+    scene.add(made.light);
+    rig.push(made);
+  }
+
   return {
     update: (lists) => {
       if (watch.changed(lists)) {
         clear();
-        for (const list of lists) for (const item of list.items) rig.push({ item, light: createLight(scene) });
+        for (const list of lists) for (const item of list.items) add(item);
       }
-      for (const { item, light } of rig) {
-        setLinear(light.color, item.radiance);
-        light.matrixWorld.setPosition(scratchDirection.fromArray(item.towardsLightWorld));
-      }
+      for (let i = 0; i < rig.length; i++) rig[i]?.update();
     },
     bindShadows: (maps) => {
-      for (const { item, light } of rig) bindShadow(light, item, maps);
+      for (const { item, light } of rig) bindShadow(light, maps?.mapOf(item) ?? null);
     },
     dispose: clear,
   };
 }
 
-/** three takes the direction from the light's place to its target's, which stays at the origin. */
-function createLight(scene: Scene): DirectionalLight {
-  const light = new DirectionalLight();
-  light.matrixAutoUpdate = false;
-  light.matrixWorldAutoUpdate = false;
-  light.target.matrixAutoUpdate = false;
-  light.target.matrixWorldAutoUpdate = false;
-  light.shadow.autoUpdate = false;
-  light.shadow.needsUpdate = false;
-  scene.add(light);
-  return light;
+function createLight(item: LightItem): RigLight | null {
+  switch (item.kind) {
+    case 'directional':
+      return createDirectional(item);
+    case 'point':
+      return createPoint(item);
+    case 'spot':
+      return createSpot(item);
+    case 'environment':
+      return null;
+  }
 }
 
-function bindShadow(light: DirectionalLight, item: LightItem, maps: RenderedShadowMaps | null): void {
-  const map = maps?.mapOf(item) ?? null;
+/** three takes the direction from the light's place to its target's, which stays at the origin. */
+function createDirectional(item: DirectionalLightItem): RigLight {
+  const light = new DirectionalLight();
+  return {
+    item,
+    light,
+    update: () => {
+      setLinear(light.color, item.radiance);
+      light.matrixWorld.setPosition(scratchPoint.fromArray(item.towardsLightWorld));
+    },
+  };
+}
+
+function createPoint(item: PointLightItem): RigLight {
+  const light = new PointLight();
+  return {
+    item,
+    light,
+    update: () => {
+      setLinear(light.color, item.intensityCd);
+      light.matrixWorld.setPosition(scratchPoint.fromArray(item.positionWorld));
+      light.distance = item.rangeM;
+    },
+  };
+}
+
+function createSpot(item: SpotLightItem): RigLight {
+  const light = new SpotLight();
+  return {
+    item,
+    light,
+    update: () => {
+      setLinear(light.color, item.intensityCd);
+      const [x = 0, y = 0, z = 0] = item.positionWorld;
+      light.matrixWorld.setPosition(scratchPoint.set(x, y, z));
+      const [towardsX = 0, towardsY = 0, towardsZ = 0] = item.towardsLightWorld;
+      light.target.matrixWorld.setPosition(scratchPoint.set(x - towardsX, y - towardsY, z - towardsZ));
+      light.distance = item.rangeM;
+      light.angle = item.halfAngleRad;
+      light.penumbra = Math.max(item.penumbra, MIN_PENUMBRA);
+    },
+  };
+}
+
+/** Nothing is computed behind our back. */
+function setUp(light: Lamp): void {
+  light.matrixAutoUpdate = false;
+  light.matrixWorldAutoUpdate = false;
+  if (!('isPointLight' in light)) {
+    light.target.matrixAutoUpdate = false;
+    light.target.matrixWorldAutoUpdate = false;
+  }
+  light.shadow.autoUpdate = false;
+  light.shadow.needsUpdate = false;
+}
+
+function bindShadow(light: Lamp, map: ShadowMap | null): void {
+  const { shadow } = light;
   light.castShadow = map !== null;
-  light.shadow.map = map?.target ?? null;
+  shadow.map = map?.target ?? null;
   if (map === null) return;
-  light.shadow.matrix = map.mapFromWorld;
-  light.shadow.mapSize.setScalar(map.shadow.mapSizePx);
+  shadow.matrix = map.mapFromWorld;
+  shadow.mapSize.setScalar(map.target.width);
   // three adds its bias to the receiver's depth; ours pulls the receiver towards the light.
-  light.shadow.bias = -map.shadow.bias;
-  light.shadow.normalBias = map.shadow.normalBiasM;
+  shadow.bias = -map.bias;
+  shadow.normalBias = map.normalBias;
+  if ('isPointLight' in light) {
+    light.shadow.camera.near = map.nearM;
+    light.shadow.camera.far = map.farM;
+  }
 }
 
 /** Without conversion: the list holds linear-sRGB, which is three's working space. */

@@ -30,7 +30,8 @@ const scratchRight = new Vector3();
 const scratchUp = new Vector3();
 const scratchBack = new Vector3();
 const scratchCenter = new Vector3();
-const UV_FROM_CLIP = new Matrix4().set(0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 1);
+/** Texture coordinates and depth, each in [0, 1], from clip space. */
+export const UV_FROM_CLIP = new Matrix4().set(0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 1);
 
 /**
  * Lays a square map of `areaM` metres around the middle of the casters.

@@ -1,42 +1,23 @@
-import {
-  Camera,
-  DepthTexture,
-  LessEqualCompare,
-  LinearFilter,
-  type Matrix4,
-  NearestFilter,
-  RedFormat,
-  Scene,
-  Sphere,
-  UnsignedIntType,
-  WebGLRenderTarget,
-} from 'three';
-import type { LightItem, LightList, LightShadow, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import { Scene, Sphere } from 'three';
+import type { LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
 import type { ShadowMaps } from '../../scene-backend.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
 import { createTwinCache } from '../materials/twins.ts';
 import { boundsInObject, mapMaterials, programFeatures } from '../proxies/drawable.ts';
 import { createProxySet } from '../proxies/proxy-set.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
-import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
+import { createLightMap, type LightMap, type ShadowMap, shadowOf } from './light-map.ts';
 
-/** One light's depth map of this frame. */
-export interface ShadowMap {
-  readonly shadow: LightShadow;
-  /** Its depth texture compares: `texture(sampler2DShadow, vec3(uv, depth))` is 1 where lit. */
-  readonly target: WebGLRenderTarget;
-  readonly mapFromWorld: Matrix4;
-}
+/**
+ * Lights of one set of maps that cast shadows, the first ones in their order. WebGL 2 promises 16 texture units and 15 varyings;
+ * three takes one of each per shadow, and the richest of its materials ten.
+ */
+export const MAX_SHADOWS = 6;
 
 /** The maps of one set of casters, by light. */
 export interface RenderedShadowMaps extends ShadowMaps {
-  /** Null where the light casts none. */
+  /** Null where the light casts none, or is one too many. */
   mapOf(light: LightItem): ShadowMap | null;
-}
-
-interface LightMap extends ShadowMap {
-  readonly light: LightItem;
-  readonly fit: ShadowFit;
 }
 
 const castsShadow = (item: ObjectItem): boolean => item.castsShadow;
@@ -54,7 +35,6 @@ export function createShadowMaps(
     const material = mapMaterials(master, (part) => twins.get(part, features, () => createDepthTwin(part, 'shadow')));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
-  const camera = createLightCamera();
   const maps: LightMap[] = [];
   const bounds: Sphere[] = [];
   const shown: Sphere[] = [];
@@ -80,53 +60,53 @@ export function createShadowMaps(
     return null;
   }
 
-  function mapFor(light: LightItem, shadow: LightShadow): LightMap {
+  function mapFor(light: LightItem): LightMap | null {
     const known = find(light);
-    if (known?.shadow === shadow && known.target.width === shadow.mapSizePx) return known;
+    if (known && isCurrent(known)) return known;
     if (known) remove(known);
-    const fit = createShadowFit();
-    const map = { light, shadow, target: createMapTarget(shadow.mapSizePx), mapFromWorld: fit.mapFromWorld, fit };
-    maps.push(map);
-    return map;
+    const made = createLightMap(light);
+    if (made) maps.push(made);
+    return made;
   }
 
   function remove(map: LightMap): void {
-    map.target.dispose();
+    map.map.target.dispose();
     maps.splice(maps.indexOf(map), 1);
   }
 
-  function render(light: LightItem, wanted: LightShadow): void {
-    const { target, fit, shadow } = mapFor(light, wanted);
-    fitShadow(fit, light.towardsLightWorld, shown, shadow.areaM, shadow.mapSizePx);
-    camera.projectionMatrix.copy(fit.clipFromLight);
-    camera.matrixWorld.copy(fit.worldFromLight);
-    camera.matrixWorldInverse.copy(fit.lightFromWorld);
-    renderer.drawDepth(target, scene, camera);
-  }
-
-  function isLit(light: LightItem): boolean {
-    for (const list of lights) if (list.items.includes(light)) return true;
-    return false;
-  }
-
-  /** Lights that are gone or cast no shadow any more. */
+  /** The first lights that cast a shadow keep their maps; those that are gone, or are too many, lose them. */
   function dropUnused(): void {
     for (let i = maps.length - 1; i >= 0; i--) {
       const map = maps[i];
-      if (map && !(map.light.shadow === map.shadow && isLit(map.light))) remove(map);
+      if (map && !(isCurrent(map) && rankOf(map.light) < MAX_SHADOWS)) remove(map);
     }
   }
 
+  /** How many lights cast shadows before this one; beyond all where it is not among the lights. */
+  function rankOf(light: LightItem): number {
+    let rank = 0;
+    for (const list of lights) {
+      for (const item of list.items) {
+        if (item === light) return rank;
+        if (shadowOf(item) !== null) rank++;
+      }
+    }
+    return Number.POSITIVE_INFINITY;
+  }
+
   return {
-    mapOf: find,
+    mapOf: (light) => find(light)?.map ?? null,
     update: () => {
       dropUnused();
       twins.sync();
       const rebuilt = proxies.update(casters, false);
       if (rebuilt) twins.sweep();
       updateBounds(rebuilt);
+      let count = 0;
       for (const list of lights) {
-        for (const light of list.items) if (light.shadow !== null) render(light, light.shadow);
+        for (const light of list.items) {
+          if (shadowOf(light) !== null && count++ < MAX_SHADOWS) mapFor(light)?.render(renderer, scene, shown);
+        }
       }
     },
     dispose: () => {
@@ -137,24 +117,8 @@ export function createShadowMaps(
   };
 }
 
-function createLightCamera(): Camera {
-  const camera = new Camera();
-  camera.matrixAutoUpdate = false;
-  camera.matrixWorldAutoUpdate = false;
-  return camera;
-}
-
-/** 24 bits of depth that compare and filter in hardware; a colour buffer is of no use, but three insists on one. */
-function createMapTarget(sizePx: number): WebGLRenderTarget {
-  const depthTexture = new DepthTexture(sizePx, sizePx, UnsignedIntType);
-  depthTexture.compareFunction = LessEqualCompare;
-  depthTexture.minFilter = LinearFilter;
-  depthTexture.magFilter = LinearFilter;
-  return new WebGLRenderTarget(sizePx, sizePx, {
-    depthTexture,
-    format: RedFormat,
-    minFilter: NearestFilter,
-    magFilter: NearestFilter,
-    generateMipmaps: false,
-  });
+/** Whether a map is the one that its light asks for now. */
+function isCurrent({ light, shadow, map }: LightMap): boolean {
+  const wanted = shadowOf(light);
+  return wanted === shadow && wanted.mapSizePx === map.target.width;
 }

@@ -1,6 +1,7 @@
 import type { BackSide, FrontSide, Material } from 'three';
 import { follow } from './follow.ts';
 import { createGlassPatch } from './glass-patch.ts';
+import { createLampShadowPatch } from './lamp-shadow-patch.ts';
 import { applyLayerBlending } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import type { Twin } from './twins.ts';
@@ -22,7 +23,7 @@ export function createLayerTwin(master: Material, options: LayerTwinOptions): Tw
   patchMaterial(
     material,
     master,
-    [glass, options.occlusion].filter((patch) => patch !== null),
+    [createLampShadowPatch(), glass, options.occlusion].filter((patch) => patch !== null),
   );
   const sync = follow(material, master, options.side === null ? [] : ['side']);
   if (options.side !== null) material.side = options.side;

@@ -10,10 +10,12 @@ import {
   Vector3,
   Vector4,
 } from 'three';
-import type { LightItem, LightList, NumberView, VectorView } from '../../../../nodes/kit/runtime.ts';
-import type { RenderedShadowMaps, ShadowMap } from '../lights/shadow-maps.ts';
+import type { EnvironmentLightItem, LightItem, LightList, NumberView, VectorView } from '../../../../nodes/kit/runtime.ts';
+import type { ShadowMap } from '../lights/light-map.ts';
+import { MIN_PENUMBRA } from '../lights/light-rig.ts';
+import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
-import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
+import { CATCHER_VERTEX, type CatcherLights, catcherFragment } from './shadow-catcher-shader.ts';
 import type { Twin } from './twins.ts';
 
 /** The materials of one shadow layer: they share lights, strength and colour, and differ in what three compiles per object. */
@@ -26,52 +28,83 @@ export interface ShadowCatcher {
 // Rec. 709 luminance of linear-sRGB.
 const LUMINANCE = new Vector3(0.2126, 0.7152, 0.0722);
 
-// Read by the call that fills them, before anything else can.
-const scratchRadiance = new Vector3();
-const scratchDirection = new Vector3();
+// Read by the call that fills it, before anything else can.
+const scratchColor = new Vector3();
+
+type Lamp = Exclude<LightItem, EnvironmentLightItem>;
 
 export function createShadowCatcher(strength: NumberView, color: VectorView, occlusion: ShaderPatch | null): ShadowCatcher {
-  const shadowMaps: (Texture | null)[] = [];
+  const lightPlace: Vector4[] = [];
+  const lightCone: Vector4[] = [];
+  const lightFall: Vector3[] = [];
+  const flatMaps: (Texture | null)[] = [];
   const mapFromWorld: Matrix4[] = [];
-  const mapBias: Vector3[] = [];
-  const shadowedLights: Vector4[] = [];
-  const plainLights: Vector4[] = [];
+  const flatBias: Vector3[] = [];
+  const cubeMaps: (Texture | null)[] = [];
+  const cubeReach: Vector4[] = [];
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
-    shadowMaps: { value: shadowMaps },
+    lightPlace: { value: lightPlace },
+    lightCone: { value: lightCone },
+    lightFall: { value: lightFall },
+    flatMaps: { value: flatMaps },
     mapFromWorld: { value: mapFromWorld },
-    mapBias: { value: mapBias },
-    shadowedLights: { value: shadowedLights },
-    plainLights: { value: plainLights },
+    flatBias: { value: flatBias },
+    cubeMaps: { value: cubeMaps },
+    cubeReach: { value: cubeReach },
   };
-  let compiled = { shadowed: 0, plain: 0 };
-  let fragmentShader = catcherFragment(0, 0);
+  let compiled: CatcherLights = { flat: 0, cube: 0, plain: 0 };
+  let fragmentShader = catcherFragment(compiled);
   const materials: ShaderMaterial[] = [];
-  let shadowed = 0;
-  let plain = 0;
+  const counts = { flat: 0, cube: 0, plain: 0 };
 
-  function addShadowed(light: LightItem, map: ShadowMap): void {
-    const i = shadowed++;
-    shadowMaps[i] = map.target.depthTexture;
+  function addFlat(map: ShadowMap): void {
+    const i = counts.flat++;
+    flatMaps[i] = map.target.depthTexture;
     mapFromWorld[i] = map.mapFromWorld;
-    mapBias[i] ??= new Vector3();
-    mapBias[i].set(1 / map.shadow.mapSizePx, map.shadow.bias, map.shadow.normalBiasM);
-    shadowedLights[i] = describe(light, shadowedLights[i]);
+    flatBias[i] ??= new Vector3();
+    flatBias[i].set(1 / map.target.width, map.bias, map.normalBias);
   }
 
-  function addPlain(light: LightItem): void {
-    const i = plain++;
-    plainLights[i] = describe(light, plainLights[i]);
+  function addCube(map: ShadowMap): void {
+    const i = counts.cube++;
+    cubeMaps[i] = map.target.depthTexture;
+    cubeReach[i] ??= new Vector4();
+    cubeReach[i].set(map.nearM, map.farM, 2 / map.target.width, map.normalBias);
+  }
+
+  /** In three rounds, because the shader takes lights by the kind of their map. */
+  function addLights(lists: readonly LightList[], maps: RenderedShadowMaps | null, wanted: ShadowMap['kind'] | null): void {
+    for (const list of lists) {
+      for (const light of list.items) {
+        if (light.kind === 'environment') continue;
+        const map = maps?.mapOf(light) ?? null;
+        if ((map?.kind ?? null) !== wanted) continue;
+        describe(light, counts.flat + counts.cube + counts.plain);
+        if (map === null) counts.plain++;
+        else if (map.kind === 'flat') addFlat(map);
+        else addCube(map);
+      }
+    }
+  }
+
+  function describe(light: Lamp, i: number): void {
+    lightPlace[i] ??= new Vector4();
+    lightCone[i] ??= new Vector4();
+    lightFall[i] ??= new Vector3();
+    describeLamp(light, lightPlace[i], lightCone[i], lightFall[i]);
   }
 
   /** The shader is written for its lights; their number changes when one comes, goes, or begins to cast a shadow. */
   function fitShader(): void {
-    if (shadowed === compiled.shadowed && plain === compiled.plain) return;
-    compiled = { shadowed, plain };
-    for (const array of [shadowMaps, mapFromWorld, mapBias, shadowedLights]) array.length = shadowed;
-    plainLights.length = plain;
-    fragmentShader = catcherFragment(shadowed, plain);
+    const { flat, cube, plain } = counts;
+    if (flat === compiled.flat && cube === compiled.cube && plain === compiled.plain) return;
+    compiled = { flat, cube, plain };
+    for (const array of [flatMaps, mapFromWorld, flatBias]) array.length = flat;
+    for (const array of [cubeMaps, cubeReach]) array.length = cube;
+    for (const array of [lightPlace, lightCone, lightFall]) array.length = flat + cube + plain;
+    fragmentShader = catcherFragment(compiled);
     for (const material of materials) {
       material.fragmentShader = fragmentShader;
       material.needsUpdate = true;
@@ -108,21 +141,36 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
     update: (lists, maps) => {
       uniforms.strength.value = strength.value;
       uniforms.shadowColor.value.fromArray(color.value);
-      shadowed = 0;
-      plain = 0;
-      for (const list of lists) {
-        for (const light of list.items) {
-          const map = maps?.mapOf(light) ?? null;
-          if (map) addShadowed(light, map);
-          else addPlain(light);
-        }
-      }
+      counts.flat = 0;
+      counts.cube = 0;
+      counts.plain = 0;
+      addLights(lists, maps, 'flat');
+      addLights(lists, maps, 'cube');
+      addLights(lists, maps, null);
       fitShader();
     },
   };
 }
 
-function describe(light: LightItem, into = new Vector4()): Vector4 {
-  const { x, y, z } = scratchDirection.fromArray(light.towardsLightWorld);
-  return into.set(x, y, z, scratchRadiance.fromArray(light.radiance).dot(LUMINANCE));
+const NO_CONE = -2;
+
+function describeLamp(light: Lamp, place: Vector4, cone: Vector4, fall: Vector3): void {
+  cone.set(0, 0, 0, NO_CONE);
+  if (light.kind === 'directional') {
+    const [x = 0, y = 0, z = 0] = light.towardsLightWorld;
+    place.set(x, y, z, 0);
+    fall.set(luminanceOf(light.radiance), 0, 0);
+    return;
+  }
+  const [x = 0, y = 0, z = 0] = light.positionWorld;
+  place.set(x, y, z, 1);
+  fall.set(luminanceOf(light.intensityCd), light.rangeM, 0);
+  if (light.kind !== 'spot') return;
+  const [towardsX = 0, towardsY = 0, towardsZ = 0] = light.towardsLightWorld;
+  cone.set(towardsX, towardsY, towardsZ, Math.cos(light.halfAngleRad));
+  fall.z = Math.cos(light.halfAngleRad * (1 - Math.max(light.penumbra, MIN_PENUMBRA)));
+}
+
+function luminanceOf(color: Float32Array): number {
+  return scratchColor.fromArray(color).dot(LUMINANCE);
 }

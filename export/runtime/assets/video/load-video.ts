@@ -1,0 +1,75 @@
+import type { VideoAsset } from '../../../../nodes/kit/runtime.ts';
+import type { GlObjects } from '../../gl/gl-objects.ts';
+import { createPlayback } from './playback.ts';
+import { createVideoElement, VideoError, videoError } from './video-element.ts';
+
+export interface LoadedVideo extends VideoAsset {
+  dispose(): void;
+}
+
+/**
+ * Holds a video in memory and reads how long and large it is; pictures are decoded as they are played. A file in memory can be sought
+ * on any host, and goes on without a network.
+ *
+ * @throws VideoError, by rejection, where the browser cannot play it
+ */
+export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer): Promise<LoadedVideo> {
+  const url = URL.createObjectURL(new Blob([bytes], { type: mediaTypeOf(bytes) }));
+  try {
+    const { durationS, widthPx, heightPx } = await measure(url);
+    return {
+      durationS,
+      widthPx,
+      heightPx,
+      open: (onProblem) => createPlayback(objects, url, durationS, onProblem),
+      dispose: () => URL.revokeObjectURL(url),
+    };
+  } catch (error) {
+    URL.revokeObjectURL(url);
+    throw error;
+  }
+}
+
+/** ISO 14496-12 §4.3 and RFC 8794 §11.2: browsers go by the type they are told. */
+function mediaTypeOf(bytes: ArrayBuffer): string {
+  const view = new DataView(bytes);
+  if (bytes.byteLength > 12 && view.getUint32(4) === 0x66747970) return 'video/mp4';
+  if (bytes.byteLength > 12 && view.getUint32(0) === 0x1a45dfa3) return 'video/webm';
+  throw new VideoError('it is neither an MP4 nor a WebM file');
+}
+
+interface Measured {
+  readonly durationS: number;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/** Later than any video ends. */
+const BEYOND_THE_END_S = 1e7;
+
+async function measure(url: string): Promise<Measured> {
+  const video = createVideoElement(url);
+  try {
+    await until(video, 'loadedmetadata');
+    const { videoWidth: widthPx, videoHeight: heightPx } = video.element;
+    if (widthPx === 0 || heightPx === 0) throw new VideoError('it holds no picture that this browser can decode');
+    if (video.element.duration === Number.POSITIVE_INFINITY) {
+      // Recorded by a browser: the file does not say where it ends until somebody has been there.
+      const known = until(video, 'durationchange');
+      video.element.currentTime = BEYOND_THE_END_S;
+      await known;
+    }
+    const { duration } = video.element;
+    if (!Number.isFinite(duration) || duration <= 0) throw new VideoError('it does not say how long it is');
+    return { durationS: duration, widthPx, heightPx };
+  } finally {
+    video.dispose();
+  }
+}
+
+function until({ element }: { readonly element: HTMLVideoElement }, event: 'loadedmetadata' | 'durationchange'): Promise<void> {
+  return new Promise((resolve, reject) => {
+    element.addEventListener(event, () => resolve(), { once: true });
+    element.addEventListener('error', () => reject(videoError(element.error)), { once: true });
+  });
+}

@@ -1,0 +1,49 @@
+import type { ImageAsset } from '../../../../nodes/kit/runtime.ts';
+import { allocateTexture } from '../../gl/allocate-texture.ts';
+import type { GlObjects } from '../../gl/gl-objects.ts';
+import { prepareUpload } from '../../gl/upload.ts';
+
+/** The newest picture of a video as layers want it: premultiplied, first row at the bottom. */
+export interface VideoTexture {
+  /** Null before the first; another one when the video changes its size. */
+  readonly picture: ImageAsset | null;
+  upload(video: HTMLVideoElement): void;
+  dispose(): void;
+}
+
+export function createVideoTexture(objects: GlObjects): VideoTexture {
+  const { gl } = objects;
+  let picture: ImageAsset | null = null;
+
+  function pictureOf(widthPx: number, heightPx: number): ImageAsset {
+    if (picture?.widthPx === widthPx && picture.heightPx === heightPx) return picture;
+    if (picture) objects.deleteTexture(picture.texture);
+    const texture = allocateTexture(gl, objects.createTexture(), gl.RGBA8, gl.LINEAR, widthPx, heightPx);
+    picture = { texture, widthPx, heightPx };
+    return picture;
+  }
+
+  return {
+    get picture() {
+      return picture;
+    },
+    upload: (video) => {
+      const { videoWidth, videoHeight } = video;
+      if (videoWidth === 0 || videoHeight === 0) return;
+      const { texture } = pictureOf(videoWidth, videoHeight);
+      prepareUpload(gl, 4);
+      gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, true);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, video);
+      // three.js sets only what it has changed itself.
+      gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+      gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    },
+    dispose: () => {
+      if (picture) objects.deleteTexture(picture.texture);
+      picture = null;
+    },
+  };
+}

@@ -1,0 +1,102 @@
+import {
+  ClampToEdgeWrapping,
+  DataTexture,
+  EquirectangularReflectionMapping,
+  HalfFloatType,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  LinearSRGBColorSpace,
+  RepeatWrapping,
+  SRGBColorSpace,
+  Texture,
+} from 'three';
+import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
+import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import type { LoadedEnvironment } from '../../scene-backend.ts';
+import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
+
+/** At 4096 rows, 16-bit floats with their mipmaps take 350 MB. */
+const MAX_WIDTH_PX = 8192;
+
+/**
+ * Decodes an equirectangular picture: Radiance HDR and OpenEXR as they are, linear, in 16-bit floats; what else the browser shows as
+ * display-referred sRGB, whose white is 1. A picture that is too large is made smaller, as other pictures are.
+ *
+ * @throws PanoramaError, by rejection
+ */
+export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number): Promise<LoadedEnvironment> {
+  const maxPx = Math.min(MAX_WIDTH_PX, maxTexturePx);
+  const header = readRadianceHeader(bytes);
+  const texture = header ? readRadiance(bytes, header, maxPx) : await readPicture(bytes, maxPx);
+  texture.mapping = EquirectangularReflectionMapping;
+  texture.wrapS = RepeatWrapping;
+  texture.wrapT = ClampToEdgeWrapping;
+  texture.magFilter = LinearFilter;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.generateMipmaps = true;
+  texture.needsUpdate = true;
+  const { width: widthPx, height: heightPx } = texture.image as { width: number; height: number };
+  return { texture, widthPx, heightPx, dispose: () => disposeTexture(texture) };
+}
+
+function readRadiance(bytes: ArrayBuffer, { format, widthPx, heightPx }: RadianceHeader, maxPx: number): DataTexture {
+  if (widthPx < 1 || heightPx < 1) throw new PanoramaError('it has no pixels. Export it again');
+  if (widthPx > maxPx || heightPx > maxPx) {
+    throw new PanoramaError(
+      `it has ${widthPx} × ${heightPx} pixels, and at most ${maxPx} a side can be shown. 4096 × 2048 is sharp enough for a sky`,
+    );
+  }
+  const { data, width, height, format: channels, flipY } = parse(bytes, format);
+  if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
+  tame(data);
+  const texture = new DataTexture(data, width, height, channels, HalfFloatType);
+  texture.colorSpace = LinearSRGBColorSpace;
+  texture.flipY = flipY ?? false;
+  return texture;
+}
+
+function parse(bytes: ArrayBuffer, format: RadianceHeader['format']): ReturnType<HDRLoader['parse']> {
+  try {
+    return new (format === 'hdr' ? HDRLoader : EXRLoader)().parse(bytes);
+  } catch (error) {
+    const reason = error instanceof RangeError ? 'it ends too early' : String(error instanceof Error ? error.message : error);
+    throw new PanoramaError(`the file is damaged (${reason.replace(/^THREE\.\w+: /, '')}). Export it again`);
+  }
+}
+
+/** One infinite or negative pixel would spread over all that is filtered: infinity becomes the largest number, what is no radiance 0. */
+function tame(halves: Uint16Array): void {
+  for (let i = 0; i < halves.length; i++) {
+    const half = halves[i] ?? 0;
+    if (half >= 0x8000 || half > 0x7c00) halves[i] = 0;
+    else if (half === 0x7c00) halves[i] = 0x7bff;
+  }
+}
+
+async function readPicture(bytes: ArrayBuffer, maxPx: number): Promise<Texture> {
+  const options: ImageBitmapOptions = { premultiplyAlpha: 'none', colorSpaceConversion: 'none', imageOrientation: 'flipY' };
+  const full = await createImageBitmap(new Blob([bytes]), options).catch(() => {
+    throw new PanoramaError('it is no picture. Use a Radiance HDR (.hdr), OpenEXR (.exr), JPEG, PNG or WebP file');
+  });
+  const scale = maxPx / Math.max(full.width, full.height);
+  const texture = new Texture(scale >= 1 ? full : await shrink(full, scale));
+  texture.colorSpace = SRGBColorSpace;
+  texture.flipY = false;
+  return texture;
+}
+
+async function shrink(full: ImageBitmap, scale: number): Promise<ImageBitmap> {
+  const smaller = await createImageBitmap(full, {
+    premultiplyAlpha: 'none',
+    resizeWidth: Math.max(1, Math.floor(full.width * scale)),
+    resizeHeight: Math.max(1, Math.floor(full.height * scale)),
+    resizeQuality: 'high',
+  });
+  full.close();
+  return smaller;
+}
+
+function disposeTexture(texture: Texture): void {
+  texture.dispose();
+  if (texture.image instanceof ImageBitmap) texture.image.close();
+}

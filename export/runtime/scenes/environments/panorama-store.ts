@@ -1,0 +1,43 @@
+import type { Texture } from 'three';
+import type { EnvironmentAsset } from '../../../../nodes/kit/runtime.ts';
+import type { LoadedEnvironment } from '../../scene-backend.ts';
+import type { SceneRenderer } from '../scene-renderer.ts';
+import { loadPanorama } from './load-panorama.ts';
+import { type Prefiltered, prefilter } from './prefilter.ts';
+
+/** Panoramas that are loaded, with what their light is read from: filtered once, for all scenes. */
+export interface PanoramaStore {
+  /** Rejects with an `Error` that says what is wrong with the file. */
+  load(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
+  prefiltered(environment: EnvironmentAsset): Texture;
+  dispose(): void;
+}
+
+export function createPanoramaStore(renderer: SceneRenderer): PanoramaStore {
+  const filtered = new Map<EnvironmentAsset, Prefiltered>();
+  return {
+    load: async (bytes) => {
+      const panorama = await loadPanorama(bytes, renderer.three.capabilities.maxTextureSize);
+      const loaded: LoadedEnvironment = {
+        ...panorama,
+        dispose: () => {
+          filtered.get(loaded)?.dispose();
+          filtered.delete(loaded);
+          panorama.dispose();
+        },
+      };
+      // While the page loads, rather than in a frame.
+      filtered.set(loaded, prefilter(renderer, loaded));
+      return loaded;
+    },
+    prefiltered: (environment) => {
+      const known = filtered.get(environment);
+      if (!known) throw new Error('This panorama was not loaded here.');
+      return known.texture;
+    },
+    dispose: () => {
+      for (const { dispose } of filtered.values()) dispose();
+      filtered.clear();
+    },
+  };
+}

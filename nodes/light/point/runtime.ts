@@ -1,0 +1,32 @@
+import { Color } from 'three';
+import type { LampShadow, NodeContext, NodeRuntime, PointLightItem } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+// Read by the call that fills it, before anything else can.
+const scratchColor = new Color();
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { color, intensityCd, positionM, rangeM, castShadow, biasPx } = ctx.params;
+  const shadow: LampShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0 };
+  const light: PointLightItem = {
+    key: 'light',
+    kind: 'point',
+    intensityCd: new Float32Array(3),
+    positionWorld: new Float32Array(3),
+    rangeM: 0,
+    shadow: null,
+  };
+  ctx.outputs.lights.items.push(light);
+  ctx.outputs.lights.version++;
+
+  return {
+    update: () => {
+      scratchColor.fromArray(color.value).convertSRGBToLinear().multiplyScalar(intensityCd.value).toArray(light.intensityCd);
+      light.positionWorld.set(positionM.value);
+      light.rangeM = rangeM.value;
+      shadow.biasPx = biasPx.value;
+      light.shadow = castShadow.value ? shadow : null;
+    },
+    dispose: () => {},
+  };
+}

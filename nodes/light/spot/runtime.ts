@@ -1,0 +1,43 @@
+import { Color, Vector3 } from 'three';
+import type { LampShadow, NodeContext, NodeRuntime, SpotLightItem } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+
+// Read by the call that fills them, before anything else can.
+const scratchColor = new Color();
+const scratchTowards = new Vector3();
+const scratchTarget = new Vector3();
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { color, intensityCd, positionM, targetM, angleRad, penumbra, rangeM, castShadow, biasPx } = ctx.params;
+  const shadow: LampShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0 };
+  const light: SpotLightItem = {
+    key: 'light',
+    kind: 'spot',
+    intensityCd: new Float32Array(3),
+    positionWorld: new Float32Array(3),
+    towardsLightWorld: new Float32Array(3),
+    rangeM: 0,
+    halfAngleRad: 0,
+    penumbra: 0,
+    shadow: null,
+  };
+  ctx.outputs.lights.items.push(light);
+  ctx.outputs.lights.version++;
+
+  return {
+    update: () => {
+      scratchColor.fromArray(color.value).convertSRGBToLinear().multiplyScalar(intensityCd.value).toArray(light.intensityCd);
+      light.positionWorld.set(positionM.value);
+      scratchTowards.fromArray(positionM.value).sub(scratchTarget.fromArray(targetM.value));
+      // Aimed at itself, it shines down.
+      if (scratchTowards.lengthSq() < 1e-12) scratchTowards.set(0, 1, 0);
+      scratchTowards.normalize().toArray(light.towardsLightWorld);
+      light.halfAngleRad = angleRad.value / 2;
+      light.penumbra = penumbra.value;
+      light.rangeM = rangeM.value;
+      shadow.biasPx = biasPx.value;
+      light.shadow = castShadow.value ? shadow : null;
+    },
+    dispose: () => {},
+  };
+}
