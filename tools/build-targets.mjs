@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
 import { checkStamp, writeStamp } from './build-stamp.mjs';
@@ -59,6 +59,7 @@ export const TARGETS = {
       const options = { format: 'cjs', target: 'node16' };
       await bundle({ ...options, entryPoints: ['app/electron/main.ts'], outfile: 'dist/electron/main.cjs' });
       await bundle({ ...options, entryPoints: ['app/electron/preload.ts'], outfile: 'dist/electron/preload.cjs' });
+      copyFileSync(join(root, 'app/electron/icons/scrim.png'), join(root, 'dist/electron/scrim.png'));
     },
   },
   editor: {

@@ -1,4 +1,5 @@
 import { join } from 'node:path';
+import process from 'node:process';
 import { BrowserWindow, dialog, ipcMain } from 'electron';
 import type { HostService } from '../services/host.ts';
 import { connectEditor } from './ipc.ts';
@@ -20,6 +21,8 @@ export function openEditorWindow(host: HostService): EditorWindow {
     show: false,
     title: 'Scrim',
     backgroundColor: '#1b1d21',
+    // Elsewhere the program itself has it.
+    ...(process.platform === 'linux' ? { icon: join(__dirname, 'scrim.png') } : {}),
     webPreferences: {
       preload: join(__dirname, 'preload.cjs'),
       contextIsolation: true,

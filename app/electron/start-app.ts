@@ -21,6 +21,12 @@ export function startApp(app: App, installation: Installation): void {
   registerScheme(protocol);
   guardContents(app);
   app.on('window-all-closed', () => app.quit());
+  let startPath = pathInArguments(process.argv, app.isPackaged);
+  // macOS sends a document that was opened as an event, before it is ready.
+  app.on('open-file', (event, path) => {
+    event.preventDefault();
+    startPath = path;
+  });
   void app.whenReady().then(() => {
     guardSession(session.defaultSession);
     let editor: EditorWindow | null = null;
@@ -32,7 +38,7 @@ export function startApp(app: App, installation: Installation): void {
         closeWindow: () => editor?.closeNow(),
       },
       installation,
-      startPath: process.argv.find((argument) => argument.startsWith(OPEN_SWITCH))?.slice(OPEN_SWITCH.length) ?? null,
+      startPath,
       log: (message) => console.error(message),
     });
     serveScheme(protocol, host.content);
@@ -41,6 +47,13 @@ export function startApp(app: App, installation: Installation): void {
     editor = openEditorWindow(host);
     app.on('quit', () => host.dispose());
   });
+}
+
+/** `--open=PATH`; a packaged app also takes the plain path that desktops call it with. */
+function pathInArguments(argv: readonly string[], packaged: boolean): string | null {
+  const named = argv.find((argument) => argument.startsWith(OPEN_SWITCH));
+  if (named !== undefined) return named.slice(OPEN_SWITCH.length);
+  return (packaged ? argv.slice(1).find((argument) => !argument.startsWith('-')) : undefined) ?? null;
 }
 
 async function pickFolder(title: string): Promise<string | null> {

@@ -16,12 +16,13 @@ export interface Installation {
   readonly roomsDir: string;
 }
 
-export function installationAt(root: string, version: string): Installation {
+/** `home` holds what is built, where that is not in `root`: in a packaged app, the archive. */
+export function installationAt(root: string, version: string, home = root): Installation {
   const examplesDir = join(root, 'examples');
   return {
     version,
     root,
-    pages: { editor: join(root, 'dist', 'editor'), preview: join(root, 'dist', 'preview') },
+    pages: { editor: join(home, 'dist', 'editor'), preview: join(home, 'dist', 'preview') },
     examplesDir,
     templatesDir: join(examplesDir, 'templates'),
     sessionsDir: join(examplesDir, 'sessions'),

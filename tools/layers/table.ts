@@ -124,9 +124,16 @@ export const LAYERS: readonly Layer[] = [
     packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'esbuild', 'playwright-core'],
   },
   {
+    name: 'measured page',
+    files: ['tools/bench/pages/*.page.ts'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'registry of runtimes'],
+    packages: ['three'],
+    own: 'none',
+  },
+  {
     name: 'tools',
     files: ['tools/**'],
-    imports: [...HOST, 'services', 'makers of examples'],
+    imports: [...HOST, 'services', 'makers of examples', 'measured page'],
     packages: ['node:*', 'esbuild', 'vite', 'oxc-parser', 'fast-png', 'playwright-core', '@electron/packager', '@electron/fuses'],
   },
   { name: 'start script', files: ['bin/**'], imports: ['build output', 'tools'], packages: ['node:*'] },

@@ -1,0 +1,46 @@
+import { join } from 'node:path';
+import { type FuseConfig, FuseV1Options, FuseVersion, flipFuses, getCurrentFuseWire } from '@electron/fuses';
+import type { Target } from './target.ts';
+
+/**
+ * What nobody can turn on any more in a packaged app: another program as its child, debuggers, code beside the archive. Cookies
+ * need no keyring: Scrim has none. Nor has it a V8 snapshot, or pages on `file:`.
+ */
+export const FUSES = {
+  [FuseV1Options.RunAsNode]: false,
+  [FuseV1Options.EnableCookieEncryption]: false,
+  [FuseV1Options.EnableNodeOptionsEnvironmentVariable]: false,
+  [FuseV1Options.EnableNodeCliInspectArguments]: false,
+  [FuseV1Options.EnableEmbeddedAsarIntegrityValidation]: true,
+  [FuseV1Options.OnlyLoadAppFromAsar]: true,
+  [FuseV1Options.LoadBrowserProcessSpecificV8Snapshot]: false,
+  [FuseV1Options.GrantFileProtocolExtraPrivileges]: false,
+} as const;
+
+/** Sets the fuses of a packaged app. Electron has integrity checks on macOS and Windows; elsewhere that fuse says nothing. */
+export async function setFuses(app: string, { platform, arch }: Pick<Target, 'platform' | 'arch'>): Promise<void> {
+  const program = programOf(app, platform);
+  const wire = await getCurrentFuseWire(program);
+  // An older Electron has fewer of them.
+  const there = Object.fromEntries(Object.entries(FUSES).filter(([index]) => Object.hasOwn(wire, index)));
+  const config: FuseConfig = {
+    version: FuseVersion.V1,
+    // Apple's processors start nothing unsigned, and a changed program has lost its signature.
+    resetAdHocDarwinSignature: platform === 'darwin' && arch === 'arm64',
+    ...there,
+  };
+  await flipFuses(program, config);
+}
+
+/** The fuses as they stand in the program: name → `on`, `off`, or `none` where this Electron does not have it. */
+export async function readFuses(app: string, platform: Target['platform']): Promise<Readonly<Record<string, 'on' | 'off' | 'none'>>> {
+  const wire = (await getCurrentFuseWire(programOf(app, platform))) as unknown as Readonly<Record<string, number>>;
+  // The wire holds ASCII: '1' on, '0' off, 'r' removed.
+  const word = (state: number | undefined) => (state === 0x31 ? 'on' : state === 0x30 ? 'off' : 'none');
+  return Object.fromEntries(Object.keys(FUSES).map((index) => [FuseV1Options[Number(index)] ?? index, word(wire[index])]));
+}
+
+function programOf(app: string, platform: Target['platform']): string {
+  if (platform === 'darwin') return join(app, 'Scrim.app');
+  return join(app, platform === 'win32' ? 'scrim.exe' : 'scrim');
+}

@@ -1,0 +1,55 @@
+import { join } from 'node:path';
+import type { Options } from '@electron/packager';
+import { OUTSIDE } from './stage.ts';
+import type { Target } from './target.ts';
+
+export interface PackagerInput {
+  readonly target: Target;
+  readonly root: string;
+  /** Where the app was put together. */
+  readonly staged: string;
+  readonly electronVersion: string;
+  /** Folder with Electron's ZIP; null lets the packager fetch it. */
+  readonly zips: string | null;
+  readonly version: string;
+}
+
+/** macOS shows a folder of this extension as one document. */
+const DOCUMENT_TYPES = [
+  {
+    CFBundleTypeName: 'Scrim Project',
+    CFBundleTypeRole: 'Editor',
+    CFBundleTypeExtensions: ['scrim'],
+    CFBundleTypeIconFile: 'electron.icns',
+    LSHandlerRank: 'Owner',
+    LSTypeIsPackage: true,
+  },
+];
+
+/** One target, in the packager's words. */
+export function packagerOptions({ target, root, staged, electronVersion, zips, version }: PackagerInput): Options {
+  return {
+    dir: staged,
+    out: target.out,
+    name: 'Scrim',
+    executableName: 'scrim',
+    platform: target.platform,
+    arch: target.arch,
+    electronVersion,
+    ...(zips === null ? {} : { electronZipDir: zips }),
+    appVersion: version,
+    appCopyright: 'Scrim contributors, MIT licence',
+    // The packager adds the extension that the system wants.
+    icon: join(root, 'app', 'electron', 'icons', 'scrim'),
+    asar: { unpackDir: OUTSIDE },
+    // What is staged is wanted, packages too, and has no list of them to prune by.
+    prune: false,
+    derefSymlinks: false,
+    overwrite: true,
+    quiet: true,
+    appBundleId: 'app.scrim.editor',
+    appCategoryType: 'public.app-category.graphics-design',
+    extendInfo: { CFBundleDocumentTypes: DOCUMENT_TYPES },
+    win32metadata: { CompanyName: 'Scrim contributors', FileDescription: 'Scrim', ProductName: 'Scrim', InternalName: 'scrim' },
+  };
+}
