@@ -69,6 +69,14 @@ describe('counts', () => {
     });
   });
 
+  test('a run that found no tests counts as none, not as a failure', async () => {
+    const none = { numPassedTests: 0, numFailedTests: 0, numPendingTests: 0, numRuntimeErrorTestSuites: 0, testResults: [] };
+    const empty = join(folder, 'empty.json');
+    writeFileSync(empty, JSON.stringify(none));
+    expect(await readCounts(empty)).toEqual({ passed: 0, failed: 0, skipped: 0, lines: [] });
+    expect(lastLine('0', join(folder, 'good.json'), '0', empty)).toEqual({ line: '3 passed, 0 failed', status: 0 });
+  });
+
   test('the script of CI is a shell script without mistakes of syntax', () => {
     expect(() => execFileSync('bash', ['-n', '.ci/run'])).not.toThrow();
   });

@@ -49,7 +49,8 @@ async function runPhases(root: string, phases: readonly Phase[], name: string): 
   }
   const counts = await readCounts(countsFile(root, name));
   console.log(`\n── summary\n${times.join(', ')}`);
-  for (const line of counts?.lines ?? ['No test ran.']) console.log(line);
+  for (const line of counts?.lines ?? []) console.log(line);
+  if (counts === null || counts.lines.length === 0) console.log('No test ran.');
   console.log(failed.length === 0 ? 'All is well.' : `Failed: ${failed.join(', ')}.`);
   return failed.length === 0 ? 0 : 1;
 }
