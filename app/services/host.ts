@@ -13,6 +13,7 @@ import { createOpenProjects } from './open-projects.ts';
 import { ROOMS } from './rooms.ts';
 import { findSessions } from './session-list.ts';
 import { createProject, findTemplates } from './templates.ts';
+import { wholePath } from './whole-path.ts';
 
 /** What a shell (window or loopback server) puts around the host. */
 export interface Shell {
@@ -72,13 +73,13 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),
-    'project.open': ({ path }, client) => projects.open(path, client),
+    'project.open': ({ path }, client) => projects.open(wholePath(path, 'SCR004'), client),
     'project.create': async ({ path, template }, client) => {
-      const root = await createProject({ templatesDir: installation.templatesDir, template, path, files });
+      const root = await createProject({ templatesDir: installation.templatesDir, template, path: wholePath(path, 'SCR060'), files });
       return projects.open(root, client);
     },
     'project.save': (input) => projects.save(input.handle, input.files, input.revision, input.overwrite),
-    'project.save-as': (input, client) => projects.saveAs(input.handle, input.path, input.files, client),
+    'project.save-as': (input, client) => projects.saveAs(input.handle, wholePath(input.path, 'SCR060'), input.files, client),
     'project.autosave': async (input) => {
       await projects.autosave(input.handle, input.files);
       return {};
@@ -113,7 +114,8 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         })),
       ];
     },
-    'export.run': async ({ handle, files: projectFiles, out }) => {
+    'export.run': async ({ handle, files: projectFiles, out: typed }) => {
+      const out = wholePath(typed, 'SCR060');
       const job = { root: projects.rootOf(handle), projectFiles, out, installation, files };
       const { report, diagnostics } = await exportProject(job);
       return { ok: report !== null, out, diagnostics: [...diagnostics], bytes: report?.bytes.raw ?? 0 };

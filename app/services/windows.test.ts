@@ -2,24 +2,20 @@ import { spawn } from 'node:child_process';
 import { once } from 'node:events';
 import { chmod, mkdir, mkdtemp, readdir, readFile, rename, rm, utimes, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import process from 'node:process';
 import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
-import type { HostEvent, HostInput, HostMethod, HostOutput } from '../contract/contract.ts';
-import { outputOf } from '../contract/host-error.ts';
+import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
+import type { HostEvent, HostOutput } from '../contract/contract.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
-import { createHost, type HostService } from './host.ts';
-import { installationAt } from './installation.ts';
+import type { HostService } from './host.ts';
 import { OWNER } from './owner.ts';
 
 // Disks and processors are shared with whatever else runs.
 jest.setTimeout(60_000);
 
-const ROOT = resolve(import.meta.dirname, '../..');
-
 let base = '';
 let project = '';
-const hosts: HostService[] = [];
 beforeEach(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-windows-'));
   project = join(base, 'project');
@@ -27,27 +23,9 @@ beforeEach(async () => {
   await writeFile(join(project, 'project.scrim.json'), '{"title":"First"}\n');
 });
 afterEach(async () => {
-  for (const host of hosts.splice(0)) host.dispose();
+  stopHosts();
   await rm(base, { recursive: true, force: true });
 });
-
-/** What another process has: nothing is shared with the first but the folder. */
-function startHost(files: FileLayer = NODE_FILES): HostService {
-  const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
-  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {} } as const;
-  const log = (text: string) => process.stderr.write(`${text}\n`);
-  const host = createHost({ shell, installation: installationAt(ROOT, '0'), startPath: null, files, log });
-  hosts.push(host);
-  return host;
-}
-
-/** A window of a host, which is there until it leaves. */
-function openWindow(host: HostService, name: string) {
-  const leave = host.attend(name);
-  const call = async <M extends HostMethod>(method: M, input: HostInput<M>): Promise<HostOutput<M>> =>
-    outputOf(await host.dispatch(method, input, name)) as HostOutput<M>;
-  return { call, leave };
-}
 
 const retitled = (files: HostOutput<'project.open'>['files'], title: string) => ({ ...files, project: `{"title":"${title}"}\n` });
 
@@ -64,7 +42,7 @@ describe('two windows on one project', () => {
     expect((await openWindow(host, 'b2').call('project.open', { path: project })).openElsewhere).toBe(true);
     first.leave();
     await second.call('project.close', { handle: there.handle });
-    for (const later of hosts) later.dispose();
+    stopHosts();
     expect((await openWindow(startHost(), 'c').call('project.open', { path: project })).openElsewhere).toBe(false);
   });
 

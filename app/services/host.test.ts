@@ -1,0 +1,92 @@
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
+import { type FileLayer, NODE_FILES } from './file-layer.ts';
+
+// Disks and processors are shared with whatever else runs.
+jest.setTimeout(60_000);
+
+let base = '';
+let project = '';
+beforeEach(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-asked-'));
+  project = join(base, 'project');
+  await mkdir(project);
+  await writeFile(join(project, 'project.scrim.json'), '{"title":"First"}\n');
+});
+afterEach(async () => {
+  stopHosts();
+  await rm(base, { recursive: true, force: true });
+});
+
+describe('what a page may not ask of the host', () => {
+  test('texts larger than any project has', async () => {
+    const window = openWindow(startHost(), 'a');
+    const { handle, files, revision } = await window.call('project.open', { path: project });
+    const huge = 'x'.repeat(64 * 2 ** 20 + 1);
+    for (const tooMuch of [
+      { ...files, project: huge },
+      { ...files, layout: huge },
+      { ...files, sources: { 'a.fs': huge } },
+    ]) {
+      const save = window.call('project.save', { handle, files: tooMuch, revision, overwrite: true });
+      await expect(save).rejects.toMatchObject({ diagnostic: { code: 'SCR073' } });
+    }
+    expect(await readFile(join(project, 'project.scrim.json'), 'utf8')).toBe(files.project);
+  });
+
+  test('a folder by a path that begins nowhere', async () => {
+    const window = openWindow(startHost(), 'a');
+    const { handle, files } = await window.call('project.open', { path: project });
+    for (const path of ['mine', './mine', '../mine', 'C:mine']) {
+      await expect(window.call('project.open', { path })).rejects.toMatchObject({ diagnostic: { code: 'SCR004' } });
+      for (const asked of [
+        window.call('project.create', { path, template: 'empty' }),
+        window.call('project.save-as', { handle, path, files }),
+        window.call('export.run', { handle, files, out: path }),
+      ]) {
+        await expect(asked).rejects.toMatchObject({ diagnostic: { code: 'SCR060' } });
+      }
+    }
+  });
+
+  test('a template that is none, or leads elsewhere', async () => {
+    const window = openWindow(startHost(), 'a');
+    for (const template of ['none', '../first-light', '/etc', '.']) {
+      const asked = window.call('project.create', { path: join(base, 'new'), template });
+      await expect(asked).rejects.toMatchObject({ diagnostic: { code: 'SCR073' } });
+    }
+    expect(await readdir(base)).toEqual(['project']);
+  });
+});
+
+describe('a new project', () => {
+  test('is made in a folder of the person’s choice, and open', async () => {
+    const host = startHost();
+    const window = openWindow(host, 'a');
+    const { templates } = await window.call('app.info', {});
+    expect(templates.map(({ name }) => name)).toEqual(['empty', 'filter', 'occlusion']);
+    const path = join(base, 'shows', 'Tin robot');
+    const opened = await window.call('project.create', { path, template: 'occlusion' });
+    expect(JSON.parse(opened.files.project)).toMatchObject({ title: 'Tin robot' });
+    expect(opened.assetFiles.map((asset) => asset.path)).toEqual(['assets/robot.glb']);
+    expect([opened.recovery, opened.openElsewhere]).toEqual([null, false]);
+    await window.call('project.save', { handle: opened.handle, files: opened.files, revision: opened.revision, overwrite: false });
+    await expect(window.call('project.create', { path, template: 'empty' })).rejects.toMatchObject({ diagnostic: { code: 'SCR061' } });
+  });
+
+  test('leaves nothing where the disk is full', async () => {
+    const full: FileLayer = {
+      ...NODE_FILES,
+      writeNew: (path, bytes) => {
+        if (path.includes('robot.glb')) return Promise.reject(Object.assign(new Error('ENOSPC'), { code: 'ENOSPC' }));
+        return NODE_FILES.writeNew(path, bytes);
+      },
+    };
+    const asked = openWindow(startHost(full), 'a').call('project.create', { path: join(base, 'new'), template: 'occlusion' });
+    await expect(asked).rejects.toMatchObject({ diagnostic: { code: 'SCR062' } });
+    expect(await readdir(join(base, 'new'))).toEqual([]);
+  });
+});
