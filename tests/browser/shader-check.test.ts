@@ -1,0 +1,162 @@
+import { mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { runCli } from '../../app/cli/run-cli.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { writeProject } from '../support/project-kit.ts';
+
+// Each call starts a browser of its own.
+jest.setTimeout(60_000);
+
+const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
+
+const FILTER = '/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/';
+
+/** Each wrong in its own way, with the place that its author has to look at. */
+const BROKEN = {
+  'a-header.fs': ['/*{ "INPUTS": [ { "NAME": "a", "TYPE": "image" } }*/\nvoid main() {}', 'SCR040', 1, 50, 'comma'],
+  'b-no-header.fs': ['void main() { gl_FragColor = vec4(1.0); }', 'SCR040', 1, 1, 'no header'],
+  'c-syntax.fs': [`${FILTER}\nvoid main() {\n  gl_FragColor = vec4(1.0)\n}`, 'SCR041', 3, 27, '";" is missing'],
+  'd-sound.fs': [
+    '/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "sound", "TYPE": "audio" } ] }*/\nvoid main() { gl_FragColor = vec4(1.0); }',
+    'SCR043',
+    1,
+    42,
+    'sound',
+  ],
+  'e-name.fs': [
+    `${FILTER}\nvoid main() {\n  vec4 c = IMG_THIS_PIXEL(inputImage);\n  gl_FragColor = c * strength;\n}`,
+    'SCR042',
+    4,
+    22,
+    '"strength": undeclared',
+  ],
+  'f-second-pass.fs': [
+    `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ],
+  "PASSES": [ { "TARGET": "kept", "PERSISTENT": true, "FLOAT": true }, {} ] }*/
+void main() {
+  if (PASSINDEX == 0) gl_FragColor = IMG_THIS_PIXEL(inputImage);
+  else {
+    vec3 color = IMG_THIS_PIXEL(kept);
+    gl_FragColor = vec4(color, 1.0);
+  }
+}`,
+    'SCR042',
+    6,
+    16,
+    'convert',
+  ],
+  'g-endless.fs': [
+    `${FILTER}
+int turn(int i) {
+  while (i >= 0) { i = (i + 1) % 100; }
+  return i;
+}
+void main() {
+  gl_FragColor = IMG_THIS_PIXEL(inputImage) * float(turn(1));
+}`,
+    'SCR044',
+    3,
+    3,
+    'do not end',
+  ],
+} as const;
+
+/** What hosts put up with, and public files are full of. */
+const FINE = {
+  // Version 1, with stray commas, an initialiser that is not constant, a name of GLSL's own taken again, and whole numbers for fractions.
+  'old.fs': `/*{ "INPUTS": [ { "NAME": "inputImage", "TYPE": "image", }, ,
+ ] }*/
+float start = TIME * 2.0;
+float mix(float a) { return a; }
+void main() { float x = 1; gl_FragColor = texture2D(inputImage, vv_FragNormCoord) * x * start * mix(1.0); }`,
+  // As heavy as raymarchers are: 400 steps of a scene of eight octaves.
+  'march.isf': `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "steps", "TYPE": "long", "DEFAULT": 400, "MIN": 1, "MAX": 400 } ] }*/
+float map(vec3 p) {
+  float d = 0.0;
+  for (int i = 0; i < 8; i++) d += sin(p.x * float(i)) * cos(p.y) / exp2(float(i));
+  return length(p) - 1.0 + d * 0.1;
+}
+void main() {
+  vec3 direction = normalize(vec3(isf_FragNormCoord - 0.5, 1.0));
+  float t = 0.0;
+  for (int i = 0; i < steps; i++) t += max(map(vec3(0.0, 0.0, -3.0) + direction * t) * 0.05, 0.001);
+  gl_FragColor = vec4(vec3(t / 5.0), 1.0);
+}`,
+};
+
+let folder = '';
+beforeAll(async () => {
+  folder = await mkdtemp(join(tmpdir(), 'scrim-shaders-'));
+  await writeProject(join(folder, 'broken'), Object.fromEntries(Object.entries(BROKEN).map(([name, [text]]) => [name, text])));
+  await writeProject(join(folder, 'fine'), {
+    ...FINE,
+    'deep/er/plain.fs': `${FILTER}\nvoid main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`,
+  });
+  await writeProject(join(folder, 'empty'), { 'read.me': '' });
+});
+afterAll(() => rm(folder, { recursive: true, force: true }));
+
+async function check(...args: string[]) {
+  const out: string[] = [];
+  const err: string[] = [];
+  const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
+  const status = await runCli(['shader', 'check', ...args], INSTALLATION, streams);
+  return { status, out: out.join('\n'), err: err.join('\n') };
+}
+
+interface Report {
+  readonly files: readonly { readonly path: string; readonly ok: boolean; readonly diagnostics: readonly Record<string, unknown>[] }[];
+}
+
+describe('scrim shader check', () => {
+  test('tells header, syntax, input, driver and loop errors at the author’s word', async () => {
+    const { status, out, err } = await check(join(folder, 'broken'), '--json');
+    expect([status, err]).toEqual([1, '']);
+    const { files } = JSON.parse(out) as Report;
+    expect(files.map(({ path, ok }) => [path, ok])).toEqual(Object.keys(BROKEN).map((name) => [join(folder, 'broken', name), false]));
+    const first = files.map(({ diagnostics }) => diagnostics.at(-1));
+    expect(first).toEqual(
+      Object.entries(BROKEN).map(([name, [, code, line, column, words]]) =>
+        expect.objectContaining({
+          code,
+          severity: 'error',
+          file: join(folder, 'broken', name),
+          line,
+          column,
+          message: expect.stringContaining(words),
+        }),
+      ),
+    );
+  });
+
+  test('takes what the library ships, what other hosts put up with, and heavy loops that end', async () => {
+    const library = join(INSTALLATION.root, 'shader-library');
+    const { status, out } = await check(join(folder, 'fine'), library, '--json');
+    const { files } = JSON.parse(out) as Report;
+    const errors = files.flatMap(({ diagnostics }) => diagnostics.filter(({ severity }) => severity === 'error'));
+    expect([status, errors]).toEqual([0, []]);
+    expect(files.map(({ path }) => path)).toEqual(
+      expect.arrayContaining([
+        ...['old.fs', 'march.isf', 'deep/er/plain.fs'].map((name) => join(folder, 'fine', name)),
+        join(library, 'filters', 'sepia.fs'),
+        join(library, 'operators', 'over.fs'),
+      ]),
+    );
+  });
+
+  test('prints one line per problem, file first, and no progress where nobody looks on', async () => {
+    const [path] = [join(folder, 'broken', 'e-name.fs')];
+    const { status, out, err } = await check(path, join(folder, 'fine', 'march.isf'));
+    expect([status, err]).toEqual([1, '']);
+    expect(out.split('\n')).toEqual([`${path}:4:22: error SCR042: "strength": undeclared identifier`, '2 shaders: 1 with errors.']);
+  });
+
+  test('refuses what is not there, and folders without shaders', async () => {
+    for (const args of [[], [join(folder, 'nowhere')], [join(folder, 'empty')]]) {
+      const { status, err } = await check(...args);
+      expect([status, err]).toEqual([2, expect.stringContaining('Try: scrim shader check --help')]);
+    }
+  });
+});
