@@ -11,6 +11,8 @@ export interface PlayState {
   heightPx: number;
 }
 
+import { createSessionInput } from './sessions/input/session-input.ts';
+
 export const EMPTY_FRAME: SessionFrame = {
   index: 0,
   timeS: 0,
@@ -21,6 +23,7 @@ export const EMPTY_FRAME: SessionFrame = {
   framebufferWidthPx: 0,
   framebufferHeightPx: 0,
   light: null,
+  input: createSessionInput(),
 };
 
 export function createPlayState(): PlayState {

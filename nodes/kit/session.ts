@@ -40,6 +40,37 @@ export interface SessionFrame {
   readonly framebufferWidthPx: number;
   readonly framebufferHeightPx: number;
   readonly light: LightEstimate | null;
+  readonly input: SessionInput;
+}
+
+/** What the visitor did since the frame before, and holds now. */
+export interface SessionInput {
+  /** Taps, clicks and selections by controllers or hands, oldest first; only the first `tapCount` entries are valid. */
+  readonly taps: readonly Tap[];
+  readonly tapCount: number;
+  /** Controllers of a headset, or the halves of a gamepad. */
+  readonly left: Controller;
+  readonly right: Controller;
+}
+
+export interface Tap {
+  /** Column-major 4×4, rigid: its origin is the eye or the hand, its -z axis points along the ray. */
+  readonly worldFromRay: Float32Array;
+  readonly by: 'screen' | 'left' | 'right' | 'other';
+}
+
+export interface Controller {
+  readonly connected: boolean;
+  /** In [-1, 1], to the right and up. */
+  readonly stick: Float32Array;
+  /** In [0, 1]. */
+  readonly trigger: number;
+  readonly squeeze: number;
+  /** The lower and the upper of two buttons: A and B on the right, X and Y on the left. */
+  readonly primary: boolean;
+  readonly secondary: boolean;
+  /** As of a tap; null for gamepads, and while it is not tracked. */
+  readonly worldFromRay: Float32Array | null;
 }
 
 export interface ViewFrame {

@@ -1,5 +1,6 @@
 import type { NodeOperation, PassOperation, Program, Resource, TargetSize } from '../../export/program/program.ts';
 import { createPlayer, type Player, type PlayerOptions } from '../../export/runtime/player.ts';
+import { createSessionInput } from '../../export/runtime/sessions/input/session-input.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 
@@ -147,6 +148,7 @@ export function frame(
     framebufferWidthPx: WIDTH,
     framebufferHeightPx: HEIGHT,
     light: null,
+    input: createSessionInput(),
     ...more,
   };
 }

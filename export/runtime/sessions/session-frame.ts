@@ -1,11 +1,15 @@
 import type { CameraImage, LightEstimate, RoomDepth, SessionFrame, ViewFrame, Viewport } from '../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
+import { createSessionInput, type MutableInput } from './input/session-input.ts';
 import { createMatrix, FAR_M, NEAR_M } from './matrix.ts';
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
 export type MutableView = Mutable<Omit<ViewFrame, 'viewport'>> & { readonly viewport: Mutable<Viewport> };
-export type MutableFrame = Mutable<Omit<SessionFrame, 'views'>> & { readonly views: readonly MutableView[] };
+export type MutableFrame = Mutable<Omit<SessionFrame, 'views' | 'input'>> & {
+  readonly views: readonly MutableView[];
+  readonly input: MutableInput;
+};
 export type MutableCameraImage = Mutable<CameraImage>;
 export type MutableRoomDepth = Mutable<RoomDepth>;
 export type MutableLight = Mutable<LightEstimate>;
@@ -22,6 +26,7 @@ export function createSessionFrame(): MutableFrame {
     framebufferWidthPx: 0,
     framebufferHeightPx: 0,
     light: null,
+    input: createSessionInput(),
   };
 }
 

@@ -1,6 +1,7 @@
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
 import { type CanvasFitter, createCanvasFitter } from '../fit-canvas.ts';
+import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { listenForOrbit } from '../orbit/orbit-input.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
@@ -39,6 +40,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
   const { video } = stream;
   let picture = createCameraView(gl);
   let fitter: CanvasFitter | null = null;
+  let input: PageInput | null = null;
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
   let handle = 0;
@@ -95,11 +97,13 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
     picture.fill(view);
     stand.writeWorldFromView(view.worldFromView);
     setRigidInverse(view.viewFromWorld, view.worldFromView);
+    input?.fill(frame);
     onFrame?.(frame);
     frame.index++;
   };
   const begin = (): void => {
     fitter = createCanvasFitter(canvas);
+    input = createPageInput(canvas);
     const unlisten = listenForOrbit(canvas, stand, () => Math.tan(LONG_SIDE_FOV_RAD / 2));
     page.addEventListener('visibilitychange', visibility);
     canvas.addEventListener('webglcontextrestored', restored);
@@ -110,6 +114,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
       page.removeEventListener('visibilitychange', visibility);
       canvas.removeEventListener('webglcontextrestored', restored);
       unlisten();
+      input?.dispose();
       fitter?.dispose();
     };
   };

@@ -1,6 +1,7 @@
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
 import { createCanvasFitter } from '../fit-canvas.ts';
+import { createPageInput } from '../input/page-input.ts';
 import { setFrustum, setRigidInverse } from '../matrix.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
 import { listenForOrbit } from './orbit-input.ts';
@@ -33,12 +34,14 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
   const begin = (): void => {
     const fitter = createCanvasFitter(canvas);
     const unlisten = listenForOrbit(canvas, orbit, tanHalfFovY);
+    const input = createPageInput(canvas);
     const visibility = (): void => onEvent?.({ kind: 'visibility', visible: page.visibilityState === 'visible' });
     page.addEventListener('visibilitychange', visibility);
     stop = () => {
       clock.cancelFrame(handle);
       page.removeEventListener('visibilitychange', visibility);
       unlisten();
+      input.dispose();
       fitter.dispose();
     };
     const tick = (nowS: number): void => {
@@ -55,6 +58,7 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
       setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);
       orbit.writeWorldFromView(view.worldFromView);
       setRigidInverse(view.viewFromWorld, view.worldFromView);
+      input.fill(frame);
       onFrame?.(frame);
       frame.index++;
     };

@@ -3,6 +3,7 @@ import type { Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
 import type { FrameClock } from '../../clock.ts';
+import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
 import { createPictureTextures, type PictureTextures } from './picture-textures.ts';
@@ -68,6 +69,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   /** Null after a jump: no time has passed since. */
   let deliveredS: number | null = null;
   const problems: string[] = [];
+  let input: PageInput | null = null;
 
   const say = (message: string): void => {
     if (onEvent) onEvent({ kind: 'problem', message });
@@ -83,6 +85,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     frame.light = current.lights[decoded.index] ?? null;
     deliveredS = timeS;
     current.view.fill(frame, decoded);
+    input?.fill(frame);
     onFrame?.(frame);
     return true;
   };
@@ -134,6 +137,8 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     start: (frameHandler, eventHandler) => {
       onFrame = frameHandler;
       onEvent = eventHandler;
+      // A canvas on no page, as renders have, is tapped by nobody.
+      if (mode.kind === 'clock' && 'ownerDocument' in gl.canvas) input ??= createPageInput(gl.canvas);
       for (const message of problems.splice(0)) say(message);
       if (reel) playback?.start();
     },
@@ -158,6 +163,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       if (ended) return;
       ended = true;
       playback?.stop();
+      input?.dispose();
       gl.canvas.removeEventListener('webglcontextrestored', restore);
       reel?.cache.dispose();
       reel?.textures.dispose();

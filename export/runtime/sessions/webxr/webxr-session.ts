@@ -4,6 +4,7 @@ import { MAX_VIEWS } from '../../targets/target.ts';
 import { FAR_M, NEAR_M, setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createViewSources } from './view-sources.ts';
+import { createWebXrInput } from './webxr-input.ts';
 import { createWebXrLight } from './webxr-light.ts';
 import type { XrBinding } from './webxr-types.ts';
 
@@ -25,6 +26,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   const frame = createSessionFrame();
   const sources = createViewSources(gl, session, binding, capabilities.has('depth'));
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
+  const input = createWebXrInput(session, world);
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
@@ -74,6 +76,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     frame.light = light?.read(xrFrame, world) ?? null;
     fillViews(xrFrame, pose);
     if (frame.viewCount === 0) return;
+    input.fill(frame.input, xrFrame);
     onFrame?.(frame);
     frame.index++;
   };

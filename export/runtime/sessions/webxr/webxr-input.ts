@@ -1,0 +1,67 @@
+import { createSessionInput, type MutableController, type MutableInput, nextTap, rest } from '../input/session-input.ts';
+import { createMatrix } from '../matrix.ts';
+
+/** Places of the `xr-standard` mapping (WebXR Gamepads §3.3), then of what controllers with a thumbstick add (registry of profiles). */
+const TRIGGER = 0;
+const SQUEEZE = 1;
+const PRIMARY = 4;
+const SECONDARY = 5;
+const TOUCHPAD_AXIS = 0;
+const THUMBSTICK_AXIS = 2;
+
+/** Selections by tap, controller or hand, and the controllers themselves. */
+export interface WebXrInput {
+  /** Once a frame. */
+  fill(input: MutableInput, frame: XRFrame): void;
+}
+
+export function createWebXrInput(session: XRSession, world: XRReferenceSpace): WebXrInput {
+  /** Selections come between frames. */
+  const waiting = createSessionInput();
+  const rays = { left: createMatrix(), right: createMatrix() };
+  session.addEventListener('select', ({ frame, inputSource }) => {
+    const pose = frame.getPose(inputSource.targetRaySpace, world);
+    const tap = pose ? nextTap(waiting) : null;
+    if (!pose || !tap) return;
+    tap.worldFromRay.set(pose.transform.matrix);
+    tap.by = inputSource.targetRayMode === 'screen' ? 'screen' : inputSource.handedness === 'none' ? 'other' : inputSource.handedness;
+  });
+  return {
+    fill: (input, frame) => {
+      input.tapCount = 0;
+      for (let i = 0; i < waiting.tapCount; i++) {
+        const from = waiting.taps[i];
+        const tap = nextTap(input);
+        if (!from || !tap) break;
+        tap.worldFromRay.set(from.worldFromRay);
+        tap.by = from.by;
+      }
+      waiting.tapCount = 0;
+      rest(input.left);
+      rest(input.right);
+      for (let i = 0; i < session.inputSources.length; i++) {
+        const source = session.inputSources[i];
+        if (!source) continue;
+        const hand = source.handedness === 'left' ? 'left' : 'right';
+        if (!source.gamepad || source.targetRayMode === 'screen' || input[hand].connected) continue;
+        readController(input[hand], source.gamepad);
+        const pose = frame.getPose(source.targetRaySpace, world);
+        if (!pose) continue;
+        rays[hand].set(pose.transform.matrix);
+        input[hand].worldFromRay = rays[hand];
+      }
+    },
+  };
+}
+
+function readController(controller: MutableController, { axes, buttons }: Gamepad): void {
+  const axis = axes.length > THUMBSTICK_AXIS ? THUMBSTICK_AXIS : TOUCHPAD_AXIS;
+  controller.connected = true;
+  controller.stick[0] = axes[axis] ?? 0;
+  // Towards the visitor is positive there; + 0, because -0 is no rest.
+  controller.stick[1] = -(axes[axis + 1] ?? 0) + 0;
+  controller.trigger = buttons[TRIGGER]?.value ?? 0;
+  controller.squeeze = buttons[SQUEEZE]?.value ?? 0;
+  controller.primary = buttons[PRIMARY]?.pressed ?? false;
+  controller.secondary = buttons[SECONDARY]?.pressed ?? false;
+}

@@ -1,0 +1,81 @@
+import { describe, expect, test } from '@jest/globals';
+import { createSessionInput, type MutableController, type MutableInput } from '../../../export/runtime/sessions/input/session-input.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
+import { definition } from './definition.ts';
+import { create } from './runtime.ts';
+
+type Hand = (typeof definition.params.hand.options)[number]['value'];
+
+function start(hand: Hand = 'either', deadZone = 0) {
+  const fake = fakeContext(definition, { params: { hand, deadZone } });
+  const node = create(fake.ctx);
+  const input = createSessionInput();
+  const { outputs } = fake.ctx;
+  const frame = (change: (input: MutableInput) => void = () => {}) => {
+    change(input);
+    fake.tick(1 / 60);
+    node.update({ input } as never);
+    return {
+      stick: [outputs.x.value, outputs.y.value].map((x) => Math.round(x * 1e6) / 1e6 + 0),
+      trigger: outputs.trigger.value,
+      connected: outputs.connected.value,
+      pulses: [outputs.pulled.count, outputs.primary.count, outputs.secondary.count],
+    };
+  };
+  return { outputs, frame };
+}
+
+function move(controller: MutableController, x: number, y: number): void {
+  controller.connected = true;
+  controller.stick.set([x, y]);
+}
+
+describe('gamepad', () => {
+  test('is at rest where there is none', () => {
+    expect(start().frame()).toEqual({ stick: [0, 0], trigger: 0, connected: false, pulses: [0, 0, 0] });
+  });
+
+  test.each<[Hand, number[]]>([
+    ['left', [-0.5, 0]],
+    ['right', [0, 0.75]],
+    ['either', [0, 0.75]],
+  ])('gives the stick of the %s hand', (hand, stick) => {
+    const { frame } = start(hand);
+    const given = frame(({ left, right }) => {
+      move(left, -0.5, 0);
+      move(right, 0, 0.75);
+    });
+    expect(given).toMatchObject({ stick, connected: true });
+  });
+
+  test('a stick counts from the end of the dead zone, all around, to 1', () => {
+    const { frame } = start('left', 0.2);
+    const at = (x: number, y: number) => frame(({ left }) => move(left, x, y)).stick;
+    expect(at(0.12, 0.16)).toEqual([0, 0]);
+    expect(at(0.6, 0)).toEqual([0.5, 0]);
+    expect(at(0, -1)).toEqual([0, -1]);
+    expect(at(0.8, 0.8)).toEqual([expect.closeTo(Math.SQRT1_2, 5), expect.closeTo(Math.SQRT1_2, 5)]);
+  });
+
+  test('a button gives one pulse per press, of whichever hand', () => {
+    const { frame } = start();
+    const press = (left: boolean, right: boolean) =>
+      frame((input) => {
+        input.left.primary = left;
+        input.right.primary = right;
+      }).pulses[1];
+    expect([press(true, false), press(true, true), press(false, true), press(false, false), press(false, true)]).toEqual([1, 0, 0, 0, 1]);
+  });
+
+  test('the trigger pulls past the middle, and again only after it was let go; its pulse knows where it points', () => {
+    const { outputs, frame } = start('right');
+    const pull = (trigger: number) =>
+      frame(({ right }) => {
+        right.trigger = trigger;
+        right.worldFromRay = new Float32Array(16).fill(3);
+      }).pulses[0];
+    expect([pull(0.49), pull(0.5)]).toEqual([0, 1]);
+    expect(outputs.pulled.at(0).worldFromPose).toEqual(new Float32Array(16).fill(3));
+    expect([pull(0.45), pull(0.55), pull(0.3), pull(0.6)]).toEqual([0, 0, 0, 1]);
+  });
+});

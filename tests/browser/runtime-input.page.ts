@@ -1,0 +1,149 @@
+/// <reference types="webxr" />
+
+import { installEmulator } from '../../export/emulator/install-emulator.ts';
+import type { EmulatorOptions } from '../../export/emulator/options.ts';
+import { createBrowserClock } from '../../export/runtime/clock.ts';
+import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
+import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
+import type { Controller, Session, SessionFrame } from '../../nodes/kit/session.ts';
+
+export interface TapSeen {
+  readonly by: string;
+  readonly origin: readonly number[];
+  readonly direction: readonly number[];
+}
+
+function tapsOf({ input }: SessionFrame): TapSeen[] {
+  return input.taps.slice(0, input.tapCount).map(({ by, worldFromRay: m }) => ({
+    by,
+    origin: [...m.slice(12, 15)],
+    direction: [...m.slice(8, 11)].map((x) => -x + 0),
+  }));
+}
+
+function copyOf({ stick, worldFromRay, ...rest }: Controller) {
+  return { ...rest, stick: [...stick], ray: worldFromRay && [...worldFromRay.slice(12, 15)] };
+}
+
+let session: Session;
+let taps: TapSeen[] = [];
+let frames = 0;
+let right: ReturnType<typeof copyOf> | null = null;
+
+/** An orbit around (0, 1, 0), 2 m away and level, on a square canvas of 400 CSS pixels in the corner of the page. */
+export function begin(): void {
+  const canvas = document.createElement('canvas');
+  canvas.style.cssText = 'position:absolute;left:0;top:0;width:400px;height:400px';
+  document.body.append(canvas);
+  const gl = canvas.getContext('webgl2') as WebGL2RenderingContext;
+  session = createOrbitSession({
+    gl,
+    canvas,
+    clock: createBrowserClock(),
+    start: { targetWorld: [0, 1, 0], distanceM: 2, elevationRad: 0 },
+  });
+  session.start(
+    (frame) => {
+      frames++;
+      taps.push(...tapsOf(frame));
+      right = copyOf(frame.input.right);
+    },
+    () => {},
+  );
+}
+
+/** All taps of the frames since the last call, once what was done before has reached one. */
+export async function seen(): Promise<TapSeen[]> {
+  const before = frames;
+  while (frames < before + 2) await new Promise((resolve) => requestAnimationFrame(resolve));
+  const all = taps;
+  taps = [];
+  return all;
+}
+
+/** What is told of the right half of a gamepad that is plugged in, with its stick up and its trigger half pulled. */
+export async function gamepad() {
+  const buttons = Array.from({ length: 16 }, (_, i) => ({ pressed: i === 0, touched: false, value: i === 7 ? 0.5 : 0 }));
+  const pad = { connected: true, mapping: 'standard', axes: [0, 0, 0.25, -1], buttons };
+  Object.defineProperty(navigator, 'getGamepads', { configurable: true, value: () => [null, pad] });
+  await seen();
+  const unheard = right;
+  window.dispatchEvent(new Event('gamepadconnected'));
+  await seen();
+  const plugged = right;
+  pad.connected = false;
+  await seen();
+  return { unheard, plugged, unplugged: right };
+}
+
+export async function end(): Promise<number> {
+  await session.end();
+  document.querySelector('canvas')?.dispatchEvent(new KeyboardEvent('keydown', { key: 'Enter' }));
+  return taps.length;
+}
+
+/** A WebXR session whose frames are kept as they came. */
+async function inXr<T>(
+  options: EmulatorOptions,
+  act: (emulator: ReturnType<typeof installEmulator>, frame: () => Promise<SessionFrame>) => Promise<T>,
+): Promise<T> {
+  const emulator = installEmulator({ clock: 'manual', display: false, sizePx: [64, 64], ...options });
+  const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;
+  const { output } = await requestWebXrSession({ xr: navigator.xr, gl, needs: [], antialias: false });
+  if (!output) throw new Error('There is no session.');
+  let last: SessionFrame | null = null;
+  output.start(
+    (frame) => {
+      last = frame;
+    },
+    () => {},
+  );
+  const step = async (): Promise<SessionFrame> => {
+    await emulator.stepFrame();
+    if (!last) throw new Error('There was no frame.');
+    return last;
+  };
+  try {
+    return await act(emulator, step);
+  } finally {
+    await output.end();
+    await emulator.uninstall();
+  }
+}
+
+/** Taps per frame, of a finger that touches the middle of a phone's screen and lets go. */
+export function phone() {
+  return inXr({ device: 'phone' }, async (emulator, frame) => {
+    emulator.setPose({ position: [1, 1.5, 2] });
+    const perFrame: TapSeen[][] = [];
+    const next = async () => perFrame.push(tapsOf(await frame()));
+    await next();
+    emulator.press(0.5, 0.5);
+    await next();
+    await next();
+    emulator.release();
+    await next();
+    await next();
+    await next();
+    return perFrame;
+  });
+}
+
+/** The right controller of a headset, its trigger pulled, its stick pushed away, its lower button pressed; and the taps it made. */
+export function headset() {
+  return inXr({ device: 'headset' }, async (emulator, frame) => {
+    await frame();
+    const controller = emulator.device.controllers.right;
+    if (!controller) throw new Error('The headset has no right controller.');
+    controller.position.set(0.3, 1.2, -0.4);
+    controller.updateButtonValue('trigger', 1);
+    controller.updateButtonValue('a-button', 1);
+    controller.updateAxis('thumbstick', 'y-axis', -0.75);
+    await frame();
+    const held = copyOf((await frame()).input.right);
+    controller.updateButtonValue('trigger', 0);
+    const after: TapSeen[] = [];
+    for (let i = 0; i < 3; i++) after.push(...tapsOf(await frame()));
+    return { held, taps: after };
+  });
+}
