@@ -1,12 +1,15 @@
-import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
+import type { Result } from '../../nodes/kit/diagnostics.ts';
 import { asksOf } from '../page/needs-text.ts';
-import { pageHtml } from '../page/page-html.ts';
-import type { Program, ProgramAsset } from '../program/program.ts';
+import type { Program } from '../program/program.ts';
+import type { AssetCache } from './assets/asset-cache.ts';
+import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
 import { bundleScript, bundleStyle, type Script } from './bundle-script.ts';
 import type { FileSink } from './file-sink.ts';
 import { hashedName } from './hashed-name.ts';
-import { type ProgramUse, programUse } from './program-use.ts';
-import { type ExportReport, type FileKind, makeReport, REPORT_FILE, type ReportedFile, sizesOf } from './report.ts';
+import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
+import { neutralPoster, type PosterPicture } from './poster.ts';
+import { programUse } from './program-use.ts';
+import { type ExportReport, makeReport, REPORT_FILE, type ReportedFile, sizesOf } from './report.ts';
 import { webXrFeatures } from './webxr-features.ts';
 
 export interface BundleInput {
@@ -19,34 +22,54 @@ export interface BundleInput {
   /** Bytes of an asset by its project path. Rejects with an `Error` that says in plain words why there are none. */
   readonly readAsset: (path: string) => Promise<Uint8Array>;
   readonly sink: FileSink;
+  /** False leaves models as they are; true unless given. */
+  readonly compress?: boolean;
+  /** Keeps compressed models between exports. */
+  readonly cache?: AssetCache;
+  /** Hears what takes its time. */
+  readonly say?: (text: string) => void;
+  /** A picture of the project, `POSTER_SIZE`; a neutral one takes its place. */
+  readonly poster?: PosterPicture | null;
+  /** Everything in `index.html`, which then opens from a disk. */
+  readonly singleFile?: boolean;
+  /** Where the page will be published, ending in `/`: those who show links to it ask for whole addresses. */
+  readonly address?: string | null;
 }
 
 /**
- * A program as a static page: `index.html`, one script, one style sheet, the program, its assets, and `report.json`. The same
- * input gives the same bytes. Assets that cannot be read are SCR030, sources that cannot be bundled SCR064; the sink then has
- * been given nothing.
+ * A program as a static page: `index.html`, one script, one style sheet, the program, its assets, a poster, a service worker, and
+ * `report.json`. The same input gives the same bytes. Assets that cannot be read are SCR030, sources that cannot be bundled SCR064;
+ * the sink then has been given nothing.
  */
 export async function bundlePage(input: BundleInput): Promise<Result<ExportReport>> {
   const use = programUse(input.program);
-  const assets = await readAssets(input, use);
-  if (assets.output === null) return { output: null, diagnostics: assets.diagnostics };
+  const { root, readAsset, compress = true, cache = null, say = () => {} } = input;
+  const used = input.program.assets.filter(({ id }) => use.assets.has(id));
+  const prepared = await prepareAssets(used, { root, readAsset, compress, cache, say });
+  if (prepared.output === null) return { output: null, diagnostics: prepared.diagnostics };
+  const { decoders } = prepared.output;
   let code: Code;
   try {
-    code = { script: await bundleScript(input.root, use), style: await bundleStyle(input.root) };
+    code = { script: await bundleScript(input.root, use, decoders), style: await bundleStyle(input.root) };
   } catch (error) {
     const message = `The page could not be bundled: ${error instanceof Error ? error.message : String(error)}`;
     return { output: null, diagnostics: [{ code: 'SCR064', severity: 'error', message }] };
   }
-  const files = await writeFiles(input, code, assets.output);
+  const files: ReportedFile[] = [];
+  for (const { path, kind, bytes } of layOut(input, code, prepared.output)) {
+    await input.sink.write(path, bytes);
+    files.push({ path, kind, ...sizesOf(bytes) });
+  }
   const report = makeReport({
     program: input.program,
     generator: input.generator,
-    files,
+    files: files.sort((a, b) => (a.path < b.path ? -1 : 1)),
     scriptParts: code.script.parts,
     features: webXrFeatures(input.program.needs),
+    assets: prepared.output.assets.map(({ report }) => report),
   });
   await input.sink.write(REPORT_FILE, toBytes(`${JSON.stringify(report, null, 2)}\n`));
-  return { output: report, diagnostics: [] };
+  return { output: report, diagnostics: prepared.diagnostics };
 }
 
 interface Code {
@@ -54,76 +77,39 @@ interface Code {
   readonly style: Uint8Array;
 }
 
-interface ReadAsset {
-  readonly asset: ProgramAsset;
-  readonly path: string;
-  readonly bytes: Uint8Array;
-}
-
-async function readAssets({ program, readAsset }: BundleInput, use: ProgramUse): Promise<Result<readonly ReadAsset[]>> {
-  const read: ReadAsset[] = [];
-  const diagnostics: Diagnostic[] = [];
-  for (const asset of program.assets.filter(({ id }) => use.assets.has(id))) {
-    try {
-      const bytes = await readAsset(asset.path);
-      read.push({ asset, bytes, path: hashedName(`assets/${fileName(asset.path)}`, bytes) });
-    } catch (error) {
-      const message = `${asset.path} cannot be read: ${error instanceof Error ? error.message : String(error)}`;
-      diagnostics.push({ code: 'SCR030', severity: 'error', message, file: asset.path });
-    }
-  }
-  return { output: diagnostics.length === 0 ? read : null, diagnostics };
-}
-
-async function writeFiles(input: BundleInput, { script, style }: Code, assets: readonly ReadAsset[]): Promise<ReportedFile[]> {
-  const files: ReportedFile[] = [];
-  const write = async (path: string, kind: FileKind, bytes: Uint8Array): Promise<string> => {
-    // Two assets may be one file.
-    if (files.some((file) => file.path === path)) return path;
-    await input.sink.write(path, bytes);
-    files.push({ path, kind, ...sizesOf(bytes) });
-    return path;
-  };
-  const writeHashed = (path: string, kind: FileKind, bytes: Uint8Array) => write(hashedName(path, bytes), kind, bytes);
-
-  for (const { asset, path, bytes } of assets) await write(path, asset.kind, bytes);
-  const program = toBytes(JSON.stringify(exportedProgram(input.program, assets)));
-  const programPath = await writeHashed('program.json', 'program', program);
-  const scriptPath = await writeHashed('page.js', 'script', script.bytes);
-  const stylePath = await writeHashed('page.css', 'style', style);
-  const bytes = Object.fromEntries([[programPath, program.length], ...assets.map((a) => [a.path, a.bytes.length] as const)]);
-  const html = pageHtml({
-    title: input.program.title,
-    ...input.page,
-    script: scriptPath,
-    style: stylePath,
+function layOut(input: BundleInput, { script, style }: Code, { assets, decoders, decoderFiles }: PreparedAssets): PageFile[] {
+  const { program, page, poster, singleFile = false, address = null } = input;
+  const bytes = toBytes(JSON.stringify(exportedProgram(program, assets)));
+  const programFile: PageFile = { path: hashedName('program.json', bytes), kind: 'program', bytes };
+  const assetFiles = assets.map(({ asset, path, bytes }): PageFile => ({ path, kind: asset.kind, bytes }));
+  const decoderContent = decoderFiles.map(({ path, bytes }): PageFile => ({ path, kind: 'decoder', bytes }));
+  // Two assets may be one file.
+  const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
+  const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
+  return layOutPage({
+    title: program.title,
+    ...page,
+    address,
+    script: script.bytes,
+    style,
+    poster: poster ?? neutralPoster(),
+    content,
     config: {
-      title: input.program.title,
-      description: input.page.description,
-      asks: asksOf(input.program.needs),
-      program: programPath,
-      bytes,
+      asks: asksOf(program.needs),
+      program: programFile.path,
+      tiers: program.tiers,
+      decoders: Object.fromEntries(decoderFiles.map(({ file, path }) => [file, path])),
     },
+    powers: { wasm: decoders.length > 0, workers: decoderFiles.length > 0, media: assets.some(({ asset }) => asset.kind === 'video') },
   });
-  await write('index.html', 'page', toBytes(html));
-  return files.sort((a, b) => (a.path < b.path ? -1 : 1));
 }
 
 /** Without what only the editor looks at: source maps, taps, and assets that nothing uses. */
-function exportedProgram(program: Program, assets: readonly ReadAsset[]): Program {
+function exportedProgram(program: Program, assets: readonly PreparedAsset[]): Program {
   return {
     ...program,
     shaders: program.shaders.map(({ id, vertex, fragment }) => ({ id, vertex, fragment })),
     assets: assets.map(({ asset, path }) => ({ ...asset, path })),
     taps: {},
   };
-}
-
-/** Letters that every host and every file system carries unchanged. */
-function fileName(path: string): string {
-  return path.slice(path.lastIndexOf('/') + 1).replace(/[^A-Za-z0-9._-]+/g, '-');
-}
-
-function toBytes(text: string): Uint8Array {
-  return new TextEncoder().encode(text);
 }

@@ -1,6 +1,7 @@
 import { resolve } from 'node:path';
 import { build, type Metafile } from 'esbuild';
 import { RUNTIME_FILES } from '../../nodes/generated/runtime-files.gen.ts';
+import type { DecoderName } from '../gltf/decoders.ts';
 import type { ProgramUse } from './program-use.ts';
 
 export interface Script {
@@ -16,9 +17,9 @@ const TARGET = 'es2022';
  * The page's one script: the player, the page around it, and the behaviour of the nodes in use, nothing else. A classic script,
  * because browsers load no modules from a double-clicked file. esbuild gives the same bytes for the same sources.
  */
-export async function bundleScript(root: string, use: ProgramUse): Promise<Script> {
+export async function bundleScript(root: string, use: ProgramUse, decoders: readonly DecoderName[]): Promise<Script> {
   const { outputFiles, metafile } = await build({
-    stdin: { contents: entryText(use), resolveDir: root, sourcefile: 'page.ts', loader: 'ts' },
+    stdin: { contents: entryText(use, decoders), resolveDir: root, sourcefile: 'page.ts', loader: 'ts' },
     absWorkingDir: root,
     bundle: true,
     write: false,
@@ -30,7 +31,8 @@ export async function bundleScript(root: string, use: ProgramUse): Promise<Scrip
     charset: 'utf8',
     legalComments: 'eof',
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    define: { 'process.env.NODE_ENV': '"production"' },
+    // three's decoders name files beside their own module, which they are never asked for; a classic script has no such address.
+    define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
     logLevel: 'silent',
   });
   const [file] = outputFiles;
@@ -53,14 +55,19 @@ export async function bundleStyle(root: string): Promise<Uint8Array> {
   return file.contents;
 }
 
-function entryText({ nodeTypes, scenes }: ProgramUse): string {
+const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', meshopt: 'openMeshopt', ktx2: 'openKtx2' };
+
+function entryText({ nodeTypes, scenes }: ProgramUse, decoders: readonly DecoderName[]): string {
   const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
   const lines = [
     `import { startPage } from './export/page/start-page.ts';`,
-    ...(scenes ? [`import { createScenes } from './export/runtime/scenes/create-scenes.ts';`] : []),
+    ...(scenes ? [`import { createScenesWith } from './export/runtime/scenes/create-scenes.ts';`] : []),
+    ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
     ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${RUNTIME_FILES[type]}`)};`),
     `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
-    `startPage(window, { modules, createScenes${scenes ? '' : ': null'} });`,
+    `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
+    `const createScenes = ${scenes ? '(files) => createScenesWith({ decoders, files })' : 'null'};`,
+    'startPage(window, { modules, createScenes });',
   ];
   return lines.join('\n');
 }

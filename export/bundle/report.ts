@@ -1,8 +1,9 @@
 import { gzipSync } from 'node:zlib';
-import type { Program, ProgramNeed, Tier } from '../program/program.ts';
+import type { Program, ProgramAsset, ProgramNeed, Tier } from '../program/program.ts';
+import type { ReportedAsset } from './assets/prepare-assets.ts';
 import type { WebXrFeatures } from './webxr-features.ts';
 
-export type FileKind = 'page' | 'script' | 'style' | 'program' | 'image' | 'model';
+export type FileKind = 'page' | 'script' | 'style' | 'offline' | 'poster' | 'program' | 'decoder' | ProgramAsset['kind'];
 
 /** `report.json` beside an exported page: what it is made of, and which files Scrim may replace there. */
 export interface ExportReport {
@@ -17,6 +18,8 @@ export interface ExportReport {
   readonly script: Readonly<Record<string, number>>;
   /** WebXR features that the page asks for when it enters AR. */
   readonly features: WebXrFeatures;
+  /** What the export made of each asset: compressed models, with their bytes before and after. */
+  readonly assets: readonly ReportedAsset[];
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
 }
@@ -44,9 +47,10 @@ export interface ReportInput {
   readonly files: readonly ReportedFile[];
   readonly scriptParts: Readonly<Record<string, number>>;
   readonly features: WebXrFeatures;
+  readonly assets: readonly ReportedAsset[];
 }
 
-export function makeReport({ program, generator, files, scriptParts, features }: ReportInput): ExportReport {
+export function makeReport({ program, generator, files, scriptParts, features, assets }: ReportInput): ExportReport {
   const byKind: Partial<Record<FileKind, Sizes>> = {};
   for (const { kind, raw, gzip } of files) byKind[kind] = add(byKind[kind], { raw, gzip });
   const total = files.reduce<Sizes>(add, { raw: 0, gzip: 0 });
@@ -59,6 +63,7 @@ export function makeReport({ program, generator, files, scriptParts, features }:
     bytes: { raw: total.raw, gzip: total.gzip, byKind },
     script: groupParts(scriptParts),
     features,
+    assets,
     needs: program.needs,
     tiers: program.tiers,
   };

@@ -1,12 +1,12 @@
 /**
- * `fetch` that counts what comes in, as a fraction of `expectedBytes`, which is what all of it will be together. Bytes count as
- * they come out of the browser, so that the sum is right whether the host compresses or not.
+ * `fetch` that counts what comes in. Bytes count as they come out of the browser, so that they are those of the files, whether the
+ * host compresses or not.
  */
-export function countingFetch(fetchFile: typeof fetch, expectedBytes: number, onProgress: (fraction: number) => void): typeof fetch {
+export function countingFetch(fetchFile: typeof fetch, onProgress: (loadedBytes: number) => void): typeof fetch {
   let loaded = 0;
   const count = (chunk: Uint8Array, controller: TransformStreamDefaultController<Uint8Array>) => {
     loaded += chunk.length;
-    onProgress(Math.min(1, loaded / expectedBytes));
+    onProgress(loaded);
     controller.enqueue(chunk);
   };
   return async (input, init) => {
@@ -15,4 +15,11 @@ export function countingFetch(fetchFile: typeof fetch, expectedBytes: number, on
     const counted = response.body.pipeThrough(new TransformStream<Uint8Array, Uint8Array>({ transform: count }));
     return new Response(counted, { status: response.status, headers: response.headers });
   };
+}
+
+/** `1.2 of 3.4 MB`, with one unit for both. */
+export function progressText(loadedBytes: number, totalBytes: number): string {
+  const [unit, size, digits] = totalBytes < 1_000_000 ? ['kB', 1000, 0] : ['MB', 1_000_000, 1];
+  const loaded = Math.min(loadedBytes, totalBytes) / size;
+  return `${loaded.toFixed(digits)} of ${(totalBytes / size).toFixed(digits)} ${unit}`;
 }

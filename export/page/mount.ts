@@ -39,7 +39,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     stencil: false,
     powerPreference: 'high-performance',
   });
-  if (!gl) throw new Error('This browser has no WebGL 2.');
+  if (!gl) throw new Error(NO_WEBGL);
   const player = createPlayer({ ...options, gl, canvas, seed: 1 });
   let playing: Session | null = null;
 
@@ -82,3 +82,6 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     },
   };
 }
+
+const NO_WEBGL =
+  'This browser has no WebGL 2, which draws the picture. Open the page in a current Chrome, Edge, Firefox or Safari, with hardware acceleration switched on.';

@@ -1,3 +1,4 @@
+import { type Diagnostic, type DiagnosticCode, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { element } from './dom.ts';
 
 export interface Notice {
@@ -40,3 +41,24 @@ export function createNotices(document: Document): Notices {
     clear,
   };
 }
+
+/** One notice for all of a topic: what is wrong, and what a visitor can do about it. */
+export function showDiagnostics(notices: Notices, topic: string, diagnostics: readonly Diagnostic[]): void {
+  const texts = diagnostics.map(visitorText);
+  if (texts.length === 0) notices.clear(topic);
+  else notices.show(topic, { text: [...new Set(texts)].join(' '), tone: hasErrors(diagnostics) ? 'problem' : 'hint' });
+}
+
+/** What is wrong with a project is said to designers, and its remedy means nothing to visitors. */
+function visitorText({ code, message, fix }: Diagnostic): string {
+  const remedy = VISITOR_REMEDIES[code];
+  if (remedy === 'its own') return fix === undefined ? message : `${message} ${fix}`;
+  return remedy === undefined ? message : `${message} ${remedy}`;
+}
+
+const VISITOR_REMEDIES: Readonly<Partial<Record<DiagnosticCode, string>>> = {
+  SCR030: 'Check the connection, then reload the page.',
+  SCR032: 'It may have been damaged on its way: reload the page.',
+  SCR050: 'its own',
+  SCR051: 'its own',
+};

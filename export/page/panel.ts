@@ -1,13 +1,20 @@
 import { element } from './dom.ts';
+import { progressText } from './load-progress.ts';
 import type { Ask } from './needs-text.ts';
+import type { Way } from './way-texts.ts';
 
 /** What the panel shows below the title. */
 export type PanelState =
-  | { readonly kind: 'loading' /** 0 to 1, or null while unknown. */; readonly progress: number | null }
-  | { readonly kind: 'ar' }
-  | { readonly kind: 'entering' }
-  /** No AR here: why, in one sentence. */
-  | { readonly kind: 'view'; readonly reason: string }
+  | { readonly kind: 'loading'; readonly loadedBytes: number }
+  /** Shown, to be looked around. */
+  | {
+      readonly kind: 'ready';
+      /** What can be entered from here, best first. */
+      readonly offers: readonly Way[];
+      /** Why the best way cannot be had, in one sentence, or null. */
+      readonly reason: string | null;
+    }
+  | { readonly kind: 'entering'; readonly way: Way }
   /** Nothing can be shown at all. */
   | { readonly kind: 'failed'; readonly reason: string };
 
@@ -16,30 +23,43 @@ export interface PanelOptions {
   readonly title: string;
   readonly description: string;
   readonly asks: readonly Ask[];
-  readonly onEnter: () => void;
+  /** What the picture does without what the camera, or looking around, lacks. */
+  readonly lacks: Readonly<Record<'camera' | 'orbit', readonly string[]>>;
+  /** Of all that has to be loaded. */
+  readonly totalBytes: number;
+  readonly onEnter: (way: Way) => void;
 }
 
 export interface Panel {
   readonly element: HTMLElement;
   show(state: PanelState): void;
+  /** To where the visitor came from. */
+  focus(): void;
 }
 
-/** The card with title, description and the way into AR: what will be asked for and why, before it is asked. */
-export function createPanel({ document, title, description, asks, onEnter }: PanelOptions): Panel {
-  const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
-  const loading = element(document, 'div', { className: 'loading' }, bar);
-  const enter = element(
-    document,
-    'button',
-    { className: 'enter', attributes: { type: 'button', 'aria-describedby': 'asks' }, onClick: onEnter },
-    'Enter AR',
-  );
-  const ar = element(document, 'div', { className: 'ar' }, enter, asksElement(document, asks));
-  const reason = element(document, 'p', { className: 'reason' });
-  const hint = element(document, 'p', { className: 'hint' }, 'Drag to look around. Scroll or pinch to come closer. Arrow keys work too.');
-  const body = element(document, 'div', { id: 'panel-body' }, loading, ar, reason, hint);
-  if (description !== '') body.prepend(element(document, 'p', { className: 'description' }, description));
+const LABELS: Readonly<Record<Way, { readonly enter: string; readonly entering: string }>> = {
+  ar: { enter: 'Enter AR', entering: 'Entering AR…' },
+  camera: { enter: 'Use the camera', entering: 'Starting the camera…' },
+};
 
+/** The card with title, description and the ways in: what each will ask for, and what it lacks, before it is asked. */
+export function createPanel(options: PanelOptions): Panel {
+  const { document, title, description, totalBytes, lacks } = options;
+  const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
+  const size = element(document, 'p', { className: 'size' });
+  const loading = element(document, 'div', { className: 'loading' }, bar, size);
+  const reason = element(document, 'p', { className: 'reason' });
+  const ar = createWay(options, 'ar', arTexts(document, options.asks));
+  const camera = createWay(options, 'camera', [...cameraTexts(document), ...lacksElement(document, [STANDS_STILL, ...lacks.camera])]);
+  const around = element(
+    document,
+    'div',
+    {},
+    element(document, 'p', { className: 'hint' }, 'Drag to look around. Scroll or pinch to come closer. Arrow keys work too.'),
+  );
+  const aroundLacks = element(document, 'div', {}, ...lacksElement(document, lacks.orbit));
+  const body = element(document, 'div', { id: 'panel-body' }, loading, reason, ar.element, camera.element, around, aroundLacks);
+  if (description !== '') body.prepend(element(document, 'p', { className: 'description' }, description));
   const fold = element(document, 'button', {
     className: 'fold',
     attributes: { type: 'button', 'aria-expanded': 'true', 'aria-controls': 'panel-body', 'aria-label': 'About this page' },
@@ -49,33 +69,101 @@ export function createPanel({ document, title, description, asks, onEnter }: Pan
     },
   });
   const header = element(document, 'header', {}, element(document, 'h1', {}, title), fold);
+  const ways = [ar, camera];
   return {
     element: element(document, 'section', { className: 'panel', attributes: { 'aria-label': title } }, header, body),
     show: (state) => {
       loading.hidden = state.kind !== 'loading';
-      ar.hidden = state.kind !== 'ar' && state.kind !== 'entering';
-      enter.disabled = state.kind === 'entering';
-      enter.textContent = state.kind === 'entering' ? 'Entering AR…' : 'Enter AR';
-      hint.hidden = state.kind !== 'ar' && state.kind !== 'view';
-      reason.hidden = state.kind !== 'view' && state.kind !== 'failed';
-      reason.textContent = 'reason' in state ? state.reason : '';
-      if (state.kind !== 'loading') return;
-      if (state.progress === null) bar.removeAttribute('value');
-      else bar.value = state.progress;
+      if (state.kind === 'loading') {
+        // Before the first byte is here, nobody knows how long it takes.
+        if (state.loadedBytes === 0) bar.removeAttribute('value');
+        else bar.value = Math.min(1, state.loadedBytes / totalBytes);
+        size.textContent = state.loadedBytes === 0 ? '' : progressText(state.loadedBytes, totalBytes);
+      }
+      const text = state.kind === 'ready' || state.kind === 'failed' ? state.reason : null;
+      reason.hidden = text === null;
+      reason.textContent = text ?? '';
+      if (state.kind === 'entering') {
+        for (const way of ways) way.setBusy(way === (state.way === 'ar' ? ar : camera) ? 'entering' : 'waiting');
+        return;
+      }
+      const offers: readonly Way[] = state.kind === 'ready' ? state.offers : [];
+      ar.setOffered(offers.indexOf('ar'));
+      camera.setOffered(offers.indexOf('camera'));
+      around.hidden = state.kind !== 'ready';
+      aroundLacks.hidden = state.kind !== 'ready' || offers.length > 0;
+    },
+    focus: () => {
+      (ways.find((way) => !way.element.hidden)?.button ?? fold).focus();
     },
   };
 }
 
-function asksElement(document: Document, asks: readonly Ask[]): HTMLElement {
-  const motion = 'Your browser will ask whether this page may follow how your device moves in the room.';
-  const also = asks.length === 0 ? '' : ' It may also use:';
-  const items = asks.flatMap(({ what, why }) => [element(document, 'dt', {}, what), element(document, 'dd', {}, why)]);
-  return element(
+interface WayElement {
+  readonly element: HTMLElement;
+  readonly button: HTMLButtonElement;
+  /** The place among what is offered; -1: not at all. */
+  setOffered(place: number): void;
+  setBusy(state: 'entering' | 'waiting'): void;
+}
+
+function createWay({ document, onEnter }: PanelOptions, way: Way, texts: readonly HTMLElement[]): WayElement {
+  const { enter, entering } = LABELS[way];
+  const id = `about-${way}`;
+  const button = element(
     document,
-    'div',
-    { id: 'asks', className: 'asks' },
-    element(document, 'p', {}, motion + also),
-    ...(items.length === 0 ? [] : [element(document, 'dl', {}, ...items)]),
-    element(document, 'p', { className: 'privacy' }, 'Everything stays on your device: this page sends nothing anywhere.'),
+    'button',
+    { className: 'enter', attributes: { type: 'button', 'aria-describedby': id }, onClick: () => onEnter(way) },
+    enter,
   );
+  const about = element(document, 'div', { id, className: 'asks' }, ...texts);
+  const made = element(document, 'div', { hidden: true }, button, about);
+  return {
+    element: made,
+    button,
+    setOffered: (place) => {
+      made.hidden = place < 0;
+      button.className = place > 0 ? 'enter second' : 'enter';
+      button.disabled = false;
+      button.textContent = enter;
+    },
+    setBusy: (state) => {
+      button.disabled = true;
+      if (state === 'entering') button.textContent = entering;
+    },
+  };
+}
+
+const PRIVACY = 'Everything stays on your device: this page sends nothing anywhere.';
+
+function arTexts(document: Document, asks: readonly Ask[]): HTMLElement[] {
+  const motion = 'Your browser will ask whether this page may follow how your device moves in the room.';
+  const items = asks.flatMap(({ what, why }) => [element(document, 'dt', {}, what), element(document, 'dd', {}, why)]);
+  return [
+    element(document, 'p', {}, motion + (items.length === 0 ? '' : ' It may also use:')),
+    ...(items.length === 0 ? [] : [element(document, 'dl', {}, ...items)]),
+    element(document, 'p', { className: 'privacy' }, PRIVACY),
+  ];
+}
+
+function cameraTexts(document: Document): HTMLElement[] {
+  const asks = 'Your browser will ask for the camera, and perhaps whether this page may follow how your device turns.';
+  return [element(document, 'p', {}, asks), element(document, 'p', { className: 'privacy' }, PRIVACY)];
+}
+
+/** No sensor tells how a device moves. */
+const STANDS_STILL = 'Things keep their direction as you turn, but cannot stay in place as you walk.';
+
+function lacksElement(document: Document, lacks: readonly string[]): HTMLElement[] {
+  if (lacks.length === 0) return [];
+  const items = lacks.map((text) => element(document, 'li', {}, text));
+  return [
+    element(
+      document,
+      'details',
+      { className: 'lacks' },
+      element(document, 'summary', {}, 'What is missing compared with AR'),
+      element(document, 'ul', {}, ...items),
+    ),
+  ];
 }

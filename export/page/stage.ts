@@ -1,7 +1,7 @@
 import { element } from './dom.ts';
-import type { Ask } from './needs-text.ts';
 import { createNotices, type Notices } from './notices.ts';
-import { createPanel, type Panel } from './panel.ts';
+import { createPanel, type Panel, type PanelOptions } from './panel.ts';
+import type { Way } from './way-texts.ts';
 
 /** All that the page shows. */
 export interface Stage {
@@ -10,40 +10,55 @@ export interface Stage {
   readonly overlay: HTMLElement;
   readonly panel: Panel;
   readonly notices: Notices;
-  setInAr(inAr: boolean): void;
+  /** Null: looking around. */
+  setWay(way: Way | null): void;
+  /** The picture is there: the poster goes. */
+  showPicture(): void;
 }
 
-export interface StageOptions {
-  readonly document: Document;
-  readonly title: string;
-  readonly description: string;
-  readonly asks: readonly Ask[];
-  readonly onEnter: () => void;
+export interface StageOptions extends PanelOptions {
   readonly onLeave: () => void;
 }
 
-export function createStage({ document, title, description, asks, onEnter, onLeave }: StageOptions): Stage {
+const LEAVE: Readonly<Record<Way, string>> = { ar: 'Leave AR', camera: 'Stop the camera' };
+
+/** Takes the place of what `index.html` shows until its script runs; the poster stays. */
+export function createStage(options: StageOptions): Stage {
+  const { document, title, onLeave } = options;
   const canvas = element(document, 'canvas', {
     attributes: { tabindex: '0', role: 'img', 'aria-label': `${title}: drag or use the arrow keys to look around` },
   });
-  const panel = createPanel({ document, title, description, asks, onEnter });
+  const panel = createPanel(options);
   const notices = createNotices(document);
-  const leave = element(
-    document,
-    'button',
-    { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave },
-    'Leave AR',
-  );
+  const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
   const overlay = element(document, 'div', { id: 'overlay' }, notices.element, leave);
-  document.body.append(element(document, 'main', {}, canvas, panel.element, overlay));
-  return {
+  // A tap on what lies above the room is no tap into the room (WebXR DOM Overlays §3.3).
+  overlay.addEventListener('beforexrselect', (event) => event.preventDefault());
+  const poster = document.querySelector<HTMLElement>('.poster');
+  document.querySelector('main')?.remove();
+  document.body.append(element(document, 'main', {}, canvas, ...(poster ? [poster] : []), panel.element, overlay));
+  let shown: Way | null = null;
+  const stage: Stage = {
     canvas,
     overlay,
     panel,
     notices,
-    setInAr: (inAr) => {
-      document.documentElement.classList.toggle('in-ar', inAr);
-      leave.hidden = !inAr;
+    setWay: (way) => {
+      if (way === shown) return;
+      shown = way;
+      const { dataset } = document.documentElement;
+      if (way === null) delete dataset.way;
+      else dataset.way = way;
+      leave.hidden = way === null;
+      leave.textContent = way === null ? '' : LEAVE[way];
+      // What had the focus is hidden now.
+      if (way === null) panel.focus();
+      else leave.focus();
     },
+    showPicture: () => poster?.classList.add('gone'),
   };
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && shown === 'camera') onLeave();
+  });
+  return stage;
 }

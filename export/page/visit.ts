@@ -1,37 +1,45 @@
-import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import type { Result } from '../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createBrowserClock } from '../runtime/clock.ts';
+import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
+import { requestCameraSession } from '../runtime/sessions/camera/request-camera.ts';
 import { createOrbitSession } from '../runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../runtime/sessions/webxr/request-session.ts';
 import { type Mounted, mount } from './mount.ts';
-import type { Notices } from './notices.ts';
+import { showDiagnostics } from './notices.ts';
 import type { Stage } from './stage.ts';
 import type { PageParts } from './start-page.ts';
+import { canUseCamera, type Way, type Ways } from './way-texts.ts';
 
-export interface VisitOptions extends PageParts {
+export interface VisitOptions {
+  readonly modules: PageParts['modules'];
+  readonly createScenes: CreateSceneBackend | null;
   readonly page: Window;
   readonly stage: Stage;
   readonly program: Program;
   readonly assets: AssetSource;
+  readonly ways: Ways;
 }
 
-/** A visitor's time with the page: looking around, or in AR, and the notices of both. */
+/** A visitor's time with the page: looking around, with the camera or in AR, and the notices of each. */
 export interface Visit {
   /** When the first picture can be drawn. */
   readonly ready: Promise<void>;
   readonly isReady: boolean;
-  /** To be called from a click. Says why where it fails, and goes on with looking around. */
-  enterAr(): Promise<void>;
+  /** To be called from a click. Says why where it fails, offers the next best, and goes on with looking around. */
+  enter(way: Way): Promise<void>;
   lookAround(): Promise<void>;
 }
 
 /** Throws where the browser has no WebGL 2. */
-export function createVisit({ page, stage, program, ...parts }: VisitOptions): Visit {
+export function createVisit({ page, stage, program, ways, ...parts }: VisitOptions): Visit {
   const { canvas, notices, panel } = stage;
   const clock = createBrowserClock();
   let isReady = false;
+  let { offers } = ways;
+  const offer = () => panel.show({ kind: 'ready', offers, reason: ways.noAr });
   const orbit = (gl: WebGL2RenderingContext) => createOrbitSession({ gl, canvas, clock });
   const mounted: Mounted = mount(canvas, {
     ...parts,
@@ -39,84 +47,91 @@ export function createVisit({ page, stage, program, ...parts }: VisitOptions): V
     session: orbit,
     onDiagnostics: (diagnostics) => showDiagnostics(notices, 'player', diagnostics),
     onSessionEvent: (event, session) => {
-      if (session.kind === 'webxr') onArEvent(event);
+      if (session.kind === 'webxr') onEvent('ar', event);
+      else if (session.kind === 'camera') onEvent('camera', event);
       else if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
     },
     onContext: (state) => {
       if (state === 'restored') notices.clear('context');
-      else
-        notices.show('context', {
-          text: 'The graphics were interrupted. They come back by themselves, or when the page is reloaded.',
-          tone: 'problem',
-        });
+      else notices.show('context', { text: CONTEXT_LOST, tone: 'problem' });
     },
   });
   const lookAround = () => mounted.play(orbit(mounted.gl));
 
-  const onArEvent = (event: SessionEvent) => {
+  const onEvent = (way: Way, event: SessionEvent) => {
     switch (event.kind) {
       case 'ended':
-        stage.setInAr(false);
-        notices.clear('tracking');
-        notices.clear('missing');
-        panel.show({ kind: 'ar' });
-        if (event.by !== 'page') {
-          notices.show('ar', { text: 'AR has ended. You can enter it again.', tone: 'hint' });
-          void lookAround();
-        }
+        for (const topic of ['tracking', 'missing', 'hint']) notices.clear(topic);
+        offer();
+        stage.setWay(null);
+        if (event.by === 'page') return;
+        notices.show('ended', { text: ENDED[way], tone: 'hint' });
+        void lookAround();
         return;
       case 'tracking':
         if (event.tracked) notices.clear('tracking');
-        else notices.show('tracking', { text: 'Looking for the room: move slowly, with enough light.', tone: 'hint' });
+        else notices.show('tracking', { text: UNTRACKED[way], tone: 'hint' });
+        // It tells to turn the device.
+        if (way === 'camera' && !event.tracked) notices.clear('hint');
         return;
       case 'problem':
-        notices.show('ar', { text: event.message, tone: 'problem' });
+        notices.show('session', { text: event.message, tone: 'problem' });
         return;
       case 'visibility':
       case 'reset':
         return;
     }
   };
-  const showAr = async (session: Session) => {
-    stage.setInAr(true);
-    await mounted.play(session);
+  const request = (way: Way): Promise<Result<Session>> => {
+    const { gl } = mounted;
+    if (way === 'camera') return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock });
+    return requestWebXrSession({
+      xr: page.navigator.xr,
+      gl,
+      needs: program.needs,
+      antialias: program.presentation.antialias,
+      overlayRoot: stage.overlay,
+    });
   };
 
   return {
     ready: mounted.player.ready.then(({ shaderErrors }) => {
       isReady = true;
-      if (shaderErrors.length === 0) return;
-      notices.show('shaders', { text: 'A part of the picture cannot be drawn with this device’s graphics.', tone: 'problem' });
+      if (shaderErrors.length > 0) notices.show('shaders', { text: SHADERS_BROKEN, tone: 'problem' });
     }),
     get isReady() {
       return isReady;
     },
-    enterAr: async () => {
-      panel.show({ kind: 'entering' });
-      notices.clear('ar');
-      const { xr } = page.navigator;
-      const { antialias } = program.presentation;
-      const { output, diagnostics } = await requestWebXrSession({
-        xr,
-        gl: mounted.gl,
-        needs: program.needs,
-        antialias,
-        overlayRoot: stage.overlay,
-      });
+    enter: async (way) => {
+      panel.show({ kind: 'entering', way });
+      for (const topic of ['ended', 'session']) notices.clear(topic);
+      const { output, diagnostics } = await request(way);
       showDiagnostics(notices, 'missing', diagnostics);
-      if (output === null) panel.show({ kind: 'ar' });
-      else await showAr(output);
+      if (output === null) {
+        // The next best, beside another try.
+        if (way === 'ar' && canUseCamera(page, program.tiers)) offers = ['ar', 'camera'];
+        offer();
+        panel.focus();
+        return;
+      }
+      stage.setWay(way);
+      if (way === 'camera') notices.show('hint', { text: CAMERA_HINT, tone: 'hint' });
+      await mounted.play(output);
     },
     lookAround,
   };
 }
 
-/** One notice for all of a topic: what is wrong, and what a visitor can do about it. */
-function showDiagnostics(notices: Notices, topic: string, diagnostics: readonly Diagnostic[]): void {
-  const texts = diagnostics.map(({ code, message, fix }) => (fix !== undefined && FOR_VISITORS.has(code) ? `${message} ${fix}` : message));
-  if (texts.length === 0) notices.clear(topic);
-  else notices.show(topic, { text: [...new Set(texts)].join(' '), tone: hasErrors(diagnostics) ? 'problem' : 'hint' });
-}
+const ENDED: Readonly<Record<Way, string>> = {
+  ar: 'AR has ended. You can enter it again.',
+  camera: 'The camera was taken away. Close other apps that use it, then try again.',
+};
 
-/** What the device and the browser refuse; what to do about all else is said to designers. */
-const FOR_VISITORS: ReadonlySet<string> = new Set(['SCR050', 'SCR051']);
+const UNTRACKED: Readonly<Record<Way, string>> = {
+  ar: 'Looking for the room: move slowly, with enough light.',
+  camera: 'This device does not tell how it is turned: drag to look around.',
+};
+
+const CAMERA_HINT = 'Turn the device to look around. Pinch or scroll to step closer.';
+const CONTEXT_LOST = 'The graphics were interrupted. They come back by themselves; if not, reload the page.';
+const SHADERS_BROKEN = 'A part of the picture cannot be drawn with this device’s graphics. Try another browser or device to see all of it.';

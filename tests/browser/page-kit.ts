@@ -1,7 +1,7 @@
 import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
-import { bundlePage } from '../../export/bundle/bundle-page.ts';
+import { type BundleInput, bundlePage } from '../../export/bundle/bundle-page.ts';
 import type { ExportReport } from '../../export/bundle/report.ts';
 import type { Program } from '../../export/program/program.ts';
 import { serveStatic } from '../support/serve.ts';
@@ -20,6 +20,7 @@ export interface ServedPage {
 export async function servePage(
   program: Program,
   readAsset: (path: string) => Promise<Uint8Array> = () => Promise.reject(new Error('there is no such file')),
+  more: Partial<Pick<BundleInput, 'poster' | 'singleFile' | 'address'>> = {},
 ): Promise<ServedPage> {
   const folder = await mkdtemp(join(tmpdir(), 'scrim-page-'));
   const { output, diagnostics } = await bundlePage({
@@ -28,6 +29,7 @@ export async function servePage(
     generator: 'Scrim test',
     root: ROOT,
     readAsset,
+    ...more,
     sink: {
       write: async (path, bytes) => {
         await mkdir(dirname(join(folder, path)), { recursive: true });
@@ -106,6 +108,17 @@ void main() {
     },
     { capability: 'camera-image', required: false, nodes: ['b-1'], why: 'to tint the room', without: 'the room keeps its colours' },
   ],
-  tiers: [],
+  tiers: [
+    { id: 'ar-camera', without: [] },
+    { id: 'ar', without: [{ capability: 'camera-image', effect: 'the room keeps its colours' }] },
+    { id: 'camera', without: [{ capability: 'depth', effect: 'it shines through everything' }] },
+    {
+      id: 'orbit',
+      without: [
+        { capability: 'depth', effect: 'it shines through everything' },
+        { capability: 'camera-image', effect: 'the room keeps its colours' },
+      ],
+    },
+  ],
   taps: {},
 };

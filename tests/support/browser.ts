@@ -4,15 +4,15 @@ import { type Browser, chromium, type Page } from 'playwright-core';
 import { findChromium } from '../../app/services/chromium.ts';
 import { type StaticServer, serveStatic } from './serve.ts';
 
-/** Starts the pinned Chromium once per test file. Goldens and pixel facts are only ever taken from it. */
-export function useBrowser(): { readonly browser: Browser } {
+/** Starts the pinned Chromium once per test file. Goldens and pixel facts are only ever taken from it. `more`: switches of Chromium. */
+export function useBrowser(more: readonly string[] = []): { readonly browser: Browser } {
   let browser: Browser | undefined;
   beforeAll(async () => {
     const found = await findChromium({ pinnedOnly: true });
     if (!found) throw new Error('The pinned Chromium (@sparticuz/chromium) is missing: run `npm ci` on Linux x64.');
     browser = await chromium.launch({
       executablePath: found.executablePath,
-      args: [...found.args],
+      args: [...found.args, ...more],
       env: { ...process.env, ...found.env } as Record<string, string>,
     });
   }, 60_000);

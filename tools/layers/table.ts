@@ -24,7 +24,19 @@ const TEST_FILES = ['**/*.test.{ts,tsx}', 'tests/**'];
 const SHELLS = 'app/{services,electron,server,cli}/**';
 const PAGES = '{export/runtime,export/page,export/emulator,renderer}/**';
 const EXPORT_KIT = ['kit', 'kit runtime'];
-const HOST = ['kit', 'contract', 'host client', 'graph', 'glsl', 'gltf', 'compiler', 'program', 'bundle', 'registry of definitions', 'manifest'];
+const HOST = [
+  'kit',
+  'contract',
+  'host client',
+  'graph',
+  'glsl',
+  'gltf',
+  'compiler',
+  'program',
+  'bundle',
+  'registry of definitions',
+  'manifest',
+];
 
 export const LAYERS: readonly Layer[] = [
   // Whatever proves something may look everywhere; nothing but tests may import them (see `check.ts`).
@@ -47,7 +59,12 @@ export const LAYERS: readonly Layer[] = [
   { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['jsonc-parser'] },
   { name: 'compiler', files: ['export/compiler/**'], imports: ['kit', 'graph', 'glsl', 'program'] },
   // Image passes need no three.js: only the scenes load it, and a page without objects leaves them out.
-  { name: 'scenes', files: ['export/runtime/scenes/**'], imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime'], packages: ['three', 'cannon-es'] },
+  {
+    name: 'scenes',
+    files: ['export/runtime/scenes/**'],
+    imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime'],
+    packages: ['three', 'cannon-es'],
+  },
   { name: 'recorded session format', files: ['export/runtime/sessions/format.ts'] },
   // Plays recordings, in the preview and `scrim render`; like the emulator it is never in a page.
   {
@@ -73,7 +90,16 @@ export const LAYERS: readonly Layer[] = [
     name: 'bundle',
     files: ['export/bundle/**'],
     imports: ['kit', 'compiler', 'program', 'gltf', 'page', 'registry of runtime files'],
-    packages: ['esbuild', 'node:*', 'fast-png', '@gltf-transform/core', '@gltf-transform/extensions', '@gltf-transform/functions', 'meshoptimizer', 'ktx2-encoder'],
+    packages: [
+      'esbuild',
+      'node:*',
+      'fast-png',
+      '@gltf-transform/core',
+      '@gltf-transform/extensions',
+      '@gltf-transform/functions',
+      'meshoptimizer',
+      'ktx2-encoder',
+    ],
   },
 
   { name: 'contract', files: ['app/contract/contract.ts'], imports: ['kit'], packages: ['zod'] },
@@ -105,7 +131,17 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'preview',
     files: ['renderer/preview/**'],
-    imports: [...EXPORT_KIT, 'program', 'gltf', 'preview protocol', 'runtime', 'scenes', 'emulator', 'recorded session', 'registry of runtimes'],
+    imports: [
+      ...EXPORT_KIT,
+      'program',
+      'gltf',
+      'preview protocol',
+      'runtime',
+      'scenes',
+      'emulator',
+      'recorded session',
+      'registry of runtimes',
+    ],
     packages: ['three'],
   },
   {
@@ -150,7 +186,7 @@ export const RAW_GLOBALS = {
     names: ['Date.now', 'new Date', 'performance.now', 'setTimeout', 'setInterval', 'requestAnimationFrame'],
     files: [SHELLS, `${PAGES}/clock.ts`, 'tools/**', ...TEST_FILES],
   },
-  network: { names: ['fetch'], files: [SHELLS, `${PAGES}/network.ts`, ...TEST_FILES] },
+  network: { names: ['fetch'], files: [SHELLS, `${PAGES}/network.ts`, 'tools/**', ...TEST_FILES] },
   chance: { names: ['Math.random'], files: [`${PAGES}/random.ts`] },
 } as const satisfies Record<string, { names: readonly string[]; files: readonly string[] }>;
 

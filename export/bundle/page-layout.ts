@@ -1,0 +1,102 @@
+import { createHash } from 'node:crypto';
+import { type InlineText, type PageConfig, type PageHtml, type Poster, pageHtml } from '../page/page-html.ts';
+import type { PagePowers } from '../page/page-policy.ts';
+import { hashedName } from './hashed-name.ts';
+import type { PosterPicture } from './poster.ts';
+import type { FileKind } from './report.ts';
+import { OFFLINE_FILE, offlineScript } from './service-worker.ts';
+
+/** A file of the page, under the name that it has there. */
+export interface PageFile {
+  readonly path: string;
+  readonly kind: FileKind;
+  readonly bytes: Uint8Array;
+}
+
+export interface LayoutInput {
+  readonly title: string;
+  readonly description: string;
+  readonly language: string;
+  /** Where the page will be published, ending in `/`, or null. */
+  readonly address: string | null;
+  readonly script: Uint8Array;
+  readonly style: Uint8Array;
+  readonly poster: PosterPicture;
+  /** All that the script loads, the program included, in no order. */
+  readonly content: readonly PageFile[];
+  readonly config: Omit<PageConfig, 'bytes' | 'offline' | 'title' | 'description'>;
+  readonly powers: PagePowers;
+}
+
+/** A page of several files: all but the page itself and its service worker are named by their content, for hosts to cache for ever. */
+export function layOutFiles(input: LayoutInput): PageFile[] {
+  const { script, style, poster, content, address } = input;
+  const page: PageFile = { path: hashedName('page.js', script), kind: 'script', bytes: script };
+  const sheet: PageFile = { path: hashedName('page.css', style), kind: 'style', bytes: style };
+  const picture: PageFile = { path: hashedName(`poster.${poster.type}`, poster.bytes), kind: 'poster', bytes: poster.bytes };
+  const html = pageHtml({
+    ...head(input),
+    address,
+    parts: { kind: 'files', script: page.path, style: sheet.path },
+    poster: posterOf(picture.path, poster),
+    config: configOf(input, OFFLINE_FILE),
+  });
+  const index: PageFile = { path: 'index.html', kind: 'page', bytes: toBytes(html) };
+  // Nobody sees the backdrop but those who link to the page.
+  const shown = [page, sheet, ...(poster.drawn ? [picture] : []), ...content];
+  const worker: PageFile = { path: OFFLINE_FILE, kind: 'offline', bytes: toBytes(offlineScript(index, shown)) };
+  return [index, page, sheet, picture, worker, ...content];
+}
+
+/** The same in one file, which opens from a disk: it loads nothing, so there is nothing to keep for later. */
+export function layOutSingleFile(input: LayoutInput): PageFile[] {
+  const { script, style, poster, content } = input;
+  const html = pageHtml({
+    ...head(input),
+    address: null,
+    parts: {
+      kind: 'single',
+      script: inline(scriptText(new TextDecoder().decode(script))),
+      style: inline(new TextDecoder().decode(style).trim()),
+      files: Object.fromEntries(content.map(({ path, bytes }) => [path, base64(bytes)])),
+    },
+    poster: posterOf(`data:image/${poster.type === 'jpg' ? 'jpeg' : poster.type};base64,${base64(poster.bytes)}`, poster),
+    config: configOf(input, null),
+  });
+  return [{ path: 'index.html', kind: 'page', bytes: toBytes(html) }];
+}
+
+function head({ title, description, language, powers }: LayoutInput): Pick<PageHtml, 'title' | 'description' | 'language' | 'powers'> {
+  return { title, description, language, powers };
+}
+
+function posterOf(source: string, { widthPx, heightPx, drawn }: PosterPicture): Poster {
+  return { source, widthPx, heightPx, drawn };
+}
+
+function configOf({ title, description, config, content }: LayoutInput, offline: string | null): PageConfig {
+  return { title, description, ...config, bytes: Object.fromEntries(content.map(({ path, bytes }) => [path, bytes.length])), offline };
+}
+
+/**
+ * Text that ends no script element and begins no comment in one: inside strings and regular expressions, the only places where a
+ * minifier leaves such text, a backslash changes nothing.
+ */
+function scriptText(text: string): string {
+  return text
+    .replace(/<\/(script)/gi, '<\\/$1')
+    .replaceAll('<!--', '<\\!--')
+    .trim();
+}
+
+function inline(text: string): InlineText {
+  return { text, hash: `sha256-${createHash('sha256').update(text).digest('base64')}` };
+}
+
+function base64(bytes: Uint8Array): string {
+  return Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength).toString('base64');
+}
+
+export function toBytes(text: string): Uint8Array {
+  return new TextEncoder().encode(text);
+}
