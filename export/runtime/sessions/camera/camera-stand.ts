@@ -2,8 +2,10 @@ import type { Steered } from '../orbit/orbit-input.ts';
 import { setDeviceRotation, turnAboutVertical, yawToFront } from './device-pose.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 
-/** Where one stands at first: as in the editor's rooms, a step back from the origin, at the height of eyes. Metres. */
-const START = [0, 1.5, 1] as const;
+/** Where one stands at first: two steps back from the origin, where things tend to be, at the height of eyes. Metres. */
+const START = [0, 1.5, 2] as const;
+/** Without a sensor one looks down a little, to where such things stand. */
+const START_PITCH_RAD = -0.35;
 /** How far one may go from there, metres. */
 const REACH_M = 5;
 /** What counts as near: a pinch to half of it moves on by half a metre. */
@@ -23,7 +25,7 @@ export interface CameraStand extends Steered {
 export function createCameraStand(sensor: Pick<OrientationSensor, 'angles' | 'present'>): CameraStand {
   let yawRad = 0;
   /** Only where no sensor tells. */
-  let pitchRad = 0;
+  let pitchRad = START_PITCH_RAD;
   let [x, , z] = START as readonly [number, number, number];
   let centred = false;
   /** Of the view written last, about the vertical; 0 looks along -z. */
@@ -47,7 +49,7 @@ export function createCameraStand(sensor: Pick<OrientationSensor, 'angles' | 'pr
     pan: (rightM) => step(rightM, 0),
     reset: () => {
       yawRad = 0;
-      pitchRad = 0;
+      pitchRad = START_PITCH_RAD;
       [x, , z] = START;
       centred = false;
     },
