@@ -12,7 +12,8 @@ import { createPlayState } from './play-state.ts';
 import type { SessionTraits } from './present/background.ts';
 import { type LayerDepth, type LayerPixels, readColor, readDepth } from './readback.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
-import { createStage, type Stage } from './stage/stage.ts';
+import { releaseCast } from './stage/cast.ts';
+import { createStage, type Heritage, type Stage } from './stage/stage.ts';
 import type { SlotValue } from './values/slots.ts';
 
 export interface PlayerOptions {
@@ -78,7 +79,10 @@ export interface Player {
   counts(): PlayerCounts;
   /** Stops drawing; to be called on `webglcontextlost`, whose default the caller prevents. */
   contextLost(): void;
-  /** Sets everything up anew, with the params as they were; to be called on `webglcontextrestored`. */
+  /**
+   * Sets everything up anew, with the params and the state of values as they were; to be called on `webglcontextrestored`. What
+   * only the GPU knew is lost: persistent pictures begin anew.
+   */
   restore(): Promise<PlayResult>;
   dispose(): void;
 }
@@ -91,6 +95,8 @@ export function createPlayer(options: PlayerOptions): Player {
   let engine = setUp();
   let stage: Stage | null = null;
   let stageIsGood = false;
+  /** Of the stage that was lost with the context. */
+  let left: Heritage | null = null;
   let loading: Loading | null = null;
   let session: SessionTraits | null = null;
   /** Neither lost nor disposed. */
@@ -118,21 +124,27 @@ export function createPlayer(options: PlayerOptions): Player {
       return { outcome: 'kept', shaderErrors: loaded.errors };
     }
     const before = stage;
-    const next = createStage(engine, loaded, before);
+    const next = createStage(engine, loaded, before ?? left);
     stage = next;
+    left = null;
     stageIsGood = good;
     before?.release(next);
     for (const [name, value] of values) setValue(next, name, value);
     return { outcome: 'playing', shaderErrors: loaded.errors };
   };
-  const tearDown = (): void => {
+  const tearDown = (contextLost: boolean): void => {
     live = false;
     loading?.cancel();
     loading = null;
-    stage?.release(null);
+    if (contextLost) left = stage?.outlive() ?? left;
+    else stage?.release(null);
     stage = null;
     stageIsGood = false;
     engine.dispose();
+  };
+  const forget = (): void => {
+    if (left) releaseCast(left.cast);
+    left = null;
   };
   return {
     ready: play(wanted),
@@ -168,7 +180,10 @@ export function createPlayer(options: PlayerOptions): Player {
       values.clear();
       return live ? play(program) : Promise.resolve({ outcome: 'superseded', shaderErrors: [] });
     },
-    reset: () => stage?.reset(),
+    reset: () => {
+      forget();
+      stage?.reset();
+    },
     readLayer: (tap, viewIndex, heightPx) => {
       const layer = stage?.program.taps[tap];
       return live && stage && layer ? readColor(engine, stage.resources, layer, viewIndex, heightPx) : null;
@@ -179,7 +194,7 @@ export function createPlayer(options: PlayerOptions): Player {
     },
     counts: () => engine.counts(),
     contextLost: () => {
-      if (live) tearDown();
+      if (live) tearDown(true);
     },
     restore: () => {
       engine = setUp();
@@ -187,7 +202,8 @@ export function createPlayer(options: PlayerOptions): Player {
       return play(wanted);
     },
     dispose: () => {
-      if (live) tearDown();
+      if (live) tearDown(false);
+      forget();
     },
   };
 }

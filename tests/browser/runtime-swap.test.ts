@@ -78,6 +78,19 @@ test('a lost context comes back with the picture and the params it had', async (
   });
 });
 
+test('values and the nodes that make them outlive lost contexts, and nothing is left of what did not', async () => {
+  expect(await page.call('stateOutlivesContext')).toEqual({
+    counted: [10, 20, 30, 40, 50, 53, 58, 5],
+    sameObjects: true,
+    // Once, and once more after the reset.
+    made: 2,
+    painted: 7,
+    live: 0,
+    diagnostics: [],
+    error: NO_ERROR,
+  });
+});
+
 test('tapped layers can be read, per view, with depth in metres', async () => {
   // Window depth 0.5 of near 0.1 and far 100: 2·f·n / (f + n) metres.
   const half = (2 * 100 * 0.1) / 100.1;

@@ -18,6 +18,8 @@ export interface NodeInstance {
   readonly runtime: NodeRuntime;
   /** Maps that a drawing node was bound to when it was made. */
   readonly shadowMaps: ShadowMaps | null;
+  /** It has asked for something that is gone with the context. */
+  readonly usesGpu: boolean;
   /** Lives on in a recompiled program, whose operation has the same key. */
   point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
   /** Back to the first frame. */
@@ -55,6 +57,11 @@ export function createNodeInstance(
   const occlusion = createOcclusion(operation, resources, slots);
   const report: NodeContext<NodeDefinition>['report'] = (diagnostic) => host.board.report(node, diagnostic);
   let scenes: SceneService | null = null;
+  let usesGpu = false;
+  const onGpu = <T>(value: T): T => {
+    usesGpu = true;
+    return value;
+  };
   const context = {
     node,
     inputs: ports.inputs,
@@ -62,14 +69,18 @@ export function createNodeInstance(
     params: ports.params,
     config: operation.config,
     assetIds: operation.assets,
-    gl: host.gl,
+    get gl() {
+      return onGpu(host.gl);
+    },
     clock: host.clock,
     random: random.next,
-    assets: host.assets.serviceFor(assets, report),
+    get assets() {
+      return onGpu(host.assets.serviceFor(assets, report));
+    },
     // Nodes that draw nothing never ask, so that a page without objects needs no three.js.
     get scenes() {
       scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null, report });
-      return scenes;
+      return onGpu(scenes);
     },
     session: host.session,
     report,
@@ -86,6 +97,9 @@ export function createNodeInstance(
     key,
     runtime,
     shadowMaps,
+    get usesGpu() {
+      return usesGpu;
+    },
     point: (next, nextResources, nextSlots) => {
       ports.point(next, nextResources, nextSlots);
       occlusion?.point(next, nextSlots);

@@ -14,14 +14,18 @@ import { createDrawStep } from './draw-step.ts';
 import { createLoopWatch, type LoopWatch } from './loop-watch.ts';
 import type { Step } from './step.ts';
 
-/** A program set up on the GPU and ready to be drawn. */
-export interface Stage {
-  readonly program: Program;
-  readonly slots: Slots;
+/** What one stage hands to the next. */
+export interface Heritage {
   readonly resources: LiveResources;
   readonly cast: Cast;
   /** Null where no loops are bounded, as in exported pages. */
   readonly loops: LoopWatch | null;
+}
+
+/** A program set up on the GPU and ready to be drawn. */
+export interface Stage extends Heritage {
+  readonly program: Program;
+  readonly slots: Slots;
   /** Lets the nodes work out the frame of the engine's play state. */
   update(): void;
   /** Resolves when what the nodes asked for in `update` is there. */
@@ -32,10 +36,12 @@ export interface Stage {
   reset(): void;
   /** Frees GL programs, assets and targets that the stage after this one did not take over. */
   release(next: Stage | null): void;
+  /** The context is lost, and this stage with it; what is left are the values, and the nodes that make them, with their state. */
+  outlive(): Heritage;
 }
 
 /** Takes over from `before` what is the same, and disposes the nodes of it that are not; call `before.release` afterwards. */
-export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage | null): Stage {
+export function createStage(engine: Engine, loaded: LoadedProgram, before: Heritage | null): Stage {
   const { program } = loaded;
   const { state } = engine;
   const slots = createSlots(program.slots);
@@ -100,7 +106,21 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Stage
       disposeUnused(resources, next?.resources ?? null);
       loaded.release();
     },
+    outlive: () => {
+      const nodes = new Map([...cast.nodes].filter(([id, { usesGpu }]) => !usesGpu && makesValues(program, id)));
+      const left: Cast = { resources: new Map([...resources].filter(([, { kind }]) => kind !== 'target')), nodes, shadowMaps: new Map() };
+      releaseCast(cast, left);
+      loops?.release(null);
+      disposeUnused(resources, null);
+      loaded.release();
+      return { resources: left.resources, cast: left, loops: null };
+    },
   };
+}
+
+/** Others hold what three.js has put on the GPU, if only in the objects that they pass on. */
+function makesValues({ operations }: Program, id: string): boolean {
+  return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behaviour'));
 }
 
 /** What draws, in order; nodes that draw nothing have done their work in `update`. */
