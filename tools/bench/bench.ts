@@ -1,6 +1,8 @@
+import type { ToolContext } from '../lib/tool.ts';
+
 /**
  * One quantity worth remembering from release to release. A file `tools/bench/NAME.bench.ts` exports
- * `benches(): Promise<readonly Bench[]>`; there is nothing to register.
+ * `benches(context): Promise<readonly Bench[]>`; there is nothing to register.
  */
 export interface Bench {
   /** Stable: results are compared by it. Names what is measured and at which size: `compile, 100 nodes`. */
@@ -16,7 +18,7 @@ export interface Bench {
 
 /** What every `*.bench.ts` is. */
 export interface BenchFile {
-  benches(): Promise<readonly Bench[]>;
+  benches(context: ToolContext): Promise<readonly Bench[]>;
 }
 
 export interface Measured {

@@ -10,7 +10,8 @@ import { appendResults, printTable, readResults } from './results.ts';
  * Runs `tools/bench/*.bench.ts`, or those whose name holds one of the words given, and prints a table against what was last
  * recorded. `--record` adds the figures to `bench/results.csv`, once per release.
  */
-export async function main(args: readonly string[], { root }: ToolContext): Promise<number> {
+export async function main(args: readonly string[], context: ToolContext): Promise<number> {
+  const { root } = context;
   const record = args.includes('--record');
   const words = args.filter((arg) => !arg.startsWith('--'));
   const names = (await listFiles(join(root, 'tools', 'bench')))
@@ -20,7 +21,7 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
   for (const name of names) {
     // The bundler takes in every file of this shape.
     const file = (await import(`./${name}.bench.ts`)) as BenchFile;
-    for (const bench of await file.benches()) {
+    for (const bench of await file.benches(context)) {
       console.error(`${bench.name} …`);
       measured.push(await measure(bench));
     }

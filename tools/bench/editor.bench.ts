@@ -1,0 +1,120 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { cp, mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import process from 'node:process';
+import { createInterface } from 'node:readline';
+import type { Browser, Page } from 'playwright-core';
+import type { ToolContext } from '../lib/tool.ts';
+import { type Bench, timeMs } from './bench.ts';
+import { startBrowser } from './open-page.ts';
+
+const PREVIEW = 'iframe[title="Preview"]';
+/** Below the strip where the editor may put a flag; small, so that looking takes little time. */
+const LOOK = { x: 40, y: 60, width: 24, height: 24 };
+
+/** For what was typed before to be compiled and drawn. */
+const REST_MS = 3000;
+
+interface Editor {
+  readonly browser: Browser;
+  readonly page: Page;
+}
+
+/** What someone waits for in the editor; a look at the picture takes some 30 ms of it. */
+export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
+  const project = join(base, 'project');
+  await cp(join(root, 'examples', 'first-light'), project, { recursive: true });
+  let started: Promise<{ server: ChildProcess; url: string; browser: Browser }> | undefined;
+  const start = () => {
+    started ??= (async () => ({ ...(await openServer(root, project)), browser: await startBrowser() }))();
+    return started;
+  };
+  let typing: Promise<Editor> | undefined;
+  return [
+    {
+      name: 'editor, from its address to the first picture',
+      unit: 'ms',
+      samples: 5,
+      sample: async () => {
+        const { browser, url } = await start();
+        const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+        const ms = await timeMs(async () => {
+          await page.goto(url);
+          await drawn(page);
+        });
+        await page.close();
+        return ms;
+      },
+    },
+    {
+      name: 'editor, from a key in a shader to another picture',
+      unit: 'ms',
+      samples: 20,
+      sample: async () => {
+        const { browser, url } = await start();
+        typing ??= openShader(browser, url);
+        const { page } = await typing;
+        const before = await look(page);
+        // A digit more or less of a factor that darkens everything.
+        return timeMs(async () => {
+          await page.keyboard.press(digits++ % 2 === 0 ? '5' : 'Backspace');
+          while ((await look(page)).equals(before)) if (page.isClosed()) throw new Error('The editor is gone.');
+        });
+      },
+      dispose: async () => {
+        const { browser, server } = await start();
+        await browser.close();
+        server.kill();
+        await once(server, 'exit');
+        await rm(base, { recursive: true, force: true });
+      },
+    },
+  ];
+}
+
+let digits = 0;
+
+async function openServer(root: string, project: string): Promise<{ server: ChildProcess; url: string }> {
+  const server = spawn(process.execPath, [join(root, 'bin', 'scrim.mjs'), 'open', project, '--browser'], {
+    env: { ...process.env, DISPLAY: '', BROWSER: 'none' },
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  for await (const line of createInterface(server.stdout)) {
+    const url = /http:\/\/127\S+/.exec(line)?.[0];
+    if (url !== undefined) return { server, url };
+  }
+  throw new Error('The editor did not start.');
+}
+
+async function drawn(page: Page): Promise<void> {
+  await page.locator(PREVIEW).waitFor();
+  const grey = await look(page);
+  while ((await look(page)).equals(grey)) if (page.isClosed()) throw new Error('The editor is gone.');
+}
+
+async function look(page: Page): Promise<Buffer> {
+  const box = await page.locator(PREVIEW).boundingBox();
+  if (!box) throw new Error('There is no preview.');
+  return page.screenshot({ clip: { ...LOOK, x: box.x + LOOK.x, y: box.y + LOOK.y } });
+}
+
+/** Holds the preview and puts the cursor into a number in the filter that lies over everything. */
+async function openShader(browser: Browser, url: string): Promise<Editor> {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  await page.goto(url);
+  await drawn(page);
+  await page.getByRole('button', { name: 'Pause', exact: true }).click();
+  await page.locator('.node-title', { hasText: 'Colour temperature' }).click();
+  await page.getByRole('button', { name: 'Edit shader', exact: true }).click();
+  await page.locator('.monaco-editor .view-line').first().waitFor();
+  await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
+  await page.keyboard.press('Control+End');
+  for (const key of ['ArrowUp', 'ArrowUp', 'End']) await page.keyboard.press(key);
+  await page.keyboard.type(' gl_FragColor.rgb *= 0.7;');
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForTimeout(REST_MS);
+  return { browser, page };
+}

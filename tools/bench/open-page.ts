@@ -1,0 +1,41 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import process from 'node:process';
+import { type Browser, chromium, type Page } from 'playwright-core';
+import { bundleScript } from '../../app/services/bundle-script.ts';
+import { findChromium } from '../../app/services/chromium.ts';
+
+const ORIGIN = 'http://bench.invalid/';
+
+/** The headless browser that everything here is measured in. */
+export async function startBrowser(): Promise<Browser> {
+  const found = await findChromium();
+  if (found === null) throw new Error('No browser was found to measure in. Install Chromium, or name its program in SCRIM_CHROMIUM.');
+  return chromium.launch({
+    executablePath: found.executablePath,
+    args: [...found.args],
+    env: { ...process.env, ...found.env } as Record<string, string>,
+  });
+}
+
+/** An empty page with a script's exports under the global `bench`, and a folder's files beside it. */
+export async function openPage(browser: Browser, root: string, entry: string, folder: string): Promise<Page> {
+  const script = await bundleScript(root, entry, 'bench');
+  const page = await browser.newPage();
+  await page.route(`${ORIGIN}**`, async (route) => {
+    const path = new URL(route.request().url()).pathname.slice(1);
+    if (path === '') return route.fulfill({ contentType: 'text/html', body: '<!doctype html><script src="bench.js"></script>' });
+    if (path === 'bench.js') return route.fulfill({ contentType: 'text/javascript', body: script });
+    return route.fulfill({ body: await readFile(join(folder, path)) });
+  });
+  await page.goto(ORIGIN);
+  return page;
+}
+
+/** Calls one of the script's exports. */
+export function call<T>(page: Page, name: string, ...args: readonly unknown[]): Promise<T> {
+  return page.evaluate(
+    ([n, a]) => (globalThis as unknown as { bench: Record<string, (...x: readonly unknown[]) => unknown> }).bench[n]?.(...a),
+    [name, args] as const,
+  ) as Promise<T>;
+}
