@@ -5,7 +5,7 @@ import { cp, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/pro
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
 import { type Browser, chromium, type Page } from 'playwright-core';
 import type { Answer } from '../../app/contract/host-error.ts';
 import type { HostBridge } from '../../app/contract/ipc-client.ts';
@@ -15,6 +15,9 @@ import { type Display, openDisplay } from '../support/display.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { describeElectron, findElectron } from '../support/electron.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
+
+// Waits are for conditions; this ends what hangs, also on a busy machine.
+jest.setTimeout(300_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const electron = await findElectron();
@@ -43,7 +46,7 @@ describeElectron('the packaged app', electron, () => {
     project = join(base, 'project');
     await cp(join(ROOT, 'examples/first-light'), project, { recursive: true });
     display = await openDisplay();
-  }, 300_000);
+  });
   afterAll(async () => {
     for (const child of running) child.kill('SIGKILL');
     await display?.close();
@@ -115,7 +118,7 @@ describeElectron('the packaged app', electron, () => {
     await browser.close();
     for (const child of running) child.kill('SIGTERM');
     await visitExportedPage(visitor.browser, out);
-  }, 240_000);
+  });
 
   test('has its fuses set', async () => {
     const fuses = await readFuses(app, 'linux');

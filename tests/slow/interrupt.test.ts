@@ -1,0 +1,92 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { once } from 'node:events';
+import { cp, mkdtemp, readdir, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import process from 'node:process';
+import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+
+// Waits are for conditions; this ends what hangs, also on a busy machine.
+jest.setTimeout(300_000);
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const EXAMPLE = join(ROOT, 'examples/first-light');
+
+let base = '';
+const children = new Set<ChildProcess>();
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-interrupt-'));
+  // Built before anything is timed by a signal.
+  await ended(scrim('--version'));
+});
+afterAll(async () => {
+  for (const child of children) child.kill('SIGKILL');
+  await rm(base, { recursive: true, force: true });
+});
+
+function scrim(...args: string[]) {
+  const { NODE_OPTIONS: _, ...env } = process.env;
+  const child = spawn(process.execPath, [join(ROOT, 'bin/scrim.mjs'), ...args], { cwd: base, env, stdio: ['ignore', 'pipe', 'pipe'] });
+  children.add(child);
+  child.once('exit', () => children.delete(child));
+  const said: string[] = [];
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => said.push(String(chunk)));
+  return { child, said };
+}
+
+async function ended({ child, said }: ReturnType<typeof scrim>): Promise<{ status: number | null; said: string }> {
+  if (child.exitCode === null) await once(child, 'exit');
+  return { status: child.exitCode, said: said.join('') };
+}
+
+/** As soon as something whose name begins so lies in the folder. */
+async function until(folder: string, beginning: string, { child }: ReturnType<typeof scrim>): Promise<void> {
+  while (child.exitCode === null) {
+    const names = await readdir(folder).catch(() => []);
+    if (names.some((name) => name.startsWith(beginning))) return;
+    await new Promise((done) => setTimeout(done, 5));
+  }
+  throw new Error(`It ended before anything called ${beginning} was there.`);
+}
+
+describe('Ctrl-C', () => {
+  test('ends a render: status 130, no pictures, nothing left aside', async () => {
+    const out = join(base, 'frames');
+    const running = scrim('render', EXAMPLE, '--out', out, '--frames', '0..59');
+    await until(out, '.scrim-render-', running);
+    running.child.kill('SIGINT');
+    expect((await ended(running)).status).toBe(130);
+    expect(await readdir(base)).toEqual([]);
+  });
+
+  test('ends an export: status 130 or, from another program, 143; the page that was there stays as it was', async () => {
+    const site = join(base, 'site');
+    expect(await ended(scrim('export', EXAMPLE, '--out', site))).toMatchObject({ status: 0 });
+    const before = (await readdir(site)).sort();
+    for (const [signal, status] of [
+      ['SIGINT', 130],
+      ['SIGTERM', 143],
+    ] as const) {
+      const running = scrim('export', EXAMPLE, '--out', site);
+      await until(base, 'site.new-', running);
+      running.child.kill(signal);
+      expect((await ended(running)).status).toBe(status);
+      expect(await readdir(base)).toEqual(['site']);
+      expect((await readdir(site)).sort()).toEqual(before);
+    }
+    await rm(site, { recursive: true });
+  });
+});
+
+describe('a reader who has read enough', () => {
+  test('ends the words, and is no error', async () => {
+    const running = scrim('plan', EXAMPLE, '--json');
+    running.child.stdout.destroy();
+    expect(await ended(running)).toEqual({ status: 0, said: '' });
+  });
+});
+
+test('a folder with a name that begins like an option is named as ./-name', async () => {
+  await cp(EXAMPLE, join(base, '-odd'), { recursive: true });
+  expect(await ended(scrim('check', './-odd'))).toMatchObject({ status: 0 });
+});
