@@ -2,7 +2,7 @@ import type { FrameLocator, Locator, Page } from 'playwright-core';
 import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent } from './pixels.ts';
 
-const WAIT_MS = 20_000;
+const WAIT_MS = 60_000;
 /** Height of the strip at the preview's top where the editor may put a flag. */
 export const FLAG_PX = 40;
 /** A held preview draws four times a second. */
