@@ -50,11 +50,14 @@ async function write(text: ProjectText, files: Readonly<Record<string, string>> 
   await writeProject(project, { 'project.scrim.json': projectText(text), 'assets/robot.glb': await readFile(MODEL), ...files });
 }
 
+/** A poster takes a browser and seconds: `tests/browser/page-poster.test.ts` has one drawn. */
+const quick = (args: readonly string[]): string[] => (args[0] === 'export' ? [...args, '--no-poster'] : [...args]);
+
 async function scrim(...args: string[]) {
   const out: string[] = [];
   const err: string[] = [];
   const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
-  const status = await runCli(args, INSTALLATION, streams);
+  const status = await runCli(quick(args), INSTALLATION, streams);
   return { status, out: out.join('\n'), err: err.join('\n') };
 }
 
@@ -310,7 +313,7 @@ describe('scrim export', () => {
       // As soon as the first file of the new page is being written.
       progress: (text: string | null) => text?.startsWith('Writing') && interruption.abort(),
     };
-    expect(await runCli(['export', project, '--out', out], INSTALLATION, streams, interruption.signal)).toBe(EXIT.interrupted);
+    expect(await runCli(quick(['export', project, '--out', out]), INSTALLATION, streams, interruption.signal)).toBe(EXIT.interrupted);
     expect(said).toEqual(['Interrupted: nothing was written.']);
     const after = await tree(base);
     expect(Object.keys(after)).toEqual(Object.keys(before));

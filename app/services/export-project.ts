@@ -1,9 +1,12 @@
 import { readFile } from 'node:fs/promises';
 import { bundlePage } from '../../export/bundle/bundle-page.ts';
+import type { PosterPicture } from '../../export/bundle/poster.ts';
 import type { ExportReport } from '../../export/bundle/report.ts';
+import type { Program } from '../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
+import { createAssetCache } from './asset-cache.ts';
 import { compileProject } from './compile-project.ts';
 import { resolveInside } from './confine.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
@@ -18,6 +21,16 @@ export interface ExportJob {
   readonly out: string;
   readonly installation: Installation;
   readonly files?: FileLayer;
+  /** False leaves models as they are; true unless given. */
+  readonly compress?: boolean;
+  /** Hears what takes its time. */
+  readonly say?: (text: string) => void;
+  /** Everything in one file, which opens from a disk. */
+  readonly singleFile?: boolean;
+  /** Where the page will be published, ending in `/`. */
+  readonly address?: string | null;
+  /** A picture of the page, by whoever can draw one; else a neutral one takes its place. */
+  readonly drawPoster?: (program: Program) => Promise<PosterPicture | null>;
 }
 
 export interface ExportOutcome {
@@ -27,7 +40,9 @@ export interface ExportOutcome {
 }
 
 /** Compiles, bundles, and puts the page into `out` in one step. Never rejects for what a user can mend. */
-export async function exportProject({ root, projectFiles, out, installation, files = NODE_FILES }: ExportJob): Promise<ExportOutcome> {
+export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
+  const { root, projectFiles, out, installation, files = NODE_FILES, compress = true, say = () => {} } = job;
+  const { singleFile = false, address = null, drawPoster } = job;
   const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false }));
   if (project === null || program === null || hasErrors(diagnostics)) return { report: null, diagnostics };
   const all = [...diagnostics];
@@ -40,6 +55,13 @@ export async function exportProject({ root, projectFiles, out, installation, fil
         root: installation.root,
         readAsset: async (path) => readFile(await resolveInside(root, path)),
         sink,
+        compress,
+        // Not through `files`: what a cache cannot keep is no reason to stop.
+        cache: createAssetCache(root, NODE_FILES),
+        say,
+        singleFile,
+        address,
+        poster: (await drawPoster?.(program)) ?? null,
       });
       all.push(...bundled.diagnostics);
       return bundled.output;

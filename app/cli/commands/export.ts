@@ -3,25 +3,41 @@ import { exportProject } from '../../services/export-project.ts';
 import { type FileLayer, NODE_FILES } from '../../services/file-layer.ts';
 import { findProject, readProjectFiles } from '../../services/project-files.ts';
 import { type Command, failed, UsageError } from '../command.ts';
+import { drawPoster } from '../render/draw-poster.ts';
 
 export const exportCommand: Command = {
   name: 'export',
   usage: 'PROJECT --out DIR',
   summary: 'Make the web page of a project',
-  doc: 'Compiles PROJECT and writes it into DIR as a static page: index.html and all it needs, with relative addresses, for any web host. DIR is replaced in one step, and only where it is missing, empty, or holds an earlier export; with any error it stays as it was. Models are compressed without anything to see: geometry with meshopt, textures with KTX2 where that saves graphics memory; what that took is kept in the project’s .scrim folder for the next time. report.json in it lists the files, their bytes, each asset’s before and after, and what a visitor’s device is asked for.',
+  doc: 'Compiles PROJECT and writes it into DIR as a static page: index.html and all it needs, with relative addresses, for any web host; visited once over https, it opens without a connection, too. A frame of it, drawn in a headless browser where there is one, is its poster: shown while it loads, and by those who link to it. DIR is replaced in one step, and only where it is missing, empty, or holds an earlier export; with any error it stays as it was. Models are compressed without anything to see: geometry with meshopt, textures with KTX2 where that saves graphics memory; what that took is kept in the project’s .scrim folder for the next time. report.json in it lists the files, their bytes, each asset’s before and after, and what a visitor’s device is asked for.',
   project: 'required',
   options: {
     out: { type: 'string', value: 'DIR', doc: 'Where the page goes.' },
+    'single-file': {
+      type: 'boolean',
+      doc: 'Everything in one index.html, which opens by a double click, by mail or from a disk. AR and the camera need a page on a host, over https.',
+    },
+    url: {
+      type: 'string',
+      value: 'ADDRESS',
+      doc: 'Where the page will be published, such as https://example.org/robot/: those who show links to it find its poster by that.',
+    },
+    'no-poster': { type: 'boolean', doc: 'A neutral picture instead of a frame, made at once.' },
     'no-compress': { type: 'boolean', doc: 'Models as they are, textures too: larger, but made at once.' },
   },
   examples: [
     { line: 'scrim export my-project --out site', says: 'Writes the page to site/. Any static host can serve it, over https.' },
     { line: 'scrim export my-project --out draft --no-compress', says: 'Leaves models uncompressed, for a quick look.' },
+    {
+      line: 'scrim export my-project --out robot --single-file',
+      says: 'One file, robot/index.html, to send or to open by a double click.',
+    },
     { line: 'scrim export my-project --out site --json', says: 'For a build: { ok, out, report, diagnostics }.' },
   ],
   run: async (call, { installation, say, interrupted }) => {
     const out = call.text('out');
     if (out === null || out === '') throw new UsageError('--out DIR is missing: where the page goes.');
+    const address = readAddress(call.text('url'));
     const root = await findProject(call.project);
     const projectFiles = await readProjectFiles(root);
     say('Compiling and bundling…');
@@ -34,11 +50,28 @@ export const exportCommand: Command = {
       files,
       compress: !call.flag('no-compress'),
       say,
+      singleFile: call.flag('single-file'),
+      address,
+      ...(call.flag('no-poster')
+        ? {}
+        : {
+            drawPoster: (program) => {
+              say('Drawing the poster…');
+              return drawPoster({ program, projectRoot: root, installation });
+            },
+          }),
     });
     if (report === null) return failed(diagnostics);
     return { status: 0, json: { ok: true, out, report, diagnostics }, text: summary(out, report), diagnostics };
   },
 };
+
+function readAddress(text: string | null): string | null {
+  if (text === null) return null;
+  const url = URL.canParse(text) ? new URL(text) : null;
+  if (!url || !/^https?:$/.test(url.protocol)) throw new UsageError(`--url ${text} is no address: it begins with https://.`);
+  return url.href.endsWith('/') ? url.href : `${url.href}/`;
+}
 
 /**
  * Files that tell how many were written, and refuse to write more once the person has had enough: the page's folder is then taken
