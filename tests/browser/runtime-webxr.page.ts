@@ -296,6 +296,48 @@ export async function events(endedBy: 'page' | 'device') {
   return { heard, whileLost, leaks: leaks() };
 }
 
+/** The context goes and comes back twice while the session runs: the same session draws on, in a framebuffer of the new context. */
+export async function contextLoss() {
+  const { emulator, gl, player, events: heard, frames, leave } = await enter({ device: 'headset', room: ROOM }, SHOWS_DEPTH);
+  const lose = gl.getExtension('WEBGL_lose_context');
+  const event = (name: string): Promise<void> =>
+    new Promise((resolve) => {
+      const listener = (e: Event): void => {
+        e.preventDefault();
+        resolve();
+      };
+      gl.canvas.addEventListener(name, listener, { once: true });
+    });
+  const picture = async () => {
+    await emulator.stepFrame(3);
+    return Array.from(emulator.readLayer().rgba);
+  };
+  const before = await picture();
+  const whileLost: number[] = [];
+  let same = true;
+  for (let i = 0; i < 2; i++) {
+    const lost = event('webglcontextlost');
+    lose?.loseContext();
+    await lost;
+    player.contextLost();
+    const drawn = frames.length;
+    // A second and a half of the device's time.
+    await emulator.stepFrame(90);
+    whileLost.push(frames.length - drawn);
+    const restored = event('webglcontextrestored');
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    lose?.restoreContext();
+    await restored;
+    await player.restore();
+    const after = await picture();
+    same &&= after.length === before.length && after.every((value, at) => Math.abs(value - (before[at] ?? 0)) <= 1);
+  }
+  const blank = before.every((value) => value === 0);
+  const error = gl.getError();
+  await leave();
+  return { same, blank, whileLost, heard, longest: Math.max(...frames.map(({ deltaS }) => deltaS)), error };
+}
+
 /** Why there is no session, or what it lacks. */
 export async function refusals() {
   const gl = document.createElement('canvas').getContext('webgl2') as WebGL2RenderingContext;

@@ -192,6 +192,17 @@ test('light comes as the device estimates it', async () => {
   });
 });
 
+test('a context that is lost takes the session nowhere: it draws on when the graphics are back, and time takes no leap', async () => {
+  expect(await page.call('contextLoss')).toEqual({
+    same: true,
+    blank: false,
+    whileLost: [0, 0],
+    heard: ['ended by page'],
+    longest: expect.closeTo(0.5, 6),
+    error: 0,
+  });
+});
+
 describe('a session tells the page', () => {
   const HEARD = ['tracked false', 'tracked true', 'visible false', 'visible true', 'reset'];
 

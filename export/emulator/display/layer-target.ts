@@ -52,11 +52,15 @@ export function createLayerTarget(
     }
   });
 
+  /** Of a context that was lost nothing is left, when it is back either: pages make a new layer then. */
+  const isGone = (): boolean => gl.isContextLost() || !gl.isFramebuffer(framebuffer);
+
   return {
     framebuffer,
     widthPx,
     heightPx,
-    clear: () =>
+    clear: () => {
+      if (isGone()) return;
       borrowGl(gl, () => {
         const colorMask = gl.getParameter(gl.COLOR_WRITEMASK) as boolean[];
         const depthMask = gl.getParameter(gl.DEPTH_WRITEMASK) as boolean;
@@ -71,8 +75,13 @@ export function createLayerTarget(
         gl.colorMask(colorMask[0] ?? true, colorMask[1] ?? true, colorMask[2] ?? true, colorMask[3] ?? true);
         gl.depthMask(depthMask);
         gl.stencilMask(stencilMask);
-      }),
-    read: (out) =>
+      });
+    },
+    read: (out) => {
+      if (isGone()) {
+        out.fill(0);
+        return;
+      }
       borrowGl(gl, () => {
         gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
         if (resolved) {
@@ -81,7 +90,8 @@ export function createLayerTarget(
           gl.bindFramebuffer(gl.READ_FRAMEBUFFER, resolved);
         }
         gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, out);
-      }),
+      });
+    },
     dispose: () => {
       gl.deleteFramebuffer(framebuffer);
       gl.deleteFramebuffer(resolved);

@@ -2,8 +2,8 @@ import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
 import type { Capability, ProgramNeed } from '../../../program/program.ts';
 import { grantedCapabilities, sessionInit } from './features.ts';
-import { createWebXrSession, XR_DEPTH_RANGE } from './webxr-session.ts';
-import type { XrBinding } from './webxr-types.ts';
+import { createWebXrSession } from './webxr-session.ts';
+import { createSurface } from './webxr-surface.ts';
 
 export interface WebXrRequest {
   /** `navigator.xr`, or an emulated one; undefined where the browser has none. */
@@ -34,13 +34,12 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
     return refused(explain(error, needs));
   }
   try {
-    await gl.makeXRCompatible();
-    const layer = new XRWebGLLayer(session, gl, { antialias: request.antialias, alpha: true, depth: true, stencil: false });
-    await session.updateRenderState({ baseLayer: layer, ...XR_DEPTH_RANGE });
-    const world = await session.requestReferenceSpace('local-floor').catch(() => session.requestReferenceSpace('local'));
     const capabilities = grantedCapabilities(session, needs);
-    const binding = typeof XRWebGLBinding === 'undefined' ? null : (new XRWebGLBinding(session, gl) as XrBinding);
-    const output = createWebXrSession({ gl, session, world, layer, binding, capabilities });
+    const wishes = { antialias: request.antialias, wantsDepth: capabilities.has('depth') };
+    const surface = await createSurface(gl, session, wishes);
+    const world = await session.requestReferenceSpace('local-floor').catch(() => session.requestReferenceSpace('local'));
+    const renewSurface = () => createSurface(gl, session, wishes);
+    const output = createWebXrSession({ gl, session, world, surface, renewSurface, capabilities });
     return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
   } catch (error) {
     await session.end().catch(() => {});

@@ -1,45 +1,51 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
-import { FAR_M, NEAR_M, setRigidInverse } from '../matrix.ts';
+import { setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
-import { createViewSources } from './view-sources.ts';
 import { createWebXrInput } from './webxr-input.ts';
 import { createWebXrLight } from './webxr-light.ts';
-import type { XrBinding } from './webxr-types.ts';
+import type { WebXrSurface } from './webxr-surface.ts';
 
 export interface WebXrSessionParts {
   readonly gl: WebGL2RenderingContext;
   readonly session: XRSession;
   readonly world: XRReferenceSpace;
-  readonly layer: XRWebGLLayer;
-  readonly binding: XrBinding | null;
+  readonly surface: WebXrSurface;
+  /** For the context after it was lost. Rejects where the device will not go on. */
+  readonly renewSurface: () => Promise<WebXrSurface>;
   readonly capabilities: ReadonlySet<Capability>;
 }
 
-/** Near and far planes that the browser makes its projections with. */
-export const XR_DEPTH_RANGE = { depthNear: NEAR_M, depthFar: FAR_M } as const;
+/**
+ * The longest step of time between two frames, seconds. While the session is hidden, the device lost or the graphics away, time
+ * stands still: springs and physics go on as if nothing had been, instead of making up for it in one leap.
+ */
+const LONGEST_STEP_S = 0.5;
 
 /** A running WebXR session with its own frame loop (ADR 7). */
 export function createWebXrSession(parts: WebXrSessionParts): Session {
-  const { gl, session, world, layer, binding, capabilities } = parts;
+  const { gl, session, world, capabilities } = parts;
   const frame = createSessionFrame();
-  const sources = createViewSources(gl, session, binding, capabilities.has('depth'));
+  /** Null while the context is lost. */
+  let surface: WebXrSurface | null = parts.surface;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
   const input = createWebXrInput(session, world);
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
-  let startMs: number | null = null;
+  let lastMs: number | null = null;
+  /** Where the frame's time would be 0. */
+  let startMs = 0;
   let tracked = true;
-  let endedByPage = false;
+  let endedBy: 'user' | 'system' | 'page' = 'user';
   let ended: Promise<void> | null = null;
 
   const setTracked = (next: boolean): void => {
     if (next !== tracked) onEvent?.({ kind: 'tracking', tracked: next });
     tracked = next;
   };
-  const fillViews = (xrFrame: XRFrame, pose: XRViewerPose): void => {
+  const fillViews = ({ layer, sources }: WebXrSurface, xrFrame: XRFrame, pose: XRViewerPose): void => {
     let count = 0;
     for (const xrView of pose.views) {
       const view = frame.views[count];
@@ -61,30 +67,57 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     }
     frame.viewCount = count;
   };
+  const takeTime = (timeMs: number): void => {
+    const passedMs = lastMs === null ? 0 : timeMs - lastMs;
+    if (lastMs === null) startMs = timeMs;
+    startMs += Math.max(0, passedMs - LONGEST_STEP_S * 1000);
+    lastMs = timeMs;
+    const timeS = (timeMs - startMs) / 1000;
+    frame.deltaS = Math.max(0, timeS - frame.timeS);
+    frame.timeS = timeS;
+  };
   const tick = (timeMs: number, xrFrame: XRFrame): void => {
     session.requestAnimationFrame(tick);
     const pose = xrFrame.getViewerPose(world);
     setTracked(pose ? !pose.emulatedPosition : false);
-    if (!pose) return;
-    startMs ??= timeMs;
-    const timeS = (timeMs - startMs) / 1000;
-    frame.deltaS = Math.max(0, timeS - frame.timeS);
-    frame.timeS = timeS;
+    if (!pose || !surface) return;
+    takeTime(timeMs);
+    const { layer } = surface;
     frame.framebuffer = layer.framebuffer;
     frame.framebufferWidthPx = layer.framebufferWidth;
     frame.framebufferHeightPx = layer.framebufferHeight;
     frame.light = light?.read(xrFrame, world) ?? null;
-    fillViews(xrFrame, pose);
+    fillViews(surface, xrFrame, pose);
     if (frame.viewCount === 0) return;
     input.fill(frame.input, xrFrame);
     onFrame?.(frame);
     frame.index++;
   };
+  const lost = (): void => {
+    surface = null;
+  };
+  const restored = async (): Promise<void> => {
+    try {
+      const renewed = await parts.renewSurface();
+      if (onFrame && !gl.isContextLost()) surface = renewed;
+      else renewed.sources.dispose();
+    } catch {
+      // Ended meanwhile, or not to be had back.
+      endedBy = 'system';
+      await session.end().catch(() => {});
+    }
+  };
+  const onRestored = (): void => void restored();
+  gl.canvas.addEventListener('webglcontextlost', lost);
+  gl.canvas.addEventListener('webglcontextrestored', onRestored);
   const hasEnded = new Promise<void>((resolve) => {
     session.addEventListener('end', () => {
-      sources.dispose();
+      gl.canvas.removeEventListener('webglcontextlost', lost);
+      gl.canvas.removeEventListener('webglcontextrestored', onRestored);
+      surface?.sources.dispose();
+      surface = null;
       onFrame = null;
-      onEvent?.({ kind: 'ended', by: endedByPage ? 'page' : 'user' });
+      onEvent?.({ kind: 'ended', by: endedBy });
       resolve();
     });
   });
@@ -107,7 +140,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
       session.requestAnimationFrame(tick);
     },
     end: () => {
-      endedByPage = true;
+      endedBy = 'page';
       // The device may have ended it meanwhile, which is just as well.
       ended ??= Promise.race([
         hasEnded,
