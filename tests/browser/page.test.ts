@@ -6,6 +6,7 @@ import type { BrowserContextOptions, Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { serveProjectText } from '../support/project-page.ts';
 import { DISC, type ServedPage, servePage } from './page-kit.ts';
+import { MODEL, ROBOT } from './robot-project.ts';
 
 const chromium = useBrowser();
 let served: ServedPage;
@@ -33,27 +34,6 @@ async function colourAt(page: Page, x: number, y: number): Promise<number[]> {
   const at = (Math.floor(y * height) * width + Math.floor(x * width)) * channels;
   return [...data.slice(at, at + 3)];
 }
-
-const MODEL = await readFile('examples/first-light/assets/robot.glb');
-
-/** A box in the middle of the view, and a model to load. */
-const ROBOT = {
-  title: 'Robot and box',
-  nodes: {
-    'robot-a1b2': ['source/model', { model: 'robot' }],
-    'box-a1b2': ['objects/primitive', { color: [1, 0, 0, 1] }],
-    'place-a1b2': ['objects/transform', { positionM: [0, 0.75, 0] }],
-    'scene-a1b2': 'layer/scene',
-    'screen-a1b2': 'output/screen',
-  },
-  wires: [
-    'robot-a1b2.objects -> scene-a1b2.objects',
-    'box-a1b2.objects -> place-a1b2.objects',
-    'place-a1b2.objects -> scene-a1b2.objects',
-    'scene-a1b2.layer -> screen-a1b2.layer',
-  ],
-  assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
-} as const;
 
 describe('an exported page where there is no AR', () => {
   test('shows the picture over its own background, says why there is no AR, and logs nothing', async () => {

@@ -1,7 +1,7 @@
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { exportProject } from '../../app/services/export-project.ts';
+import { type ExportJob, exportProject } from '../../app/services/export-project.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { findProject, readProjectFiles } from '../../app/services/project-files.ts';
 import { type ProjectText, projectText, writeProject } from './project-kit.ts';
@@ -17,11 +17,11 @@ export interface ServedExport {
 }
 
 /** Exports a project folder as `scrim export` does, and serves the page as a plain static host would. */
-export async function serveProject(project: string): Promise<ServedExport> {
+export async function serveProject(project: string, more: Partial<ExportJob> = {}): Promise<ServedExport> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-xr-'));
   const folder = join(base, 'page');
   const root = await findProject(project);
-  const job = { root, projectFiles: await readProjectFiles(root), out: folder, installation: INSTALLATION };
+  const job = { root, projectFiles: await readProjectFiles(root), out: folder, installation: INSTALLATION, ...more };
   const { report, diagnostics } = await exportProject(job);
   if (report === null) throw new Error(JSON.stringify(diagnostics, null, 2));
   const server = await serveStatic({ '/page/': `${folder}/` });
@@ -36,10 +36,14 @@ export async function serveProject(project: string): Promise<ServedExport> {
 }
 
 /** The same for a project that a test holds as data. */
-export async function serveProjectText(text: ProjectText, files: Readonly<Record<string, Uint8Array>>): Promise<ServedExport> {
+export async function serveProjectText(
+  text: ProjectText,
+  files: Readonly<Record<string, Uint8Array>>,
+  more: Partial<ExportJob> = {},
+): Promise<ServedExport> {
   const project = await mkdtemp(join(tmpdir(), 'scrim-xr-project-'));
   await writeProject(project, { 'project.scrim.json': projectText(text), ...files });
-  const served = await serveProject(project);
+  const served = await serveProject(project, more);
   await rm(project, { recursive: true, force: true });
   return served;
 }

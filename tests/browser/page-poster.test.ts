@@ -1,0 +1,77 @@
+import { readdir, readFile } from 'node:fs/promises';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { drawPoster } from '../../app/cli/render/draw-poster.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { type ServedExport, serveProject } from '../support/project-page.ts';
+
+// Frames are drawn on the CPU, beside whatever else the machine does.
+jest.setTimeout(120_000);
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const PROJECT = join(ROOT, 'examples/first-light');
+
+const chromium = useBrowser();
+let served: ServedExport;
+beforeAll(async () => {
+  served = await serveProject(PROJECT, {
+    address: 'https://example.org/robots/',
+    drawPoster: (program) => drawPoster({ program, projectRoot: PROJECT, installation: installationAt(ROOT, '0.0.0') }),
+  });
+});
+afterAll(() => served.close());
+
+describe('the poster of a page', () => {
+  test('is a frame of it in a room, found by those who link to the page', async () => {
+    const name = (await readdir(served.folder)).find((file) => file.startsWith('poster-'));
+    expect(name).toMatch(/\.jpg$/);
+    const html = await readFile(join(served.folder, 'index.html'), 'utf8');
+    expect(html).toContain(`<meta property="og:image" content="https://example.org/robots/${name}">`);
+    const page = await chromium.browser.newPage();
+    await page.goto(`${served.url}${name}`);
+    const colours = await page.evaluate(() => {
+      const image = document.querySelector('img');
+      const canvas = new OffscreenCanvas(image?.naturalWidth ?? 0, image?.naturalHeight ?? 0);
+      const context = canvas.getContext('2d');
+      if (!image || !context) return null;
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const seen = new Set<number>();
+      let red = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        const [r = 0, g = 0, b = 0] = [data[i], data[i + 1], data[i + 2]];
+        seen.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
+        // Robots are the only thing in the room that is as red as this.
+        if (r > 120 && g < 60 && b < 60) red++;
+      }
+      return { width: canvas.width, height: canvas.height, seen: seen.size, red };
+    });
+    expect(colours).toMatchObject({ width: 1200, height: 630 });
+    expect(colours?.seen).toBeGreaterThan(500);
+    expect(colours?.red).toBeGreaterThan(1000);
+    await page.close();
+  });
+
+  test('is shown while the page loads, and gives way to the picture', async () => {
+    const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 720 } });
+    const errors = collectErrors(page);
+    let letThrough = () => {};
+    const held = new Promise<void>((done) => {
+      letThrough = done;
+    });
+    await page.route('**/assets/*', async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.goto(served.url);
+    const poster = page.getByRole('img', { name: 'First light', exact: true });
+    await poster.waitFor();
+    await page.getByText(/^0\.\d of \d\.\d MB$|^\d+ of \d+ kB$/).waitFor();
+    letThrough();
+    await page.getByText('look around').waitFor();
+    await poster.waitFor({ state: 'hidden' });
+    expect(errors).toEqual([]);
+    await page.close();
+  });
+});
