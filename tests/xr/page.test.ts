@@ -8,7 +8,8 @@ import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
 // Frames are drawn on the CPU, beside whatever else the machine does.
 jest.setTimeout(60_000);
 
-const chromium = useBrowser();
+// With a camera, for those whom AR refuses.
+const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
 const livingRoom = await readCapture('living_room');
 let served: ServedPage;
 beforeAll(async () => {
@@ -62,12 +63,16 @@ describe('an exported page with AR', () => {
     expect(xr.errors).toEqual([]);
   });
 
-  test('is left by its own button, and shows the picture to look around again', async () => {
+  test('is left by its own button, again and again, and shows the picture to look around each time', async () => {
     const xr = await open();
-    await xr.enter();
-    expect(await xr.page.getByRole('heading', { name: 'Warm light' }).isVisible()).toBe(false);
-    await xr.page.getByRole('button', { name: 'Leave AR' }).click();
-    await xr.page.getByRole('button', { name: 'Enter AR' }).waitFor();
+    for (let i = 0; i < 5; i++) {
+      await xr.enter();
+      expect(await xr.page.getByRole('heading', { name: 'Warm light' }).isVisible()).toBe(false);
+      await xr.page.getByRole('button', { name: 'Leave AR' }).click();
+      await xr.page.getByRole('button', { name: 'Enter AR' }).waitFor();
+      expect(await xr.page.evaluate(() => document.activeElement?.textContent)).toBe('Enter AR');
+      expect(await xr.page.getByText('Drag to look around').isVisible()).toBe(true);
+    }
     await xr.enter();
     expect(showsDisc(await xr.readLayer(), 0, 480)).toBe(true);
     expect(xr.errors).toEqual([]);
@@ -108,8 +113,25 @@ describe('an exported page with AR', () => {
       Object.defineProperty(system, 'requestSession', { value: () => Promise.reject(new DOMException('', 'NotAllowedError')) });
     });
     await xr.page.getByRole('button', { name: 'Enter AR' }).click();
-    await xr.page.getByRole('alert').getByText('AR was not allowed').waitFor();
+    await xr.page.getByRole('alert').getByText('AR was not allowed. Try again').waitFor();
     expect(await xr.page.getByRole('button', { name: 'Enter AR' }).isEnabled()).toBe(true);
+    expect(xr.errors).toEqual([]);
+  });
+
+  test('offers the camera where AR was refused, and AR still', async () => {
+    const xr = await open();
+    const camera = xr.page.getByRole('button', { name: 'Use the camera' });
+    expect(await camera.isVisible()).toBe(false);
+    await xr.page.evaluate(() => {
+      Object.defineProperty(navigator.xr, 'requestSession', {
+        value: () => Promise.reject(new DOMException('', 'NotSupportedError')),
+      });
+    });
+    await xr.page.getByRole('button', { name: 'Enter AR' }).click();
+    await xr.page.getByRole('alert').getByText('This device has no AR').waitFor();
+    await camera.click();
+    await xr.page.getByRole('button', { name: 'Stop the camera' }).waitFor();
+    expect(await xr.page.getByText('This device has no AR').count()).toBe(0);
     expect(xr.errors).toEqual([]);
   });
 });
