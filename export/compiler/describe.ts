@@ -87,6 +87,7 @@ function pictures(program: Program, reference: ReferenceSize): string[] {
 }
 
 function describeTarget(target: Target, program: Program, reference: ReferenceSize): string {
+  if (target.shares !== undefined) return `${target.id}: in the place of ${target.shares}, which is done with by then`;
   const size = targetSize(target, program, reference);
   const bytes = targetBytes(target, program, reference);
   const parts = [

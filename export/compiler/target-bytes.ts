@@ -26,8 +26,9 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
 const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, rgba16f: 8, r32f: 4 };
 const DEPTH_BYTES_PER_PIXEL = 4;
 
-/** Texture memory of a target per view, or null; multisampled ones are resolved into a second one, persistent ones are two. */
+/** Texture memory of a target per view, or null. Multisampled ones are resolved into a second; persistent ones are two, shared ones none. */
 export function targetBytes(target: Target, program: Program, reference: ReferenceSize): number | null {
+  if (target.shares !== undefined) return 0;
   const size = targetSize(target, program, reference);
   if (size === null) return null;
   const perSample = BYTES_PER_PIXEL[target.format] + (target.depth === 'window' ? DEPTH_BYTES_PER_PIXEL : 0);

@@ -1,5 +1,9 @@
 import type { Operation, Program, ResourceId } from '../../export/program/program.ts';
 
+const WHOLE = JSON.stringify([[{ op: 'width' }], [{ op: 'height' }]]);
+
+type Target = Extract<Program['resources'][number], { kind: 'target' }>;
+
 /** What a runtime would stumble over, in words: an empty list for a program that can be played in its order. */
 export function programFaults(program: Program): string[] {
   const { operations, resources, shaders, slots, taps } = program;
@@ -11,7 +15,8 @@ export function programFaults(program: Program): string[] {
   fault(known.size < resources.length, 'two resources have the same id');
   fault(new Set(operations.map(({ id }) => id)).size < operations.length, 'two operations have the same id');
 
-  const written = new Set<ResourceId>();
+  // Techniques are texts and values; nobody makes them.
+  const written = new Set<ResourceId>(resources.filter(({ kind }) => kind === 'technique').map(({ id }) => id));
   let last = 'once';
   let onScreen = false;
   let left = false;
@@ -43,6 +48,54 @@ export function programFaults(program: Program): string[] {
   }
   for (const { color, depth } of Object.values(taps)) {
     fault(!written.has(color) || (depth !== null && !written.has(depth.resource)), `a tap shows ${color}, which is not drawn`);
+  }
+  faults.push(...sharingFaults(program));
+  return faults;
+}
+
+/**
+ * Plays a frame of two views with one name for what each texture holds at the time: whoever reads a picture has to find it, and
+ * nobody draws into what is being read.
+ */
+function sharingFaults({ operations, resources, taps }: Program): string[] {
+  const faults: string[] = [];
+  const textureOf = new Map<ResourceId, ResourceId>();
+  const targets = new Map(resources.flatMap((resource) => (resource.kind === 'target' ? [[resource.id, resource] as const] : [])));
+  /** Where a size comes from that is handed on whole. */
+  const originOf = ({ size }: Target): Target['size'] => {
+    let at = size;
+    for (let base = targets.get(at.base); base && JSON.stringify([at.width, at.height]) === WHOLE; base = targets.get(at.base))
+      at = base.size;
+    return at;
+  };
+  const kindOf = (target: Target) => {
+    const { domain, format, depth, samples, lifetime } = target;
+    return JSON.stringify([domain, originOf(target), format, depth, samples, lifetime]);
+  };
+  for (const [id, target] of targets) {
+    textureOf.set(id, target.shares ?? id);
+    const owner = target.shares === undefined ? null : targets.get(target.shares);
+    if (owner === null) continue;
+    if (!owner || owner.shares !== undefined) faults.push(`${id} shares ${target.shares}, which has no texture of its own`);
+    else if (kindOf(owner) !== kindOf(target) || target.lifetime !== 'frame')
+      faults.push(`${id} shares ${owner.id}, which is of another kind`);
+  }
+  const holds = new Map<ResourceId, ResourceId>();
+  const each = operations.filter(({ view }) => view === 'each');
+  const lasts = (id: ResourceId) => targets.get(id)?.lifetime === 'persistent';
+  for (const { id, reads, writes } of [...operations, ...each]) {
+    for (const read of reads.filter((resource) => targets.has(resource) && !lasts(resource))) {
+      const texture = textureOf.get(read) ?? '';
+      if (holds.get(texture) !== read) faults.push(`${id} reads ${read}, but finds ${holds.get(texture)}`);
+      if (writes.some((write) => textureOf.get(write) === texture)) faults.push(`${id} draws into ${read} while it reads it`);
+    }
+    for (const write of writes) if (targets.has(write)) holds.set(textureOf.get(write) ?? '', write);
+  }
+  for (const { color, depth } of Object.values(taps)) {
+    for (const seen of [color, depth?.resource ?? color]) {
+      const texture = textureOf.get(seen);
+      if (texture !== undefined && holds.get(texture) !== seen) faults.push(`a tap shows ${seen}, but finds ${holds.get(texture)}`);
+    }
   }
   return faults;
 }

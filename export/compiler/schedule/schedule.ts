@@ -16,6 +16,7 @@ import { orderOperations } from './order.ts';
 import { isDrawOperation, isPass, type ScheduledOperation } from './scheduled.ts';
 import { readScreen } from './screen-options.ts';
 import { countUses, type Leaf, planScreen, type ScreenPlan } from './screen-plan.ts';
+import { shareTargets } from './share-targets.ts';
 
 export interface ScheduleOptions {
   readonly library: NodeLibrary;
@@ -66,10 +67,12 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   lowerTapped(lowering, besides, looked, shown);
   const isLive = new Set(live.map(({ id }) => id));
   const tappedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
+  const operations = orderOperations(lowering.steps, shown.onScreen, delayedPictures(order));
+  const lookedAt = new Set(tappedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
   return {
     output: {
-      operations: orderOperations(lowering.steps, shown.onScreen, delayedPictures(order)),
-      resources: lowering.resources,
+      operations,
+      resources: shareTargets(operations, lowering.resources, lookedAt),
       slots: lowering.slots.table(),
       presentation,
       taps: Object.fromEntries(tappedLayers),

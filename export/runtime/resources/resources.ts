@@ -22,17 +22,31 @@ export type LiveResources = ReadonlyMap<ResourceId, LiveResource>;
 export function createResources(program: Program, objects: GlObjects, before: LiveResources | null): LiveResources {
   const tapped = new Set(Object.values(program.taps).flatMap((layer) => [layer.color, layer.depth?.resource ?? layer.color]));
   const live = new Map<ResourceId, LiveResource>();
+  const taken = new Set<LiveResource>();
   for (const resource of program.resources) {
+    if (sharedWith(resource) !== null) continue;
     const old = before?.get(resource.id);
-    const kept = old && isSame(old, resource, tapped.has(resource.id));
-    live.set(resource.id, kept ? old : create(resource, objects, tapped.has(resource.id)));
+    // Two that shared a texture before may each have one of their own now.
+    const kept = old && !taken.has(old) && isSame(old, resource, tapped.has(resource.id));
+    const made = kept ? old : create(resource, objects, tapped.has(resource.id));
+    taken.add(made);
+    live.set(resource.id, made);
+  }
+  for (const resource of program.resources) {
+    const owner = sharedWith(resource);
+    if (owner !== null) live.set(resource.id, liveResource(live, owner, 'target'));
   }
   return live;
 }
 
+function sharedWith(resource: Resource): ResourceId | null {
+  return (resource.kind === 'target' && resource.shares) || null;
+}
+
 export function disposeUnused(before: LiveResources, after: LiveResources | null): void {
-  for (const [id, resource] of before) {
-    if (resource.kind === 'target' && after?.get(id) !== resource) resource.target.dispose();
+  const kept = new Set(after?.values());
+  for (const resource of new Set(before.values())) {
+    if (resource.kind === 'target' && !kept.has(resource)) resource.target.dispose();
   }
 }
 
