@@ -14,9 +14,29 @@ export interface BindingContext {
 /** Whatever type a param has, its value is made of numbers. */
 export type BoundValue = Writable<NumberView> | Writable<ToggleView> | Writable<VectorView>;
 
-/** Writes as many of the numbers as the value has. */
-export function writeNumbers(bound: BoundValue, numbers: Float64Array): void {
-  if (typeof bound.value === 'object') bound.value = numbers;
-  else if (typeof bound.value === 'boolean') bound.value = numbers[0] !== 0;
-  else bound.value = numbers[0] ?? 0;
+/**
+ * What carries the numbers to the param, as many as its value has. One function per type, decided beforehand: were it decided in
+ * every frame, an engine would make a heap object of each number to look at.
+ */
+export function createWriter(bound: BoundValue, numbers: Float64Array): () => void {
+  switch (typeof bound.value) {
+    case 'object': {
+      const vector = bound as Writable<VectorView>;
+      return () => {
+        vector.value = numbers;
+      };
+    }
+    case 'boolean': {
+      const toggle = bound as Writable<ToggleView>;
+      return () => {
+        toggle.value = numbers[0] !== 0;
+      };
+    }
+    default: {
+      const number = bound as Writable<NumberView>;
+      return () => {
+        number.value = numbers[0] ?? 0;
+      };
+    }
+  }
 }

@@ -1,4 +1,4 @@
-import { EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS, type ExpressionWord } from './expression.ts';
+import { type ClockWord, EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS, type ExpressionWord } from './expression.ts';
 import type { Clock, NumberView } from './runtime.ts';
 
 /** An expression as the compiler prints it, ready to be played. */
@@ -8,9 +8,10 @@ export interface PlayedExpression {
   update(clock: Pick<Clock, 'timeS' | 'frame'>): void;
 }
 
+type Operation = Exclude<ExpressionWord, ClockWord>;
+
 /** How many numbers each operation takes; it leaves one. */
 const TAKES: Readonly<Record<string, number>> = {
-  ...Object.fromEntries(EXPRESSION_CLOCK.map((name) => [name, 0])),
   ...Object.fromEntries(EXPRESSION_OPERATORS.map((operator) => [operator, 2])),
   ...Object.fromEntries(Object.entries(EXPRESSION_FUNCTIONS).map(([name, takes]) => [name, takes.length])),
   negate: 1,
@@ -27,10 +28,15 @@ const MOST_TAKEN = 3;
  */
 export function playExpression(postfix: string, numbers: Readonly<Record<string, NumberView>> = {}): PlayedExpression {
   const words = postfix.split(' ');
-  const constants = Float64Array.from(words, Number);
+  /** Numbers as they are written, and the clock's, which change. */
+  const known = Float64Array.from(words, Number);
   const views = words.map((word) => (Object.hasOwn(numbers, word) ? numbers[word] : undefined));
+  const places = (name: string) => words.flatMap((word, i) => (word === name ? [i] : []));
+  const times = places('time');
+  const frames = places('frame');
+  const isKnown = words.map((word, i) => !Number.isNaN(known[i]) || EXPRESSION_CLOCK.some((name) => name === word));
   const takes = words.map((word, i) => {
-    if (views[i] || !Number.isNaN(constants[i])) return 0;
+    if (views[i] || isKnown[i]) return 0;
     if (!Object.hasOwn(TAKES, word)) throw new Error(`"${word}" is no word of an expression: ${postfix}`);
     return TAKES[word] ?? 0;
   });
@@ -46,33 +52,26 @@ export function playExpression(postfix: string, numbers: Readonly<Record<string,
   return {
     results: stack.subarray(0, depth),
     update: (clock) => {
+      for (let i = 0; i < times.length; i++) known[times[i] ?? 0] = clock.timeS;
+      for (let i = 0; i < frames.length; i++) known[frames[i] ?? 0] = clock.frame;
       let top = -1;
       for (let i = 0; i < words.length; i++) {
         const view = views[i];
-        const constant = constants[i] ?? 0;
-        if (view) stack[++top] = view.value;
-        else if (!Number.isNaN(constant)) stack[++top] = constant;
-        else {
-          top += 1 - (takes[i] ?? 0);
-          operate(words[i] as ExpressionWord, stack, top, clock);
-        }
+        top += 1 - (takes[i] ?? 0);
+        if (view) stack[top] = view.value;
+        else if (isKnown[i]) stack[top] = known[i] ?? 0;
+        else operate(words[i] as Operation, stack, top);
       }
     },
   };
 }
 
 /** Does one operation with the numbers from `at` on, and leaves what comes out there. */
-function operate(word: ExpressionWord, stack: Float64Array, at: number, clock: Pick<Clock, 'timeS' | 'frame'>): void {
+function operate(word: Operation, stack: Float64Array, at: number): void {
   const a = stack[at] ?? 0;
   const b = stack[at + 1] ?? 0;
   const c = stack[at + 2] ?? 0;
   switch (word) {
-    case 'time':
-      stack[at] = clock.timeS;
-      break;
-    case 'frame':
-      stack[at] = clock.frame;
-      break;
     case 'negate':
       stack[at] = -a;
       break;

@@ -1,4 +1,4 @@
-import { type BindingContext, type BoundValue, writeNumbers } from '../../kit/binding.ts';
+import { type BindingContext, type BoundValue, createWriter } from '../../kit/binding.ts';
 import { playExpression } from '../../kit/play-expression.ts';
 import type { NodeRuntime } from '../../kit/runtime.ts';
 
@@ -12,15 +12,17 @@ export function create({ outputs, config: made, clock }: BindingContext): NodeRu
   const config = made as unknown as Config;
   const bound = outputs.value as BoundValue;
   const expression = playExpression(config.postfix);
+  const otherwise = Float64Array.from(config.otherwise);
   const values = new Float64Array(expression.results.length);
+  const write = createWriter(bound, values);
   return {
     update: () => {
       expression.update(clock);
       for (let i = 0; i < values.length; i++) {
-        const result = expression.results[i] ?? 0;
-        values[i] = Number.isFinite(result) ? result : (config.otherwise[i] ?? 0);
+        values[i] = expression.results[i] ?? 0;
+        if (!Number.isFinite(values[i])) values[i] = otherwise[i] ?? 0;
       }
-      writeNumbers(bound, values);
+      write();
     },
     dispose: () => {},
   };

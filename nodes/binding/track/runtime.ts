@@ -1,4 +1,4 @@
-import { type BindingContext, type BoundValue, writeNumbers } from '../../kit/binding.ts';
+import { type BindingContext, type BoundValue, createWriter } from '../../kit/binding.ts';
 import type { NodeRuntime } from '../../kit/runtime.ts';
 import { type Easing, ease } from './ease.ts';
 import { type Repeat, timeInTrack } from './repeat.ts';
@@ -22,6 +22,7 @@ export function create({ outputs, config: made, clock }: BindingContext): NodeRu
   const easings = config.easings.split(' ') as Easing[];
   const size = values.length / times.length;
   const now = new Float64Array(size);
+  const write = createWriter(bound, now);
   const last = times.length - 1;
   return {
     update: () => {
@@ -37,7 +38,7 @@ export function create({ outputs, config: made, clock }: BindingContext): NodeRu
         // Exact at both ends, so that a track rests at what its keys say.
         now[i] = progress === 1 ? to : from + (to - from) * progress;
       }
-      writeNumbers(bound, now);
+      write();
     },
     dispose: () => {},
   };
