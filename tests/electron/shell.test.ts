@@ -77,6 +77,30 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     expect(await call('project.open', { path: join(base, 'nowhere') })).toMatchObject({ diagnostic: { code: 'SCR004' } });
   });
 
+  test('shows nothing of the disk but the project’s own files, whatever the address', async () => {
+    const opened = await call<{ assetBaseUrl: string }>('project.open', { path: project });
+    if (!('output' in opened)) throw new Error(JSON.stringify(opened));
+    const { assetBaseUrl } = opened.output;
+    await put('secret.txt', 'secret');
+    await symlink(join(base, 'secret.txt'), join(project, 'assets', 'link.txt'));
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+    const statusOf = (url: string) => preview?.evaluate(async (address) => (await fetch(address)).status, url);
+    expect(await statusOf(`${assetBaseUrl}assets/cup.glb`)).toBe(200);
+    for (const path of [
+      '../secret.txt',
+      'assets/../../secret.txt',
+      '%2e%2e/secret.txt',
+      '..%2fsecret.txt',
+      '%252e%252e/secret.txt',
+      '..%5csecret.txt',
+      'assets/link.txt',
+      '.scrim/.gitignore',
+      `${base}/secret.txt`,
+    ]) {
+      expect([path, await statusOf(`${assetBaseUrl}${path}`)]).toEqual([path, 404]);
+    }
+  });
+
   test('gives the pages nothing of Node or Electron, and the preview nothing at all', async () => {
     const names = ['require', 'process', 'module', 'Buffer', 'electron', 'ipcRenderer'];
     const globals = (list: string[]) => list.filter((name) => name in globalThis);
