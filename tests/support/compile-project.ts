@@ -1,0 +1,18 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { compile } from '../../export/compiler/compile.ts';
+import { loadProject } from '../../export/graph/load.ts';
+import type { Program } from '../../export/program/program.ts';
+import { LIBRARY } from './library.ts';
+
+/** Throws where anything is wrong with the project. */
+export function compileText(project: string): Program {
+  const loaded = loadProject({ project, layout: null, sources: {} });
+  const compiled = loaded.output ? compile({ project: loaded.output, library: LIBRARY }) : null;
+  if (!compiled?.output) throw new Error(JSON.stringify([loaded.diagnostics, compiled?.diagnostics]));
+  return compiled.output;
+}
+
+export async function compileExample(folder: string): Promise<Program> {
+  return compileText(await readFile(join(folder, 'project.scrim.json'), 'utf8'));
+}
