@@ -1,5 +1,6 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { Installation } from '../services/installation.ts';
+import type { Paint } from './paint.ts';
 
 /** One subcommand, as data for the parser and for `--help`. */
 export interface Command {
@@ -51,6 +52,8 @@ export interface Context {
   say(text: string): void;
   /** The person has had enough: what is not finished leaves nothing behind. */
   readonly interrupted: AbortSignal;
+  /** For diagnostics that are the answer, on standard output. */
+  readonly paint: Paint;
   /** On standard output at once, for a command that goes on. */
   print(text: string): void;
 }

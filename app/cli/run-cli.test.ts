@@ -136,11 +136,15 @@ describe('scrim check', () => {
     expect(await scrimJson('check', join(project, 'project.scrim.json'))).toEqual({ status: 0, json: { ok: true, diagnostics: [] } });
   });
 
-  test('prints where and what, one line each', async () => {
+  test('prints where and what, one line each; in colour on a terminal', async () => {
     await write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/sepai' } });
     const { status, out } = await scrim('check', project);
     expect(status).toBe(1);
     expect(out).toMatch(/^sepia-j9k2: error SCR010: .+/m);
+    const painted: string[] = [];
+    const streams = { out: (text: string) => painted.push(text), err: () => {}, interactive: true, colored: { out: true, err: true } };
+    await runCli(['check', project], INSTALLATION, streams);
+    expect(painted.join('\n')).toContain('sepia-j9k2: \x1b[1;31merror SCR010\x1b[0m: ');
   });
 
   /** [what is wrong, how the project becomes so, code, words of the message] */
@@ -274,7 +278,8 @@ describe('scrim plan', () => {
   test('tells the program in words, and as JSON', async () => {
     const { status, out } = await scrim('plan', project);
     expect(status).toBe(0);
-    for (const words of ['Robot', 'scene-e5f6', 'filters/sepia.fs', 'the camera’s picture', 'Any other browser']) expect(out).toContain(words);
+    for (const words of ['Robot', 'scene-e5f6', 'filters/sepia.fs', 'the camera’s picture', 'Any other browser'])
+      expect(out).toContain(words);
     const { json } = await scrimJson('plan', project);
     expect(json).toMatchObject({ ok: true, program: { format: 'scrim-program', title: 'Robot' } });
   });

@@ -100,7 +100,8 @@ async function runCommand(
     if (streams.progress) streams.progress(text);
     else if (streams.interactive && text !== null) streams.err(text);
   };
-  const context: Context = { installation, say: show, print: streams.out, interrupted };
+  const paint = createPaint(streams.colored?.out === true);
+  const context: Context = { installation, say: show, print: streams.out, paint, interrupted };
   let outcome: Outcome;
   try {
     outcome = await command.run(call, context);
@@ -118,8 +119,8 @@ async function runCommand(
   if (json) {
     if (outcome.json !== undefined) streams.out(JSON.stringify(outcome.json, null, 2));
   } else {
-    const paint = createPaint(streams.colored?.err === true);
-    for (const diagnostic of outcome.diagnostics) streams.err(paint.diagnostic(diagnostic));
+    const aside = createPaint(streams.colored?.err === true);
+    for (const diagnostic of outcome.diagnostics) streams.err(aside.diagnostic(diagnostic));
     if (outcome.text !== '') streams.out(outcome.text);
   }
   return outcome.status;

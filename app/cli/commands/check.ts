@@ -1,4 +1,4 @@
-import { formatDiagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import type { Command } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
 
@@ -16,11 +16,11 @@ export const checkCommand: Command = {
       says: 'For other programs: { ok, diagnostics: [{ code, severity, message, nodeId, file, line, … }] }.',
     },
   ],
-  run: async (call, { say }) => {
+  run: async (call, { say, paint }) => {
     say('Compiling…');
     const { diagnostics } = await compileFolder(call.project, () => ({ reportUnused: true }));
     const ok = !hasErrors(diagnostics);
-    const lines = diagnostics.map(formatDiagnostic);
+    const lines = diagnostics.map(paint.diagnostic);
     return {
       status: ok ? 0 : 1,
       json: { ok, diagnostics },
