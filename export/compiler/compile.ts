@@ -56,7 +56,7 @@ export function createCompiler(): Compiler {
       const scheduled = schedule(checked.output, { library, shaders, loopBudget });
       diagnostics.push(...scheduled.diagnostics);
       if (scheduled.output === null) return { output: null, diagnostics };
-      const linked = link(scheduled.output.operations, { sourceMaps });
+      const linked = link(scheduled.output, { sourceMaps });
       if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));
       return { output: print(resolved.output.project, scheduled.output, linked), diagnostics };
     },
@@ -73,7 +73,7 @@ function headerDiagnostics({ diagnostics }: ProjectLibrary, { graphs }: ProjectL
     Object.values(graphs).flatMap(({ nodes }) => Object.values(nodes).map(({ type }) => type.slice(type.indexOf('/') + 1))),
   );
   return diagnostics.map((diagnostic) => {
-    const name = diagnostic.file?.replace(/^shaders\//, '').replace(/\.fs$/, '');
+    const name = diagnostic.file?.replace(/^shaders\//, '').replace(/\.(fs|glsl)$/, '');
     return name === undefined || used.has(name) ? diagnostic : { ...diagnostic, severity: 'warning' };
   });
 }

@@ -11,7 +11,7 @@ const IDENTIFIER = /^[A-Za-z_][A-Za-z0-9_]*$/;
 /** ISF files in the wild are called `3d Rotate.fs` or `CMYK Halftone (v2).fs`. */
 const FILE_STEM = String.raw`[\p{L}\p{N}_](?:[\p{L}\p{N} ._+()-]*[\p{L}\p{N}_)+-])?`;
 const NODE_TYPE = new RegExp(`^[a-z][a-z0-9-]*/${FILE_STEM}$`, 'u');
-const SHADER_FILE = new RegExp(`^${FILE_STEM}\\.(?:fs|vs)$`, 'u');
+const SHADER_FILE = new RegExp(`^${FILE_STEM}\\.(?:fs|vs|glsl)$`, 'u');
 
 const MAX_LENGTH = 128;
 
@@ -34,9 +34,15 @@ export function isNodeType(text: string): boolean {
   return text.length <= MAX_LENGTH && NODE_TYPE.test(text);
 }
 
-/** A file in `shaders/`: `edge.fs`, or the vertex shader beside it. */
+/** A file in `shaders/`: `edge.fs`, or the vertex shader beside it, or the technique `ink.glsl`. */
 export function isShaderFile(text: string): boolean {
   return text.length <= MAX_LENGTH && SHADER_FILE.test(text);
+}
+
+/** The file in `shaders/` that gives a type, if one does: `edge.fs` of `filter/edge`, `ink.glsl` of `technique/ink`. */
+export function shaderFileOf(type: string): string {
+  const [kind = '', name = ''] = type.split('/');
+  return `${name}.${kind === 'technique' ? 'glsl' : 'fs'}`;
 }
 
 const GRAPH_PREFIX = 'graph/';

@@ -31,7 +31,7 @@ export interface Program {
  */
 export type Control = ControlBase &
   (
-    | { readonly kind: 'slider'; readonly min: number; readonly max: number; /** 0: none. */ readonly step: number }
+    | { readonly kind: 'slider'; readonly min: number; readonly max: number /** 0: none. */; readonly step: number }
     | { readonly kind: 'toggle' }
     | { readonly kind: 'button' }
     | { readonly kind: 'choice'; readonly options: readonly string[] }
@@ -91,8 +91,37 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'environment' }
   /** What happened in this frame: emptied before each. */
   | { readonly id: ResourceId; readonly kind: 'pulses' }
+  /** A way to draw objects; nobody writes it. */
+  | TechniqueResource
   /** Depth from every shadow-casting light over one set of casters. */
   | { readonly id: ResourceId; readonly kind: 'shadow-maps' };
+
+export interface TechniqueResource {
+  readonly id: ResourceId;
+  readonly kind: 'technique';
+  /**
+   * Index into `shaders`: one that shows whether a driver takes the text, and whose source map is the text's. It draws nothing.
+   * Null in an export.
+   */
+  readonly trial: number | null;
+  /** Text for the vertex and the fragment shader of whoever draws objects; see `export/glsl/technique/interface.ts`. */
+  readonly vertex: string;
+  readonly fragment: string;
+  /** Draws of each object, in order. */
+  readonly passes: readonly TechniquePass[];
+  readonly uniforms: readonly TechniqueUniform[];
+}
+
+export interface TechniquePass {
+  /** Which sides of triangles are drawn; `object`: those that the object's own material shows. */
+  readonly side: 'object' | 'front' | 'back' | 'both';
+}
+
+export interface TechniqueUniform {
+  readonly name: string;
+  readonly type: PassUniform['type'];
+  readonly slot: number;
+}
 
 /** `rgba8`: a layer. `rgba16f`: unclamped. `r32f`: depth in metres, 0 where there is none. */
 export type TargetFormat = 'rgba8' | 'rgba16f' | 'r32f';

@@ -151,6 +151,8 @@ export type Lowering =
     }
   /** Makes, arranges or draws objects and lights (three.js). Draws when it has a layer output. */
   | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse }
+  /** A way to draw objects, made of a technique file. `shader` names it in the library or the project. */
+  | { readonly kind: 'technique'; readonly shader: string }
   /** A function of values, evaluated on the CPU once a frame. */
   | { readonly kind: 'value' }
   /** Brings something in from outside: files, camera, room. */

@@ -2,6 +2,7 @@ import type { AnimationClip, Matrix4, Object3D, Texture } from 'three';
 import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
+import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
 
 /**
  * The contract between a node's `runtime.ts` and the player. Types only.
@@ -148,6 +149,7 @@ export interface ObjectItem {
   role: 'virtual' | 'phantom';
   castsShadow: boolean;
   receivesShadow: boolean;
+  techniques?: readonly AppliedTechnique[];
 }
 
 export interface LightList {
@@ -261,6 +263,7 @@ export interface WireViews extends ValueViews {
   layer: LayerOutput;
   depth: RoomDepthOutput;
   objects: ObjectList;
+  technique: TechniqueView;
   lights: LightList;
   environment: EnvironmentOutput;
   pulse: PulseList;

@@ -16,7 +16,7 @@ const KINDS: readonly { readonly kind: AssetKind; readonly names: RegExp }[] = [
   { kind: 'model', names: /\.(glb|gltf)$/i },
   { kind: 'image', names: /\.(png|jpe?g|webp)$/i },
 ];
-const SHADERS = /\.fs$/i;
+const SHADERS = /\.(fs|glsl)$/i;
 const STEP_PX = 40;
 
 export function kindOfFile(name: string): AssetKind | 'shader' | null {
@@ -136,7 +136,8 @@ async function addShader(editor: Editor, file: DroppedFile, place: Place): Promi
 
 function freeShaderName({ sources }: Project, wanted: string): string {
   const stem = wanted.replace(SHADERS, '');
-  let name = `${stem}.fs`;
-  for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}.fs`;
+  const ending = wanted.slice(stem.length).toLowerCase();
+  let name = `${stem}${ending}`;
+  for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}${ending}`;
   return name;
 }

@@ -5,7 +5,7 @@ import { nodeOf, type OpenGraph } from './document.ts';
 import type { Editor } from './editor.ts';
 import { soleNode } from './selection.ts';
 
-/** The ISF source behind a node. */
+/** The source behind a node: an ISF file or a technique. */
 export interface EditableShader {
   readonly node: string;
   /** As `lowering.shader` names it: `filters/sepia.fs` of the library, `shaders/edge.fs` of the project. */
@@ -15,7 +15,7 @@ export interface EditableShader {
   readonly file: string | null;
 }
 
-const SHADER_TYPES = /^(filter|operator|generator)\//;
+const SHADER_TYPES = /^(filter|operator|generator|technique)\//;
 const OWN_SHADERS = 'shaders/';
 
 /** The shader of the one selected node; null where there is none to edit. */
@@ -27,7 +27,7 @@ export function editableShader(editor: Editor): EditableShader | null {
 export function shaderOf(state: OpenGraph, node: string): EditableShader | null {
   const type = nodeOf(state, node)?.type;
   const definition = type === undefined ? undefined : state.library.definition(type);
-  if (definition?.lowering.kind !== 'image' || !SHADER_TYPES.test(definition.type)) return null;
+  if (!definition || !('shader' in definition.lowering) || !SHADER_TYPES.test(definition.type)) return null;
   const name = definition.lowering.shader;
   const text = state.library.shader(name);
   if (text === undefined) return null;
@@ -47,7 +47,9 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
   if (shader.file !== null) return apply(editor, `Edit ${shader.file}`, set(shader.file)(state.project), `source ${shader.file}`);
 
   const forked = forkShader(state.project, { library: state.library, graph: state.graph, node });
-  const [file] = Object.keys(forked.project.sources).filter((name) => name.endsWith('.fs') && !Object.hasOwn(state.project.sources, name));
+  const [file] = Object.keys(forked.project.sources).filter(
+    (name) => /\.(fs|glsl)$/.test(name) && !Object.hasOwn(state.project.sources, name),
+  );
   if (file === undefined) return apply(editor, 'Edit shader', forked);
   return apply(
     editor,

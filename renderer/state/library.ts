@@ -1,5 +1,4 @@
-import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
-import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { readDefinition } from '../../export/glsl/read-definition.ts';
 import { type ProjectLibrary, projectLibrary, type ReadShader, rememberShaders } from '../../export/graph/library/project-library.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
@@ -19,10 +18,9 @@ export function baseLibrary({ definitions, shaders }: LibraryData): NodeLibrary 
   };
 }
 
-/** The node type that an ISF file is, or what is wrong with its header. */
+/** The node type that a shader file is, or what is wrong with its header. */
 export const readShader: ReadShader = (file, source) => {
-  const { output, diagnostics } = readIsf(source, file);
-  return { output: output && isfDefinition(output, shaderName(file)), diagnostics };
+  return readDefinition(source, file);
 };
 
 /** What the editor knows of node types, for one project after the other. */

@@ -137,7 +137,8 @@ function controlProblems({ control, params }: NodeDefinition): string[] {
 }
 
 function loweringProblems({ lowering, inputs, params }: NodeDefinition, isShader: (name: string) => boolean): string[] {
-  if (lowering.kind === 'image') return isShader(lowering.shader) ? [] : [`there is no shader ${lowering.shader}`];
+  if (lowering.kind === 'image' || lowering.kind === 'technique')
+    return isShader(lowering.shader) ? [] : [`there is no shader ${lowering.shader}`];
   if (lowering.kind !== 'geometry' || lowering.shadowMap === undefined) return [];
   const { casters, lights, enabledBy } = lowering.shadowMap;
   const toggle = enabledBy === undefined ? null : params[enabledBy];

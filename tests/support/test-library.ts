@@ -1,5 +1,4 @@
-import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
-import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { readDefinition } from '../../export/glsl/read-definition.ts';
 import type { ReadShader } from '../../export/graph/library/project-library.ts';
 import { defineNode, type NodeDefinition, type NodeLibrary } from '../../nodes/kit/definition.ts';
 
@@ -415,10 +414,7 @@ void main() {
 };
 
 /** The compiler's own reader of ISF files, for tests of the document alone. */
-export const readShader: ReadShader = (file, source) => {
-  const { output, diagnostics } = readIsf(source, file);
-  return { output: output && isfDefinition(output, shaderName(file)), diagnostics };
-};
+export const readShader: ReadShader = (file, source) => readDefinition(source, file);
 
 function libraryDefinitions(): NodeDefinition[] {
   return Object.entries(TEST_SHADERS).flatMap(([file, source]) => {

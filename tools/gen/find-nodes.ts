@@ -20,13 +20,13 @@ export interface Found {
   readonly nodes: readonly NodeFolder[];
   /** Runtimes of `nodes/binding/`, which play what params are bound to; no node types. */
   readonly bindings: readonly string[];
-  /** ISF files that are nodes by themselves. */
+  /** ISF files and techniques, which are nodes by themselves, and the chunks that techniques include. */
   readonly library: readonly ShaderFile[];
   /** Shaders that a node's definition names. */
   readonly nodeShaders: readonly ShaderFile[];
 }
 
-const ISF_FOLDERS = ['filters', 'operators', 'generators'] as const;
+const LIBRARY_FOLDERS = ['filters', 'operators', 'generators', 'techniques', 'chunks'] as const;
 
 /** What the folders hold; a folder counts as a node once it has a definition. Sorted, so that the answer is the same everywhere. */
 export async function findNodes(root: string): Promise<Found> {
@@ -49,7 +49,7 @@ export async function findNodes(root: string): Promise<Found> {
 async function readLibrary(root: string): Promise<ShaderFile[]> {
   const base = join(root, 'shader-library');
   const perFolder = await Promise.all(
-    ISF_FOLDERS.map(async (kind) => (await listFiles(join(base, kind))).map((name) => `${kind}/${name}`)),
+    LIBRARY_FOLDERS.map(async (kind) => (await listFiles(join(base, kind))).map((name) => `${kind}/${name}`)),
   );
   return readShaders(base, perFolder.flat().filter(isShader));
 }
@@ -58,7 +58,7 @@ function readShaders(base: string, names: readonly string[]): Promise<ShaderFile
   return Promise.all(names.map(async (name) => ({ name, text: await readFile(join(base, name), 'utf8') })));
 }
 
-/** `.vs` is the vertex shader that ISF lets stand beside a `.fs` of the same name. */
+/** `.vs` is the vertex shader that ISF lets stand beside a `.fs` of the same name; `.glsl` are techniques and chunks. */
 function isShader(path: string): boolean {
-  return path.endsWith('.fs') || path.endsWith('.vs');
+  return path.endsWith('.fs') || path.endsWith('.vs') || path.endsWith('.glsl');
 }

@@ -2,6 +2,8 @@ import { createHash } from 'node:crypto';
 import { join } from 'node:path';
 import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { readDefinition } from '../../export/glsl/read-definition.ts';
+import { isTechniqueFile } from '../../export/glsl/technique/technique-shader.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
 import { readIfThere, writeIfChanged } from '../lib/files.ts';
@@ -21,12 +23,12 @@ export interface IsfDefinitions {
   readonly problems: readonly string[];
 }
 
-/** Definitions of the library's ISF files, in the files' order; the kind that a header gives has to be the folder's. */
+/** Definitions of the library's ISF files and techniques, in the files' order; the kind that a header gives has to be the folder's. */
 export async function isfDefinitions(files: readonly ShaderFile[], { root, version }: ToolContext): Promise<IsfDefinitions> {
   const path = join(root, 'node_modules', '.cache', 'scrim', 'isf-definitions.json');
   const known = await readCache(path);
   const entries = files
-    .filter((file) => file.name.endsWith('.fs'))
+    .filter((file) => file.name.endsWith('.fs') || file.name.startsWith('techniques/'))
     .map((file) => {
       const key = createHash('sha256').update(`${version}\0${file.name}\0${file.text}`).digest('hex');
       return known.get(key) ?? { key, ...read(file) };
@@ -39,6 +41,10 @@ export async function isfDefinitions(files: readonly ShaderFile[], { root, versi
 }
 
 function read({ name, text }: ShaderFile): Omit<Entry, 'key'> {
+  if (isTechniqueFile(name)) {
+    const { output, diagnostics } = readDefinition(text, name);
+    return { definition: output, diagnostics };
+  }
   const { output, diagnostics } = readIsf(text, name);
   if (output === null) return { definition: null, diagnostics };
   const definition = isfDefinition(output, shaderName(name));

@@ -1,17 +1,21 @@
-import type { LinkedShader, Operation } from '../../program/program.ts';
-import type { ScheduledOperation } from '../schedule/scheduled.ts';
+import type { LinkedShader, Operation, Resource } from '../../program/program.ts';
+import type { Schedule } from '../schedule/schedule.ts';
 
 export interface LinkedOperations {
   readonly operations: readonly Operation[];
+  readonly resources: readonly Resource[];
   readonly shaders: readonly LinkedShader[];
 }
+
+type Linkable = Pick<Schedule, 'operations' | 'resources' | 'trials'>;
 
 /**
  * Fourth phase: shaders to a table, equal ones once, however many nodes they stand for. Their texts were made while scheduling,
  * because a shader's own passes and buffers are known only by then. The source map of a shared one names the first of its nodes;
  * operations name their own.
+ * Techniques are tried only where somebody can be told.
  */
-export function link(operations: readonly ScheduledOperation[], options: { readonly sourceMaps: boolean }): LinkedOperations {
+export function link({ operations, resources, trials }: Linkable, options: { readonly sourceMaps: boolean }): LinkedOperations {
   const shaders: LinkedShader[] = [];
   const places = new Map<string, number>();
   const placeOf = (shader: LinkedShader, node: string): number => {
@@ -25,7 +29,11 @@ export function link(operations: readonly ScheduledOperation[], options: { reado
     const { shader, ...rest } = operation;
     return { ...rest, shader: placeOf(shader, operation.node) };
   });
-  return { operations: linked, shaders };
+  const placed = resources.map((resource) => {
+    const trial = resource.kind === 'technique' && resource.trial !== null ? trials[resource.trial] : undefined;
+    return trial ? { ...resource, trial: options.sourceMaps ? placeOf(trial.shader, trial.node) : null } : resource;
+  });
+  return { operations: linked, resources: placed, shaders };
 }
 
 function named(shader: LinkedShader, node: string): LinkedShader {

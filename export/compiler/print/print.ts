@@ -7,7 +7,7 @@ import { collectNeeds } from './needs.ts';
 import { findTiers } from './tiers.ts';
 
 /** Last phase: the program. Equal projects give equal text, because everything in it has an order. */
-export function print(project: ProjectLogic, scheduled: Schedule, { operations, shaders }: LinkedOperations): Program {
+export function print(project: ProjectLogic, scheduled: Schedule, { operations, resources, shaders }: LinkedOperations): Program {
   const needs = collectNeeds(scheduled.nodes, scheduled.working);
   const controls = collectControls(scheduled);
   return {
@@ -15,7 +15,7 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
     version: PROGRAM_VERSION,
     title: project.title,
     slots: scheduled.slots,
-    resources: scheduled.resources,
+    resources,
     operations,
     shaders,
     assets: usedAssets(project, operations),

@@ -13,7 +13,7 @@ import { lowerMovedParam } from './lower/lower-moved-param.ts';
 import { isLinkable } from './lower/lower-passes.ts';
 import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
 import { orderOperations } from './order.ts';
-import { isDrawOperation, isPass, type ScheduledOperation } from './scheduled.ts';
+import { isDrawOperation, isPass, type ScheduledOperation, type ScheduledTrial } from './scheduled.ts';
 import { readScreen } from './screen-options.ts';
 import { countUses, type Leaf, planScreen, type ScreenPlan } from './screen-plan.ts';
 import { shareTargets } from './share-targets.ts';
@@ -27,7 +27,9 @@ export interface ScheduleOptions {
 /** The operations in order, with what they read and write, and all that is known of the program but its shaders' places. */
 export interface Schedule {
   readonly operations: readonly ScheduledOperation[];
+  /** The `trial` of a technique is an index into `trials`; *link* puts its place among the shaders there. */
   readonly resources: readonly Resource[];
+  readonly trials: readonly ScheduledTrial[];
   readonly slots: SlotTable;
   readonly presentation: Presentation;
   readonly taps: Readonly<Record<string, LayerRef>>;
@@ -73,6 +75,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
     output: {
       operations,
       resources: shareTargets(operations, lowering.resources, lookedAt),
+      trials: lowering.trials,
       slots: lowering.slots.table(),
       presentation,
       taps: Object.fromEntries(tappedLayers),

@@ -5,6 +5,12 @@ export type ScheduledPass = Omit<PassOperation, 'shader'> & { readonly shader: L
 
 export type ScheduledOperation = NodeOperation | DrawOperation | ShadowMapOperation | ScheduledPass;
 
+/** A shader to try a technique with, and the technique's node. */
+export interface ScheduledTrial {
+  readonly shader: LinkedShader;
+  readonly node: string;
+}
+
 /** An operation and what has to run before it, as ids of operations. */
 export interface Step {
   readonly operation: ScheduledOperation;

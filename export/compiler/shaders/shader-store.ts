@@ -6,6 +6,9 @@ import { readIsf } from '../../glsl/isf/read-isf.ts';
 import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
 import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
+import type { LinkedTechnique } from '../../glsl/technique/link-technique.ts';
+import { isTechniqueFile, type TechniqueShader } from '../../glsl/technique/technique-shader.ts';
+import { createTechniqueStore } from './technique-store.ts';
 
 /** What of its inputs a shader has to do without. */
 export interface LinkVariant {
@@ -22,12 +25,20 @@ export interface LinkVariant {
  * nodes, because they are everybody's who uses the shader.
  */
 export interface ShaderStore {
-  /** The node type that an ISF file is. */
+  /** The node type that an ISF file or a technique is. */
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
   link(file: string, source: string, variant: LinkVariant): Result<readonly LinkedPass[]>;
+  /** `chunkOf` gives the text of `chunks/NAME.glsl`; chunks are the library's, and do not change. */
+  linkTechnique(file: string, source: string, chunkOf: (name: string) => string | undefined): Result<TechniqueText>;
   /** Only for shaders whose `depth` is `over`. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
+}
+
+/** A technique's header and its text. */
+export interface TechniqueText {
+  readonly technique: TechniqueShader;
+  readonly linked: LinkedTechnique;
 }
 
 interface Entry {
@@ -40,6 +51,7 @@ interface Entry {
 
 export function createShaderStore(): ShaderStore {
   const entries = new Map<string, Entry>();
+  const techniques = createTechniqueStore();
 
   function entryOf(file: string, source: string): Entry {
     const known = entries.get(file);
@@ -52,6 +64,7 @@ export function createShaderStore(): ShaderStore {
   return {
     read: (file, source) => entryOf(file, source).shader,
     readDefinition: (file, source) => {
+      if (isTechniqueFile(file)) return techniques.readDefinition(file, source);
       const entry = entryOf(file, source);
       entry.definition ??= { ...entry.shader, output: entry.shader.output && isfDefinition(entry.shader.output, shaderName(file)) };
       return entry.definition;
@@ -64,6 +77,7 @@ export function createShaderStore(): ShaderStore {
       links.set(key, known);
       return known;
     },
+    linkTechnique: techniques.link,
     linkDepth: (file, source, variant) => {
       const { shader, depths } = entryOf(file, source);
       if (shader.output === null) throw new Error(`${file} has been linked and cannot be read.`);

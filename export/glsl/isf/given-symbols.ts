@@ -36,21 +36,7 @@ const BUILTINS: Readonly<Record<string, string>> = {
 export function givenSymbols(shader: IsfShader): Map<string, VariableSymbol> {
   const given = new Map<string, VariableSymbol>();
 
-  function give(name: string, type: string, role: VariableSymbol['role']): void {
-    given.set(name, {
-      kind: 'variable',
-      name,
-      type,
-      role,
-      token: null,
-      constant: false,
-      rename: false,
-      written: false,
-      declaration: null,
-      parameterOf: null,
-    });
-  }
-
+  const give = (name: string, type: string, role: VariableSymbol['role']) => given.set(name, variableOf(name, type, role));
   for (const [name, type] of Object.entries(BUILTINS)) give(name, type, 'builtin');
   for (const input of shader.inputs) {
     const type = INPUT_TYPES[input.type];
@@ -59,4 +45,20 @@ export function givenSymbols(shader: IsfShader): Map<string, VariableSymbol> {
   for (const image of shader.imported) give(image.name, image.cube ? 'samplerCube' : 'sampler2D', 'image');
   for (const pass of shader.passes) if (pass.target !== null) give(pass.target, 'sampler2D', 'image');
   return given;
+}
+
+/** A variable that the host declares. */
+export function variableOf(name: string, type: string, role: VariableSymbol['role']): VariableSymbol {
+  return {
+    kind: 'variable',
+    name,
+    type,
+    role,
+    token: null,
+    constant: false,
+    rename: false,
+    written: false,
+    declaration: null,
+    parameterOf: null,
+  };
 }

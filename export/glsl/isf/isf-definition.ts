@@ -25,12 +25,10 @@ const FIT: ChoiceParam = {
 export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
   const access = findAccess(shader);
   const inputs: Record<string, InputPort> = {};
-  const params: Record<string, ParamDefinition> = {};
+  const params = paramsOf(shader.inputs);
   for (const input of shader.inputs) {
     const port = portOf(input);
-    const param = paramOf(input);
     if (port !== null) inputs[input.name] = port;
-    if (param !== null) params[input.name] = param;
   }
   if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = FIT;
   const title = shader.title ?? titleFrom(name);
@@ -66,6 +64,16 @@ function portOf(input: IsfInput): InputPort | null {
     };
   }
   return null;
+}
+
+/** Inputs that are values, by name. */
+export function paramsOf(inputs: readonly IsfInput[]): Record<string, ParamDefinition> {
+  const params: Record<string, ParamDefinition> = {};
+  for (const input of inputs) {
+    const param = paramOf(input);
+    if (param !== null) params[input.name] = param;
+  }
+  return params;
 }
 
 function paramOf(input: IsfInput): ParamDefinition | null {
@@ -123,7 +131,8 @@ function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): Out
   return { ...port, domain: 'same', depth };
 }
 
-function titleFrom(name: string): string {
+/** `gaussian-blur` → `Gaussian blur`. */
+export function titleFrom(name: string): string {
   const words = name.replace(/[-_]+/g, ' ').trim();
   return words === '' ? name : words[0]?.toUpperCase() + words.slice(1);
 }

@@ -123,7 +123,8 @@ function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string,
   };
 }
 
-function printAuthorsText(checked: CheckedShader, context: PrintContext): void {
+/** The author's functions and variables, as far as `context.reach` goes. */
+export function printAuthorsText(checked: CheckedShader, context: PrintContext): void {
   const { writer, reach } = context;
   for (const declaration of checked.declarations) {
     if (declaration.kind === 'variables') {

@@ -1,7 +1,7 @@
 import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { createFaceLookup } from '../library/faces.ts';
 import { projectLibrary, type ReadShader } from '../library/project-library.ts';
-import { isShaderFile } from '../names.ts';
+import { isShaderFile, shaderFileOf } from '../names.ts';
 import { own } from '../own.ts';
 import type { Project } from '../project.ts';
 import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, unchanged } from './change.ts';
@@ -64,7 +64,7 @@ export interface ForkShader {
   readonly library: NodeLibrary;
   readonly graph: string;
   readonly node: string;
-  /** Of the copy, without `.fs`; by default the original's with the next free number. */
+  /** Of the copy, without its ending; by default the original's with the next free number. */
   readonly name?: string;
 }
 
@@ -75,16 +75,21 @@ export function forkShader(project: Project, { library, graph, node: id, name }:
   const definition = createFaceLookup(project, library)(node.type) && library.definition(node.type);
   const shader = definition && forkableShader(definition, library);
   if (!definition || !shader) {
-    return refuse(project, 'SCR043', `${id} (${node.type}) is more than a shader: only filters, operators and generators can be copied.`, {
-      nodeId: id,
-    });
+    return refuse(
+      project,
+      'SCR043',
+      `${id} (${node.type}) is more than a shader: only filters, operators, generators and techniques can be copied.`,
+      {
+        nodeId: id,
+      },
+    );
   }
   const [kind = '', original = ''] = definition.type.split('/');
   const copy = name ?? freeName(project, library, kind, original);
-  const file = `${copy}.fs`;
+  const file = shaderFileOf(`${kind}/${copy}`);
   if (!isShaderFile(file)) return refuse(project, 'SCR002', `“${file}” will not do as the name of a shader file.`, { nodeId: id });
   if (isTaken(project, library, kind, copy)) return refuse(project, 'SCR002', `There is a shader “${copy}” already.`, { nodeId: id });
-  const vertex = library.shader(shader.name.replace(/\.fs$/, '.vs'));
+  const vertex = shader.name.endsWith('.fs') ? library.shader(shader.name.replace(/\.fs$/, '.vs')) : undefined;
   return change(project, (draft) => {
     draft.sources[file] = shader.text;
     if (vertex !== undefined) draft.sources[`${copy}.vs`] = vertex;
@@ -95,10 +100,11 @@ export function forkShader(project: Project, { library, graph, node: id, name }:
   });
 }
 
-const SHADER_KINDS = ['filter', 'operator', 'generator'];
+const SHADER_KINDS = ['filter', 'operator', 'generator', 'technique'];
 
 function forkableShader({ type, lowering }: NodeDefinition, library: NodeLibrary): { name: string; text: string } | undefined {
-  if (lowering.kind !== 'image' || !SHADER_KINDS.includes(type.slice(0, type.indexOf('/')))) return undefined;
+  if ((lowering.kind !== 'image' && lowering.kind !== 'technique') || !SHADER_KINDS.includes(type.slice(0, type.indexOf('/'))))
+    return undefined;
   const text = library.shader(lowering.shader);
   return text === undefined ? undefined : { name: lowering.shader, text };
 }
@@ -112,7 +118,8 @@ function freeName(project: Project, library: NodeLibrary, kind: string, original
 }
 
 function isTaken(project: Project, library: NodeLibrary, kind: string, name: string): boolean {
-  return own(project.sources, `${name}.fs`) !== undefined || library.definition(`${kind}/${name}`) !== undefined;
+  const type = `${kind}/${name}`;
+  return own(project.sources, shaderFileOf(type)) !== undefined || library.definition(type) !== undefined;
 }
 
 function typeOf(files: ReadonlyMap<string, string>, file: string): string | undefined {
@@ -122,8 +129,9 @@ function typeOf(files: ReadonlyMap<string, string>, file: string): string | unde
 
 /** Types that the file may have given while its header was whole. */
 function orphanedTypes(file: string, library: NodeLibrary): string[] {
-  const stem = file.replace(/\.fs$/, '');
-  return SHADER_KINDS.map((kind) => `${kind}/${stem}`).filter((type) => library.definition(type) === undefined);
+  const stem = file.replace(/\.(fs|glsl)$/, '');
+  const types = SHADER_KINDS.map((kind) => `${kind}/${stem}`);
+  return types.filter((type) => shaderFileOf(type) === file && library.definition(type) === undefined);
 }
 
 function retypeNodes(draft: ProjectDraft, from: readonly string[], to: string): void {

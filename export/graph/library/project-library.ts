@@ -2,7 +2,7 @@ import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { sortedEntries } from '../own.ts';
 
-/** Makes a node type of an ISF file. `file` is what `lowering.shader` will name: `shaders/edge.fs`. */
+/** Makes a node type of an ISF file or a technique. `file` is what `lowering.shader` will name: `shaders/edge.fs`. */
 export type ReadShader = (file: string, source: string) => Result<NodeDefinition>;
 
 export interface ProjectLibrary extends NodeLibrary {
@@ -29,7 +29,7 @@ export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<strin
   for (const [file, source] of sortedEntries(sources)) {
     const name = projectShaderName(file);
     shaders.set(name, source);
-    if (!file.endsWith('.fs')) continue;
+    if (!/\.(fs|glsl)$/.test(file)) continue;
     const read = readShader(name, source);
     diagnostics.push(...read.diagnostics.map((d) => ({ ...d, file: name })));
     if (read.output === null) continue;

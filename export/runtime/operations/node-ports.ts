@@ -82,6 +82,8 @@ function listOf(id: string, resources: LiveResources): unknown {
       return resource.layer;
     case 'pulses':
       return resource.queue;
+    case 'technique':
+      return resource.technique.view;
     default:
       return liveResource(resources, id, 'objects').list;
   }

@@ -3,6 +3,8 @@ import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
+import type { Slots } from '../values/slots.ts';
+import { createLiveTechnique, type LiveTechnique } from './live-technique.ts';
 
 /** What stands behind a resource of the program while it is played. */
 export type LiveResource =
@@ -13,6 +15,7 @@ export type LiveResource =
   | { readonly kind: 'lights'; readonly list: LightList }
   | { readonly kind: 'environment'; readonly environment: EnvironmentOutput }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
+  | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Made by its operation. */
   | { readonly kind: 'shadow-maps' };
 
@@ -41,6 +44,13 @@ export function createResources(program: Program, objects: GlObjects, before: Li
 
 function sharedWith(resource: Resource): ResourceId | null {
   return (resource.kind === 'target' && resource.shares) || null;
+}
+
+/** Gives techniques their texts and values of a program that is about to be drawn. */
+export function pointTechniques(program: Program, live: LiveResources, slots: Slots): void {
+  for (const resource of program.resources) {
+    if (resource.kind === 'technique') liveResource(live, resource.id, 'technique').technique.point(resource, slots);
+  }
 }
 
 export function disposeUnused(before: LiveResources, after: LiveResources | null): void {
@@ -76,6 +86,7 @@ export function clearOutput(resource: LiveResource): void {
       resource.queue.clear();
       break;
     case 'target':
+    case 'technique':
     case 'shadow-maps':
       break;
   }
@@ -99,6 +110,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'environment', environment: { asset: null, intensity: 1, rotationRad: 0 } };
     case 'pulses':
       return { kind: 'pulses', queue: createPulseQueue() };
+    case 'technique':
+      return { kind: 'technique', technique: createLiveTechnique(resource.id) };
     case 'shadow-maps':
       return { kind: 'shadow-maps' };
   }

@@ -10,6 +10,7 @@ import { createDepthTwin } from './materials/depth-twin.ts';
 import { isOpaque } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import { createTechniquePlans } from './materials/technique-plans.ts';
 import { createTwinCache } from './materials/twins.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from './proxies/drawable.ts';
 import type { ProxyPlan } from './proxies/proxy.ts';
@@ -49,6 +50,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const onChange = (): void => {
     outdated = true;
   };
+  const techniques = createTechniquePlans({ twins, ambient: options.ambient, occlusion, onChange });
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     const features = programFeatures(master);
@@ -61,6 +63,10 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       ),
       renderOrder: master.renderOrder,
     });
+    const byTechnique = techniques.plan(master, item, DEPTH_FIRST, (part) =>
+      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, onChange })),
+    );
+    if (byTechnique) return byTechnique;
     if (isTwoPass(master.material)) return [draw(BackSide), draw(FrontSide)];
     if (!occlusion || !materialsOf(master).every(isOpaque)) return [draw(null)];
     // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
@@ -69,6 +75,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
 
   return {
     update: (objects, lightLists) => {
+      techniques.update();
       twins.sync();
       if (proxies.update(objects, outdated)) {
         outdated = false;

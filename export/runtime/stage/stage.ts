@@ -6,7 +6,7 @@ import { isDraw } from '../operations/node-key.ts';
 import { createPass, type PassParts } from '../passes/pass.ts';
 import { enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
-import { createResources, disposeUnused, type LiveResources } from '../resources/resources.ts';
+import { createResources, disposeUnused, type LiveResources, pointTechniques } from '../resources/resources.ts';
 import { createTargetSizes } from '../targets/target-sizes.ts';
 import { createSlots, type Slots } from '../values/slots.ts';
 import { type Cast, createCast, isShadowMaps, releaseCast } from './cast.ts';
@@ -46,6 +46,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
   const { state } = engine;
   const slots = createSlots(program.slots);
   const resources = createResources(program, engine.objects, before?.resources ?? null);
+  pointTechniques(program, resources, slots);
   const cast = createCast(engine, program, slots, resources, before?.cast ?? null);
   const runtimes: readonly NodeRuntime[] = [...cast.nodes.values()].map((node) => node.runtime);
   const delays = runtimes.filter((runtime) => runtime.remember !== undefined);

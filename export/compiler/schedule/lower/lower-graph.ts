@@ -6,6 +6,7 @@ import { lowerCopyToScreen } from './lower-copy.ts';
 import { isDelayed, lowerCaptures, lowerDelayed } from './lower-delayed.ts';
 import { isPlayed, lowerDraw, lowerNode } from './lower-node.ts';
 import { type LoweredPasses, lowerLastPassAgain, lowerPasses } from './lower-passes.ts';
+import { isTechnique, lowerTechnique } from './lower-technique.ts';
 import type { Lowering } from './lowering.ts';
 
 export interface Shown {
@@ -25,7 +26,8 @@ export function lowerShown(lowering: Lowering, order: readonly FlatNode[], leave
     const sunkInto = demand.sunk.get(node.id);
     // Where the occlusion stands, because the room's depth may come after what it hides.
     const draw = sunkInto ?? (isDraw(node) && !sinking.has(node.id) ? node : null);
-    if (isPlayed(node)) lowerNode(lowering, node);
+    if (isTechnique(node)) lowerTechnique(lowering, node);
+    else if (isPlayed(node)) lowerNode(lowering, node);
     else if (isDelayed(node)) lowerDelayed(lowering, node);
     else if (draw) {
       lowerDraw(lowering, {
@@ -60,7 +62,9 @@ export function lowerTapped(lowering: Lowering, order: readonly FlatNode[], dema
     const isPicture = output !== null && demand.images.has(portKey(output));
     const sunkInto = demand.sunk.get(node.id);
     const ended = ends.get(node.id);
-    if (isPlayed(node)) {
+    if (isTechnique(node)) {
+      lowerTechnique(lowering, node);
+    } else if (isPlayed(node)) {
       if (!lowering.computedBy.has(node.id)) lowerNode(lowering, node);
     } else if (sunkInto) lowerDraw(lowering, { node: sunkInto, occlusion: node, target: 'picture', extra: true });
     else if (!isPicture) continue;

@@ -15,7 +15,7 @@ type NodeKind = 'value' | 'source' | 'behaviour' | 'geometry';
 /** A node that its runtime plays, and that draws nothing. */
 export function lowerNode(lowering: Lowering, node: FlatNode): void {
   const { kind } = node.definition.lowering;
-  if (kind === 'image' || kind === 'present') throw new Error(`${node.id} is not played by a runtime of its own.`);
+  if (kind === 'image' || kind === 'technique' || kind === 'present') throw new Error(`${node.id} is not played by a runtime of its own.`);
   const outputs: Record<string, OutputRef> = {};
   const writes: ResourceId[] = [];
   for (const [port, { type }] of Object.entries(node.definition.outputs)) {
@@ -186,5 +186,5 @@ function outputResource({ layers }: Lowering, source: Source, type: WireType): R
 /** Whether a node is one of these. */
 export function isPlayed(node: FlatNode): boolean {
   const { kind } = node.definition.lowering;
-  return kind !== 'image' && kind !== 'present' && !isDraw(node);
+  return kind !== 'image' && kind !== 'technique' && kind !== 'present' && !isDraw(node);
 }

@@ -4,7 +4,7 @@ import type { LayerDepthRef, LayerRef, Resource, ResourceId } from '../../../pro
 import { type FlatGraph, type FlatNode, portKey, type Source } from '../../flat-graph.ts';
 import type { ShaderStore } from '../../shaders/shader-store.ts';
 import type { LayerTable } from '../layers.ts';
-import type { ScheduledOperation, Step } from '../scheduled.ts';
+import type { ScheduledOperation, ScheduledTrial, Step } from '../scheduled.ts';
 import { createSlotAllocator, type MovedParam, type SlotAllocator } from '../slots.ts';
 
 /** The program while it grows: what the lowering of one node leaves for that of the next. */
@@ -21,6 +21,8 @@ export interface Lowering {
   readonly samples: 1 | 4;
   readonly resources: Resource[];
   readonly steps: Step[];
+  /** Whole shaders that show whether a driver takes the text of a technique. */
+  readonly trials: ScheduledTrial[];
   /** What an output port is, as `node.port`: the colour of a layer, a list, room depth. */
   readonly resourceOf: Map<string, ResourceId>;
   /** Which of those are drawn into by a draw, and so have a depth buffer. */
@@ -52,6 +54,7 @@ export function createLowering(
     slots: createSlotAllocator(start.graph, compiledIn, (moved) => onMoved(lowering, moved)),
     resources: [],
     steps: [],
+    trials: [],
     resourceOf: new Map(),
     drawn: new Set(),
     computedDepth: new Map(),

@@ -1,0 +1,46 @@
+import { GlslError, type Place } from '../syntax/token.ts';
+
+/** A text put together from several files. */
+export interface ExpandedText {
+  readonly text: string;
+  /** The files, the author's first. */
+  readonly sources: readonly string[];
+  /** Of each line: index into `sources`, and the line there, from 1. */
+  readonly lines: readonly (readonly [source: number, line: number])[];
+}
+
+const INCLUDE = /^\s*#\s*include\s+[<"]([A-Za-z0-9/_-]+)[>"]\s*$/;
+
+/**
+ * Puts chunks in the place of `#include <noise/simplex-3d>`, each once, however often it is asked for, and those that they ask for
+ * before them. `chunkOf` gives the text of `chunks/NAME.glsl`. Throws `GlslError` for one that is not there, at the author's line.
+ */
+export function expandIncludes(source: string, file: string, chunkOf: (name: string) => string | undefined): ExpandedText {
+  const sources = [file];
+  const text: string[] = [];
+  const lines: (readonly [number, number])[] = [];
+  const included = new Set<string>();
+
+  function add(content: string, index: number, place: Place | null): void {
+    for (const [i, line] of content.split(/\r\n|\r|\n/).entries()) {
+      const name = INCLUDE.exec(line)?.[1];
+      if (name === undefined) {
+        text.push(line);
+        lines.push([index, i + 1]);
+        continue;
+      }
+      // A line stays, so that what follows on it is told from the chunk's.
+      text.push('');
+      lines.push([index, i + 1]);
+      if (included.has(name)) continue;
+      included.add(name);
+      const asked = place ?? { line: i + 1, column: line.indexOf('#') + 1 };
+      const chunk = chunkOf(name);
+      if (chunk === undefined) throw new GlslError(asked, `There is no chunk "${name}" to include.`, 'SCR043');
+      add(chunk, sources.push(`chunks/${name}.glsl`) - 1, asked);
+    }
+  }
+
+  add(source, 0, null);
+  return { text: text.join('\n'), sources, lines };
+}

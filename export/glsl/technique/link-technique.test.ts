@@ -1,0 +1,96 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, test } from '@jest/globals';
+import { linkTechnique } from './link-technique.ts';
+import { readTechnique } from './read-technique.ts';
+
+const text = (name: string) => readFileSync(new URL(`../../../shader-library/${name}`, import.meta.url), 'utf8');
+const chunkOf = (name: string) => (name === 'light/strength' ? text('chunks/light/strength.glsl') : undefined);
+
+function link(source: string, file = 'techniques/test.glsl') {
+  const { output, diagnostics } = readTechnique(source, file);
+  if (!output) throw new Error(JSON.stringify(diagnostics));
+  return linkTechnique(output, chunkOf);
+}
+
+function linked(source: string) {
+  const { output, diagnostics } = link(source);
+  if (!output) throw new Error(JSON.stringify(diagnostics));
+  return output;
+}
+
+const HEADER = '/*{ "INPUTS": [{ "NAME": "tint", "TYPE": "color" }, { "NAME": "unused", "TYPE": "float" }] }*/';
+
+describe('a technique is linked', () => {
+  test('by symbols: nothing of the author’s can meet a name of the host, and inputs are those that are used', () => {
+    const { vertex, fragment, uniforms } = linked(`${HEADER}
+float cameraPosition(const in float x) { return x; }
+void vertex(inout Vertex v) { v.position.y += cameraPosition(0.1); }
+vec4 surface(const in Surface s) { return vec4(s.color.rgb * tint.rgb, 1.0); }`);
+    expect(vertex).toContain('float a_cameraPosition(');
+    expect(vertex).toContain('void a_vertex(inout a_Vertex v)');
+    expect(vertex).not.toContain('a_tint');
+    expect(fragment).not.toContain('a_cameraPosition');
+    expect(fragment).toContain('uniform vec4 a_tint;');
+    expect(uniforms).toEqual([{ name: 'a_tint', type: 'vec4', param: 'tint' }]);
+  });
+
+  test('with a vertex function of its own, or without', () => {
+    expect(linked(`${HEADER}\nvec4 surface(const in Surface s) { return s.color; }`).vertex).toContain(
+      'void a_vertex(inout a_Vertex v) {}',
+    );
+  });
+
+  test('with chunks, each once, and every printed line knows its file and line', () => {
+    const { trial } = linked(text('techniques/toon.glsl'));
+    const map = trial.sourceMap;
+    expect(map?.sources).toEqual(['techniques/test.glsl', 'chunks/light/strength.glsl']);
+    const lines = trial.fragment.split('\n');
+    expect(lines.filter((line) => line.includes('float a_lightStrength('))).toHaveLength(1);
+    const at = (word: string) => map?.lines[lines.findIndex((line) => line.includes(word))];
+    expect(at('return dot(light.radiance')).toEqual([1, 3, expect.any(Number)]);
+    const author = text('techniques/toon.glsl').split('\n');
+    const wanted = author.findIndex((line) => line.includes('if (outlineM <= 0.0) discard;')) + 1;
+    expect(at('scrim_discarded = true')?.slice(0, 2)).toEqual([0, wanted]);
+  });
+
+  test('as the README teaches it', () => {
+    const taught = [...text('README.md').matchAll(/```glsl\n([\s\S]*?)```/g)]
+      .map(([, code = '']) => code)
+      .find((code) => code.includes('Surface s'));
+    expect(linked(taught ?? '').uniforms.map(({ param }) => param)).toEqual(['tint']);
+  });
+
+  test.each(['gooch', 'toon'])('%s, as it ships', (name) => {
+    const { diagnostics } = link(text(`techniques/${name}.glsl`), `techniques/${name}.glsl`);
+    expect(diagnostics).toEqual([]);
+  });
+});
+
+describe('what is wrong with a technique is said on its line', () => {
+  test.each([
+    ['vec4 other() { return vec4(1.0); }', 1, 'The technique has no "vec4 surface(const in Surface s) { … }".'],
+    ['vec4 surface(vec3 s) { return vec4(1.0); }', 2, '"surface" has to return vec4 and take one Surface.'],
+    ['#include <no/such>\nvec4 surface(Surface s) { return s.color; }', 2, 'There is no chunk "no/such" to include.'],
+    ['vec4 surface(Surface s) {\n  return s.color\n}', 3, expect.stringContaining(';')],
+    [
+      'void vertex(inout Vertex v) { v.position += LIGHT(0).towards; }\nvec4 surface(Surface s) { return s.color; }',
+      2,
+      'Lights are there in "surface" only, not in "vertex".',
+    ],
+  ])('%s', (body, line, message) => {
+    const { output, diagnostics } = link(`${HEADER}\n${body}`);
+    expect(output).toBeNull();
+    expect(diagnostics).toEqual([expect.objectContaining({ line, message, severity: 'error', file: 'techniques/test.glsl' })]);
+  });
+
+  test('and of its header', () => {
+    const { diagnostics } = readTechnique(
+      '/*{ "INPUTS": [\n{ "NAME": "a", "TYPE": "image" }],\n"PASSES": [{ "SIDE": "up" }] }*/',
+      'x.glsl',
+    );
+    expect(diagnostics.map(({ code, line }) => [code, line])).toEqual([
+      ['SCR040', 2],
+      ['SCR040', 3],
+    ]);
+  });
+});

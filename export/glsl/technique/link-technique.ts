@@ -1,0 +1,216 @@
+import type { Result } from '../../../nodes/kit/diagnostics.ts';
+import type { LinkedShader, PassUniform, SourceMap } from '../../program/program.ts';
+import { type CheckedShader, checkShader } from '../check/check-shader.ts';
+import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
+import { hashText } from '../link/hash.ts';
+import { createLineWriter } from '../link/line-writer.ts';
+import { printAuthorsText } from '../link/link-pass.ts';
+import { createNames, type Names } from '../link/names.ts';
+import { FRAGMENT_HEAD, VERTEX_SHADER } from '../link/prelude.ts';
+import type { PrintContext } from '../link/print-context.ts';
+import { needsHoisting } from '../link/print-declaration.ts';
+import { findReach, type Reach } from '../link/reach.ts';
+import type { FunctionDeclaration, ParsedShader, VariableSymbol } from '../syntax/ast.ts';
+import { parseShader } from '../syntax/parse.ts';
+import { GlslError, type Place } from '../syntax/token.ts';
+import { type ExpandedText, expandIncludes } from './expand-includes.ts';
+import { INTERFACE_FUNCTION, INTERFACE_LINES, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
+import type { TechniqueShader } from './technique-shader.ts';
+
+/** A technique's own text for the two stages of whoever draws with it, and a whole shader to try it with. */
+export interface LinkedTechnique {
+  /** Declares uniforms and structs, and `void a_vertex(inout a_Vertex v)`, which does nothing where the author has none. */
+  readonly vertex: string;
+  /** The same with `vec4 a_surface(const in a_Surface s)`. */
+  readonly fragment: string;
+  /**
+   * Everything of the author's in one fragment shader. It draws nothing useful: a driver that takes it takes the technique, and
+   * what it says of it is on the author's lines.
+   */
+  readonly trial: LinkedShader;
+  readonly uniforms: readonly { readonly name: string; readonly type: PassUniform['type']; readonly param: string }[];
+}
+
+interface Unit {
+  readonly technique: TechniqueShader;
+  readonly expanded: ExpandedText;
+  readonly checked: CheckedShader;
+  readonly given: ReadonlyMap<string, VariableSymbol>;
+}
+
+/** SCR041 where the GLSL cannot be read, SCR043 where it asks for what Scrim cannot give. `chunkOf` gives `chunks/NAME.glsl`. */
+export function linkTechnique(technique: TechniqueShader, chunkOf: (name: string) => string | undefined): Result<LinkedTechnique> {
+  let expanded: ExpandedText | null = null;
+  try {
+    expanded = expandIncludes(technique.source, technique.file, chunkOf);
+    return { output: linkExpanded(technique, expanded), diagnostics: [] };
+  } catch (error) {
+    if (!(error instanceof GlslError)) throw error;
+    const { code, message, place } = error;
+    const [file, line] = expanded === null ? [technique.file, place.line] : originOf(expanded, place);
+    return { output: null, diagnostics: [{ code, severity: 'error', message, file, line, column: place.column }] };
+  }
+}
+
+function linkExpanded(technique: TechniqueShader, expanded: ExpandedText): LinkedTechnique {
+  const given = new Map(technique.inputs.map(({ name, type }) => [name, variableOf(name, INPUT_TYPES[type], 'input')]));
+  const parsed = parseShader(`${TECHNIQUE_INTERFACE}${expanded.text}\n${mainFor(expanded.text)}`);
+  const surface = functionOf(parsed, 'surface', 'vec4', 'Surface');
+  if (!surface)
+    throw new GlslError({ line: INTERFACE_LINES + 1, column: 1 }, 'The technique has no "vec4 surface(const in Surface s) { … }".');
+  const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
+  const checked = checkShader(parsed, given);
+  const unit: Unit = { technique, expanded, checked, given };
+  const uses = usesOf(unit, checked.main);
+  if (vertex) refuseLights(unit, vertex);
+  const inVertex = vertex ? printStage(unit, vertex) : null;
+  const inFragment = printStage(unit, surface);
+  const trial = printStage(unit, checked.main);
+  return {
+    vertex: `${inVertex?.text ?? PRINTED_STRUCTS}\n${vertex ? '' : 'void a_vertex(inout a_Vertex v) {}\n'}`,
+    fragment: `${inFragment.text}\n`,
+    trial: trialShader(unit, trial),
+    uniforms: technique.inputs
+      .filter(({ name }) => uses.params.has(name))
+      .map(({ name, type }) => ({ name: `a_${name}`, type: INPUT_TYPES[type] as PassUniform['type'], param: name })),
+  };
+}
+
+/** Calls both functions; text after the author's, so that its lines stay where they are. */
+function mainFor(text: string): string {
+  const vertex = /\bvoid\s+vertex\s*\(/.test(text) ? 'Vertex v; vertex(v);' : '';
+  return `void main() { ${vertex} Surface s; surface(s); }`;
+}
+
+/** Before the check, which gives structs types of its own. */
+function functionOf(shader: ParsedShader, name: string, returns: string, takes: string): FunctionDeclaration | null {
+  for (const declaration of shader.declarations) {
+    if (declaration.kind !== 'function' || declaration.name.text !== name || declaration.body === null) continue;
+    const [parameter, ...others] = declaration.parameters;
+    if (declaration.returnType.name.text === returns && parameter?.type.name.text === takes && others.length === 0) return declaration;
+    throw new GlslError(declaration.name, `"${name}" has to return ${returns} and take one ${takes}.`);
+  }
+  return null;
+}
+
+function namesFor({ checked, given }: Unit): Names {
+  const names = createNames();
+  // First the interface and the inputs, so that their names do not depend on the author's.
+  for (const declaration of checked.declarations) {
+    if (!isInterface(declaration)) continue;
+    if (declaration.kind === 'function') {
+      if (declaration.symbol) names.of(declaration.symbol);
+      continue;
+    }
+    if (declaration.type.struct?.symbol) names.of(declaration.type.struct.symbol);
+    for (const { symbol } of declaration.declarators) if (symbol) names.of(symbol);
+  }
+  for (const symbol of given.values()) names.of(symbol);
+  for (const name of ['vertex', 'surface']) for (const symbol of functionSymbols(checked, name)) names.of(symbol);
+  return names;
+}
+
+function functionSymbols({ declarations }: CheckedShader, name: string) {
+  return declarations.flatMap((declaration) =>
+    declaration.kind === 'function' && declaration.name.text === name && declaration.symbol ? [declaration.symbol] : [],
+  );
+}
+
+function isInterface(declaration: ParsedShader['declarations'][number]): boolean {
+  const { line } = declaration.kind === 'function' ? declaration.name : declaration.start;
+  return line <= INTERFACE_LINES;
+}
+
+function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): Reach {
+  return findReach({ ...unit.checked, main: root }, { passIndex: 0, images: new Map(), names, also: [] });
+}
+
+function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
+  for (const symbol of usesOf(unit, vertex).instances.keys()) {
+    if (symbol.name === INTERFACE_FUNCTION)
+      throw new GlslError(vertex.name, 'Lights are there in "surface" only, not in "vertex".', 'SCR043');
+  }
+}
+
+interface Stage {
+  readonly text: string;
+  readonly head: readonly string[];
+  readonly lines: readonly string[];
+  readonly map: SourceMap['lines'];
+}
+
+/** What one function uses of the author's text. */
+function printStage(unit: Unit, root: FunctionDeclaration): Stage {
+  const names = namesFor(unit);
+  const reach = usesOf(unit, root, names);
+  const context: PrintContext = {
+    writer: createLineWriter(0),
+    names,
+    reach,
+    passIndex: 0,
+    images: new Map(),
+    structs: unit.checked.structs,
+    loopBudget: false,
+    binding: new Map(),
+    returnType: '',
+    found: { discards: false, projects: false },
+  };
+  const own = unit.checked.declarations.filter((declaration) => !isInterface(declaration));
+  printAuthorsText({ ...unit.checked, declarations: own }, context);
+  for (const declaration of own) {
+    if (declaration.kind !== 'variables') continue;
+    for (const declarator of declaration.declarators) {
+      if (declarator.symbol && reach.globals.has(declarator.symbol) && needsHoisting(declarator)) {
+        throw new GlslError(
+          declarator.name,
+          'A variable outside of functions can only start with a constant: set it in "surface" instead.',
+          'SCR043',
+        );
+      }
+    }
+  }
+  const head = [
+    PRINTED_STRUCTS,
+    ...unit.technique.inputs
+      .filter(({ name }) => reach.params.has(name))
+      .map(({ name, type }) => `uniform ${INPUT_TYPES[type]} a_${name};`),
+  ]
+    .join('\n')
+    .split('\n');
+  const map = context.writer.map.map((entry) => {
+    if (entry === null) return null;
+    const place = { line: entry[1], column: entry[2] };
+    const origin = unit.expanded.lines[place.line - 1 - INTERFACE_LINES];
+    return origin ? ([origin[0], origin[1], place.column] as const) : null;
+  });
+  return { text: [...head, ...context.writer.lines].join('\n'), head, lines: context.writer.lines, map };
+}
+
+/** What stands for that which only whoever draws can give. */
+const TRIAL_HEAD = `${FRAGMENT_HEAD}
+uniform vec3 a_EYE;
+uniform vec3 a_AMBIENT;
+uniform int a_LIGHT_COUNT;
+uniform int a_PASSINDEX;`;
+
+const TRIAL_TAIL = `a_Light a_LIGHT(const in int index) { return a_Light(a_EYE, a_AMBIENT, 1.0); }
+void main() {
+  a_main();
+  scrim_output = vec4(0.0);
+}`;
+
+function trialShader({ expanded }: Unit, { head, lines, map }: Stage): LinkedShader {
+  const before = [...TRIAL_HEAD.split('\n'), ...head];
+  const fragment = `${[...before, ...lines, TRIAL_TAIL].join('\n')}\n`;
+  return {
+    id: hashText(`${VERTEX_SHADER}\0${fragment}`),
+    vertex: VERTEX_SHADER,
+    fragment,
+    sourceMap: { sources: expanded.sources, nodes: expanded.sources.map(() => ''), lines: [...before.map(() => null), ...map] },
+  };
+}
+
+function originOf({ sources, lines }: ExpandedText, { line }: Place): [file: string, line: number] {
+  const [source, at] = lines[line - 1 - INTERFACE_LINES] ?? [0, 1];
+  return [sources[source] ?? '', at];
+}

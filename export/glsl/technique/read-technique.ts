@@ -1,0 +1,57 @@
+import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import type { TechniquePass } from '../../program/program.ts';
+import { type Header, items, property, readHeader, textOf } from '../isf/header.ts';
+import { readInputs } from '../isf/read-inputs.ts';
+import type { TechniqueShader } from './technique-shader.ts';
+
+/** Each is one more draw of every object. */
+const MAX_PASSES = 8;
+
+const SIDES: readonly TechniquePass['side'][] = ['object', 'front', 'back', 'both'];
+
+/**
+ * Reads the header of a technique, as leniently as those of ISF files are read. What is wrong comes as SCR040 with line and
+ * column; `output` is null where nothing can be done with the file.
+ */
+export function readTechnique(source: string, file: string): Result<TechniqueShader> {
+  const { header, diagnostics } = readHeader(source, file);
+  if (header === null) return { output: null, diagnostics };
+  const technique: TechniqueShader = {
+    file,
+    source,
+    title: textOf(property(header.root, 'SCRIM_TITLE')),
+    description: textOf(property(header.root, 'DESCRIPTION'))?.trim() ?? '',
+    credit: textOf(property(header.root, 'CREDIT'))?.trim() ?? '',
+    categories: items(property(header.root, 'CATEGORIES'))
+      .map(textOf)
+      .filter((category) => category !== null),
+    inputs: readValues(header),
+    passes: readPasses(header),
+  };
+  return { output: hasErrors(diagnostics) ? null : technique, diagnostics };
+}
+
+/** Inputs that are values; of the others, each is a mistake. */
+function readValues(header: Header): TechniqueShader['inputs'] {
+  const nodes = items(property(header.root, 'INPUTS'));
+  return readInputs(header).filter((input) => {
+    if (['bool', 'long', 'float', 'point2D', 'color'].includes(input.type)) return true;
+    const node = nodes.find((one) => textOf(property(one, 'NAME'))?.trim() === input.name) ?? header.root;
+    header.error(node, `The input "${input.name}" is of TYPE "${input.type}", which techniques cannot take yet.`);
+    return false;
+  });
+}
+
+function readPasses(header: Header): readonly TechniquePass[] {
+  const list = property(header.root, 'PASSES');
+  if (list !== undefined && list.type !== 'array') header.error(list, 'PASSES has to be a list: [ { "SIDE": "back" }, { } ].');
+  const nodes = items(list);
+  if (nodes.length > MAX_PASSES && list) header.error(list, `The technique has more than ${MAX_PASSES} passes.`);
+  const passes = nodes.map((node): TechniquePass => {
+    const written = property(node, 'SIDE');
+    const side = SIDES.find((one) => one === textOf(written));
+    if (written !== undefined && side === undefined) header.error(written, 'SIDE has to be "front", "back", "both" or "object".');
+    return { side: side ?? 'object' };
+  });
+  return passes.length === 0 ? [{ side: 'object' }] : passes;
+}

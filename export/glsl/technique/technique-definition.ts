@@ -1,0 +1,20 @@
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import { paramsOf, titleFrom } from '../isf/isf-definition.ts';
+import type { TechniqueShader } from './technique-shader.ts';
+
+/** The node type that a technique file is: `gooch` gives `technique/gooch`. */
+export function techniqueDefinition(technique: TechniqueShader, name: string): NodeDefinition {
+  const title = technique.title ?? titleFrom(name);
+  return {
+    type: `technique/${name}`,
+    version: 1,
+    title,
+    doc: technique.description || `${title}, a technique.`,
+    ...(technique.categories.length > 0 ? { keywords: technique.categories.map((category) => category.toLowerCase()) } : {}),
+    inputs: {},
+    outputs: { technique: { type: 'technique', label: 'Technique', doc: 'What to draw objects with, for “Apply technique”.' } },
+    params: paramsOf(technique.inputs),
+    lowering: { kind: 'technique', shader: technique.file },
+    ...(technique.credit === '' ? {} : { credit: technique.credit }),
+  };
+}

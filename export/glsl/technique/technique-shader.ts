@@ -1,0 +1,23 @@
+import type { TechniquePass } from '../../program/program.ts';
+import type { IsfInput } from '../isf/isf-shader.ts';
+
+/** A technique file as its header describes it. The GLSL below the header is not read yet: `linkTechnique` does that. */
+export interface TechniqueShader {
+  /** Name in the library or project: `techniques/gooch.glsl`. */
+  readonly file: string;
+  /** The whole text, header included, so that lines count as the author sees them. */
+  readonly source: string;
+  readonly title: string | null;
+  readonly description: string;
+  readonly credit: string;
+  readonly categories: readonly string[];
+  /** Numbers, toggles, choices, points and colours. */
+  readonly inputs: readonly IsfInput[];
+  /** At least one. */
+  readonly passes: readonly TechniquePass[];
+}
+
+/** Techniques are told from ISF files by their ending. */
+export function isTechniqueFile(file: string): boolean {
+  return file.endsWith('.glsl');
+}

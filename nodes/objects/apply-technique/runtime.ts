@@ -1,0 +1,42 @@
+import { deriveObjects } from '../../kit/derive-objects.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { AppliedTechnique } from '../../kit/technique-view.ts';
+import type { definition } from './definition.ts';
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { objects: output } = ctx.outputs;
+  const { technique } = ctx.inputs;
+  const materials = namesIn(ctx.config.materials);
+  const applied: AppliedTechnique | null = technique && { technique, materials };
+  let version = technique?.version;
+  let listed = -1;
+  const derived = deriveObjects(output, () => {});
+
+  /** What the objects were drawn with before counts where this is not for their material. */
+  function applyToAll(): void {
+    if (applied) for (const item of output.items) item.techniques = [...(item.techniques ?? []), applied];
+  }
+
+  return {
+    update: () => {
+      derived.update(ctx.inputs.objects);
+      if (output.version !== listed) {
+        applyToAll();
+      } else if (technique?.version !== version) {
+        // The same objects, in another look.
+        output.version++;
+      }
+      version = technique?.version;
+      listed = output.version;
+    },
+    dispose: () => {},
+  };
+}
+
+function namesIn(text: string): readonly string[] | null {
+  const names = text
+    .split(',')
+    .map((name) => name.trim())
+    .filter((name) => name !== '');
+  return names.length === 0 ? null : names;
+}

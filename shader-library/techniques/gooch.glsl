@@ -1,0 +1,39 @@
+/*{
+  "DESCRIPTION": "Shades objects from a cool to a warm tone, as technical illustrations do: what faces the light is warm, what faces away is cool, and nothing is black, so that shape reads everywhere. The strongest light counts; without lights it comes from the eye.",
+  "CREDIT": "Scrim. Gooch, Gooch, Shirley, Cohen: A Non-Photorealistic Lighting Model for Automatic Technical Illustration, SIGGRAPH 1998, section 4.2",
+  "CATEGORIES": ["Illustration", "Technical", "NPR", "Cool", "Warm", "Tone", "CAD"],
+  "INPUTS": [
+    { "NAME": "coolColor", "TYPE": "color", "LABEL": "Cool", "DOC": "Tone of what faces away from the light.", "DEFAULT": [0.1, 0.2, 0.75, 1.0] },
+    { "NAME": "warmColor", "TYPE": "color", "LABEL": "Warm", "DOC": "Tone of what faces the light.", "DEFAULT": [0.85, 0.7, 0.15, 1.0] },
+    { "NAME": "coolShare", "TYPE": "float", "LABEL": "Own colour, cool", "DOC": "How much of the object's own colour is added to the cool tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
+    { "NAME": "warmShare", "TYPE": "float", "LABEL": "Own colour, warm", "DOC": "How much of it is added to the warm tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "highlight", "TYPE": "float", "LABEL": "Highlight", "DOC": "Strength of the white highlight.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How small the highlight is: Phong's exponent.", "MIN": 1.0, "MAX": 200.0, "DEFAULT": 40.0 }
+  ]
+}*/
+#include <light/strength>
+
+Light strongest(const in Surface s) {
+  Light best = Light(s.towardsEye, vec3(1.0), 1.0);
+  float strength = 0.0;
+  for (int i = 0; i < LIGHT_COUNT; i++) {
+    Light light = LIGHT(i);
+    if (lightStrength(light) <= strength) continue;
+    strength = lightStrength(light);
+    best = light;
+  }
+  return best;
+}
+
+vec4 surface(const in Surface s) {
+  Light light = strongest(s);
+  float facing = dot(s.normal, light.towards);
+  // In shadow a surface is no warmer than one that the light just grazes.
+  float reached = facing > 0.0 ? facing * light.lit : facing;
+  vec3 cool = coolColor.rgb + coolShare * s.color.rgb;
+  vec3 warm = warmColor.rgb + warmShare * s.color.rgb;
+  vec3 tone = mix(cool, warm, 0.5 + 0.5 * reached);
+  float mirrored = max(dot(reflect(-light.towards, s.normal), s.towardsEye), 0.0);
+  float shine = facing > 0.0 ? highlight * light.lit * pow(mirrored, sharpness) : 0.0;
+  return vec4(mix(tone, vec3(1.0), shine), s.color.a);
+}

@@ -1,0 +1,168 @@
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import type { Sample } from './techniques.page.ts';
+
+const chromium = useBrowser();
+let page: PageModule;
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/techniques.page.ts');
+}, 60_000);
+afterAll(async () => {
+  await page.close();
+  expect(page.errors).toEqual([]);
+});
+
+const NO_ERROR = 0;
+
+/** IEC 61966-2-1. */
+function linear(c: number): number {
+  return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+}
+function encoded(c: number): number {
+  const v = Math.min(Math.max(c, 0), 1);
+  return 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+}
+
+/** Gooch et al. 1998, equations 1 and 2, in linear light, and Phong's highlight over it in white. */
+function goochByHand({ facing, mirrored }: Sample, highlight: number, sharpness: number): number[] {
+  const cool = [0.1, 0.2, 0.75];
+  const warm = [0.85, 0.7, 0.15];
+  const own = [0x80, 0x80, 0xc0];
+  const shine = facing > 0 ? highlight * mirrored ** sharpness : 0;
+  const mixed = cool.map((value, i) => {
+    const color = linear((own[i] ?? 0) / 255);
+    const kCool = linear(value) + 0.25 * color;
+    const kWarm = linear(warm[i] ?? 0) + 0.5 * color;
+    const tone = ((1 + facing) / 2) * kWarm + (1 - (1 + facing) / 2) * kCool;
+    return encoded(tone * (1 - shine) + shine);
+  });
+  return [...mixed, 255];
+}
+
+describe('technique/gooch', () => {
+  test.each([
+    ['the sun', null],
+    ['a lamp', [1.5, 1, 2]],
+  ])('on a sphere under %s is the formula of the paper, with and without highlight', async (_, lamp) => {
+    for (const [highlight, sharpness] of [
+      [0, 40],
+      [0.7, 40],
+    ] as const) {
+      const { samples, error } = await page.call<{ samples: Sample[]; error: number }>('goochSphere', { highlight, sharpness }, lamp);
+      expect(error).toBe(NO_ERROR);
+      expect(samples.length).toBeGreaterThan(300);
+      for (const sample of samples) {
+        const wanted = goochByHand(sample, highlight, sharpness);
+        const worst = Math.max(...sample.color.map((value, i) => Math.abs(value - (wanted[i] ?? Number.NaN))));
+        // The sphere is made of triangles, so its normals are a little off where they turn quickly.
+        if (!(worst <= 3))
+          throw new Error(`At ${sample.facing} it shows ${sample.color.join()} instead of ${wanted.map(Math.round).join()}.`);
+      }
+    }
+  });
+
+  test('gets warmer and less blue the more a surface faces the light', async () => {
+    const { samples } = await page.call<{ samples: Sample[] }>('goochSphere', { highlight: 0 }, null);
+    const sorted = [...samples].sort((a, b) => a.facing - b.facing);
+    let warmest = 0;
+    let bluest = 255;
+    for (const { color } of sorted) {
+      const [red = 0, , blue = 0] = color;
+      expect(red).toBeGreaterThanOrEqual(warmest - 2);
+      expect(blue).toBeLessThanOrEqual(bluest + 2);
+      warmest = Math.max(warmest, red);
+      bluest = Math.min(bluest, blue);
+    }
+    expect((sorted.at(-1)?.color[0] ?? 0) - (sorted[0]?.color[0] ?? 0)).toBeGreaterThan(40);
+  });
+});
+
+interface ToonSphere {
+  readonly colors: readonly (readonly [color: string, count: number])[];
+  readonly outside: { readonly outline: number; readonly other: number };
+  readonly error: number;
+}
+
+describe('technique/toon', () => {
+  test.each([1, 2, 3, 5])('%d levels are that many colours on a sphere', async (levels) => {
+    const { colors, outside, error } = await page.call<ToonSphere>('toonSphere', levels, 0);
+    expect(error).toBe(NO_ERROR);
+    const steps = Array.from({ length: levels }, (_, i) => Math.round(encoded(levels === 1 ? 1 : 0.25 + (0.75 * i) / (levels - 1))));
+    const reds = colors.map(([color]) => Number(color.split(',')[0])).sort((a, b) => a - b);
+    expect(reds).toEqual(steps);
+    expect(outside).toEqual({ outline: 0, other: 0 });
+  });
+
+  test('the outline stands around the sphere and not on it', async () => {
+    const { colors, outside, error } = await page.call<ToonSphere>('toonSphere', 3, 0.05);
+    expect(error).toBe(NO_ERROR);
+    expect(outside.other).toBe(0);
+    // A ring of 5 cm around 1 m: 10 % of the disc's area, whatever its size on screen.
+    const disc = colors.reduce((sum, [, count]) => sum + count, 0);
+    expect(outside.outline / disc).toBeGreaterThan(0.09);
+    expect(outside.outline / disc).toBeLessThan(0.13);
+    const onIt = colors.find(([color]) => color === '255,0,0,255')?.[1] ?? 0;
+    expect(onIt / disc).toBeLessThan(0.01);
+  });
+});
+
+describe('a technique is drawn', () => {
+  test.each(['skinned', 'morphing', 'instanced'])('on %s objects where their own materials are', async (kind) => {
+    interface Moving {
+      readonly covered: number;
+      readonly moved: number;
+      readonly wrong: number;
+      readonly error: number;
+    }
+    const { covered, moved, wrong, error } = await page.call<Moving>('moving', kind);
+    expect(error).toBe(NO_ERROR);
+    expect(covered).toBeGreaterThan(500);
+    expect(moved).toBeGreaterThan(100);
+    expect(wrong).toBe(0);
+  });
+
+  test('with normals that bones turn', async () => {
+    const { bent, straight, error } = await page.call<{ bent: number[]; straight: number[]; error: number }>('bentNormals');
+    expect(error).toBe(NO_ERROR);
+    expect(bent).toEqual(straight);
+    expect(bent[3]).toBe(255);
+  });
+
+  test('with shadows on it, where it receives them', async () => {
+    const tone = (facing: number) => [encoded(0.5 + facing / 2), encoded(0.5 + facing / 2), encoded(0.5 - facing / 2), 255].map(Math.round);
+    const lit = tone(Math.SQRT1_2);
+    const { shadow, lit: beside, error } = await page.call<{ shadow: number[]; lit: number[]; error: number }>('shadowed', true);
+    expect(error).toBe(NO_ERROR);
+    expect(shadow).toEqual(tone(0));
+    expect(beside).toEqual(lit);
+    expect(await page.call('shadowed', false)).toEqual({ shadow: lit, lit, error: NO_ERROR });
+  });
+
+  test('cut by the room while it is drawn, hard and soft, as other objects are', async () => {
+    interface Halves {
+      readonly styled: readonly number[][];
+      readonly own: readonly number[];
+      readonly error: number;
+    }
+    const hard = await page.call<Halves>('occluded', 0);
+    expect(hard.error).toBe(NO_ERROR);
+    expect(hard.own).toEqual([0, 255]);
+    expect(hard.styled.map((color) => color[3])).toEqual([0, 255]);
+    const soft = await page.call<Halves>('occluded', 0.2);
+    expect(soft.styled.map((color) => color[3])).toEqual(soft.own);
+    const [faded = [], whole = []] = soft.styled;
+    expect(faded[3]).toBeGreaterThan(100);
+    expect(faded[3]).toBeLessThan(155);
+    // Premultiplied: colour fades with alpha.
+    expect(Math.abs((faded[0] ?? 0) - ((whole[0] ?? 0) * (faded[3] ?? 0)) / 255)).toBeLessThanOrEqual(1);
+  });
+
+  test('for the materials that are named, and with the opacity of the object', async () => {
+    expect(await page.call('parts')).toEqual({
+      front: [255, 0, 0, 255],
+      side: [0, 255, 0, 255],
+      veil: [153, 0, 0, 153],
+      error: NO_ERROR,
+    });
+  });
+});
