@@ -17,3 +17,9 @@ declare module '*?url' {
   const url: string;
   export default url;
 }
+
+// Comes without types; its modules are handed to glTF-Transform as they are.
+declare module 'draco3dgltf' {
+  const draco3d: { createEncoderModule(): Promise<unknown> };
+  export default draco3d;
+}

@@ -258,10 +258,15 @@ export function normalising(root: Object3D): Matrix4 {
   return new Matrix4().makeScale(scale, scale, scale).multiply(translation(-sphere.center.x, -sphere.center.y, -sphere.center.z));
 }
 
-export async function loadUrl(backend: SceneBackend, url: string): Promise<LoadedModel> {
+/** Reads a file beside the page. */
+export async function fetchFile(url: string): Promise<ArrayBuffer> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  return await backend.loadModel(await response.arrayBuffer(), url, fetchFile);
+  return response.arrayBuffer();
+}
+
+export async function loadUrl(backend: SceneBackend, url: string): Promise<LoadedModel> {
+  return await backend.loadModel(await fetchFile(url), url, fetchFile);
 }
 
 const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];

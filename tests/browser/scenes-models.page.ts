@@ -7,6 +7,7 @@ import {
   createLayer,
   createStand,
   drawView,
+  fetchFile,
   HEIGHT,
   item,
   lights,
@@ -66,7 +67,7 @@ export async function show(url: string) {
 export async function refusal(url: string, keepBytes: number): Promise<string> {
   const { backend } = createStand();
   const bytes = (await (await fetch(url)).arrayBuffer()).slice(0, keepBytes);
-  return await backend.loadModel(bytes, url).then(
+  return await backend.loadModel(bytes, url, fetchFile).then(
     () => 'loaded',
     (error: unknown) => String(error),
   );
@@ -112,10 +113,10 @@ export async function embedded() {
   canvas.height = 1;
   const context = canvas.getContext('2d');
   context?.putImageData(new ImageData(new Uint8ClampedArray([255, 128, 0, 128]), 1, 1), 0, 0);
-  const model = await stand.backend.loadModel(embeddedSquare(canvas.toDataURL('image/png')), 'square.gltf');
+  const model = await stand.backend.loadModel(embeddedSquare(canvas.toDataURL('image/png')), 'square.gltf', fetchFile);
   const color = pixel(draw(stand, model.instantiate()), WIDTH / 2, HEIGHT / 2);
   model.dispose();
-  const broken = await stand.backend.loadModel(embeddedSquare('data:image/png;base64,AAAA'), 'square.gltf').then(
+  const broken = await stand.backend.loadModel(embeddedSquare('data:image/png;base64,AAAA'), 'square.gltf', fetchFile).then(
     () => 'loaded',
     (error: unknown) => String(error),
   );

@@ -28,6 +28,12 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR031: 'Copy the file into the project’s `assets` folder and choose it from there.',
   SCR032: 'Open the file in the program that made it and save it again: pictures as PNG, JPEG or WebP, models as glTF 2.0 (.glb).',
   SCR033: 'Choose a file of the kind that the param asks for.',
+  SCR034:
+    'Reduce its triangles or its textures in the program that made it; the message says which of them and how far. It works as it is, but slowly on phones, or not on all.',
+  SCR035:
+    'Where the model stands for a real thing (as a phantom) or casts shadows, close its holes in a 3D program; elsewhere nothing has to be done.',
+  SCR036:
+    'Nothing has to be done: the page has the model as it is. Saving it again from the program that made it often lets it be compressed.',
   SCR040: 'Mend the JSON in the shader’s first comment at the line that the message names.',
   SCR041: 'Mend the line that the message names; until then the last version that worked goes on running.',
   SCR042: 'Mend the line that the message names: the graphics driver refused it; until then the last version that worked goes on running.',

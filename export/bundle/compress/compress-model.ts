@@ -1,6 +1,6 @@
 import { type Document, NodeIO, type Texture } from '@gltf-transform/core';
 import { ALL_EXTENSIONS, EXTMeshoptCompression, KHRTextureBasisu } from '@gltf-transform/extensions';
-import { dedup, getTextureColorSpace, listTextureSlots, prune, quantize, reorder, resample, weld } from '@gltf-transform/functions';
+import { dedup, getTextureColorSpace, listTextureSlots, prune, quantize, reorder, weld } from '@gltf-transform/functions';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { neededDecoders } from '../../gltf/decoders.ts';
 import { pictureSize } from '../../gltf/picture-size.ts';
@@ -17,8 +17,8 @@ const PRECISION = { quantizePosition: 14, quantizeTexcoord: 14, quantizeNormal: 
 
 /**
  * Compresses a whole model (one GLB, nothing beside it) without anything to see: duplicates and what nothing refers to go, equal
- * vertices and key frames that lie between others are merged, the rest is packed. Nodes, clips, skins and morph targets stay, with their
- * names. The same bytes give the same bytes. Rejects where glTF-Transform cannot read the model.
+ * vertices are merged, the rest is packed. Key frames stay: leaving out those that lie between others (`resample`) moved RobotExpressive's
+ * head by pixels. Nodes, clips, skins and morph targets stay, with their names. The same bytes give the same bytes. Rejects where glTF-Transform cannot read the model.
  */
 export async function compressModel(bytes: Uint8Array): Promise<CompressedModel> {
   const { document } = readGltf(bytes);
@@ -32,7 +32,6 @@ export async function compressModel(bytes: Uint8Array): Promise<CompressedModel>
     dedup({ keepUniqueNames: true }),
     prune({ keepLeaves: true, keepAttributes: true, keepSolidTextures: true, keepExtras: true }),
     weld(),
-    resample(),
     reorder({ encoder: MeshoptEncoder, target: 'size' }),
     // Its own cleaning up would take nodes without a mesh away, which clips and constraints may name.
     quantize({ ...PRECISION, cleanup: false }),

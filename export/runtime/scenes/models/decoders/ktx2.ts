@@ -1,6 +1,7 @@
 import type { Texture, WebGLRenderer } from 'three';
 import type { DecoderFiles, ModelDecoder } from './decoder.ts';
 import { preloaded } from './preloaded.ts';
+import { withoutEval } from './without-eval.ts';
 
 /** `KHR_texture_basisu`: Basis Universal's transcoder as WebAssembly, in workers. Pictures stay packed on the GPU. */
 export async function openKtx2(files: DecoderFiles, renderer: WebGLRenderer): Promise<ModelDecoder> {
@@ -10,7 +11,7 @@ export async function openKtx2(files: DecoderFiles, renderer: WebGLRenderer): Pr
   ktx2.setTranscoderPath(folder);
   const contents = await Promise.all([files('basis/basis_transcoder.js'), files('basis/basis_transcoder.wasm')]);
   const named = {
-    [`${folder}basis_transcoder.js`]: new TextDecoder().decode(contents[0]),
+    [`${folder}basis_transcoder.js`]: withoutEval(new TextDecoder().decode(contents[0])),
     [`${folder}basis_transcoder.wasm`]: contents[1],
   };
   preloaded(named, () => ktx2.init());
