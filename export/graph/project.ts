@@ -64,14 +64,18 @@ export type Binding =
 
 export type ParamValue = number | boolean | string | readonly number[];
 
+/** In the order of time. Before its first key a track has that key's value. */
 export interface Track {
   readonly keys: readonly Keyframe[];
+  /** After the last key: stay there, begin anew at the first, or go back and forth. */
   readonly repeat: 'once' | 'loop' | 'mirror';
 }
 
 export interface Keyframe {
+  /** Since the session began. */
   readonly timeS: number;
   readonly value: number | readonly number[];
+  /** On the way to the next key: curves as CSS has them; `step` waits until the next key. */
   readonly easing: 'linear' | 'step' | 'ease-in' | 'ease-out' | 'ease-in-out';
 }
 
