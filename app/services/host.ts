@@ -125,7 +125,13 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   return {
     content,
     dispatch: (method, input, client = '') => dispatch(handlers, method, input, client, log),
-    attend: clients.attend,
+    attend: (client) => {
+      const leave = clients.attend(client);
+      return () => {
+        leave();
+        if (!clients.isThere(client)) projects.left(client);
+      };
+    },
     subscribe: (listener) => {
       listeners.add(listener);
       return () => listeners.delete(listener);

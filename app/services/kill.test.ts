@@ -66,7 +66,7 @@ beforeAll(async () => {
     mainFields: ['module', 'main'],
     external: ['esbuild', 'playwright-core'],
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    banner: { js: "import { createRequire } from 'node:module'; const require = createRequire(import.meta.url);" },
+    banner: { js: "import { createRequire as saverRequire } from 'node:module'; const require = saverRequire(import.meta.url);" },
     logLevel: 'error',
   });
   // Where the packages are that the bundle leaves outside.

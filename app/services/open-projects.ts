@@ -20,6 +20,8 @@ export interface OpenProjects {
   saveAs(handle: string, path: string, files: ProjectFiles, client: string): Promise<OpenProject>;
   autosave(handle: string, files: ProjectFiles | null): Promise<void>;
   close(handle: string): void;
+  /** The window or tab is gone, and has closed nothing. */
+  left(client: string): void;
   /** The real folder of an open project. Throws SCR073. */
   rootOf(handle: string): string;
   /** Where the preview reads the project's files; ends in `/`. */
@@ -78,15 +80,18 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
 
   const openAt = async (root: string, displayPath: string, client: string): Promise<OpenProject> => {
     await settleFolder(root, files);
-    const projectFiles = await readProjectFiles(root);
     const handle = randomBytes(16).toString('hex');
+    // Watched before it is read: what changes in between is noticed.
+    const watcher = watchProject(root, (revision) => void noticed(handle, revision));
+    const projectFiles = await readProjectFiles(root).catch((error: unknown) => {
+      watcher.dispose();
+      throw error;
+    });
     const mount = `projects/${randomBytes(16).toString('hex')}`;
     const hide = content.show(mount, root);
-    const watcher = watchProject(root, (revision) => void noticed(handle, revision));
     const revision = revisionOf(projectFiles);
     const baseUrl = `${previewOrigin}/${mount}/`;
-    const [oldest] = entries.keys();
-    if (oldest !== undefined && entries.size >= MAX_OPEN) close(oldest);
+    makeRoom();
     const release = () => {
       watcher.dispose();
       hide();
@@ -98,6 +103,14 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     const assetFiles = await listAssets(root);
     const openElsewhere = isShownBeside(root, client) || (await isShownByOthers(root));
     return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
+  };
+
+  const makeRoom = () => {
+    if (entries.size < MAX_OPEN) return;
+    const abandoned = [...entries].find(([, { client }]) => !isThere(client))?.[0];
+    const [oldest] = entries.keys();
+    const closed = abandoned ?? oldest;
+    if (closed !== undefined) close(closed);
   };
 
   const isMinded = (handle: string): boolean => {
@@ -149,6 +162,9 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
       );
     },
     close,
+    left: (client) => {
+      for (const [handle, entry] of entries) if (entry.client === client) takeSignAway(entry.root, handle);
+    },
     rootOf: (handle) => entryOf(handle).root,
     baseUrlOf: (handle) => entryOf(handle).baseUrl,
     dispose: () => {

@@ -42,6 +42,7 @@ describe('two windows on one project', () => {
     expect((await openWindow(host, 'b2').call('project.open', { path: project })).openElsewhere).toBe(true);
     first.leave();
     await second.call('project.close', { handle: there.handle });
+    expect((await readdir(join(project, '.scrim'))).filter((name) => name.startsWith('window-'))).toHaveLength(1);
     stopHosts();
     expect((await openWindow(startHost(), 'c').call('project.open', { path: project })).openElsewhere).toBe(false);
   });
@@ -94,6 +95,18 @@ describe('two windows on one project', () => {
     first.leave();
     expect((await openWindow(host, 'b').call('project.open', { path: project })).recovery).toBeNull();
   });
+});
+
+test('what reloaded pages left open makes room, what a window shows stays open', async () => {
+  const host = startHost();
+  const window = openWindow(host, 'stays');
+  const { handle, files, revision } = await window.call('project.open', { path: project });
+  for (let i = 0; i < 40; i++) {
+    const page = openWindow(host, `page${i}`);
+    await page.call('project.open', { path: project });
+    page.leave();
+  }
+  await window.call('project.save', { handle, files: retitled(files, 'Still open'), revision, overwrite: false });
 });
 
 describe('two processes on one project', () => {
