@@ -1,4 +1,5 @@
 import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
+import { createSessionInput } from './sessions/input/session-input.ts';
 
 /** Where the player is within a frame; one object, changed as it goes on. */
 export interface PlayState {
@@ -10,8 +11,6 @@ export interface PlayState {
   widthPx: number;
   heightPx: number;
 }
-
-import { createSessionInput } from './sessions/input/session-input.ts';
 
 export const EMPTY_FRAME: SessionFrame = {
   index: 0,

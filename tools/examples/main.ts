@@ -1,6 +1,10 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
+import { saveProject } from '../../export/graph/save.ts';
+import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
+import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { ToolMain } from '../lib/tool.ts';
+import { makeGallery } from './gallery.ts';
 import { makeRobot } from './robot.ts';
 
 /** Projects are whole folders, so each has the model for itself. */
@@ -8,11 +12,28 @@ const ROBOT_PATHS = ['examples/first-light/assets/robot.glb', 'examples/template
 
 /** Makes the files in `examples/` that nobody drew by hand. */
 export const main: ToolMain = async (_args, { root }) => {
-  const bytes = await makeRobot();
-  for (const path of ROBOT_PATHS) {
+  await place(root, ROBOT_PATHS, await makeRobot());
+  await placeGallery(root);
+  return 0;
+};
+
+async function placeGallery(root: string): Promise<void> {
+  const byType = new Map<string, NodeDefinition>(DEFINITIONS.map((definition) => [definition.type, definition]));
+  const library: NodeLibrary = {
+    definition: (type) => byType.get(type),
+    shader: (name) => SHADERS[name],
+    types: () => byType.keys(),
+  };
+  const { project, layout } = saveProject(makeGallery(library));
+  const text = new TextEncoder();
+  await place(root, ['examples/gallery/project.scrim.json'], text.encode(project));
+  await place(root, ['examples/gallery/project.layout.json'], text.encode(layout));
+}
+
+async function place(root: string, paths: readonly string[], bytes: Uint8Array): Promise<void> {
+  for (const path of paths) {
     await mkdir(dirname(join(root, path)), { recursive: true });
     await writeFile(join(root, path), bytes);
     console.log(`${path}: ${bytes.length} bytes`);
   }
-  return 0;
-};
+}

@@ -44,7 +44,7 @@ export const LAYERS: readonly Layer[] = [
   // Build configurations may stand in the folder that they build; they belong to no layer of it.
   { name: 'configuration', files: ['**/*.config.{mjs,ts}', '*.d.ts'], packages: ['vite', '@vitejs/plugin-react', 'node:*'] },
 
-  { name: 'kit', files: ['nodes/kit/{definition,diagnostics,expression,wire-types}.ts'] },
+  { name: 'kit', files: ['nodes/kit/{choice-options,definition,diagnostics,expression,wire-types}.ts'] },
   { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['program', 'three'] },
   { name: 'registry of definitions', files: ['nodes/generated/definitions.gen.ts'], imports: ['kit', 'node definition'] },
   { name: 'registry of runtimes', files: ['nodes/generated/runtimes.gen.ts'], imports: ['kit runtime', 'node'] },
@@ -156,7 +156,7 @@ export const LAYERS: readonly Layer[] = [
     name: 'makers of examples',
     files: ['tools/{examples,sessions}/**'],
     // The studio is filmed in a browser, by the emulator's own means.
-    imports: ['kit', 'graph', 'recorded session format', 'tools', 'services', 'emulator'],
+    imports: ['kit', 'graph', 'registry of definitions', 'recorded session format', 'tools', 'services', 'emulator'],
     packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'esbuild', 'playwright-core'],
   },
   {
