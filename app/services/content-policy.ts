@@ -33,6 +33,8 @@ export function previewHeaders(origins: Origins): Record<string, string> {
     "script-src 'self' 'wasm-unsafe-eval'",
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' blob: data:",
+    // Videos are played from memory.
+    'media-src blob:',
     "connect-src 'self'",
     "worker-src 'self' blob:",
     "base-uri 'none'",

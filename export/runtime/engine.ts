@@ -66,7 +66,7 @@ export function createEngine(options: EngineOptions): Engine {
   };
   const tools = new Map<string, GlProgram>();
   let probe: LoopProbe | null = null;
-  const assets = createAssetStore(objects, options.assets, scenes);
+  const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay });
   return {
     objects,
     programs,

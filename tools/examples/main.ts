@@ -5,15 +5,22 @@ import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { makeGallery } from './gallery.ts';
+import { makeFilm } from './make-film.ts';
 import { makeRobot } from './robot.ts';
+import { makeSky } from './sky.ts';
 
 /** Projects are whole folders, so each has the model for itself. */
 const ROBOT_PATHS = ['examples/first-light/assets/robot.glb', 'examples/templates/occlusion/assets/robot.glb'];
 
-/** Makes the files in `examples/` that nobody drew by hand. */
+const SKY_PATHS = ['nodes/source/panorama/example/assets/sky.hdr', 'nodes/light/environment/example/assets/sky.hdr'];
+const FILM_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
+
+/** Makes the files of examples that nobody drew by hand. */
 export const main: ToolMain = async (_args, { root }) => {
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeGallery(root);
+  await place(root, SKY_PATHS, makeSky());
+  await place(root, FILM_PATHS, await makeFilm(root));
   return 0;
 };
 

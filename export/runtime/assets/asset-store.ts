@@ -2,6 +2,7 @@ import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/runtime.ts';
 import type { ProgramAsset } from '../../program/program.ts';
+import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import type { LoadedEnvironment, LoadedModel, SceneBackend } from '../scene-backend.ts';
 import type { AssetSource } from './asset-source.ts';
@@ -34,7 +35,15 @@ interface Entry {
   readonly settled: Promise<void>;
 }
 
-export function createAssetStore(objects: GlObjects, source: AssetSource, scenes: () => SceneBackend): AssetStore {
+/** What files are loaded and decoded with. */
+export interface AssetMeans {
+  readonly objects: GlObjects;
+  readonly source: AssetSource;
+  readonly scenes: () => SceneBackend;
+  readonly delay: FrameClock['delay'];
+}
+
+export function createAssetStore(means: AssetMeans): AssetStore {
   const entries = new Map<string, Entry>();
 
   const acquire = (asset: ProgramAsset): Entry => {
@@ -54,7 +63,7 @@ export function createAssetStore(objects: GlObjects, source: AssetSource, scenes
     entry.value = null;
   };
   const start = (asset: ProgramAsset): Entry => {
-    const entry: Entry = { asset, users: 0, value: null, failure: null, settled: load(asset, objects, source, scenes).then(finish) };
+    const entry: Entry = { asset, users: 0, value: null, failure: null, settled: load(asset, means).then(finish) };
     function finish(result: LoadResult): void {
       if (result.kind === 'failed') entry.failure = result.failure;
       // All users may be gone before the file is here.
@@ -121,32 +130,26 @@ type LoadResult =
   | { readonly kind: 'loaded'; readonly value: Loaded }
   | { readonly kind: 'failed'; readonly failure: Omit<Diagnostic, 'nodeId'> };
 
-async function load(asset: ProgramAsset, objects: GlObjects, source: AssetSource, scenes: () => SceneBackend): Promise<LoadResult> {
+async function load(asset: ProgramAsset, means: AssetMeans): Promise<LoadResult> {
   let bytes: ArrayBuffer;
   try {
-    bytes = await source.load(asset.path);
+    bytes = await means.source.load(asset.path);
   } catch (error) {
     return { kind: 'failed', failure: unreadable(asset, error) };
   }
   try {
-    return { kind: 'loaded', value: await decode(asset, bytes, objects, source, scenes) };
+    return { kind: 'loaded', value: await decode(asset, bytes, means) };
   } catch (error) {
     return { kind: 'failed', failure: undecodable(asset, error) };
   }
 }
 
-function decode(
-  { kind, path }: ProgramAsset,
-  bytes: ArrayBuffer,
-  objects: GlObjects,
-  source: AssetSource,
-  scenes: () => SceneBackend,
-): Promise<Loaded> {
+function decode({ kind, path }: ProgramAsset, bytes: ArrayBuffer, { objects, source, scenes, delay }: AssetMeans): Promise<Loaded> {
   switch (kind) {
     case 'image':
       return loadImage(objects, bytes);
     case 'video':
-      return loadVideo(objects, bytes);
+      return loadVideo(objects, bytes, delay);
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':

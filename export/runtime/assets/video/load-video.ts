@@ -1,4 +1,5 @@
 import type { VideoAsset } from '../../../../nodes/kit/runtime.ts';
+import type { FrameClock } from '../../clock.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { createPlayback } from './playback.ts';
 import { createVideoElement, VideoError, videoError } from './video-element.ts';
@@ -13,7 +14,7 @@ export interface LoadedVideo extends VideoAsset {
  *
  * @throws VideoError, by rejection, where the browser cannot play it
  */
-export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer): Promise<LoadedVideo> {
+export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer, delay: FrameClock['delay']): Promise<LoadedVideo> {
   const url = URL.createObjectURL(new Blob([bytes], { type: mediaTypeOf(bytes) }));
   try {
     const { durationS, widthPx, heightPx } = await measure(url);
@@ -21,7 +22,7 @@ export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer): Promise
       durationS,
       widthPx,
       heightPx,
-      open: (onProblem) => createPlayback(objects, url, durationS, onProblem),
+      open: (onProblem) => createPlayback({ objects, url, durationS, delay }, onProblem),
       dispose: () => URL.revokeObjectURL(url),
     };
   } catch (error) {

@@ -13,7 +13,7 @@ import {
 import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
-import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
+import { isCutOff, PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
 
 /** At 4096 rows, 16-bit floats with their mipmaps take 350 MB. */
 const MAX_WIDTH_PX = 8192;
@@ -39,14 +39,16 @@ export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number): Pr
   return { texture, widthPx, heightPx, dispose: () => disposeTexture(texture) };
 }
 
-function readRadiance(bytes: ArrayBuffer, { format, widthPx, heightPx }: RadianceHeader, maxPx: number): DataTexture {
+function readRadiance(bytes: ArrayBuffer, header: RadianceHeader, maxPx: number): DataTexture {
+  const { widthPx, heightPx } = header;
   if (widthPx < 1 || heightPx < 1) throw new PanoramaError('it has no pixels. Export it again');
   if (widthPx > maxPx || heightPx > maxPx) {
     throw new PanoramaError(
       `it has ${widthPx} × ${heightPx} pixels, and at most ${maxPx} a side can be shown. 4096 × 2048 is sharp enough for a sky`,
     );
   }
-  const { data, width, height, format: channels, flipY } = parse(bytes, format);
+  if (isCutOff(bytes, header)) throw new PanoramaError('the file is cut off. Copy or export it again');
+  const { data, width, height, format: channels, flipY } = parse(bytes, header.format);
   if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
   tame(data);
   const texture = new DataTexture(data, width, height, channels, HalfFloatType);

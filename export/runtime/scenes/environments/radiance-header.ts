@@ -5,6 +5,8 @@ export interface RadianceHeader {
   readonly format: 'hdr' | 'exr';
   readonly widthPx: number;
   readonly heightPx: number;
+  /** Where the pixels begin, of an HDR file. */
+  readonly start: number;
 }
 
 const EXR_MAGIC = 0x01312f76;
@@ -13,7 +15,7 @@ const EXR_MAGIC = 0x01312f76;
  * What the beginning of a Radiance HDR (G. Ward, "RADIANCE file formats") or OpenEXR file (openexr.com, "OpenEXR File Layout") says of
  * its size; null for files of other kinds. Three's loaders allocate what it says before they look further.
  *
- * @throws PanoramaError where the beginning is damaged, or an HDR file is cut off
+ * @throws PanoramaError where the beginning is damaged
  */
 export function readRadianceHeader(bytes: ArrayBuffer): RadianceHeader | null {
   const view = new DataView(bytes);
@@ -32,13 +34,16 @@ function readHdrHeader(bytes: Uint8Array): RadianceHeader {
   if (size[1] !== '-Y' || size[3] !== '+X') {
     throw new PanoramaError('its rows are not stored from the top left. Open it in another program and save it again');
   }
-  const header = { format: 'hdr', widthPx: Number(size[4]), heightPx: Number(size[2]) } as const;
-  if (isCutOff(bytes, size.index + size[0].length, header)) throw new PanoramaError('the file is cut off. Copy or export it again');
-  return header;
+  return { format: 'hdr', widthPx: Number(size[4]), heightPx: Number(size[2]), start: size.index + size[0].length };
 }
 
-/** three's loader takes what is missing for black. Rows are runs of each of four channels, or plain pixels of four bytes. */
-function isCutOff(bytes: Uint8Array, start: number, { widthPx, heightPx }: RadianceHeader): boolean {
+/**
+ * Whether an HDR file ends before its picture does: three's loader takes what is missing for black. Rows are runs of each of four
+ * channels, or plain pixels of four bytes.
+ */
+export function isCutOff(file: ArrayBuffer, { format, widthPx, heightPx, start }: RadianceHeader): boolean {
+  if (format !== 'hdr') return false;
+  const bytes = new Uint8Array(file);
   const inRuns = widthPx >= 8 && widthPx < 0x8000 && bytes[start] === 2 && bytes[start + 1] === 2 && (bytes[start + 2] ?? 0) < 0x80;
   if (!inRuns) return bytes.length - start < widthPx * heightPx * 4;
   let at = start;
@@ -70,7 +75,7 @@ function readExrHeader(view: DataView): RadianceHeader {
           number,
           number,
         ];
-        return { format: 'exr', widthPx: maxX - minX + 1, heightPx: maxY - minY + 1 };
+        return { format: 'exr', widthPx: maxX - minX + 1, heightPx: maxY - minY + 1, start: 0 };
       }
       at = value + view.getInt32(size, true);
     }

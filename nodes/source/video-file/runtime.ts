@@ -1,0 +1,40 @@
+import type { NodeContext, NodeRuntime, VideoPlayback } from '../../kit/runtime.ts';
+import type { definition } from './definition.ts';
+import { createVideoTime } from './video-time.ts';
+
+export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
+  const { playing, loop, speed, startS } = ctx.params;
+  const id = ctx.assetIds.file;
+  const video = id === null ? null : ctx.assets.video(id);
+  const time = createVideoTime(ctx.clock);
+  const [view] = ctx.outputs.layer.views;
+  let playback: VideoPlayback | null = null;
+
+  function show(): void {
+    const picture = playback?.picture ?? null;
+    if (!view) return;
+    view.texture = picture?.texture ?? null;
+    view.widthPx = picture?.widthPx ?? 0;
+    view.heightPx = picture?.heightPx ?? 0;
+  }
+
+  return {
+    update: () => {
+      const asset = video?.value ?? null;
+      if (asset === null) return;
+      playback ??= asset.open(({ message, fix }) => ctx.report({ code: 'SCR055', severity: 'warning', port: 'file', message, fix }));
+      const rate = playing.value ? speed.value : 0;
+      const timeS = time.at(asset.durationS, rate, startS.value, loop.value);
+      // A clock that is held, or stands still as in a paused preview, wants exactly this picture; and so does the last one.
+      const runs = !ctx.clock.held && ctx.clock.deltaS > 0 && (loop.value || timeS < asset.durationS);
+      playback.follow(timeS, runs ? rate : 0, loop.value);
+      show();
+    },
+    settle: () => playback?.settle()?.then(show) ?? null,
+    reset: time.reset,
+    dispose: () => {
+      playback?.dispose();
+      video?.release();
+    },
+  };
+}

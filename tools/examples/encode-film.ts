@@ -1,0 +1,70 @@
+import { type WebmFrame, writeWebm } from './write-webm.ts';
+
+/** One picture of a film: Y, U and V as the codec takes them (BT.601, video range), and alpha from 0 to 255; rows from the top. */
+export interface FilmPicture {
+  readonly y: Uint8Array;
+  readonly u: Uint8Array;
+  readonly v: Uint8Array;
+  readonly alpha?: Uint8Array;
+}
+
+export interface Film {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly picturesPerS: number;
+  /** A key frame every so many pictures. */
+  readonly keyEvery: number;
+  readonly bitrate: number;
+  readonly pictures: readonly FilmPicture[];
+  /** False: the file does not say how long it is. */
+  readonly timed?: boolean;
+}
+
+/** VP9 of profile 0, level 1, eight bits: what every browser plays. */
+const CODEC = 'vp09.00.10.08';
+
+/** Encodes a film as WebM in a browser with WebCodecs, with its alpha where the pictures have one. */
+export async function encodeFilm(film: Film): Promise<Uint8Array<ArrayBuffer>> {
+  const { widthPx, heightPx, picturesPerS, pictures, timed = true } = film;
+  const grey = new Uint8Array((widthPx / 2) * (heightPx / 2)).fill(128);
+  const colors = await encode(film, ({ y, u, v }) => [y, u, v]);
+  const hasAlpha = pictures.some(({ alpha }) => alpha !== undefined);
+  const alphas = hasAlpha ? await encode(film, ({ y, alpha }) => [alpha ?? y.map(() => 255), grey, grey]) : [];
+  const frames = colors.map((chunk, i): WebmFrame => {
+    const alpha = alphas[i]?.data;
+    return { ...chunk, timeMs: timeMsOf(i, picturesPerS), ...(alpha === undefined ? {} : { alpha }) };
+  });
+  return writeWebm({ codec: 'V_VP9', widthPx, heightPx, durationMs: timed ? timeMsOf(pictures.length, picturesPerS) : null, frames });
+}
+
+function timeMsOf(index: number, picturesPerS: number): number {
+  return Math.round((index * 1000) / picturesPerS);
+}
+
+async function encode(
+  { widthPx, heightPx, picturesPerS, keyEvery, bitrate, pictures }: Film,
+  planes: (picture: FilmPicture) => readonly Uint8Array[],
+): Promise<{ readonly key: boolean; readonly data: Uint8Array }[]> {
+  const chunks: { readonly key: boolean; readonly data: Uint8Array }[] = [];
+  const failures: unknown[] = [];
+  const encoder = new VideoEncoder({
+    output: (chunk) => {
+      const data = new Uint8Array(chunk.byteLength);
+      chunk.copyTo(data);
+      chunks.push({ key: chunk.type === 'key', data });
+    },
+    error: (error) => failures.push(error),
+  });
+  encoder.configure({ codec: CODEC, width: widthPx, height: heightPx, bitrate, framerate: picturesPerS, latencyMode: 'realtime' });
+  pictures.forEach((picture, i) => {
+    const data = new Uint8Array(planes(picture).flatMap((plane) => [...plane]));
+    const timestamp = timeMsOf(i, picturesPerS) * 1000;
+    const frame = new VideoFrame(data, { format: 'I420', codedWidth: widthPx, codedHeight: heightPx, timestamp });
+    encoder.encode(frame, { keyFrame: i % keyEvery === 0 });
+    frame.close();
+  });
+  await encoder.flush();
+  encoder.close();
+  if (failures.length > 0) throw failures[0];
+  return chunks;
+}

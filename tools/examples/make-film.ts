@@ -1,0 +1,27 @@
+import { chromium } from 'playwright-core';
+import { bundleScript } from '../../app/services/bundle-script.ts';
+import { findChromium } from '../../app/services/chromium.ts';
+
+/** WebCodecs are there for secure pages alone; nothing is ever asked of this address. */
+const ADDRESS = 'https://film.invalid/';
+
+/** Encodes the example film in the pinned browser, which gives the same bytes each time. */
+export async function makeFilm(root: string): Promise<Uint8Array> {
+  const found = await findChromium({ pinnedOnly: true });
+  if (!found) throw new Error('The pinned Chromium is missing: run `npm ci` on Linux x64.');
+  const browser = await chromium.launch({
+    executablePath: found.executablePath,
+    args: [...found.args],
+    env: { ...process.env, ...found.env } as Record<string, string>,
+  });
+  try {
+    const page = await browser.newPage();
+    await page.route(ADDRESS, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>film</title>' }));
+    await page.goto(ADDRESS);
+    await page.addScriptTag({ content: await bundleScript(root, 'tools/examples/film.page.ts', 'film') });
+    const bytes = await page.evaluate('film.makeFilm()');
+    return Uint8Array.from(bytes as number[]);
+  } finally {
+    await browser.close();
+  }
+}
