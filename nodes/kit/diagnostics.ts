@@ -82,10 +82,13 @@ export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
   return diagnostics.some((d) => d.severity === 'error');
 }
 
-/** `file:line:column: error SCR042: message`, leaving out what is not known. */
+/** `file:line:column: error SCR042: message`, or `node.port:column: …`, leaving out what is not known. */
 export function formatDiagnostic(d: Diagnostic): string {
-  const place = [d.file, d.line, d.column].filter((part) => part !== undefined).join(':');
-  const node = d.nodeId === undefined ? '' : `${d.nodeId}${d.port === undefined ? '' : `.${d.port}`}`;
+  // Without a file and a line, a column is one of the text at the port.
+  const alone = d.file === undefined && d.line === undefined;
+  const place = [d.file, d.line, alone ? undefined : d.column].filter((part) => part !== undefined).join(':');
+  const column = alone && d.column !== undefined ? `:${d.column}` : '';
+  const node = d.nodeId === undefined ? '' : `${d.nodeId}${d.port === undefined ? '' : `.${d.port}`}${column}`;
   const where = [place, node].filter((part) => part !== '').join(' ');
   const fix = d.fix === undefined ? '' : ` ${d.fix}`;
   return `${where === '' ? '' : `${where}: `}${d.severity} ${d.code}: ${d.message}${fix}`;
