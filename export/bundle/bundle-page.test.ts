@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { resolve } from 'node:path';
 import { describe, expect, jest, test } from '@jest/globals';
+import { packGlb } from '../gltf/pack-glb.ts';
 import { PROGRAM_VERSION, type Program } from '../program/program.ts';
 import { sessionInit } from '../runtime/sessions/webxr/features.ts';
 import { type BundleInput, bundlePage } from './bundle-page.ts';
@@ -19,7 +20,7 @@ out vec4 color;
 void main() { color = vec4(1.0, 0.5, 0.0, 1.0); }`;
 
 const PICTURE = new Uint8Array([1, 2, 3, 4]);
-const MODEL = new Uint8Array([5, 6, 7]);
+const MODEL = packGlb({ document: { asset: { version: '2.0' }, scenes: [{}] }, binary: null }, new Map());
 
 /** One pass onto the screen, no objects: what a page of filters alone is. */
 const IMAGE_ONLY: Program = {
@@ -163,6 +164,7 @@ describe('a bundled page', () => {
     const { script: parts, bytes } = output as ExportReport;
     expect(parts.three).toBeGreaterThan(300_000);
     const expected = [
+      'export/gltf',
       'export/page',
       'export/program',
       'export/runtime',

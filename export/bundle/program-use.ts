@@ -17,7 +17,7 @@ export function programUse(program: Program): ProgramUse {
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
     scenes:
       program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
-      program.assets.some(({ id, kind }) => kind === 'model' && assets.has(id)),
+      program.assets.some(({ id, kind }) => (kind === 'model' || kind === 'environment') && assets.has(id)),
     assets,
   };
 }

@@ -1,0 +1,116 @@
+import { resolve } from 'node:path';
+import { beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { texturedModel } from '../../../tests/support/textured-model.ts';
+import type { ProgramAsset } from '../../program/program.ts';
+import type { AssetCache } from './asset-cache.ts';
+import { chooseForms } from './choose-forms.ts';
+import { type AssetOptions, type PreparedAssets, prepareAssets } from './prepare-assets.ts';
+
+// The compressor is a thread of its own, bundled when it is needed; and cores are busy.
+jest.setTimeout(120_000);
+
+const BALL: ProgramAsset = { id: 'ball', kind: 'model', path: 'assets/ball.glb' };
+const PICTURE: ProgramAsset = { id: 'picture', kind: 'image', path: 'assets/a picture.png' };
+let ball: Uint8Array;
+beforeAll(async () => {
+  ball = await texturedModel(64);
+});
+
+/** A PNG's head: 20 × 10 pixels. */
+const PNG = Buffer.from('89504e470d0a1a0a0000000d49484452000000140000000a', 'hex');
+
+async function prepare(more: Partial<AssetOptions> = {}, assets = [BALL, PICTURE]) {
+  const said: string[] = [];
+  const { output, diagnostics } = await prepareAssets(assets, {
+    root: resolve(import.meta.dirname, '../../..'),
+    readAsset: async (path) => (path.endsWith('.png') ? PNG : ball),
+    compress: true,
+    cache: null,
+    say: (text) => said.push(text),
+    ...more,
+  });
+  return { output: output as PreparedAssets, diagnostics, said };
+}
+
+describe('the assets of a page', () => {
+  test('are compressed, and reported before and after', async () => {
+    const { output, diagnostics, said } = await prepare();
+    expect(diagnostics).toEqual([]);
+    expect(said).toEqual(['Compressing assets/ball.glb (1 of 1)…']);
+    expect(output.decoders).toEqual(['meshopt']);
+    expect(output.decoderFiles).toEqual([]);
+    const [model, picture] = output.assets;
+    expect(model?.report).toMatchObject({ source: 'assets/ball.glb', path: model?.path, kind: 'model', form: 'meshopt' });
+    const { fileBytes, gpuBytes } = model?.report ?? { fileBytes: { before: 0, after: 0 }, gpuBytes: { before: 0, after: 0 } };
+    expect([fileBytes.before, fileBytes.after]).toEqual([ball.length, model?.bytes.length]);
+    expect(fileBytes.after).toBeLessThan(0.6 * fileBytes.before);
+    // 32-bit floats become 16-bit numbers; the picture and the morph target stay.
+    expect(gpuBytes.after).toBeLessThan(0.9 * gpuBytes.before);
+    expect(picture?.path).toMatch(/^assets\/a-picture-[0-9a-f]{10}\.png$/);
+    expect(picture?.report).toMatchObject({
+      form: 'original',
+      fileBytes: { before: PNG.length, after: PNG.length },
+      gpuBytes: { before: 800, after: 800 },
+    });
+  });
+
+  test('stay as they are where that is asked', async () => {
+    const { output, said } = await prepare({ compress: false });
+    expect([output.assets[0]?.bytes, output.assets[0]?.report.form, output.decoders, said]).toEqual([ball, 'original', [], []]);
+  });
+
+  test('are compressed once: the next export finds them', async () => {
+    const kept = new Map<string, Uint8Array>();
+    const cache: AssetCache = {
+      read: async (name) => kept.get(name) ?? null,
+      write: async (name, bytes) => void kept.set(name, bytes),
+    };
+    const first = await prepare({ cache });
+    const second = await prepare({ cache });
+    expect(second.said).toEqual([]);
+    expect(second.output.assets).toEqual(first.output.assets);
+    const [name = '', bytes = new Uint8Array()] = [...kept][0] ?? [];
+    kept.set(name, bytes.subarray(0, bytes.length - 10));
+    // A file that was cut off counts as none.
+    expect((await prepare({ cache })).output.assets).toEqual(first.output.assets);
+  });
+
+  test('survive a cache that fails', async () => {
+    const fail = () => Promise.reject(new Error('the disk is full'));
+    const { output, diagnostics } = await prepare({ cache: { read: fail, write: fail } });
+    expect([output.assets[0]?.report.form, diagnostics]).toEqual(['meshopt', []]);
+  });
+
+  test('stay as they are, with a warning, where they cannot be compressed', async () => {
+    // No bundle of the compressor can be made of sources that are not there.
+    const { output, diagnostics } = await prepare({ root: '/nowhere' });
+    expect(output.assets[0]?.report.form).toBe('original');
+    expect(diagnostics).toMatchObject([{ code: 'SCR036', severity: 'warning', file: 'assets/ball.glb' }]);
+  });
+
+  test('are refused where they cannot be read, or are no models', async () => {
+    const missing = await prepare({ readAsset: () => Promise.reject(new Error('there is no such file')) }, [PICTURE]);
+    expect([missing.output, missing.diagnostics]).toMatchObject([null, [{ code: 'SCR030', file: 'assets/a picture.png' }]]);
+    const broken = await prepare({ readAsset: async () => ball.subarray(0, 1000) }, [BALL]);
+    expect([broken.output, broken.diagnostics]).toMatchObject([null, [{ code: 'SCR032', message: expect.stringContaining('is cut off') }]]);
+  });
+});
+
+describe('which form a page has of its models', () => {
+  test('none that costs more than it saves', () => {
+    const forms = { original: ball, compressed: { meshopt: ball.slice(), ktx2: null } };
+    expect(chooseForms([forms])[0]?.form).toBe('original');
+  });
+
+  test('KTX2 where it saves graphics memory that is worth its decoder', async () => {
+    const big = await texturedModel(1024);
+    const { output } = await prepare({ readAsset: async () => big }, [BALL]);
+    expect(output.decoders).toEqual(['meshopt', 'ktx2']);
+    expect(output.decoderFiles.map(({ path }) => path)).toEqual([
+      expect.stringMatching(/^decoders\/basis_transcoder-[0-9a-f]{10}\.js$/),
+      expect.stringMatching(/^decoders\/basis_transcoder-[0-9a-f]{10}\.wasm$/),
+    ]);
+    const { gpuBytes } = output.assets[0]?.report ?? { gpuBytes: { before: 0, after: 1 } };
+    expect(gpuBytes.after).toBeLessThan(0.4 * gpuBytes.before);
+  });
+});
