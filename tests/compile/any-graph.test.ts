@@ -2,11 +2,11 @@ import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
 import { createCompiler } from '../../export/compiler/compile.ts';
 import { inputOf, takesSeveral } from '../../export/graph/library/faces.ts';
-import type { Graph, GraphNode, ProjectLogic, Wire } from '../../export/graph/project.ts';
+import type { Binding, Graph, GraphNode, ProjectLogic, Wire } from '../../export/graph/project.ts';
 import { sortWires } from '../../export/graph/wires.ts';
 import type { Operation, Program } from '../../export/program/program.ts';
-import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import { conversion } from '../../nodes/kit/wire-types.ts';
+import { type NodeDefinition, type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
+import { conversion, VALUE_SIZES } from '../../nodes/kit/wire-types.ts';
 import { TEST_LIBRARY as library } from '../support/test-library.ts';
 import { programFaults } from './program-faults.ts';
 
@@ -17,6 +17,18 @@ const plans = fc.array(fc.tuple(fc.nat(TYPES.length - 1), fc.array(fc.noBias(fc.
   minLength: 6,
   maxLength: 30,
 });
+
+/** Some params move by themselves: by an expression or a track of as many numbers as they hold. */
+function bindingOf(param: ParamDefinition, choice: number): Binding | null {
+  const type = paramWireType(param);
+  if (type === undefined || type === 'text') return null;
+  const size = VALUE_SIZES[type];
+  const parts = Array.from({ length: size }, (_, i) => (i === 0 ? 'sin(time)' : `0.${i}`));
+  if (choice % 5 === 1) return { expression: size === 1 ? (parts[0] ?? '') : `[${parts.join(', ')}]` };
+  if (choice % 5 !== 2 || type === 'toggle' || param.type === 'choice') return null;
+  const value = size === 1 ? 0.5 : new Array<number>(size).fill(0.5);
+  return { track: { keys: [{ timeS: choice, value, easing: 'ease-in' }], repeat: 'loop' } };
+}
 
 type Plan = readonly (readonly [type: number, choices: readonly number[], state: number])[];
 
@@ -40,7 +52,14 @@ function graphOf(plan: Plan): Graph {
       const sources = new Set(picked.map((number) => fitting[fitting.length - 1 - (number % Math.min(4, fitting.length))]));
       for (const source of sources) if (source) mine.push({ from: source.from, to: { node: id, port } });
     }
-    nodes[id] = { type: definition.type, version: definition.version, params: {}, ...(muted ? { muted } : {}) };
+    const wired = new Set(mine.map(({ to }) => to.port));
+    const params = Object.fromEntries(
+      Object.entries(definition.params).flatMap(([name, param], index) => {
+        const binding = wired.has(name) ? null : bindingOf(param, choices[index % choices.length] ?? 0);
+        return binding ? [[name, binding]] : [];
+      }),
+    );
+    nodes[id] = { type: definition.type, version: definition.version, params, ...(muted ? { muted } : {}) };
     wires.push(...mine);
     for (const [port, { type }] of Object.entries(definition.outputs)) outputs.push({ from: { node: id, port }, type });
   };
@@ -85,17 +104,23 @@ const comparable = ({ shaders }: Program, operation: Operation) =>
 describe('any graph', () => {
   test('compiles to a program that can be played in its order, and that JSON can hold', () => {
     let compositions = 0;
+    let moved = 0;
+    let shared = 0;
     fc.assert(
       fc.property(plans, (plan) => {
         const program = compiled(graphOf(plan));
         if (program === null) return;
         if (program.presentation.mode === 'composed') compositions++;
+        if (program.operations.some((operation) => 'type' in operation && operation.type.startsWith('binding/'))) moved++;
+        if (program.resources.some((resource) => resource.kind === 'target' && resource.shares !== undefined)) shared++;
         expect(programFaults(program)).toEqual([]);
         expect(JSON.parse(JSON.stringify(program))).toEqual(program);
       }),
       { seed: 3, numRuns: 300 },
     );
     expect(compositions).toBeGreaterThan(30);
+    expect(moved).toBeGreaterThan(30);
+    expect(shared).toBeGreaterThan(10);
   });
 
   test('shows the same picture while all of its layers are looked at', () => {

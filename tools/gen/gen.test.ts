@@ -78,6 +78,19 @@ describe('gen', () => {
     expect(RUNTIME_FILES).toEqual({ 'value/twice': 'nodes/value/twice/runtime.ts' });
   });
 
+  test('what plays bound params is among the runtimes, and no node type', async () => {
+    await write({
+      'nodes/binding/track/runtime.ts': 'export function create() { return "track"; }\n',
+      'nodes/binding/track/ease.ts': 'export const x = 1;\n',
+    });
+    expect(await gen()).toBe(0);
+    expect((await load<{ DEFINITIONS: NodeDefinition[] }>('definitions.gen.ts')).DEFINITIONS).toEqual([]);
+    const { RUNTIMES } = await load<{ RUNTIMES: Record<string, { create(): string }> }>('runtimes.gen.ts');
+    expect(RUNTIMES['binding/track']?.create()).toBe('track');
+    const { RUNTIME_FILES } = await load<{ RUNTIME_FILES: Record<string, string> }>('runtime-files.gen.ts');
+    expect(RUNTIME_FILES).toEqual({ 'binding/track': 'nodes/binding/track/runtime.ts' });
+  });
+
   test('nothing is written when nothing changed, and a changed shader is seen', async () => {
     await write({ 'shader-library/filters/negate.fs': FILTER });
     await gen();
