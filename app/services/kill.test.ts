@@ -1,19 +1,18 @@
 import { type ChildProcess, spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { mkdir, mkdtemp, readdir, readFile, rm, symlink, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import process from 'node:process';
 import { createInterface } from 'node:readline';
 import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
-import { build } from 'esbuild';
-import { createHost, type HostService } from './host.ts';
-import { installationAt } from './installation.ts';
+import { bundleHostChild } from '../../tests/support/host-child.ts';
+import { startHost, stopHosts } from '../../tests/support/host-kit.ts';
+import type { HostService } from './host.ts';
 
 // Disks and processors are shared with whatever else runs.
 jest.setTimeout(120_000);
 
-const ROOT = resolve(import.meta.dirname, '../..');
 const KILLS = 24;
 /** Saves take some 5 ms here: the kill falls anywhere in the first dozen of them. */
 const LONGEST_MS = 60;
@@ -23,17 +22,7 @@ const LONGEST_MS = 60;
  * is on the disk.
  */
 const SAVER = `
-  import { createHost } from './app/services/host.ts';
-  import { installationAt } from './app/services/installation.ts';
-  const [path, first] = process.argv.slice(2);
-  const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
-  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {} };
-  const host = createHost({ shell, installation: installationAt('/nowhere', '0'), startPath: null, log: console.error });
-  const call = async (method, input) => {
-    const { output, diagnostic } = await host.dispatch(method, input);
-    if (diagnostic) throw new Error(JSON.stringify(diagnostic));
-    return output;
-  };
+  const [path, first] = args;
   const opened = await call('project.open', { path });
   let { revision } = opened;
   for (let version = Number(first); ; version++) {
@@ -54,30 +43,14 @@ const children = new Set<ChildProcess>();
 beforeAll(async () => {
   base = await mkdtemp(join(tmpdir(), 'scrim-kill-'));
   project = join(base, 'project');
-  saver = join(base, 'saver.mjs');
   await mkdir(project);
   await writeFile(join(project, 'project.scrim.json'), JSON.stringify({ title: '0 ' }));
-  await build({
-    stdin: { contents: SAVER, resolveDir: ROOT, loader: 'ts' },
-    outfile: saver,
-    bundle: true,
-    platform: 'node',
-    format: 'esm',
-    mainFields: ['module', 'main'],
-    external: ['esbuild', 'playwright-core'],
-    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    banner: { js: "import { createRequire as saverRequire } from 'node:module'; const require = saverRequire(import.meta.url);" },
-    logLevel: 'error',
-  });
-  // Where the packages are that the bundle leaves outside.
-  await symlink(join(ROOT, 'node_modules'), join(base, 'node_modules'));
-  const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
-  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {} } as const;
-  host = createHost({ shell, installation: installationAt(ROOT, '0'), startPath: null, log: (text) => process.stderr.write(`${text}\n`) });
+  saver = await bundleHostChild(base, SAVER);
+  host = startHost();
 });
 afterAll(async () => {
   for (const child of children) child.kill('SIGKILL');
-  host.dispose();
+  stopHosts();
   await rm(base, { recursive: true, force: true });
 });
 

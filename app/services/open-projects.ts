@@ -9,7 +9,7 @@ import { isShownByOthers, leaveSign, takeSignAway } from './presence.ts';
 import { changesBetween, findProject, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
 import { withLock } from './project-lock.ts';
 import { keepUnsaved, takeOverUnsaved } from './recovery.ts';
-import { settleFolder } from './settle.ts';
+import { readSettled } from './settle.ts';
 import { finishInterrupted, writeAll } from './transaction.ts';
 import { watchProject } from './watch-project.ts';
 
@@ -79,11 +79,10 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
   };
 
   const openAt = async (root: string, displayPath: string, client: string): Promise<OpenProject> => {
-    await settleFolder(root, files);
     const handle = randomBytes(16).toString('hex');
     // Watched before it is read: what changes in between is noticed.
     const watcher = watchProject(root, (revision) => void noticed(handle, revision));
-    const projectFiles = await readProjectFiles(root).catch((error: unknown) => {
+    const projectFiles = await readSettled(root, files).catch((error: unknown) => {
       watcher.dispose();
       throw error;
     });

@@ -1,9 +1,11 @@
 import { lstat } from 'node:fs/promises';
 import { join } from 'node:path';
+import type { ProjectFiles } from '../contract/contract.ts';
 import { errorCode, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { isGone, OWNER_PATTERN } from './owner.ts';
-import { LOCK_NAME, withLock } from './project-lock.ts';
+import { readProjectFiles, revisionOf } from './project-files.ts';
+import { isLocked, LOCK_NAME, withLock } from './project-lock.ts';
 import { listScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 import { finishInterrupted, JOURNAL_NAME } from './transaction.ts';
 
@@ -27,6 +29,22 @@ export async function settleFolder(root: string, files: FileLayer): Promise<void
     // Rubbish that cannot be swept up is no reason to refuse a project that is whole.
     if (!names.includes(JOURNAL_NAME) && errorCode(error) !== undefined) return;
     throw writeRefusal(error, root);
+  }
+}
+
+/** More than any two saves in a row leave room between; a folder that never rests is read as it comes. */
+const MAX_READS = 50;
+
+/**
+ * The texts of a project, all of one version, whoever saves it meanwhile. Nobody locks for reading, because a folder may be
+ * read-only: a read counts when no save was under way after it, and a second one finds the same.
+ */
+export async function readSettled(root: string, files: FileLayer): Promise<ProjectFiles> {
+  for (let reads = 1; ; reads++) {
+    await settleFolder(root, files);
+    const texts = await readProjectFiles(root);
+    const resting = !(await isLocked(root)) && revisionOf(await readProjectFiles(root)) === revisionOf(texts);
+    if (resting || reads === MAX_READS) return texts;
   }
 }
 

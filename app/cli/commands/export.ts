@@ -1,7 +1,8 @@
 import type { ExportReport } from '../../../export/bundle/report.ts';
 import { exportProject } from '../../services/export-project.ts';
 import { type FileLayer, NODE_FILES } from '../../services/file-layer.ts';
-import { findProject, readProjectFiles } from '../../services/project-files.ts';
+import { findProject } from '../../services/project-files.ts';
+import { readSettled } from '../../services/settle.ts';
 import { type Command, failed, UsageError } from '../command.ts';
 import { drawPoster } from '../render/draw-poster.ts';
 
@@ -39,7 +40,7 @@ export const exportCommand: Command = {
     if (out === null || out === '') throw new UsageError('--out DIR is missing: where the page goes.');
     const address = readAddress(call.text('url'));
     const root = await findProject(call.project);
-    const projectFiles = await readProjectFiles(root);
+    const projectFiles = await readSettled(root, NODE_FILES);
     say('Compiling and bundling…');
     const files = watchedFiles(interrupted, (count) => say(`Writing file ${count}…`));
     const { report, diagnostics } = await exportProject({
