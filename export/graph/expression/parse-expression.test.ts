@@ -34,6 +34,7 @@ describe('an expression becomes postfix', () => {
     ['tau / pi', '6.283185307179586 3.141592653589793 /'],
     ['smoothstep(0, 1, fract(time))', '0 1 time fract smoothstep'],
     ['frame % 2', 'frame 2 %'],
+    ['a − b × c ÷ 2 ≤ 1', 'a b c * 2 / - 1 <='],
   ])('%s → %s', (text, postfix) => {
     expect(read(text)).toBe(postfix);
   });

@@ -7,7 +7,10 @@ export interface Word {
 
 /** Longer signs first, so that `<=` is not read as `<`. */
 const WORD =
-  /(?<space>\s+)|(?<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?<name>[A-Za-z_]\w*)|(?<sign><=|>=|==|!=|&&|\|\||[-+*/%^<>!?:(),[\]])/y;
+  /(?<space>\s+)|(?<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?<name>[A-Za-z_]\w*)|(?<sign><=|>=|==|!=|&&|\|\||[-+*/%^<>!?:(),[\]−×÷≤≥≠])/y;
+
+/** As they stand in print, and in texts that formulas are copied from. */
+const PRINTED: Readonly<Record<string, string>> = { '−': '-', '×': '*', '÷': '/', '≤': '<=', '≥': '>=', '≠': '!=' };
 
 export type Words = { readonly ok: true; readonly words: readonly Word[] } | { readonly ok: false; readonly offset: number };
 
@@ -22,7 +25,7 @@ export function readWords(text: string): Words {
     const { number, name, sign } = groups;
     if (number !== undefined) words.push({ kind: 'number', text: number, offset });
     else if (name !== undefined) words.push({ kind: 'name', text: name, offset });
-    else if (sign !== undefined) words.push({ kind: 'sign', text: sign, offset });
+    else if (sign !== undefined) words.push({ kind: 'sign', text: PRINTED[sign] ?? sign, offset });
   }
   words.push({ kind: 'end', text: '', offset: text.length });
   return { ok: true, words };
