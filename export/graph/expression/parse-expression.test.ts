@@ -68,13 +68,18 @@ describe('what cannot be read is told with its column', () => {
     ['a.b', 2, '“.” means nothing here'],
     ['"x"', 1, '“"” means nothing here'],
     ['a; b', 2, '“;” means nothing here'],
-    [`${'('.repeat(10_000)}`, 65, 'more than 64 things stand within each other'],
-    [`${'-'.repeat(10_000)}1`, 65, 'more than 64'],
-    [`${'1^'.repeat(5000)}1`, 129, 'more than 64'],
   ])('%s at %d', (text, column, message) => {
     const [told, at] = read(text) as readonly [string, number];
     expect(told).toContain(message);
     expect(at).toBe(column);
+  });
+
+  test.each([
+    ['brackets', '('.repeat(10_000), 65],
+    ['signs', `${'-'.repeat(10_000)}1`, 65],
+    ['powers', `${'1^'.repeat(5000)}1`, 129],
+  ])('thousands of %s within each other', (_, text, column) => {
+    expect(read(text)).toEqual(['more than 64 things stand within each other', column]);
   });
 
   test('a list has as many numbers as are wanted', () => {
@@ -98,7 +103,7 @@ test('any text gives an answer, and long ones soon', () => {
       expect(parsed.column).toBeGreaterThanOrEqual(1);
       expect(parsed.column).toBeLessThanOrEqual(text.length + 1);
     }),
-    { seed: 1, numRuns: 2000 },
+    { seed: 1, numRuns: 600 },
   );
-  expect(read(`${'1 + '.repeat(100_000)}1`)).toHaveLength(400_001);
+  expect(read(`${'1 + '.repeat(20_000)}1`)).toHaveLength(80_001);
 });
