@@ -7,6 +7,7 @@ import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { checkAssets } from './check-assets.ts';
+import { checkModels } from './check-models.ts';
 
 export interface CompiledProject {
   /** Null where the files could not be read as a project. */
@@ -31,7 +32,9 @@ export async function compileProject(
   const assets = (await checkAssets(root, project.assets, used)).filter(
     ({ code }) => code !== 'SCR031' || !hasErrors(compiled.diagnostics),
   );
-  const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets];
+  const known = new Set(assets.flatMap(({ file }) => file ?? []));
+  const models = compiled.output === null ? [] : await checkModels(root, compiled.output, known);
+  const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets, ...models];
   return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
 }
 

@@ -55,12 +55,12 @@ describe('edges', () => {
 
 describe('what is told of a model', () => {
   test('is nothing of a closed, small one', async () => {
-    expect(findingsOf(await model(new BoxGeometry()), 'box.glb', 2000)).toEqual([]);
+    expect(findingsOf(await model(new BoxGeometry()), 'box.glb', 2000, true)).toEqual([]);
   });
 
   test('is that it is huge, with numbers', async () => {
     const geometry = new SphereGeometry(1, 500, 400);
-    const findings = findingsOf(await model(geometry, pngHead(8192, 8192)), 'big.glb', 50e6);
+    const findings = findingsOf(await model(geometry, pngHead(8192, 8192)), 'big.glb', 50e6, false);
     expect(findings.map(({ code, severity, message }) => `${code} ${severity} ${message}`)).toEqual([
       'SCR034 warning The model "big.glb" has 399,000 triangles; above 300,000 phones draw it slowly.',
       'SCR034 warning The model "big.glb" has a texture of 67.1 million pixels; above 16.8 million pixels not every phone can show it.'.replace(
@@ -69,6 +69,14 @@ describe('what is told of a model', () => {
       ),
       expect.stringMatching(/^SCR034 warning The model "big.glb" takes about \d+ MB of graphics memory, 358 of them for textures;/),
       'SCR034 warning The model "big.glb" is a file of 50 MB; above 32 MB visitors wait long.',
+    ]);
+  });
+
+  test('is that it has holes, where it stands for a real thing', async () => {
+    const sheet = await model(new PlaneGeometry(1, 1, 5, 5));
+    expect(findingsOf(sheet, 'wall.glb', 2000, false)).toEqual([]);
+    expect(findingsOf(sheet, 'wall.glb', 2000, true)).toMatchObject([
+      { code: 'SCR035', severity: 'warning', message: expect.stringContaining('it has 20 edges at holes or rims.') },
     ]);
   });
 

@@ -16,9 +16,12 @@ export const LIMITS = {
 
 type Finding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
 
-/** What a designer should know of a model that loads well: that it is huge (SCR034), or no closed surface (SCR035). */
-export function findingsOf(gltf: Gltf, path: string, fileBytes: number): Finding[] {
-  return [...hugeness(gltf, path, fileBytes), ...holes(gltf, path)];
+/**
+ * What a designer should know of a model that loads well: that it is huge (SCR034), or, where it stands for a real thing, no closed
+ * surface (SCR035). Elsewhere holes do no harm, and most models have some.
+ */
+export function findingsOf(gltf: Gltf, path: string, fileBytes: number, standsForReal: boolean): Finding[] {
+  return [...hugeness(gltf, path, fileBytes), ...(standsForReal ? holes(gltf, path) : [])];
 }
 
 function hugeness(gltf: Gltf, path: string, fileBytes: number): Finding[] {
@@ -63,9 +66,9 @@ function holes(gltf: Gltf, path: string): Finding[] {
   return [
     {
       code: 'SCR035',
-      severity: 'info',
-      message: `The model "${path}" is no closed surface: it has ${parts.join(' and ')}.`,
-      fix: 'That matters only where it stands for a real thing or casts shadows: light and views pass through holes. Close them in a 3D program, such as with Fill Holes in Blender.',
+      severity: 'warning',
+      message: `The model "${path}" stands for a real thing, but is no closed surface: it has ${parts.join(' and ')}.`,
+      fix: 'Light and what is behind it pass through holes. Close them in a 3D program, such as with Fill Holes in Blender, if they are seen from where visitors stand.',
     },
   ];
 }

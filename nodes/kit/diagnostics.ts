@@ -46,7 +46,7 @@ export const DIAGNOSTICS = {
   SCR032: 'The asset cannot be decoded',
   SCR033: 'The asset is of another kind',
   SCR034: 'The asset is very large',
-  SCR035: 'The model is no closed surface',
+  SCR035: 'The model of a real thing has holes',
   SCR036: 'The asset could not be compressed',
   // Shaders
   SCR040: 'The shader header is broken',

@@ -1,3 +1,4 @@
+import type { Gltf } from '../../export/gltf/document.ts';
 import { findingsOf } from '../../export/gltf/findings.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
@@ -31,6 +32,9 @@ export interface HouseOptions {
   readonly onContext: (state: 'lost' | 'restored') => void;
 }
 
+/** Of every model as if it stood for a real thing: which of them do changes with the program, and is judged when problems are told. */
+const inspect = (gltf: Gltf, path: string, fileBytes: number) => findingsOf(gltf, path, fileBytes, true);
+
 /** As the exported page has it, so that equal programs give equal pictures. */
 const SEED = 1;
 
@@ -45,7 +49,7 @@ export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostic
   const fitter = createCanvasFitter(canvas);
   fitter.update();
   const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
-  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect: findingsOf });
+  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect });
   const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: SEED, onDiagnostics, clock });
   const lost = (event: Event) => {
     // Without this the browser never gives the context back.

@@ -1,3 +1,4 @@
+import { phantomNodes } from '../../export/program/phantom-nodes.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import type { PlayResult } from '../../export/runtime/player.ts';
@@ -52,8 +53,13 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
 
+  /** Holes in a model matter where it stands for a real thing, which the program says. */
+  const playerProblemsNow = (): readonly Diagnostic[] => {
+    const phantoms = wanted === null ? new Set<string>() : phantomNodes(wanted.program);
+    return playerProblems.filter(({ code, nodeId = '' }) => code !== 'SCR035' || phantoms.has(nodeId));
+  };
   const tellProblems = () =>
-    send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblems] });
+    send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblemsNow()] });
   const tellState = () => {
     const hasSession = open !== null && open.session !== null;
     status.setState(lost ? 'lost' : !hasSession ? 'loading' : clock.playing ? 'playing' : 'paused');
@@ -68,6 +74,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     if (outcome === 'superseded') return;
     send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, log }) => ({ shaderId, log })) });
     if (outcome === 'playing') send({ kind: 'playing', revision });
+    if (playerProblems.length > 0) tellProblems();
     clock.wake();
   };
 

@@ -31,7 +31,7 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR034:
     'Reduce its triangles or its textures in the program that made it; the message says which of them and how far. It works as it is, but slowly on phones, or not on all.',
   SCR035:
-    'Where the model stands for a real thing (as a phantom) or casts shadows, close its holes in a 3D program; elsewhere nothing has to be done.',
+    'Close its holes in a 3D program, where visitors can see into them: what a phantom hides, and its shadows, show through. Models that stand for nothing real are not judged.',
   SCR036:
     'Nothing has to be done: the page has the model as it is. Saving it again from the program that made it often lets it be compressed.',
   SCR040: 'Mend the JSON in the shader’s first comment at the line that the message names.',

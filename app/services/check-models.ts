@@ -1,0 +1,52 @@
+import { constants } from 'node:fs';
+import { open } from 'node:fs/promises';
+import { ModelError } from '../../export/gltf/document.ts';
+import { findingsOf } from '../../export/gltf/findings.ts';
+import { readWholeModel } from '../../export/gltf/whole-model.ts';
+import { phantomNodes } from '../../export/program/phantom-nodes.ts';
+import type { Program } from '../../export/program/program.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { HostError } from '../contract/host-error.ts';
+import { resolveInside } from './confine.ts';
+import { errorCode } from './file-errors.ts';
+
+/**
+ * What is wrong inside a program's models (SCR032), and what to know of those that are fine: too large for phones (SCR034), or standing
+ * for a real thing with holes in it (SCR035). Models that `except` names are left out: something is known of them already.
+ */
+export async function checkModels(root: string, program: Program, except: ReadonlySet<string>): Promise<readonly Diagnostic[]> {
+  const phantoms = phantomNodes(program);
+  const standsForReal = new Set(
+    program.operations.flatMap((operation) =>
+      'assets' in operation && phantoms.has(operation.node) ? Object.values(operation.assets) : [],
+    ),
+  );
+  const models = program.assets.filter(({ kind, path }) => kind === 'model' && !except.has(path));
+  const found = await Promise.all(models.map(({ id, path }) => checkModel(root, path, standsForReal.has(id))));
+  return found.flat();
+}
+
+async function checkModel(root: string, path: string, standsForReal: boolean): Promise<Diagnostic[]> {
+  try {
+    const { gltf, bytes } = await readWholeModel(await readConfined(root, path), path, (file) => readConfined(root, file));
+    return findingsOf(gltf, path, bytes.length, standsForReal).map((finding) => ({ ...finding, file: path }));
+  } catch (error) {
+    if (!(error instanceof ModelError)) throw error;
+    return [{ code: 'SCR032', severity: 'error', message: `${path} cannot be decoded: ${error.message}`, file: path }];
+  }
+}
+
+/** Rejects with an `Error` in plain words. */
+async function readConfined(root: string, path: string): Promise<Uint8Array<ArrayBuffer>> {
+  try {
+    const file = await open(await resolveInside(root, path), constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
+    try {
+      return new Uint8Array(await file.readFile());
+    } finally {
+      await file.close();
+    }
+  } catch (error) {
+    if (error instanceof HostError) throw new Error(error.diagnostic.message);
+    throw new Error(errorCode(error) === 'ENOENT' ? 'there is no such file' : (errorCode(error) ?? String(error)));
+  }
+}

@@ -1,0 +1,17 @@
+import type { Program } from './program.ts';
+
+const PHANTOM = 'objects/phantom';
+
+/** Ids of the nodes whose objects a Phantom node takes, by whatever way: they stand for real things. */
+export function phantomNodes({ operations }: Program): ReadonlySet<string> {
+  const nodes = new Set<string>();
+  const wanted = operations.flatMap((operation) => ('type' in operation && operation.type === PHANTOM ? operation.reads : []));
+  for (let resource = wanted.pop(); resource !== undefined; resource = wanted.pop()) {
+    for (const { node, writes, reads } of operations) {
+      if (nodes.has(node) || !writes.includes(resource)) continue;
+      nodes.add(node);
+      wanted.push(...reads);
+    }
+  }
+  return nodes;
+}
