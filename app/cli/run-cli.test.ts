@@ -50,8 +50,8 @@ async function write(text: ProjectText, files: Readonly<Record<string, string>> 
   await writeProject(project, { 'project.scrim.json': projectText(text), 'assets/robot.glb': await readFile(MODEL), ...files });
 }
 
-/** A poster takes a browser and seconds: `tests/browser/page-poster.test.ts` has one drawn. */
-const quick = (args: readonly string[]): string[] => (args[0] === 'export' ? [...args, '--no-poster'] : [...args]);
+/** A poster takes a browser and seconds, and so does compression: `tests/browser/page-poster.test.ts` has one drawn. */
+const quick = (args: readonly string[]): string[] => (args[0] === 'export' ? [...args, '--no-poster', '--no-compress'] : [...args]);
 
 async function scrim(...args: string[]) {
   const out: string[] = [];
