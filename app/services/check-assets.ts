@@ -1,6 +1,7 @@
 import { constants } from 'node:fs';
 import { open } from 'node:fs/promises';
 import type { Asset } from '../../export/graph/project.ts';
+import type { AssetKind } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { HostError } from '../contract/host-error.ts';
 import { resolveInside } from './confine.ts';
@@ -8,7 +9,8 @@ import { errorCode } from './file-errors.ts';
 
 /**
  * What can be said of a project's asset files without decoding them: missing (SCR030), outside (SCR031), cut off or not what
- * they claim to be (SCR032). What `used` names is an error, everything else a warning, because nothing on screen needs it.
+ * they claim to be (SCR032). What `used` names is an error, everything else a warning, because nothing on screen needs it. Videos and
+ * panoramas that visitors would wait long for are warned of (SCR034); what is large about a model is told when it is read.
  */
 export async function checkAssets(
   root: string,
@@ -24,7 +26,7 @@ export async function checkAssets(
   return found.filter((diagnostic) => diagnostic !== null);
 }
 
-type Problem = Pick<Diagnostic, 'code' | 'message' | 'fix'>;
+type Problem = Pick<Diagnostic, 'code' | 'message' | 'fix'> & { readonly severity?: 'warning' };
 
 /** Enough for every signature below. */
 const HEAD_BYTES = 16;
@@ -36,8 +38,9 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
       const { size } = await file.stat();
       const head = Buffer.alloc(HEAD_BYTES);
       await file.read(head, 0, HEAD_BYTES, 0);
-      const wrong = kind === 'model' ? wrongModel(head, size) : wrongPicture(head, size);
-      return wrong === null ? null : { code: 'SCR032', message: `${path} ${wrong}`, fix: 'Export it again, or choose another file.' };
+      const wrong = WRONG[kind](head, size);
+      if (wrong !== null) return { code: 'SCR032', message: `${path} ${wrong}`, fix: 'Export it again, or choose another file.' };
+      return tooLarge(path, kind, size);
     } finally {
       await file.close();
     }
@@ -59,6 +62,43 @@ function wrongModel(head: Buffer, size: number): string | null {
   const length = head.readUInt32LE(8);
   return size >= length ? null : `is cut off: it has ${size} of ${length} bytes.`;
 }
+
+/** What visitors load before they see it, bytes; a video is loaded whole, so that it can be sought and needs no network later. */
+const LARGE = {
+  video: { bytes: 40 * 2 ** 20, fix: 'Make it shorter or smaller, or save it with a lower bit rate.' },
+  environment: { bytes: 16 * 2 ** 20, fix: 'Make it smaller: 2048 × 1024 is enough to light with, 4096 × 2048 to look at.' },
+} as const;
+
+function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
+  if (kind !== 'video' && kind !== 'environment') return null;
+  const { bytes, fix } = LARGE[kind];
+  if (size <= bytes) return null;
+  const message = `${path} is a file of ${Math.round(size / 2 ** 20)} MB; above ${bytes / 2 ** 20} MB visitors wait long.`;
+  return { code: 'SCR034', severity: 'warning', message, fix };
+}
+
+/** ISO 14496-12 §4.3 and RFC 8794 §11.2. */
+function wrongVideo(head: Buffer, size: number): string | null {
+  if (size === 0) return 'is empty.';
+  if (head.toString('latin1', 4, 8) === 'ftyp') {
+    // What QuickTime alone understands is found when it is played; that it is no video at all is found here.
+    return /^(avif|avis|mif1|heic|heix)$/.test(head.toString('latin1', 8, 12)) ? 'is a picture, no video.' : null;
+  }
+  return head.readUInt32BE(0) === 0x1a45dfa3 ? null : 'is no video that browsers can play: use MP4 or WebM.';
+}
+
+function wrongPanorama(head: Buffer, size: number): string | null {
+  const isRadiance = head.toString('latin1', 0, 2) === '#?' || head.readUInt32LE(0) === 20000630;
+  if (isRadiance || wrongPicture(head, size) === null) return null;
+  return size === 0 ? 'is empty.' : 'is no panorama: use Radiance HDR, OpenEXR, JPEG, PNG or WebP.';
+}
+
+const WRONG: Readonly<Record<AssetKind, (head: Buffer, size: number) => string | null>> = {
+  image: wrongPicture,
+  model: wrongModel,
+  video: wrongVideo,
+  environment: wrongPanorama,
+};
 
 const PICTURES: readonly ((head: Buffer) => boolean)[] = [
   (head) => head.toString('latin1', 0, 8) === '\x89PNG\r\n\x1a\n',

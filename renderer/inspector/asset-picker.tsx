@@ -4,6 +4,8 @@ import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { acceptedNames, importAsset } from '../state/add-files.ts';
 import { IconButton } from '../ui/button.tsx';
 
+const NAMES: Readonly<Record<AssetKind, string>> = { image: 'picture', model: 'model', video: 'video', environment: 'panorama' };
+
 interface AssetPickerProps {
   readonly id: string;
   readonly label: string;
@@ -31,7 +33,7 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
           </option>
         ))}
       </select>
-      <IconButton icon="folder" label={`Import a ${kind === 'model' ? 'model' : 'picture'}`} onPress={() => input.current?.click()} />
+      <IconButton icon="folder" label={`Import a ${NAMES[kind]}`} onPress={() => input.current?.click()} />
       <input
         ref={input}
         type="file"

@@ -12,21 +12,26 @@ import { showRefusal } from './files.ts';
 import { selectOnly } from './selection.ts';
 import { addToast } from './ui.ts';
 
-const KINDS: readonly { readonly kind: AssetKind; readonly names: RegExp }[] = [
-  { kind: 'model', names: /\.(glb|gltf)$/i },
-  { kind: 'image', names: /\.(png|jpe?g|webp)$/i },
+/** Endings by which a dropped file is known, first come first served; a panorama may be an ordinary picture, and is asked for by name. */
+const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly string[]; readonly also?: readonly string[] }[] = [
+  { kind: 'model', endings: ['.glb', '.gltf'] },
+  { kind: 'image', endings: ['.png', '.jpg', '.jpeg', '.webp'] },
+  { kind: 'video', endings: ['.mp4', '.webm', '.m4v'] },
+  { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
 ];
 const SHADERS = /\.(fs|glsl)$/i;
 const STEP_PX = 40;
 
 export function kindOfFile(name: string): AssetKind | 'shader' | null {
   if (SHADERS.test(name)) return 'shader';
-  return KINDS.find(({ names }) => names.test(name))?.kind ?? null;
+  const lower = name.toLowerCase();
+  return KINDS.find(({ endings }) => endings.some((ending) => lower.endsWith(ending)))?.kind ?? null;
 }
 
 /** For file inputs. */
 export function acceptedNames(kind: AssetKind): string {
-  return kind === 'model' ? '.glb,.gltf' : '.png,.jpg,.jpeg,.webp';
+  const { endings = [], also = [] } = KINDS.find((known) => known.kind === kind) ?? {};
+  return [...endings, ...also].join();
 }
 
 /** The part of `File` that is used. */
@@ -42,7 +47,7 @@ export async function addFiles(editor: Editor, files: readonly DroppedFile[], pl
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const kind = kindOfFile(file.name);
     if (kind === null) {
-      const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp) nor an ISF shader (.fs).`;
+      const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }

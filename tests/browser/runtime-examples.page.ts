@@ -19,7 +19,7 @@ export interface Played {
 export async function play(program: Program, assetUrl: string, timeS: number, camera: number[], roomM: number): Promise<Played> {
   const gl = createGl({ depth: true });
   const assets = createFetchAssetSource(new URL(assetUrl, location.href).href, (...args) => fetch(...args));
-  const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES, createScenes, assets });
+  const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES, createScenes, assets, held: true });
   const room = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, room);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, 1, 1, 0, gl.RED, gl.FLOAT, new Float32Array([roomM]));
@@ -30,7 +30,7 @@ export async function play(program: Program, assetUrl: string, timeS: number, ca
   createOrbit({ ...ORBIT_DEFAULTS, targetWorld: [0, 0, 0], distanceM: 1, elevationRad: 0 }).writeWorldFromView(seen.worldFromView);
   setRigidInverse(seen.viewFromWorld, seen.worldFromView);
   player.setSession({ world: 'image', blend: 'opaque' });
-  player.draw(frame(0, [seen], { timeS }));
+  await player.drawSettled(frame(0, [seen], { timeS }));
   const result = {
     centre: pixel(gl, WIDTH / 2, HEIGHT / 2),
     corner: pixel(gl, 1, 1),

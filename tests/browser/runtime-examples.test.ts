@@ -61,6 +61,47 @@ describe('the example of', () => {
     expect(corner).toEqual(CAMERA);
   });
 
+  test('source/video-file shows its see-through ball before it, at any moment', async () => {
+    for (const timeS of [0, 0.7, 2.3]) {
+      const { centre, corner } = await play('source/video-file', timeS);
+      // Within what the codec leaves of it.
+      expect([timeS, centre.map((value, i) => Math.abs(value - ([255, 139, 60, 255][i] ?? 0)) <= 8)]).toEqual([
+        timeS,
+        [true, true, true, true],
+      ]);
+      expect(corner).toEqual(CAMERA);
+    }
+  });
+
+  test.each(['light/point', 'light/spot'])('%s lights the floor below it, and not far away', async (type) => {
+    const { centre } = await play(type);
+    expect([Math.max(...centre.slice(0, 3)) > 60, centre]).not.toEqual([false, CAMERA]);
+  });
+
+  test.each([
+    ['source/panorama', 2 ** 0.5],
+    ['light/environment', 1.2],
+  ])('%s shows the sky around its object', async (type, brightness) => {
+    const { centre, corner } = await play(type);
+    // Below is the sky's dark ground, as `tools/examples/sky.ts` paints it.
+    const ground = [0.05, 0.045, 0.04].map((radiance) => 255 * (1.055 * (radiance * brightness) ** (1 / 2.4) - 0.055));
+    expect(corner.slice(0, 3).map((value, i) => Math.abs(value - (ground[i] ?? 0)) <= 2)).toEqual([true, true, true]);
+    expect(centre).not.toEqual(CAMERA);
+  });
+
+  test('layer/object-mask shows the camera’s own colours through a window in the shape of a ball', async () => {
+    const { centre, corner } = await play('layer/object-mask');
+    expect(centre).toEqual(CAMERA);
+    expect(corner).toEqual(sepia(1));
+  });
+
+  test('objects/apply-technique shows a ball in warm tones where it faces the sun', async () => {
+    const { centre, corner } = await play('objects/apply-technique');
+    expect(corner).toEqual(CAMERA);
+    // Gooch's warm tone: what faces the sun and the eye is yellow, which neither the ball nor the camera is.
+    expect(centre[0]).toBeGreaterThan((centre[2] ?? 0) + 20);
+  });
+
   test('value/number sets the strength of a filter', async () => {
     expect((await play('value/number')).centre).toEqual(sepia(0.6));
   });

@@ -3,7 +3,7 @@ import { encodeFilm, type FilmPicture } from './encode-film.ts';
 const SIDE_PX = 96;
 const PICTURES = 24;
 const PICTURES_PER_S = 12;
-/** BT.601 of a warm orange: about sRGB (255, 160, 60). */
+/** BT.601 of a warm orange: about sRGB (255, 139, 60). */
 const ORANGE = { y: 158, u: 76, v: 185 };
 
 /** A ball of two seconds that swells and shrinks, with a soft edge; nothing around it. */

@@ -7,6 +7,7 @@ import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.t
 import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import { type FrameSource, openFrameSource, type RenderSession } from './frame-source.page.ts';
 
 /** What is rendered, as Node tells the page. Addresses are relative to the page. */
@@ -58,6 +59,8 @@ interface Picture extends PictureHead {
 let stage: Stage | null = null;
 let taken: Picture | null = null;
 let take = false;
+/** Ends when the frame under way is drawn, and what it asked for is there. */
+let drawing: Promise<void> = Promise.resolve();
 let problems: readonly Diagnostic[] = [];
 const events: Diagnostic[] = [];
 
@@ -80,6 +83,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
     assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
     seed: SEED,
     clock: createFrozenClock(),
+    held: true,
     onDiagnostics: (diagnostics) => {
       problems = diagnostics;
     },
@@ -87,9 +91,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
   const { shaderErrors } = await player.ready;
   const { output, diagnostics } = await openFrameSource(job.session, gl, job.program, {
     onFrame: (frame) => {
-      player.draw(frame);
-      // Now, because what a device lends is only there during the frame.
-      if (take && stage) taken = readSubject(stage);
+      drawing = job.session.kind === 'recorded' ? drawRecorded(player, frame) : drawRoom(player, frame);
     },
     onEvent: (event) => {
       if (event.kind === 'problem') events.push({ code: 'SCR054', severity: 'error', message: event.message });
@@ -108,12 +110,26 @@ export async function play(index: number, keep: boolean): Promise<PictureHead | 
   take = keep;
   taken = null;
   const stepped = await stage.source.step(index);
+  await drawing;
   if (!keep || !stepped) return null;
   const seen = stage.subject.kind === 'screen' ? stage.source.seen?.() : undefined;
   const picture: Picture | null = seen ? { widthPx: seen.widthPx, heightPx: seen.heightPx, bytes: Uint8Array.from(seen.rgba) } : taken;
   if (!picture) return null;
   await fetch('picture', { method: 'POST', body: picture.bytes });
   return { widthPx: picture.widthPx, heightPx: picture.heightPx };
+}
+
+/** A recorded frame lasts: it is drawn when all that it shows is there. */
+async function drawRecorded(player: Player, frame: SessionFrame): Promise<void> {
+  await player.drawSettled(frame);
+  if (take && stage) taken = readSubject(stage);
+}
+
+/** What a device lends is only there during the frame, so it is drawn at once: videos show what the frame before asked for. */
+function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
+  player.draw(frame);
+  if (take && stage) taken = readSubject(stage);
+  return player.settle();
 }
 
 /** Everything wrong by now. */
