@@ -1,6 +1,7 @@
 import type { AnimationClip, Matrix4, Object3D, Texture } from 'three';
 import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
+import type { SceneLook } from './scene-look.ts';
 import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
 import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
 
@@ -381,15 +382,6 @@ export interface SceneService {
   /** A scene of flat proxies for the given lists. `look` decides what each object is drawn with. */
   createScene(look: SceneLook): DrawnScene;
 }
-
-export type SceneLook =
-  /**
-   * Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. `ambient` is the brightness of the neutral
-   * surroundings that light them besides their lights: 1, as when absent, makes a white matt surface white by them alone.
-   */
-  | { readonly kind: 'shaded'; readonly ambient?: NumberView }
-  /** Phantoms as shadow catchers: black, with alpha where light is blocked; virtual objects not drawn. */
-  | { readonly kind: 'shadow-catcher'; readonly strength: NumberView; readonly color: VectorView };
 
 export interface DrawnScene {
   /** Takes over changed lists and this frame's matrices. */

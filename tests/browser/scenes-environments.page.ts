@@ -1,6 +1,7 @@
 import { Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry } from 'three';
 import type { LoadedEnvironment } from '../../export/runtime/scene-backend.ts';
-import type { EnvironmentLightItem, LightItem, ObjectItem, SceneLook } from '../../nodes/kit/runtime.ts';
+import type { EnvironmentLightItem, LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import { writeHdr } from '../../tools/examples/write-hdr.ts';
 import { writeExr } from '../support/write-exr.ts';
 import {

@@ -10,7 +10,8 @@ import {
   SRGBColorSpace,
   WebGLRenderer,
 } from 'three';
-import type { LampShadow, LightItem, LightShadow, ObjectItem, SceneLook } from '../../nodes/kit/runtime.ts';
+import type { LampShadow, LightItem, LightShadow, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
   createGl,

@@ -14,7 +14,8 @@ import {
   RGBAFormat,
   SphereGeometry,
 } from 'three';
-import type { LightItem, LightShadow, ObjectItem, ObjectList, SceneLook, Writable } from '../../nodes/kit/runtime.ts';
+import type { LightItem, LightShadow, ObjectItem, ObjectList, Writable } from '../../nodes/kit/runtime.ts';
+import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   createStand,
   drawView,

@@ -4,6 +4,7 @@ import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore } from './environments/panorama-store.ts';
 import { createLightLimits } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
+import { createMaskScene } from './mask-scene.ts';
 import { createOcclusionPatch } from './materials/occlusion-patch.ts';
 import { createModelLoader, type ModelTools, NO_TOOLS } from './models/load-model.ts';
 import { createSceneRenderer } from './scene-renderer.ts';
@@ -50,6 +51,8 @@ function create(host: SceneHost, tools: ModelTools): SceneBackend {
                 occlusion,
                 watchLimits: createLightLimits(binding.report, 'shadows'),
               });
+            case 'mask':
+              return createMaskScene({ renderer, shows: look.shows, occlusion });
           }
         },
       };

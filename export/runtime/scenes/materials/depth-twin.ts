@@ -11,17 +11,18 @@ const SOLID_ALPHA = 0.5;
  *   that what lies on the surface wins over it.
  * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is blended casts one where its
  *   alpha is above one half.
+ * - `solid`: as `surface`, but what is blended is there where its alpha is above one half.
  */
-export function createDepthTwin(master: Material, use: 'surface' | 'shadow'): Twin {
+export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid'): Twin {
   const material = new MeshDepthMaterial();
   material.colorWrite = false;
-  material.polygonOffset = use === 'surface';
+  material.polygonOffset = use !== 'shadow';
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;
   function sync(): void {
     // Materials that lack one of these, such as lines, have no such holes.
     const from = master as Partial<MeshStandardMaterial> & Material;
-    const alphaTest = from.alphaTest > 0 ? from.alphaTest : use === 'shadow' && from.transparent ? SOLID_ALPHA : 0;
+    const alphaTest = from.alphaTest > 0 ? from.alphaTest : use !== 'surface' && from.transparent ? SOLID_ALPHA : 0;
     material.visible = from.visible;
     material.side = use === 'shadow' ? (from.shadowSide ?? DoubleSide) : from.side;
     material.wireframe = from.wireframe ?? false;

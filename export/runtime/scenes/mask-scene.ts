@@ -1,0 +1,57 @@
+import { Scene } from 'three';
+import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { SceneLook } from '../../../nodes/kit/scene-look.ts';
+import { createDepthTwin } from './materials/depth-twin.ts';
+import { createMaskTwin } from './materials/mask-twin.ts';
+import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import { createTwinCache } from './materials/twins.ts';
+import { type Drawable, mapMaterials, programFeatures } from './proxies/drawable.ts';
+import type { ProxyPlan } from './proxies/proxy.ts';
+import { createProxySet } from './proxies/proxy-set.ts';
+import type { SceneRenderer } from './scene-renderer.ts';
+import { createViewCamera } from './view-camera.ts';
+
+export interface MaskSceneOptions {
+  readonly renderer: SceneRenderer;
+  readonly shows: Extract<SceneLook, { kind: 'mask' }>['shows'];
+  readonly occlusion: OcclusionPatch | null;
+}
+
+/** What hides white has no colour to write over it, so it has to be there before. */
+const DEPTH_FIRST = -1;
+
+/** White where chosen objects are to be seen. What hides them lies a little behind, so that a thing does not hide itself. */
+export function createMaskScene({ renderer, shows, occlusion }: MaskSceneOptions): DrawnScene {
+  const scene = new Scene();
+  scene.matrixWorldAutoUpdate = false;
+  const view = createViewCamera();
+  const twins = createTwinCache();
+  const proxies = createProxySet(scene, plan);
+
+  function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
+    const features = programFeatures(master);
+    if (item.role === 'virtual' && shows(item, master)) {
+      const white = mapMaterials(master, (part) => twins.get(part, features, () => createMaskTwin(part, occlusion)));
+      return [{ material: white, renderOrder: 0 }];
+    }
+    const use = item.role === 'phantom' ? 'surface' : 'solid';
+    const depth = mapMaterials(master, (part) => twins.get(part, `${features}|${use}`, () => createDepthTwin(part, use)));
+    return [{ material: depth, renderOrder: DEPTH_FIRST }];
+  }
+
+  return {
+    update: (objects) => {
+      twins.sync();
+      if (proxies.update(objects, false)) twins.sweep();
+    },
+    draw: (drawView) => {
+      view.set(drawView.view);
+      occlusion?.bind(drawView);
+      renderer.draw(drawView, scene, view.camera);
+    },
+    dispose: () => {
+      proxies.dispose();
+      twins.dispose();
+    },
+  };
+}

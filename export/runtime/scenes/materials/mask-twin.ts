@@ -1,0 +1,23 @@
+import type { Material } from 'three';
+import { createDepthTwin } from './depth-twin.ts';
+import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
+import type { Twin } from './twins.ts';
+
+/** Instead of the depth that three writes as a colour. */
+const WHITE: ShaderPatch = {
+  key: 'white',
+  apply: (shader) => {
+    shader.fragmentShader = wrapMain(shader.fragmentShader, { before: '', start: '', end: 'gl_FragColor = vec4( 1.0 );' });
+  },
+};
+
+/** The master's shape in white. At a soft border of the room it fades. */
+export function createMaskTwin(master: Material, occlusion: ShaderPatch | null): Twin {
+  const twin = createDepthTwin(master, 'solid');
+  const { material } = twin;
+  material.colorWrite = true;
+  material.polygonOffset = false;
+  material.defines = { PREMULTIPLIED_OUTPUT: '' };
+  patchMaterial(material, null, occlusion ? [WHITE, occlusion] : [WHITE]);
+  return twin;
+}

@@ -1,0 +1,17 @@
+import type { Object3D } from 'three';
+import type { NumberView, ObjectItem, VectorView } from './runtime.ts';
+
+/** What a scene draws each of its objects with. */
+export type SceneLook =
+  /**
+   * Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. `ambient` is the brightness of the neutral
+   * surroundings that light them besides their lights: 1, as when absent, makes a white matt surface white by them alone.
+   */
+  | { readonly kind: 'shaded'; readonly ambient?: NumberView }
+  /** Phantoms as shadow catchers: black, with alpha where light is blocked; virtual objects not drawn. */
+  | { readonly kind: 'shadow-catcher'; readonly strength: NumberView; readonly color: VectorView }
+  /**
+   * Virtual objects flat and white, whatever their materials, as far as `shows` says of them and of the parts they are made of; all
+   * others, and phantoms, as depth alone. Asked when a list has changed.
+   */
+  | { readonly kind: 'mask'; readonly shows: (item: ObjectItem, part: Object3D) => boolean };
