@@ -1,4 +1,4 @@
-import type { Tier } from '../program/program.ts';
+import type { Control, Tier } from '../program/program.ts';
 import type { Ask } from './needs-text.ts';
 import { type PagePowers, pagePolicy } from './page-policy.ts';
 
@@ -50,6 +50,8 @@ export interface PageConfig {
   /** What entering AR will ask for. */
   readonly asks: readonly Ask[];
   readonly tiers: readonly Tier[];
+  /** What visitors can set, from top to bottom. */
+  readonly controls: readonly Control[];
   readonly program: string;
   /** Files of three's decoders that the page's models need, by the names that `export/gltf/decoders.ts` gives them. */
   readonly decoders: Readonly<Record<string, string>>;

@@ -1,3 +1,5 @@
+import type { Control } from '../program/program.ts';
+import { createControls, type SetControl } from './controls.ts';
 import { element } from './dom.ts';
 import { createNotices, type Notices } from './notices.ts';
 import { createPanel, type Panel, type PanelOptions } from './panel.ts';
@@ -12,11 +14,14 @@ export interface Stage {
   readonly notices: Notices;
   /** Null: looking around. */
   setWay(way: Way | null): void;
-  /** The picture is there: the poster goes. */
+  /** The picture is there: the poster goes, and what changes the picture comes. */
   showPicture(): void;
 }
 
 export interface StageOptions extends PanelOptions {
+  /** What visitors can set, from top to bottom. */
+  readonly controls: readonly Control[];
+  readonly onSet: SetControl;
   readonly onLeave: () => void;
 }
 
@@ -31,7 +36,8 @@ export function createStage(options: StageOptions): Stage {
   const panel = createPanel(options);
   const notices = createNotices(document);
   const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
-  const overlay = element(document, 'div', { id: 'overlay' }, notices.element, leave);
+  const controls = createControls(document, options.controls, options.onSet);
+  const overlay = element(document, 'div', { id: 'overlay' }, notices.element, ...(controls ? [controls.element] : []), leave);
   // A tap on what lies above the room is no tap into the room (WebXR DOM Overlays §3.3).
   overlay.addEventListener('beforexrselect', (event) => event.preventDefault());
   const poster = document.querySelector<HTMLElement>('.poster');
@@ -55,7 +61,10 @@ export function createStage(options: StageOptions): Stage {
       if (way === null) panel.focus();
       else leave.focus();
     },
-    showPicture: () => poster?.classList.add('gone'),
+    showPicture: () => {
+      poster?.classList.add('gone');
+      controls?.setShown(true);
+    },
   };
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && shown === 'camera') onLeave();

@@ -28,6 +28,7 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     document,
     lacks: { camera: lacksOf(config.tiers, 'camera'), orbit: lacksOf(config.tiers, 'orbit') },
     totalBytes: Object.values(config.bytes).reduce((sum, bytes) => sum + bytes, 0),
+    onSet: ({ node, param }, value) => visit?.setParam(node, param, value),
     onEnter: (way) => void visit?.enter(way),
     onLeave: () => void visit?.lookAround(),
   });

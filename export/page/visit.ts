@@ -31,6 +31,8 @@ export interface Visit {
   /** To be called from a click. Says why where it fails, offers the next best, and goes on with looking around. */
   enter(way: Way): Promise<void>;
   lookAround(): Promise<void>;
+  /** Sets what a control stands for, now and whenever the picture is set up again. */
+  setParam(node: string, param: string, value: number | boolean): void;
 }
 
 /** Throws where the browser has no WebGL 2. */
@@ -119,6 +121,9 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
       await mounted.play(output);
     },
     lookAround,
+    setParam: (node, param, value) => {
+      mounted.player.setParam(node, param, value);
+    },
   };
 }
 

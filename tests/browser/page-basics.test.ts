@@ -1,0 +1,108 @@
+import { readFile } from 'node:fs/promises';
+import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import type { AxeResults } from 'axe-core';
+import type { BrowserContextOptions, Page } from 'playwright-core';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { DISC, type ServedPage, servePage } from './page-kit.ts';
+
+// Frames are drawn on the CPU, beside whatever else the machine does.
+jest.setTimeout(60_000);
+
+const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
+const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
+
+let served: ServedPage;
+beforeAll(async () => {
+  served = await servePage({
+    ...DISC,
+    slots: { numbers: [0.5, 1, 0, 0], texts: [], slots: [], params: {} },
+    controls: [
+      { node: 'size-a1', param: 'value', label: 'Size of the light', kind: 'slider', min: 0, max: 1, step: 0.05, value: 0.5 },
+      { node: 'on-a1', param: 'value', label: 'Light', kind: 'toggle', value: 1 },
+      { node: 'mood-a1', param: 'value', label: 'Mood', kind: 'choice', options: ['Warm', 'Cold'], value: 0 },
+      { node: 'again-a1', param: 'presses', label: 'Again', kind: 'button', value: 0 },
+    ],
+  });
+});
+afterAll(() => served.close());
+
+const opened: Page[] = [];
+afterEach(async () => {
+  for (const page of opened.splice(0)) await page.context().close();
+});
+
+async function open(options: BrowserContextOptions = {}) {
+  const context = await chromium.browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
+  const page = await context.newPage();
+  opened.push(page);
+  const errors = collectErrors(page);
+  await page.goto(served.url);
+  await page.getByText('look around').waitFor();
+  return { page, errors };
+}
+
+/** What axe-core finds wrong, in one line each: rule and places. */
+async function findings(page: Page): Promise<string[]> {
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate(
+    () => (window as unknown as { axe: { run: () => Promise<AxeResults> } }).axe.run() as Promise<AxeResults>,
+  );
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
+}
+
+const SIZES = [
+  ['a phone', 390, 844],
+  ['a laptop', 1280, 720],
+] as const;
+
+describe('what every exported page has', () => {
+  test('tells search engines and link previews what it is', async () => {
+    const { page, errors } = await open();
+    const content = (selector: string) => page.locator(selector).getAttribute('content');
+    expect(await page.title()).toBe('Warm light');
+    expect(await page.locator('html').getAttribute('lang')).toBe('en');
+    expect(await content('meta[name="description"]')).toBe('A warm light for the room, drawn by a shader.');
+    expect(await content('meta[name="theme-color"]')).toMatch(/^#[0-9a-f]{6}$/);
+    expect(await content('meta[name="viewport"]')).toContain('width=device-width, initial-scale=1');
+    expect(await content('meta[name="viewport"]')).not.toMatch(/user-scalable|maximum-scale/);
+    const image = await content('meta[property="og:image"]');
+    expect((await page.request.get(new URL(image ?? '', served.url).href)).headers()['content-type']).toBe('image/png');
+    expect(await page.locator('img:not([alt])').count()).toBe(0);
+    expect(await page.locator('h1').count()).toBe(1);
+    expect(errors).toEqual([]);
+  });
+
+  test('says what it is before its script has come', async () => {
+    const context = await chromium.browser.newContext({ javaScriptEnabled: false });
+    const page = await context.newPage();
+    opened.push(page);
+    await page.goto(served.url);
+    expect(await page.getByRole('heading', { name: 'Warm light' }).isVisible()).toBe(true);
+    expect(await page.getByText('A warm light for the room').isVisible()).toBe(true);
+    expect(await page.locator('noscript').textContent()).toContain('This page needs JavaScript');
+  });
+
+  test.each(SIZES)('scrolls sideways nowhere, and axe finds nothing: %s', async (_name, width, height) => {
+    const { page, errors } = await open({ viewport: { width, height } });
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+    expect(await findings(page)).toEqual([]);
+    await page.getByText('What is missing compared with AR').first().click();
+    await page.getByRole('button', { name: 'Use the camera' }).click();
+    await page.getByRole('button', { name: 'Stop the camera' }).waitFor();
+    expect(await findings(page)).toEqual([]);
+    expect(errors).toEqual([]);
+  });
+
+  test('moves nothing for those who ask for less motion', async () => {
+    const { page } = await open({ reducedMotion: 'reduce' });
+    const moving = await page.evaluate(() =>
+      [...document.querySelectorAll('*')]
+        .filter((element) => {
+          const style = getComputedStyle(element);
+          return style.animationName !== 'none' || style.transitionDuration !== '0s';
+        })
+        .map((element) => element.className),
+    );
+    expect(moving).toEqual([]);
+  });
+});

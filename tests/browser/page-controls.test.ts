@@ -1,0 +1,134 @@
+import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import type { Page } from 'playwright-core';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { decodePicture, pixelAt } from '../support/picture.ts';
+import { LAMP } from './controls-program.ts';
+import { DISC, type ServedPage, servePage } from './page-kit.ts';
+
+// Frames are drawn on the CPU, beside whatever else the machine does.
+jest.setTimeout(60_000);
+
+const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
+let served: ServedPage;
+beforeAll(async () => {
+  served = await servePage(LAMP);
+});
+afterAll(() => served.close());
+
+const opened: Page[] = [];
+afterEach(async () => {
+  for (const page of opened.splice(0)) await page.close();
+});
+
+async function open(width = 1280, height = 720) {
+  const page = await chromium.browser.newPage({ viewport: { width, height } });
+  opened.push(page);
+  const errors = collectErrors(page);
+  await page.goto(served.url);
+  await page.getByText('look around').waitFor();
+  return { page, errors };
+}
+
+type Colour = readonly [red: number, green: number, blue: number];
+
+async function colourAt(page: Page, x: number, y: number): Promise<Colour> {
+  const [r, g, b] = pixelAt(decodePicture(await page.screenshot({ clip: { x, y, width: 1, height: 1 } })), 0, 0);
+  return [r, g, b];
+}
+
+/** A set value is drawn with the next frame, whenever that comes. */
+async function untilColour(page: Page, x: number, y: number, is: (colour: Colour) => boolean): Promise<void> {
+  while (!is(await colourAt(page, x, y)));
+}
+
+const red = ([r, g, b]: Colour) => r > 200 && g < 60 && b < 60;
+const blue = ([r, g, b]: Colour) => b > 200 && r < 60 && g < 60;
+const empty = ([r, g, b]: Colour) => Math.max(r, g, b) < 110;
+
+describe('controls of an exported page', () => {
+  test('change the picture, by pointer, and say what they are set to', async () => {
+    const { page, errors } = await open();
+    // The middle is within the disc; a quarter of the page's height above it, only within a larger one.
+    expect(red(await colourAt(page, 640, 360))).toBe(true);
+    expect(empty(await colourAt(page, 640, 60))).toBe(true);
+    const slider = page.getByRole('slider', { name: 'Size' });
+    expect(await page.locator('output').textContent()).toBe('0.3');
+    await slider.fill('0.5');
+    await untilColour(page, 640, 60, red);
+    expect(await page.locator('output').textContent()).toBe('0.5');
+
+    await page.getByRole('radio', { name: 'Cold' }).click();
+    await untilColour(page, 640, 360, blue);
+    expect(await page.getByRole('radio', { name: 'Cold' }).isChecked()).toBe(true);
+    await page.getByRole('button', { name: 'Greener' }).click({ clickCount: 4 });
+    await untilColour(page, 640, 360, ([, g]) => g > 200);
+    await page.getByRole('switch', { name: 'Light' }).click();
+    await untilColour(page, 640, 360, empty);
+    expect(errors).toEqual([]);
+  });
+
+  test('can be used by keyboard alone', async () => {
+    const { page } = await open();
+    await page.getByRole('button', { name: 'Controls' }).focus();
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('ArrowRight');
+    expect(await page.locator('output').textContent()).toBe('0.4');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Space');
+    await untilColour(page, 640, 360, empty);
+    await page.keyboard.press('Space');
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('ArrowDown');
+    await untilColour(page, 640, 360, blue);
+    await page.keyboard.press('Tab');
+    for (let i = 0; i < 4; i++) await page.keyboard.press('Enter');
+    await untilColour(page, 640, 360, ([, g]) => g > 200);
+  });
+
+  test('keep what they are set to with the camera, and when the graphics were lost', async () => {
+    const { page, errors } = await open();
+    await page.getByRole('radio', { name: 'Cold' }).click();
+    await page.getByRole('button', { name: 'Use the camera' }).click();
+    await page.getByRole('button', { name: 'Stop the camera' }).waitFor();
+    await untilColour(page, 640, 360, blue);
+    await page.getByRole('radio', { name: 'Warm' }).click();
+    await untilColour(page, 640, 360, red);
+    await page.getByRole('radio', { name: 'Cold' }).click();
+    await page.evaluate(() => {
+      const lose = document.querySelector('canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+      Object.assign(window, { lose });
+      lose?.loseContext();
+    });
+    await page.getByRole('alert').getByText('The graphics were interrupted').waitFor();
+    await page.evaluate(() => (window as unknown as { lose: WEBGL_lose_context }).lose.restoreContext());
+    await page.getByText('The graphics were interrupted').waitFor({ state: 'detached' });
+    await untilColour(page, 640, 360, blue);
+    expect(errors).toEqual([]);
+  });
+
+  test('are folded on a phone, and fit it when they are opened', async () => {
+    const { page } = await open(390, 844);
+    const fold = page.getByRole('button', { name: 'Controls' });
+    expect(await fold.getAttribute('aria-expanded')).toBe('false');
+    await fold.click();
+    expect(await fold.getAttribute('aria-expanded')).toBe('true');
+    const panel = await page.getByRole('region', { name: 'Controls' }).boundingBox();
+    const card = await page.getByRole('region', { name: 'Lamp' }).boundingBox();
+    expect(panel?.x).toBeGreaterThanOrEqual(0);
+    expect((panel?.y ?? 0) + (panel?.height ?? 0)).toBeLessThanOrEqual(card?.y ?? 0);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+    for (const control of await page.locator('.controls button, .controls label:has(input), .controls [type=range]').all()) {
+      expect((await control.boundingBox())?.height).toBeGreaterThanOrEqual(44);
+    }
+  });
+
+  test('are not there where there is nothing to set', async () => {
+    const without = await servePage(DISC);
+    const page = await chromium.browser.newPage();
+    opened.push(page);
+    await page.goto(without.url);
+    await page.getByText('look around').waitFor();
+    expect(await page.getByText('Controls').count()).toBe(0);
+    await without.close();
+  });
+});
