@@ -6,11 +6,14 @@ import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts'
 import type { ToolMain } from '../lib/tool.ts';
 import { makeGallery } from './gallery.ts';
 import { makeFilm } from './make-film.ts';
+import { makePinwheel } from './pinwheel.ts';
 import { makeRobot } from './robot.ts';
 import { makeSky } from './sky.ts';
 
 /** Projects are whole folders, so each has the model for itself. */
 const ROBOT_PATHS = ['examples/first-light/assets/robot.glb', 'examples/templates/occlusion/assets/robot.glb'];
+
+const PINWHEEL_PATHS = ['nodes/source/model/example/assets/pinwheel.glb'];
 
 const SKY_PATHS = ['nodes/source/panorama/example/assets/sky.hdr', 'nodes/light/environment/example/assets/sky.hdr'];
 const FILM_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
@@ -19,6 +22,7 @@ const FILM_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 export const main: ToolMain = async (_args, { root }) => {
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeGallery(root);
+  await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());
   await place(root, FILM_PATHS, await makeFilm(root));
   return 0;
