@@ -23,7 +23,7 @@ const MOST_TAKEN = 3;
 
 /**
  * Reads postfix (`nodes/kit/expression.ts`); `numbers` are the node's own, by name. Throws where the text is no postfix that the
- * compiler prints. Nothing is allocated by `update`: numbers live in one array, because an engine makes a heap object of a
+ * compiler prints. `update` allocates nothing: its numbers live in arrays of its own, because an engine makes a heap object of a
  * fraction that a function hands back.
  */
 export function playExpression(postfix: string, numbers: Readonly<Record<string, NumberView>> = {}): PlayedExpression {
@@ -52,8 +52,9 @@ export function playExpression(postfix: string, numbers: Readonly<Record<string,
   return {
     results: stack.subarray(0, depth),
     update: (clock) => {
-      for (let i = 0; i < times.length; i++) known[times[i] ?? 0] = clock.timeS;
-      for (let i = 0; i < frames.length; i++) known[frames[i] ?? 0] = clock.frame;
+      const { timeS, frame } = clock;
+      for (let i = 0; i < times.length; i++) known[times[i] ?? 0] = timeS;
+      for (let i = 0; i < frames.length; i++) known[frames[i] ?? 0] = frame;
       let top = -1;
       for (let i = 0; i < words.length; i++) {
         const view = views[i];
