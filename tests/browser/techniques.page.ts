@@ -59,7 +59,9 @@ function technique(name: string, values: Values = {}): TechniqueView {
 
 function viewOfText(text: string, key: string, values: Values = {}): TechniqueView {
   const { output: read, diagnostics } = readTechnique(text, `techniques/${key}.glsl`);
-  const { output: linked, diagnostics: wrong } = read ? linkTechnique(read, () => strength) : { output: null, diagnostics };
+  const { output: linked, diagnostics: wrong } = read
+    ? linkTechnique(read, { chunkOf: () => strength, loopBudget: true })
+    : { output: null, diagnostics };
   if (!read || !linked) throw new Error(JSON.stringify(wrong));
   const uniforms = linked.uniforms.map(({ name, param }): TechniqueUniformView => {
     const input = read.inputs.find((one) => one.name === param);
@@ -275,6 +277,18 @@ export function occluded(softnessM: number) {
   const own = shoot({ items: [item(wall)], occlusion, camera });
   const halves = (of: Uint8Array) => [20, 140].map((x) => pixel(of, x, HEIGHT / 2));
   return { styled: halves(pixels), own: halves(own).map((color) => color[3]), error: stand.gl.getError() };
+}
+
+/** A sphere whose loop never ends by itself. */
+export function endless() {
+  const text = `/*{ "INPUTS": [] }*/
+vec4 surface(const in Surface s) {
+  float x = 0.0;
+  while (x >= 0.0) x += 1.0;
+  return vec4(1.0, 0.0, 0.0, 1.0);
+}`;
+  const pixels = shoot({ items: [drawnWith(new Mesh(new SphereGeometry(0.2), new MeshLambertMaterial()), viewOfText(text, 'endless'))] });
+  return { center: pixel(pixels, WIDTH / 2, HEIGHT / 2), error: stand.gl.getError() };
 }
 
 /** One box of two materials, the second drawn by name; and a see-through sphere. */

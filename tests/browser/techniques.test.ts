@@ -157,6 +157,10 @@ describe('a technique is drawn', () => {
     expect(Math.abs((faded[0] ?? 0) - ((whole[0] ?? 0) * (faded[3] ?? 0)) / 255)).toBeLessThanOrEqual(1);
   });
 
+  test('to its end, though one of its loops has none', async () => {
+    expect(await page.call('endless')).toEqual({ center: [255, 0, 0, 255], error: NO_ERROR });
+  });
+
   test('for the materials that are named, and with the opacity of the object', async () => {
     expect(await page.call('parts')).toEqual({
       front: [255, 0, 0, 255],

@@ -6,7 +6,7 @@ import { readIsf } from '../../glsl/isf/read-isf.ts';
 import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
 import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
-import type { LinkedTechnique } from '../../glsl/technique/link-technique.ts';
+import type { LinkedTechnique, TechniqueOptions } from '../../glsl/technique/link-technique.ts';
 import { isTechniqueFile, type TechniqueShader } from '../../glsl/technique/technique-shader.ts';
 import { createTechniqueStore } from './technique-store.ts';
 
@@ -29,8 +29,8 @@ export interface ShaderStore {
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
   link(file: string, source: string, variant: LinkVariant): Result<readonly LinkedPass[]>;
-  /** `chunkOf` gives the text of `chunks/NAME.glsl`; chunks are the library's, and do not change. */
-  linkTechnique(file: string, source: string, chunkOf: (name: string) => string | undefined): Result<TechniqueText>;
+  /** Chunks are the library's, and do not change. */
+  linkTechnique(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
   /** Only for shaders whose `depth` is `over`. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
 }

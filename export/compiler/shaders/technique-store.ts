@@ -1,7 +1,7 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { shaderName } from '../../glsl/isf/isf-definition.ts';
-import { linkTechnique } from '../../glsl/technique/link-technique.ts';
+import { linkTechnique, type TechniqueOptions } from '../../glsl/technique/link-technique.ts';
 import { readTechnique } from '../../glsl/technique/read-technique.ts';
 import { techniqueDefinition } from '../../glsl/technique/technique-definition.ts';
 import type { TechniqueShader } from '../../glsl/technique/technique-shader.ts';
@@ -10,14 +10,15 @@ import type { TechniqueText } from './shader-store.ts';
 /** The part of the shader store that reads techniques. */
 export interface TechniqueStore {
   readDefinition(file: string, source: string): Result<NodeDefinition>;
-  link(file: string, source: string, chunkOf: (name: string) => string | undefined): Result<TechniqueText>;
+  link(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
 }
 
 interface Entry {
   readonly source: string;
   readonly technique: Result<TechniqueShader>;
   definition: Result<NodeDefinition> | null;
-  text: Result<TechniqueText> | null;
+  /** By whether loops are bounded. */
+  readonly texts: Map<boolean, Result<TechniqueText>>;
 }
 
 export function createTechniqueStore(): TechniqueStore {
@@ -26,7 +27,7 @@ export function createTechniqueStore(): TechniqueStore {
   function entryOf(file: string, source: string): Entry {
     const known = entries.get(file);
     if (known?.source === source) return known;
-    const made: Entry = { source, technique: readTechnique(source, file), definition: null, text: null };
+    const made: Entry = { source, technique: readTechnique(source, file), definition: null, texts: new Map() };
     entries.set(file, made);
     return made;
   }
@@ -38,19 +39,17 @@ export function createTechniqueStore(): TechniqueStore {
       entry.definition ??= { output: output && techniqueDefinition(output, shaderName(file)), diagnostics };
       return entry.definition;
     },
-    link: (file, source, chunkOf) => {
-      const entry = entryOf(file, source);
-      entry.text ??= linkText(entry.technique, chunkOf);
-      return entry.text;
+    link: (file, source, options) => {
+      const { technique, texts } = entryOf(file, source);
+      const text = texts.get(options.loopBudget) ?? linkText(technique, options);
+      texts.set(options.loopBudget, text);
+      return text;
     },
   };
 }
 
-function linkText(
-  { output: technique, diagnostics }: Result<TechniqueShader>,
-  chunkOf: (name: string) => string | undefined,
-): Result<TechniqueText> {
+function linkText({ output: technique, diagnostics }: Result<TechniqueShader>, options: TechniqueOptions): Result<TechniqueText> {
   if (technique === null) return { output: null, diagnostics };
-  const linked = linkTechnique(technique, chunkOf);
+  const linked = linkTechnique(technique, options);
   return { output: linked.output && { technique, linked: linked.output }, diagnostics: linked.diagnostics };
 }

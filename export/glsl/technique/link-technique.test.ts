@@ -9,7 +9,7 @@ const chunkOf = (name: string) => (name === 'light/strength' ? text('chunks/ligh
 function link(source: string, file = 'techniques/test.glsl') {
   const { output, diagnostics } = readTechnique(source, file);
   if (!output) throw new Error(JSON.stringify(diagnostics));
-  return linkTechnique(output, chunkOf);
+  return linkTechnique(output, { chunkOf, loopBudget: false });
 }
 
 function linked(source: string) {

@@ -1,4 +1,5 @@
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
+import { LOOP_BUDGET } from '../../program/loop-budget.ts';
 import type { LinkedShader, PassUniform, SourceMap } from '../../program/program.ts';
 import { type CheckedShader, checkShader } from '../check/check-shader.ts';
 import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
@@ -36,14 +37,22 @@ interface Unit {
   readonly expanded: ExpandedText;
   readonly checked: CheckedShader;
   readonly given: ReadonlyMap<string, VariableSymbol>;
+  readonly loopBudget: boolean;
 }
 
-/** SCR041 where the GLSL cannot be read, SCR043 where it asks for what Scrim cannot give. `chunkOf` gives `chunks/NAME.glsl`. */
-export function linkTechnique(technique: TechniqueShader, chunkOf: (name: string) => string | undefined): Result<LinkedTechnique> {
+export interface TechniqueOptions {
+  /** Text of `chunks/NAME.glsl`. */
+  readonly chunkOf: (name: string) => string | undefined;
+  /** Gives every invocation one number of rounds for all its loops, so that an endless one ends; for previews. */
+  readonly loopBudget: boolean;
+}
+
+/** SCR041 where the GLSL cannot be read, SCR043 where it asks for what Scrim cannot give. */
+export function linkTechnique(technique: TechniqueShader, { chunkOf, loopBudget }: TechniqueOptions): Result<LinkedTechnique> {
   let expanded: ExpandedText | null = null;
   try {
     expanded = expandIncludes(technique.source, technique.file, chunkOf);
-    return { output: linkExpanded(technique, expanded), diagnostics: [] };
+    return { output: linkExpanded(technique, expanded, loopBudget), diagnostics: [] };
   } catch (error) {
     if (!(error instanceof GlslError)) throw error;
     const { code, message, place } = error;
@@ -52,7 +61,7 @@ export function linkTechnique(technique: TechniqueShader, chunkOf: (name: string
   }
 }
 
-function linkExpanded(technique: TechniqueShader, expanded: ExpandedText): LinkedTechnique {
+function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, loopBudget: boolean): LinkedTechnique {
   const given = new Map(technique.inputs.map(({ name, type }) => [name, variableOf(name, INPUT_TYPES[type], 'input')]));
   const parsed = parseShader(`${TECHNIQUE_INTERFACE}${expanded.text}\n${mainFor(expanded.text)}`);
   const surface = functionOf(parsed, 'surface', 'vec4', 'Surface');
@@ -60,7 +69,7 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText): Linke
     throw new GlslError({ line: INTERFACE_LINES + 1, column: 1 }, 'The technique has no "vec4 surface(const in Surface s) { … }".');
   const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
   const checked = checkShader(parsed, given);
-  const unit: Unit = { technique, expanded, checked, given };
+  const unit: Unit = { technique, expanded, checked, given, loopBudget };
   const uses = usesOf(unit, checked.main);
   if (vertex) refuseLights(unit, vertex);
   const inVertex = vertex ? printStage(unit, vertex) : null;
@@ -150,7 +159,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
     passIndex: 0,
     images: new Map(),
     structs: unit.checked.structs,
-    loopBudget: false,
+    loopBudget: unit.loopBudget && reach.hasLoops,
     binding: new Map(),
     returnType: '',
     found: { discards: false, projects: false },
@@ -171,6 +180,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   }
   const head = [
     PRINTED_STRUCTS,
+    ...(context.loopBudget ? [LOOPS_END] : []),
     ...unit.technique.inputs
       .filter(({ name }) => reach.params.has(name))
       .map(({ name, type }) => `uniform ${INPUT_TYPES[type]} a_${name};`),
@@ -185,6 +195,13 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   });
   return { text: [...head, ...context.writer.lines].join('\n'), head, lines: context.writer.lines, map };
 }
+
+/** As in filters (`export/program/loop-budget.ts`), but nobody is told which loop it was. */
+const LOOPS_END = `int scrim_roundsLeft = ${LOOP_BUDGET};
+bool scrim_spend(const in int line) {
+  scrim_roundsLeft -= 1;
+  return scrim_roundsLeft >= 0;
+}`;
 
 /** What stands for that which only whoever draws can give. */
 const TRIAL_HEAD = `${FRAGMENT_HEAD}

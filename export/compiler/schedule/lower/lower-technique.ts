@@ -10,9 +10,9 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   if (lowering.resourceOf.has(id)) return;
   const source = lowering.library.shader(kind.shader);
   if (source === undefined) throw new Error(`The library has no technique ${kind.shader}.`);
-  const { output, diagnostics } = lowering.shaders.linkTechnique(kind.shader, source, (name) =>
-    lowering.library.shader(`chunks/${name}.glsl`),
-  );
+  const chunkOf = (name: string) => lowering.library.shader(`chunks/${name}.glsl`);
+  const options = { chunkOf, loopBudget: lowering.loopBudget };
+  const { output, diagnostics } = lowering.shaders.linkTechnique(kind.shader, source, options);
   lowering.diagnostics.push(...diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
   lowering.resourceOf.set(id, id);
   if (output === null) return;
