@@ -47,7 +47,7 @@ export interface PlayResult {
 
 /** Plays a program on a WebGL 2 context that it may share with others: it assumes nothing about the GL state. */
 export interface Player {
-  /** Settles when the first program is set up, its assets loaded or failed. Nothing is drawn before. */
+  /** Settles when the first program is set up, its assets loaded or failed, its materials compiled. Nothing is drawn before. */
   readonly ready: Promise<PlayResult>;
   /** What the frames to come are drawn for; null before there is a session. */
   setSession(session: SessionTraits | null): void;
@@ -98,6 +98,8 @@ export function createPlayer(options: PlayerOptions): Player {
   /** Of the stage that was lost with the context. */
   let left: Heritage | null = null;
   let loading: Loading | null = null;
+  /** The first stage is not to be drawn yet. */
+  let preparing = false;
   let session: SessionTraits | null = null;
   /** Neither lost nor disposed. */
   let live = true;
@@ -124,12 +126,20 @@ export function createPlayer(options: PlayerOptions): Player {
       return { outcome: 'kept', shaderErrors: loaded.errors };
     }
     const before = stage;
+    const isFirst = before === null && left === null;
     const next = createStage(engine, loaded, before ?? left);
     stage = next;
     left = null;
     stageIsGood = good;
     before?.release(next);
     for (const [name, value] of values) setValue(next, name, value);
+    if (isFirst) {
+      preparing = true;
+      await next.prepare().finally(() => {
+        preparing = false;
+      });
+      if (stage !== next) return { outcome: 'superseded', shaderErrors: [] };
+    }
     return { outcome: 'playing', shaderErrors: loaded.errors };
   };
   const tearDown = (contextLost: boolean): void => {
@@ -152,13 +162,13 @@ export function createPlayer(options: PlayerOptions): Player {
       session = next;
     },
     draw: (frame) => {
-      if (!live || !stage) return;
+      if (!live || !stage || preparing) return;
       state.frame = frame;
       stage.update();
       stage.draw(session);
     },
     drawSettled: async (frame) => {
-      if (!live || !stage) return;
+      if (!live || !stage || preparing) return;
       const mine = stage;
       state.frame = frame;
       mine.update();

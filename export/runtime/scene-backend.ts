@@ -35,6 +35,10 @@ export interface SceneBackend {
   loadModel(bytes: ArrayBuffer, path: string, readFile: (path: string) => Promise<ArrayBuffer>): Promise<LoadedModel>;
   /** A panorama, filtered for lighting. Rejects with an `Error` that says what is wrong with the file. */
   loadEnvironment(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
+  /**
+   * Runs draws that compile all they need, and draw nothing. Resolves when the driver has done so; nobody waits for it.
+   */
+  prepare(draws: () => void): Promise<void>;
   /** Called when passes have drawn since three last did. */
   invalidateState(): void;
   /** GPU objects alive, for leak tests. */

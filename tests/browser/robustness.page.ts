@@ -93,6 +93,26 @@ export function runFrames(from: number, count: number) {
   return { spied, gl: leaks.alive(), player: player.counts() };
 }
 
+/** GL programs that are linked before the first frame and in it, and what the watched values are after it. */
+export async function firstFrame(program: Program, assetUrl: string, watched: readonly string[]) {
+  const gl = createGl({ depth: true });
+  let linked = 0;
+  const link = gl.linkProgram.bind(gl);
+  gl.linkProgram = (made) => {
+    linked++;
+    link(made);
+  };
+  const plays = withSpy(program, watched);
+  const stage = await stand(plays, { gl, modules: { ...RUNTIMES, spy }, createScenes, assets: assetsAt(assetUrl) });
+  const before = linked;
+  stage.player.setSession({ world: 'image', blend: 'opaque' });
+  stage.player.draw(frame(0, [view(0, 0, 32, 32)]));
+  const during = linked - before;
+  const said = stage.diagnostics();
+  stage.player.dispose();
+  return { before, during, spied, said };
+}
+
 function withSpy(program: Program, watched: readonly string[]): Program {
   const inputs: Record<string, NodeOperation['inputs'][string]> = {};
   for (const name of watched) {

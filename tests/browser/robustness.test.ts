@@ -1,7 +1,8 @@
 import { join } from 'node:path';
 import { expect, jest, test } from '@jest/globals';
 import { openModule, useBrowser } from '../support/browser.ts';
-import { compileExample } from '../support/compile-project.ts';
+import { compileExample, compileText } from '../support/compile-project.ts';
+import { projectText } from '../support/project-kit.ts';
 
 // Sessions of an emulated device, drawn on the CPU.
 jest.setTimeout(120_000);
@@ -9,6 +10,39 @@ jest.setTimeout(120_000);
 const chromium = useBrowser();
 
 const TIMES = 20;
+
+/** Each tells what came before it was there: a start, and all that follows from it. */
+const STARTS = projectText({
+  nodes: {
+    'start-a1b2': 'pulse/on-start',
+    'counter-a1b2': 'value/counter',
+    'box-a1b2': 'objects/primitive',
+    'light-a1b2': 'light/directional',
+    'scene-a1b2': 'layer/scene',
+    'sepia-a1b2': 'filter/sepia',
+    'screen-a1b2': 'output/screen',
+  },
+  wires: [
+    'start-a1b2.pulse -> counter-a1b2.up',
+    'counter-a1b2.number -> sepia-a1b2.amount',
+    'box-a1b2.objects -> scene-a1b2.objects',
+    'light-a1b2.lights -> scene-a1b2.lights',
+    'scene-a1b2.layer -> sepia-a1b2.inputImage',
+    'sepia-a1b2.layer -> screen-a1b2.layer',
+  ],
+});
+
+test('the first frame finds everything compiled, and begins at the beginning', async () => {
+  const page = await openModule(chromium.browser, 'tests/browser/robustness.page.ts', {
+    mounts: { '/examples/': join(process.cwd(), 'examples') },
+  });
+  const boxes = await page.call('firstFrame', compileText(STARTS), 'examples/', ['counter-a1b2.number']);
+  expect(boxes).toMatchObject({ during: 0, spied: { 'counter-a1b2.number': 1 }, said: [] });
+  const models = await page.call('firstFrame', await compileExample('examples/first-light'), 'examples/first-light/', []);
+  expect(models).toMatchObject({ during: 0, said: [] });
+  expect(page.errors).toEqual([]);
+  await page.close();
+});
 
 test('twenty times into AR and out again leave as many GPU objects as once', async () => {
   const page = await openModule(chromium.browser, 'tests/browser/robustness.page.ts', {

@@ -60,6 +60,7 @@ function create(host: SceneHost, tools: ModelTools): SceneBackend {
     createShadowMaps: (casters, lights) => createShadowMaps(renderer, casters, lights),
     loadModel: createModelLoader(tools, renderer.three),
     loadEnvironment: panoramas.load,
+    prepare: renderer.prepare,
     invalidateState: renderer.invalidateState,
     counts: () => {
       const { memory, programs } = renderer.three.info;

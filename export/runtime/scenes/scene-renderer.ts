@@ -21,6 +21,8 @@ export interface SceneRenderer {
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /** Lets three do other work on the GPU, at any time between draws; leaves no framebuffer bound. */
   work(task: (three: ThreeRenderer) => void): void;
+  /** Runs draws that compile what they need and draw nothing; resolves when the driver has done so, without waiting for it. */
+  prepare(draws: () => void): Promise<void>;
   /** Others have drawn since three last did. */
   invalidateState(): void;
   dispose(): void;
@@ -59,6 +61,8 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const target = createFramebufferTarget();
   const external = three as unknown as ExternalFramebuffers;
   let stale = true;
+  /** While draws are run to be prepared. */
+  let compiling: Promise<unknown>[] | null = null;
 
   function restoreState(): void {
     if (!stale) return;
@@ -81,14 +85,19 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       target.scissor.set(x, y, widthPx, heightPx);
       target.scissorTest = true;
       three.setRenderTarget(target);
-      three.render(scene, camera);
+      if (compiling) compiling.push(three.compileAsync(scene, camera));
+      else three.render(scene, camera);
       three.state.setScissorTest(false);
     },
     drawDepth: (depthTarget, scene, camera, face = 0) => {
       restoreState();
       three.setRenderTarget(depthTarget, face);
-      three.clear(false, true, false);
-      three.render(scene, camera);
+      if (compiling) {
+        compiling.push(three.compileAsync(scene, camera));
+      } else {
+        three.clear(false, true, false);
+        three.render(scene, camera);
+      }
       three.setRenderTarget(null);
     },
     work: (task) => {
@@ -97,6 +106,16 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       restoreState();
       task(three);
       three.setRenderTarget(null);
+    },
+    prepare: async (draws) => {
+      const all: Promise<unknown>[] = [];
+      compiling = all;
+      try {
+        draws();
+      } finally {
+        compiling = null;
+      }
+      await Promise.all(all);
     },
     invalidateState: () => {
       stale = true;

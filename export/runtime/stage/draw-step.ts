@@ -31,6 +31,12 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
     runtime.draw?.(drawView as DrawView);
   };
   return {
+    prepare: ({ view, viewIndex, widthPx, heightPx }) => {
+      if (!view) return;
+      viewport.widthPx = widthPx;
+      viewport.heightPx = heightPx;
+      draw(view, viewIndex, null);
+    },
     run: (state) => {
       const { view, viewIndex } = state;
       if (!view) return;

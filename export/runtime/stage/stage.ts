@@ -1,12 +1,14 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
+import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { Program } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import type { LoadedProgram } from '../loading.ts';
 import { isDraw } from '../operations/node-key.ts';
 import { createPass, type PassParts } from '../passes/pass.ts';
-import { enterView } from '../play-state.ts';
+import { EMPTY_FRAME, enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
 import { createResources, disposeUnused, type LiveResources, pointTechniques } from '../resources/resources.ts';
+import { createSessionFrame } from '../sessions/session-frame.ts';
 import { createTargetSizes } from '../targets/target-sizes.ts';
 import { createSlots, type Slots } from '../values/slots.ts';
 import { type Cast, createCast, isShadowMaps, releaseCast } from './cast.ts';
@@ -36,6 +38,11 @@ export interface Stage extends Heritage {
   reset(): void;
   /** Frees GL programs, assets and targets that the stage after this one did not take over. */
   release(next: Stage | null): void;
+  /**
+   * Before the first frame: has what the scenes of an empty world need compiled, without drawing them, and leaves no trace of that in
+   * any node. Else the first frame would stand still for it.
+   */
+  prepare(): Promise<void>;
   /** The context is lost, and this stage with it; what is left are the values, and the nodes that make them, with their state. */
   outlive(): Heritage;
 }
@@ -61,19 +68,27 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
   const run = (steps: readonly Step[]): void => {
     for (let i = 0; i < steps.length; i++) steps[i]?.run(state);
   };
+  const update = (): void => {
+    const { frame } = state;
+    enterView(state, 0);
+    for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
+    for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
+    for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
+  };
+  const reset = (): void => {
+    for (const node of cast.nodes.values()) node.reset();
+    loops?.retry();
+    for (const resource of resources.values()) {
+      if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
+    }
+  };
   return {
     program,
     slots,
     resources,
     cast,
     loops,
-    update: () => {
-      const { frame } = state;
-      enterView(state, 0);
-      for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
-      for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
-      for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
-    },
+    update,
     settle: async () => {
       await Promise.all(runtimes.map((runtime) => runtime.settle?.()));
     },
@@ -94,12 +109,18 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
         run(each);
       }
     },
-    reset: () => {
-      for (const node of cast.nodes.values()) node.reset();
-      loops?.retry();
-      for (const resource of resources.values()) {
-        if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
-      }
+    reset,
+    prepare: async () => {
+      const backend = engine.scenesIfMade();
+      if (!backend) return;
+      state.frame = createEmptyWorld();
+      update();
+      const compiled = backend.prepare(() => {
+        for (const step of [...once, ...each]) step.prepare?.(state);
+      });
+      reset();
+      state.frame = EMPTY_FRAME;
+      await compiled;
     },
     release: (next) => {
       if (!next) releaseCast(cast);
@@ -117,6 +138,20 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
       return { resources: left.resources, cast: left, loops: null };
     },
   };
+}
+
+const PREPARED_SIDE_PX = 64;
+
+/** One view, and nothing to be seen. */
+function createEmptyWorld(): SessionFrame {
+  const frame = createSessionFrame();
+  const [view] = frame.views;
+  frame.viewCount = 1;
+  if (view) {
+    view.viewport.widthPx = PREPARED_SIDE_PX;
+    view.viewport.heightPx = PREPARED_SIDE_PX;
+  }
+  return frame;
 }
 
 /** Others hold what three.js has put on the GPU, if only in the objects that they pass on. */
@@ -144,12 +179,11 @@ function createSteps(
       steps.push(createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null));
     } else if (isShadowMaps(operation)) {
       const maps = cast.shadowMaps.get(operation.id)?.maps;
-      steps.push({
-        run: () => {
-          engine.scenesIfMade()?.invalidateState();
-          maps?.update();
-        },
-      });
+      const render = (): void => {
+        engine.scenesIfMade()?.invalidateState();
+        maps?.update();
+      };
+      steps.push({ run: render, prepare: render });
     } else if (isDraw(operation)) {
       const instance = cast.nodes.get(operation.id);
       if (instance) steps.push(createDrawStep(engine, operation, instance, resources));
