@@ -111,7 +111,10 @@ describeElectron('the packaged app', electron, () => {
       },
       [project, out],
     );
-    expect(exported).toMatchObject({ ok: true });
+    expect(exported).toMatchObject({ ok: true, diagnostics: [] });
+    // The model is compressed by what lies outside the archive, too.
+    const report = JSON.parse(await readFile(join(out, 'report.json'), 'utf8')) as { assets: unknown };
+    expect(report.assets).toMatchObject([{ source: 'assets/robot.glb', form: 'meshopt' }]);
     expect(errors).toEqual([]);
     // What the environment asks of Node, the fuses forbid.
     expect(existsSync(join(base, 'ran'))).toBe(false);

@@ -30,11 +30,12 @@ export async function stageApp(root: string, folder: string, { platform, arch }:
   const outside = join(folder, OUTSIDE);
   await put(join(outside, 'package.json'), JSON.stringify({ type: 'module', sideEffects: false }));
   const sources = await copySources(root, outside);
-  const inPages = await importedBy(
+  const bundledLater = await importedBy(
     root,
-    sources.filter((path) => IN_PAGES.test(path)),
+    sources.filter((path) => BUNDLED_LATER.test(path)),
   );
-  for (const name of await withDependencies(root, inPages)) await copyPackage(root, name, join(outside, 'node_modules'));
+  bundledLater.delete('esbuild');
+  for (const name of await withDependencies(root, bundledLater)) await copyPackage(root, name, join(outside, 'node_modules'));
   await copyEsbuildProgram(root, join(outside, 'node_modules'), `@esbuild/${platform}-${arch}`);
   await cp(join(root, 'node_modules/@iwer/sem/captures'), join(outside, 'node_modules/@iwer/sem/captures'), { recursive: true });
   await copyFolder(join(root, 'examples'), join(outside, 'examples'), () => false);
@@ -49,11 +50,11 @@ async function copySources(root: string, outside: string): Promise<readonly stri
   return sources;
 }
 
-/** Sources of what is in a page. What makes pages runs in the app, bundled into its own code. */
-const IN_PAGES = /^(?:export\/(?:page|runtime|program)|nodes\/(?!generated\/)[^/]+)\/.*\.ts$/;
+/** What the app bundles while it runs: pages, and workers beside itself. The emulator is in neither. */
+const BUNDLED_LATER = /^(?:export\/(?!emulator\/)|nodes\/(?!generated\/)).*\.ts$/;
 
 /** The npm packages that files import. */
-async function importedBy(folder: string, paths: readonly string[]): Promise<ReadonlySet<string>> {
+async function importedBy(folder: string, paths: readonly string[]): Promise<Set<string>> {
   const names = new Set<string>();
   for (const path of paths) {
     for (const { specifier, typeOnly } of readImports(parseFile(path, await readFile(join(folder, path), 'utf8')))) {
