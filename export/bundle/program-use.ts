@@ -1,4 +1,4 @@
-import type { Program } from '../program/program.ts';
+import type { Program, ProgramAsset } from '../program/program.ts';
 
 /** What of Scrim a program needs beside it. */
 export interface ProgramUse {
@@ -6,6 +6,8 @@ export interface ProgramUse {
   readonly nodeTypes: readonly string[];
   /** Whether three.js is needed. */
   readonly scenes: boolean;
+  /** Whether panoramas are read. */
+  readonly panoramas: boolean;
   /** Ids of the assets that some operation names. */
   readonly assets: ReadonlySet<string>;
 }
@@ -13,11 +15,13 @@ export interface ProgramUse {
 export function programUse(program: Program): ProgramUse {
   const nodes = program.operations.filter((operation) => 'type' in operation);
   const assets = new Set(nodes.flatMap((node) => Object.values(node.assets)).filter((id) => id !== null));
+  const uses = (...kinds: ProgramAsset['kind'][]) => program.assets.some(({ id, kind }) => kinds.includes(kind) && assets.has(id));
   return {
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),
     scenes:
       program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
-      program.assets.some(({ id, kind }) => (kind === 'model' || kind === 'environment') && assets.has(id)),
+      uses('model', 'environment'),
+    panoramas: uses('environment'),
     assets,
   };
 }

@@ -5,6 +5,7 @@ import { createFetchAssetSource } from '../../export/runtime/assets/asset-source
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import { createPlayer, type Player } from '../../export/runtime/player.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
+import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
@@ -49,7 +50,7 @@ export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostic
   const fitter = createCanvasFitter(canvas);
   fitter.update();
   const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
-  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect });
+  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect, readRadiance });
   const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: SEED, onDiagnostics, clock });
   const lost = (event: Event) => {
     // Without this the browser never gives the context back.

@@ -22,6 +22,14 @@ import {
 const SIZE = { widthPx: 32, heightPx: 16 };
 const SHADE: SceneLook = { kind: 'shaded', ambient: { value: 1 } };
 
+let made: Stand | null = null;
+
+/** One for all: each context compiles its shaders anew. */
+function sharedStand(): Stand {
+  made ??= createStand();
+  return made;
+}
+
 type Rgb = readonly [number, number, number];
 
 /** A panorama as a function of the direction, sampled at the middle of each pixel, top row first. */
@@ -76,7 +84,7 @@ const ball = (material = new MeshLambertMaterial()): ObjectItem => item(new Mesh
 
 /** Reds of all pixels of a white matt ball: the least and the greatest. */
 export async function furnace() {
-  const stand = createStand();
+  const stand = sharedStand();
   const reds = async (bytes: ArrayBuffer, more: Partial<EnvironmentLightItem> = {}): Promise<[number, number]> => {
     const environment = await stand.backend.loadEnvironment(bytes);
     const pixels = shoot(stand, [ball()], [surround(environment, more)]);
@@ -101,7 +109,7 @@ export async function furnace() {
 
 /** Light from the right half of the sky alone: the reds of planes that face it, are turned away, or lie across. */
 export async function brightSide() {
-  const stand = createStand();
+  const stand = sharedStand();
   const environment = await stand.backend.loadEnvironment(hdr(paint((x) => (x > 0 ? [0.8, 0.8, 0.8] : [0, 0, 0]))));
   const red = (towards: Rgb, rotationRad = 0): number | undefined => facing(stand, towards, [surround(environment, { rotationRad })])[0];
   const result = {
@@ -137,7 +145,7 @@ const DIRECTIONS: Readonly<Record<string, Rgb>> = {
 
 /** What is seen of the panorama itself in each direction, and in a mirror that faces each. */
 export async function directions(rotationRad: number) {
-  const stand = createStand();
+  const stand = sharedStand();
   const environment = await stand.backend.loadEnvironment(hdr(paint(QUARTERS)));
   const backdrop: Record<string, number[]> = {};
   const mirror: Record<string, number[]> = {};
@@ -156,7 +164,7 @@ export async function directions(rotationRad: number) {
 
 /** The same panorama from both formats: pixels of a rough and a smooth ball that differ by more than 1. */
 export async function bothFormats() {
-  const stand = createStand();
+  const stand = sharedStand();
   const rgb = paint((x, y, z) => [Math.max(0, x) * 3, 0.3 + 0.2 * y, z > 0.8 ? 20 : 0.05]);
   // HDR keeps 8 bits, so both are given what those 8 bits hold.
   const rounded = rgb.map((value, i) => {
@@ -178,7 +186,7 @@ export async function bothFormats() {
 
 /** What each broken file is refused with. */
 export async function refusals() {
-  const { backend } = createStand();
+  const { backend } = sharedStand();
   const refusal = (bytes: ArrayBuffer): Promise<string> =>
     backend.loadEnvironment(bytes).then(
       () => 'taken',
@@ -198,7 +206,7 @@ export async function refusals() {
 
 /** Infinite and broken pixels do not spread: the rest of the sky still lights. */
 export async function infinities() {
-  const stand = createStand();
+  const stand = sharedStand();
   const rgb = paint(() => [0.5, 0.5, 0.5]);
   rgb[100] = Number.NaN;
   rgb[200] = Number.NEGATIVE_INFINITY;
@@ -210,7 +218,7 @@ export async function infinities() {
 
 /** GPU objects before panoramas were there, and after they are gone. */
 export async function leaks() {
-  const stand = createStand();
+  const stand = sharedStand();
   const receivers = [ball()];
   const draw = async (): Promise<void> => {
     const environment = await stand.backend.loadEnvironment(hdr(paint(QUARTERS)));

@@ -41,6 +41,14 @@ const CATCH: SceneLook = { kind: 'shadow-catcher', strength: { value: 0.5 }, col
 const LAMP: LampShadow = { mapSizePx: 1024, biasPx: 2.5 };
 const SUN: LightShadow = { areaM: 5, mapSizePx: 2048, bias: 0, normalBiasM: (2.5 * 5) / 2048 };
 
+let made: Stand | null = null;
+
+/** One for all: each context compiles its shaders anew. */
+function sharedStand(): Stand {
+  made ??= createStand();
+  return made;
+}
+
 function slab(geometry: BufferGeometry, options: ItemOptions = {}): ObjectItem {
   return item(new Mesh(geometry, new MeshLambertMaterial()), options);
 }
@@ -91,7 +99,7 @@ const PLACES = [0, 0.2, 0.5, 0.8, 1.1];
 
 /** Red of the floor under a bulb of 2 cd, 0.8 m above it, with where it is. */
 export function falloff(rangeM: number) {
-  const stand = createStand();
+  const stand = sharedStand();
   const pixels = shoot(stand, { lamps: [bulb([0, 0.8, 0], 2, { rangeM })], receivers: [floor()] });
   return { places: PLACES.map((x) => ({ x: pixelMiddle(x), red: at(pixels, x)[0] })), error: stand.gl.getError() };
 }
@@ -115,7 +123,7 @@ export function falloffOfThree(rangeM: number) {
 
 /** Where along x the light of a spot begins and ends to be more than half of what it is without an edge. */
 export function cone(penumbra: number) {
-  const stand = createStand();
+  const stand = sharedStand();
   const lamp = spot([0, 1, 0], [0, 0, 0], 2, { penumbra });
   const pixels = shoot(stand, { lamps: [lamp], receivers: [floor()] });
   const open = shoot(stand, { lamps: [bulb([0, 1, 0], 2)], receivers: [floor()] });
@@ -146,7 +154,7 @@ const LAMPS = {
  * ray through its middle meets the floor.
  */
 export function lampShadow(kind: keyof typeof LAMPS) {
-  const stand = createStand();
+  const stand = sharedStand();
   const points = (pixels: Uint8Array) => ({
     middle: at(pixels, 0.6),
     inside: at(pixels, 0.47),
@@ -167,7 +175,7 @@ export function lampShadow(kind: keyof typeof LAMPS) {
 
 /** Pixels that a floor and a box darken by themselves, and that a phantom floor catches of itself. */
 export function acne(kind: keyof typeof LAMPS) {
-  const stand = createStand();
+  const stand = sharedStand();
   const ground = floor();
   const lamps = [LAMPS[kind]()];
   const shadowed = shoot(stand, { lamps, receivers: [ground], casters: [ground] });
@@ -181,7 +189,7 @@ export function acne(kind: keyof typeof LAMPS) {
 
 /** A point light throws shadows to all sides: plates around it, walls around those; the walls' reds behind the plates and beside. */
 export function allSides() {
-  const stand = createStand();
+  const stand = sharedStand();
   const light = bulb([0, 0, 0], 4, { shadow: LAMP });
   const sides = { '+x': [1, 0, 0], '-x': [-1, 0, 0], '+y': [0, 1, 0], '-y': [0, -1, 0], '+z': [0, 0, 1], '-z': [0, 0, -1] } as const;
   const result: Record<string, [number | undefined, number | undefined]> = {};
@@ -210,7 +218,7 @@ export function allSides() {
 
 /** Several lamps at once, each behind a plate of its own: alpha of the shadow layer, and the scene, at each shadow and between. */
 export function several() {
-  const stand = createStand();
+  const stand = sharedStand();
   const lamps = [
     spot([-0.6, 1.5, 0], [-0.6, 0, 0], 3, { shadow: LAMP }),
     bulb([0.6, 1.5, 0], 3, { shadow: LAMP }),
@@ -230,7 +238,7 @@ export function several() {
 
 /** Seven lights with shadows: what is told, and whether the floor under the plate is still lit by the last. */
 export function tooMany() {
-  const stand = createStand();
+  const stand = sharedStand();
   const reports: string[] = [];
   const lamps = Array.from({ length: 7 }, () => bulb([0, 1.5, 0], 0.5, { shadow: { mapSizePx: 64, biasPx: 2.5 } }));
   const ground = floor();
@@ -241,7 +249,7 @@ export function tooMany() {
 
 /** GPU objects before lamps with shadows were there, and after they are gone. */
 export function leaks() {
-  const stand = createStand();
+  const stand = sharedStand();
   const [ground, phantom, casters] = [[floor()], [phantomFloor()], [plate()]];
   const draw = (): void => {
     shoot(stand, { lamps: [LAMPS.spot(), LAMPS.point()], receivers: ground, casters });

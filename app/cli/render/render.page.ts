@@ -4,6 +4,7 @@ import { createBrowserClock, createManualClock, type FrameClock } from '../../..
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
+import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
@@ -79,7 +80,11 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
     canvas,
     program: job.program,
     modules: RUNTIMES,
-    createScenes: createScenesWith({ decoders: ALL_DECODERS, files: createFetchAssetSource(decodersUrl, fetchFile).load }),
+    createScenes: createScenesWith({
+      decoders: ALL_DECODERS,
+      files: createFetchAssetSource(decodersUrl, fetchFile).load,
+      readRadiance,
+    }),
     assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
     seed: SEED,
     clock: createFrozenClock(),

@@ -2,6 +2,7 @@ import type { NumberView } from '../../../nodes/kit/runtime.ts';
 import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '../scene-backend.ts';
 import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore } from './environments/panorama-store.ts';
+import { type ReadRadiance, readRadiance } from './environments/read-radiance.ts';
 import { createLightLimits } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createMaskScene } from './mask-scene.ts';
@@ -11,20 +12,24 @@ import { createSceneRenderer } from './scene-renderer.ts';
 import { createShadedScene } from './shaded-scene.ts';
 import { createShadowScene } from './shadow-scene.ts';
 
+export interface SceneTools extends ModelTools {
+  readonly readRadiance?: ReadRadiance;
+}
+
 const FULL_AMBIENT: NumberView = { value: 1 };
 
 /** three.js for the player: scenes of flat proxies, shadow maps and models, on the player's own context and framebuffers. */
-export const createScenes: CreateSceneBackend = (host) => create(host, NO_TOOLS);
+export const createScenes: CreateSceneBackend = (host) => create(host, { ...NO_TOOLS, readRadiance });
 
-/** The same, with decoders for compressed models. */
-export function createScenesWith(tools: ModelTools): CreateSceneBackend {
+/** The same, with decoders for compressed models, and for panoramas where there are any. */
+export function createScenesWith(tools: SceneTools): CreateSceneBackend {
   return (host) => create(host, tools);
 }
 
-function create(host: SceneHost, tools: ModelTools): SceneBackend {
+function create(host: SceneHost, tools: SceneTools): SceneBackend {
   const renderer = createSceneRenderer(host);
   const neutral = createNeutralEnvironment(renderer);
-  const panoramas = createPanoramaStore(renderer);
+  const panoramas = createPanoramaStore(renderer, tools.readRadiance ?? null);
   return {
     serviceFor: (binding) => {
       const shadowMaps = binding.shadowMaps === null ? null : rendered(binding.shadowMaps);

@@ -1,19 +1,15 @@
 import {
   ClampToEdgeWrapping,
-  DataTexture,
   EquirectangularReflectionMapping,
-  HalfFloatType,
   LinearFilter,
   LinearMipmapLinearFilter,
-  LinearSRGBColorSpace,
   RepeatWrapping,
   SRGBColorSpace,
   Texture,
 } from 'three';
-import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
-import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
-import { isCutOff, PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
+import { PanoramaError, type RadianceHeader, readRadianceHeader } from './radiance-header.ts';
+import type { ReadRadiance } from './read-radiance.ts';
 
 /** At 4096 rows, 16-bit floats with their mipmaps take 350 MB. */
 const MAX_WIDTH_PX = 8192;
@@ -24,10 +20,11 @@ const MAX_WIDTH_PX = 8192;
  *
  * @throws PanoramaError, by rejection
  */
-export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number): Promise<LoadedEnvironment> {
+export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number, readRadiance: ReadRadiance): Promise<LoadedEnvironment> {
   const maxPx = Math.min(MAX_WIDTH_PX, maxTexturePx);
   const header = readRadianceHeader(bytes);
-  const texture = header ? readRadiance(bytes, header, maxPx) : await readPicture(bytes, maxPx);
+  if (header) checkSize(header, maxPx);
+  const texture = header ? readRadiance(bytes, header) : await readPicture(bytes, maxPx);
   texture.mapping = EquirectangularReflectionMapping;
   texture.wrapS = RepeatWrapping;
   texture.wrapT = ClampToEdgeWrapping;
@@ -39,39 +36,12 @@ export async function loadPanorama(bytes: ArrayBuffer, maxTexturePx: number): Pr
   return { texture, widthPx, heightPx, dispose: () => disposeTexture(texture) };
 }
 
-function readRadiance(bytes: ArrayBuffer, header: RadianceHeader, maxPx: number): DataTexture {
-  const { widthPx, heightPx } = header;
+function checkSize({ widthPx, heightPx }: RadianceHeader, maxPx: number): void {
   if (widthPx < 1 || heightPx < 1) throw new PanoramaError('it has no pixels. Export it again');
   if (widthPx > maxPx || heightPx > maxPx) {
     throw new PanoramaError(
       `it has ${widthPx} × ${heightPx} pixels, and at most ${maxPx} a side can be shown. 4096 × 2048 is sharp enough for a sky`,
     );
-  }
-  if (isCutOff(bytes, header)) throw new PanoramaError('the file is cut off. Copy or export it again');
-  const { data, width, height, format: channels, flipY } = parse(bytes, header.format);
-  if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
-  tame(data);
-  const texture = new DataTexture(data, width, height, channels, HalfFloatType);
-  texture.colorSpace = LinearSRGBColorSpace;
-  texture.flipY = flipY ?? false;
-  return texture;
-}
-
-function parse(bytes: ArrayBuffer, format: RadianceHeader['format']): ReturnType<HDRLoader['parse']> {
-  try {
-    return new (format === 'hdr' ? HDRLoader : EXRLoader)().parse(bytes);
-  } catch (error) {
-    const reason = error instanceof RangeError ? 'it ends too early' : String(error instanceof Error ? error.message : error);
-    throw new PanoramaError(`the file is damaged (${reason.replace(/^THREE\.\w+: /, '')}). Export it again`);
-  }
-}
-
-/** One infinite or negative pixel would spread over all that is filtered: infinity becomes the largest number, what is no radiance 0. */
-function tame(halves: Uint16Array): void {
-  for (let i = 0; i < halves.length; i++) {
-    const half = halves[i] ?? 0;
-    if (half >= 0x8000 || half > 0x7c00) halves[i] = 0;
-    else if (half === 0x7c00) halves[i] = 0x7bff;
   }
 }
 

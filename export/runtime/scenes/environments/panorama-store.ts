@@ -4,6 +4,7 @@ import type { LoadedEnvironment } from '../../scene-backend.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { loadPanorama } from './load-panorama.ts';
 import { type Prefiltered, prefilter } from './prefilter.ts';
+import type { ReadRadiance } from './read-radiance.ts';
 
 /** Panoramas that are loaded, with what their light is read from: filtered once, for all scenes. */
 export interface PanoramaStore {
@@ -13,11 +14,13 @@ export interface PanoramaStore {
   dispose(): void;
 }
 
-export function createPanoramaStore(renderer: SceneRenderer): PanoramaStore {
+/** `readRadiance` null: of a page without panoramas. */
+export function createPanoramaStore(renderer: SceneRenderer, readRadiance: ReadRadiance | null): PanoramaStore {
   const filtered = new Map<EnvironmentAsset, Prefiltered>();
   return {
     load: async (bytes) => {
-      const panorama = await loadPanorama(bytes, renderer.three.capabilities.maxTextureSize);
+      if (!readRadiance) throw new Error('The program has a panorama, but the page was made without.');
+      const panorama = await loadPanorama(bytes, renderer.three.capabilities.maxTextureSize, readRadiance);
       const loaded: LoadedEnvironment = {
         ...panorama,
         dispose: () => {

@@ -1,0 +1,41 @@
+import { DataTexture, HalfFloatType, LinearSRGBColorSpace } from 'three';
+import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
+import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
+import { isCutOff, PanoramaError, type RadianceHeader } from './radiance-header.ts';
+
+/**
+ * Decodes Radiance HDR and OpenEXR to 16-bit floats. Handed in from outside, so that pages without panoramas do without three's
+ * loaders, which are 15 KB of a compressed page.
+ *
+ * @throws PanoramaError
+ */
+export type ReadRadiance = (bytes: ArrayBuffer, header: RadianceHeader) => DataTexture;
+
+export const readRadiance: ReadRadiance = (bytes, header) => {
+  if (isCutOff(bytes, header)) throw new PanoramaError('the file is cut off. Copy or export it again');
+  const { data, width, height, format, flipY } = parse(bytes, header.format);
+  if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
+  tame(data);
+  const texture = new DataTexture(data, width, height, format, HalfFloatType);
+  texture.colorSpace = LinearSRGBColorSpace;
+  texture.flipY = flipY ?? false;
+  return texture;
+};
+
+function parse(bytes: ArrayBuffer, format: RadianceHeader['format']): ReturnType<HDRLoader['parse']> {
+  try {
+    return new (format === 'hdr' ? HDRLoader : EXRLoader)().parse(bytes);
+  } catch (error) {
+    const reason = error instanceof RangeError ? 'it ends too early' : String(error instanceof Error ? error.message : error);
+    throw new PanoramaError(`the file is damaged (${reason.replace(/^THREE\.\w+: /, '')}). Export it again`);
+  }
+}
+
+/** One infinite or negative pixel would spread over all that is filtered: infinity becomes the largest number, what is no radiance 0. */
+function tame(halves: Uint16Array): void {
+  for (let i = 0; i < halves.length; i++) {
+    const half = halves[i] ?? 0;
+    if (half >= 0x8000 || half > 0x7c00) halves[i] = 0;
+    else if (half === 0x7c00) halves[i] = 0x7bff;
+  }
+}
