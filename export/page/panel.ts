@@ -23,6 +23,8 @@ export interface PanelOptions {
   readonly title: string;
   readonly description: string;
   readonly asks: readonly Ask[];
+  /** What visitors can set. */
+  readonly controls: readonly unknown[];
   /** What the picture does without what the camera, or looking around, lacks. */
   readonly lacks: Readonly<Record<'camera' | 'orbit', readonly string[]>>;
   /** Of all that has to be loaded. */
@@ -49,7 +51,7 @@ export function createPanel(options: PanelOptions): Panel {
   const size = element(document, 'p', { className: 'size' });
   const loading = element(document, 'div', { className: 'loading' }, bar, size);
   const reason = element(document, 'p', { className: 'reason' });
-  const ar = createWay(options, 'ar', arTexts(document, options.asks));
+  const ar = createWay(options, 'ar', arTexts(options));
   const camera = createWay(options, 'camera', [...cameraTexts(document), ...lacksElement(document, [STANDS_STILL, ...lacks.camera])]);
   const around = element(
     document,
@@ -136,15 +138,19 @@ function createWay({ document, onEnter }: PanelOptions, way: Way, texts: readonl
 
 const PRIVACY = 'Everything stays on your device: this page sends nothing anywhere.';
 
-function arTexts(document: Document, asks: readonly Ask[]): HTMLElement[] {
+function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
   const motion = 'Your browser will ask whether this page may follow how your device moves in the room.';
   const items = asks.flatMap(({ what, why }) => [element(document, 'dt', {}, what), element(document, 'dd', {}, why)]);
   return [
     element(document, 'p', {}, motion + (items.length === 0 ? '' : ' It may also use:')),
     ...(items.length === 0 ? [] : [element(document, 'dl', {}, ...items)]),
+    ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_FIRST)]),
     element(document, 'p', { className: 'privacy' }, PRIVACY),
   ];
 }
+
+/** They have no DOM overlays. */
+const CONTROLS_FIRST = 'Headsets do not show the controls in AR: set them before you enter. They stay as you set them.';
 
 function cameraTexts(document: Document): HTMLElement[] {
   const asks = 'Your browser will ask for the camera, and perhaps whether this page may follow how your device turns.';

@@ -109,9 +109,10 @@ describe('controls of an exported page', () => {
   test('are folded on a phone, and fit it when they are opened', async () => {
     const { page } = await open(390, 844);
     const fold = page.getByRole('button', { name: 'Controls' });
-    expect(await fold.getAttribute('aria-expanded')).toBe('false');
+    const slider = page.getByRole('slider', { name: 'Size' });
+    expect([await fold.getAttribute('aria-expanded'), await slider.isVisible()]).toEqual(['false', false]);
     await fold.click();
-    expect(await fold.getAttribute('aria-expanded')).toBe('true');
+    expect([await fold.getAttribute('aria-expanded'), await slider.isVisible()]).toEqual(['true', true]);
     const panel = await page.getByRole('region', { name: 'Controls' }).boundingBox();
     const card = await page.getByRole('region', { name: 'Lamp' }).boundingBox();
     expect(panel?.x).toBeGreaterThanOrEqual(0);
