@@ -1,3 +1,5 @@
+import type { LinkedShader } from './program.ts';
+
 /**
  * Bounded loops (design §8), an agreement between the linker, which prints them on request, and whoever draws what it printed.
  *
@@ -49,4 +51,30 @@ export function readProbe(bytes: Uint8Array): number | null {
     if (line > 0) return line;
   }
   return null;
+}
+
+/** A diagnostic of the kit's, which this folder does not know. */
+export interface TooManyRounds {
+  readonly code: 'SCR044';
+  readonly severity: 'error';
+  readonly message: string;
+  readonly fix: string;
+  readonly file?: string;
+  readonly line: number;
+  readonly column?: number;
+}
+
+/** What a probe's line means, for the author. */
+export function tooManyRounds(shader: LinkedShader | undefined, line: number): TooManyRounds {
+  const entry = shader?.sourceMap?.lines.find((mapped) => mapped?.[1] === line);
+  const file = entry ? shader?.sourceMap?.sources[entry[0]] : undefined;
+  return {
+    code: 'SCR044',
+    severity: 'error',
+    message: `The loops do not end in time: one pixel went round more than ${LOOP_BUDGET} times, the last time here.`,
+    fix: 'See that the loop ends, or let it go round less often. The preview leaves the node out until then.',
+    ...(file === undefined ? {} : { file }),
+    line,
+    ...(entry ? { column: entry[2] } : {}),
+  };
 }

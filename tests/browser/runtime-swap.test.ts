@@ -69,28 +69,6 @@ describe('a running program is replaced', () => {
   });
 });
 
-test('a lost context comes back with the picture and the params it had', async () => {
-  expect(await page.call('contextLoss')).toEqual({
-    whileLost: 0,
-    result: { outcome: 'playing', errors: [] },
-    shown: GREEN,
-    error: NO_ERROR,
-  });
-});
-
-test('values and the nodes that make them outlive lost contexts, and nothing is left of what did not', async () => {
-  expect(await page.call('stateOutlivesContext')).toEqual({
-    counted: [10, 20, 30, 40, 50, 53, 58, 5],
-    sameObjects: true,
-    // Once, and once more after the reset.
-    made: 2,
-    painted: 7,
-    live: 0,
-    diagnostics: [],
-    error: NO_ERROR,
-  });
-});
-
 test('tapped layers can be read, per view, with depth in metres', async () => {
   // Window depth 0.5 of near 0.1 and far 100: 2·f·n / (f + n) metres.
   const half = (2 * 100 * 0.1) / 100.1;

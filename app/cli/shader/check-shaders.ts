@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright-core';
 import { driverDiagnostics, uniqueDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
-import { tooManyRounds } from '../../../export/runtime/stage/loop-diagnostic.ts';
+import { tooManyRounds } from '../../../export/program/loop-budget.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import type { Chromium } from '../../services/chromium.ts';

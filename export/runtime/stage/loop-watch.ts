@@ -1,11 +1,10 @@
-import { LOOP_BUDGET_UNIFORM } from '../../program/loop-budget.ts';
+import { LOOP_BUDGET_UNIFORM, tooManyRounds } from '../../program/loop-budget.ts';
 import type { LinkedShader, PassOperation } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import { GATED_COPY_SHADER } from '../gl/copy-shader.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { LoadedProgram } from '../loading.ts';
 import type { PassGuard } from '../passes/pass.ts';
-import { tooManyRounds } from './loop-diagnostic.ts';
 
 /** Which nodes of a program go round too often in their loops, and are bypassed until that changes. */
 export interface LoopWatch {

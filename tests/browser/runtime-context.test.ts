@@ -1,0 +1,39 @@
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+
+const chromium = useBrowser();
+let page: PageModule;
+
+beforeAll(async () => {
+  page = await openModule(chromium.browser, 'tests/browser/runtime-context.page.ts');
+}, 60_000);
+
+afterAll(async () => {
+  await page.close();
+  expect(page.errors).toEqual([]);
+});
+
+const NO_ERROR = 0;
+const GREEN = [0, 255, 0, 255];
+
+test('a lost context comes back with the picture and the params it had', async () => {
+  expect(await page.call('contextLoss')).toEqual({
+    whileLost: 0,
+    result: { outcome: 'playing', errors: [] },
+    shown: GREEN,
+    error: NO_ERROR,
+  });
+});
+
+test('values and the nodes that make them outlive lost contexts, and nothing is left of what did not', async () => {
+  expect(await page.call('stateOutlivesContext')).toEqual({
+    counted: [10, 20, 30, 40, 50, 53, 58, 5],
+    sameObjects: true,
+    // Once, and once more after the reset.
+    made: 2,
+    painted: 7,
+    live: 0,
+    diagnostics: [],
+    error: NO_ERROR,
+  });
+});
