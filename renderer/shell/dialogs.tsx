@@ -101,7 +101,7 @@ function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
             autoFocus
             onPress={() => {
               onClose();
-              if (open) showProject(editor, { ...open, files: request.files, recovery: null }, request.files, false);
+              if (open) showProject(editor, { ...open, files: request.files, recovery: null, openElsewhere: false }, request.files, false);
             }}
           >
             Restore it
