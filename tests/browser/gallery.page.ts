@@ -24,9 +24,11 @@ export interface CellLook {
 const WIDTH_PX = 960;
 const HEIGHT_PX = 720;
 /** The wall is looked at straight on: its middle, how far away, and what is seen of it from top to bottom. */
-const EYE = [0, 0.95, 2.4] as const;
-const SEEN_M = 1.95;
+const EYE = [0, 0.86, 1.8] as const;
+const SEEN_M = 1.36;
 const METRES_PER_PX = SEEN_M / HEIGHT_PX;
+/** What belongs to a cell around the foot of its rail, metres. */
+const CELL_M = { side: 0.105, below: 0.042, above: 0.178, middle: 0.07 } as const;
 /** A ball, but no rail and no background. */
 const BRIGHT = 100;
 
@@ -90,8 +92,8 @@ export function look(feet: readonly (readonly [number, number])[]): CellLook[] {
     const px = (metres: number) => Math.round(WIDTH_PX / 2 + (metres - EYE[0]) / METRES_PER_PX);
     const py = (metres: number) => Math.round(HEIGHT_PX / 2 + (metres - EYE[1]) / METRES_PER_PX);
     let [count, sumX, sumY] = [0, 0, 0];
-    for (let y = py(footY - 0.06); y < py(footY + 0.26); y++) {
-      for (let x = px(footX - 0.15); x < px(footX + 0.15); x++) {
+    for (let y = py(footY - CELL_M.below); y < py(footY + CELL_M.above); y++) {
+      for (let x = px(footX - CELL_M.side); x < px(footX + CELL_M.side); x++) {
         if (Math.max(...at(x, y)) < BRIGHT) continue;
         count++;
         sumX += x + 0.5;
@@ -105,7 +107,7 @@ export function look(feet: readonly (readonly [number, number])[]): CellLook[] {
             (sumX / count - WIDTH_PX / 2) * METRES_PER_PX + EYE[0] - footX,
             (sumY / count - HEIGHT_PX / 2) * METRES_PER_PX + EYE[1] - footY,
           ] as const);
-    return { ball, color: [...at(px(footX), py(footY + 0.1))] };
+    return { ball, color: [...at(px(footX), py(footY + CELL_M.middle))] };
   });
 }
 

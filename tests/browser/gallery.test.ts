@@ -5,7 +5,7 @@ import { loadProject } from '../../export/graph/load.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import type { Program } from '../../export/program/program.ts';
 import { hsvFromRgb } from '../../nodes/kit/color-math.ts';
-import { cellFootM, cellKey, makeGallery } from '../../tools/examples/gallery.ts';
+import { cellFootM, cellKey, makeGallery, RAIL_M } from '../../tools/examples/gallery.ts';
 import { ROWS } from '../../tools/examples/gallery-cells.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
@@ -17,7 +17,6 @@ let page: PageModule;
 const CELLS = ROWS.flatMap((cells, row) =>
   cells.map((cell, column) => ({ cell, key: cellKey(row, column), foot: cellFootM(row, column) })),
 );
-const RAIL_M = 0.2;
 
 /** Within two pixels: 0.03 of a rail. */
 function near(height: number): unknown {
@@ -217,7 +216,7 @@ describe('the gallery', () => {
     const { main } = graphs;
     if (!main) throw new Error('There is no main graph.');
     const wire = { from: { node: 'beat-all', port: 'pulse' }, to: { node: 'counter-e5', port: 'up' } };
-    const rewired = { ...rest, graphs: { main: { ...main, wires: [...main.wires, wire] } } };
+    const rewired = { ...rest, graphs: { ...graphs, main: { ...main, wires: [...main.wires, wire] } } };
     const { output } = compile({ project: rewired, library: LIBRARY });
     expect(await page.call('recompile', output)).toBe('playing');
     const before = await lookAt(128);

@@ -1,22 +1,13 @@
-import { addNode } from '../../export/graph/commands/nodes.ts';
-import { connect } from '../../export/graph/commands/wires.ts';
-import { newProject } from '../../export/graph/new-project.ts';
-import { type Frame, MAIN_GRAPH, type NodeLayout, type ParamValue, type Project } from '../../export/graph/project.ts';
-import { parseWire } from '../../export/graph/wires.ts';
+import { MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
-import { formatDiagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { createGalleryBuilder, type GalleryBuilder } from './gallery-builder.ts';
 import { type Cell, ROWS, SIGNAL_WIRES, SIGNALS } from './gallery-cells.ts';
 
 /** Height of a rail, and from cell to cell, metres. */
-const RAIL_M = 0.2;
-const PITCH_M = 0.32;
-/** Foot of the rails of the lowest row, and the middle of the wall. */
-const FOOT_M = 0.2;
-
-/** In heights of a rail. */
-const BALL = 0.2;
-const RAIL = [0.05, 1, 0.05] as const;
-const BOX = [0.5, 0.5, 0.5] as const;
+export const RAIL_M = 0.14;
+const PITCH_M = 0.22;
+/** Foot of the rails of the lowest row. */
+const FOOT_M = 0.35;
 
 /** Of the balls, row by row. */
 const COLORS = [
@@ -27,12 +18,13 @@ const COLORS = [
   [0.95, 0.55, 0.45, 1],
 ] as const;
 
-/** Between nodes, and between cells, on the canvas. */
-const NODE_PX = { x: 380, y: 290 } as const;
-const CELL_PX = { x: 1640, y: 780 } as const;
-const FRAME_PX = { left: 30, top: 60 } as const;
+/** From cell to cell on the canvas; the last column of a cell holds what shows it. */
+const CELL_PX = { x: 1150, y: 640, node: 270, line: 250 } as const;
 
-/** Name of a cell: its row as a letter and its column from 1. Node ids end with it. */
+/** The subgraph that shows a cell, by what it shows. */
+const SHOWN_BY = { height: 'ball-on-rail', place: 'ball', color: 'box' } as const;
+
+/** Name of a cell: its row as a letter and its column from 1. Ids of its nodes end with it. */
 export function cellKey(row: number, column: number): string {
   return `${'abcdefgh'[row]}${column + 1}`;
 }
@@ -45,107 +37,101 @@ export function cellFootM(row: number, column: number): readonly [number, number
 
 /** A wall of cells, each showing what one node type does: by the height of a ball, by its place, or by a colour. */
 export function makeGallery(library: NodeLibrary): Project {
-  const wall = createBuilder(library, 'Gallery of values, pulses and controls');
-  const placeSignals = (): void => {
-    wall.begin('Signals', -1, 0);
-    for (const [name, [type, params]] of Object.entries(SIGNALS)) wall.add(`${name}-all`, type, params);
-    for (const wire of SIGNAL_WIRES) wall.wire(wire.replace(/(\w+)\./g, '$1-all.'));
-    wall.add('rail-all', 'objects/primitive', { sizeM: [...RAIL], color: [0.2, 0.21, 0.24, 1], roughness: 1 });
-    wall.add('upright-all', 'objects/transform', { positionM: [0, 0.5, 0] });
-    wall.wire('rail-all.objects -> upright-all.objects');
-    wall.end();
-  };
-  placeSignals();
-  wall.begin('Picture', -1, 1);
-  wall.add('scene-all', 'layer/scene', { ambient: 0.8, shadows: false });
-  wall.add('sun-all', 'light/directional', { intensity: 0.6 });
-  wall.add('screen-all', 'output/screen');
+  const wall = createGalleryBuilder(library, 'Gallery of values, pulses and controls');
+  addBallOnRail(wall);
+  addBall(wall);
+  addBox(wall);
+  wall.into(MAIN_GRAPH);
+  Object.entries(SIGNALS).forEach(([name, [type, params]], i) => {
+    wall.add(`${name}-all`, type, { x: -CELL_PX.node * 2, y: i * CELL_PX.line }, params);
+  });
+  for (const wire of SIGNAL_WIRES) wall.wire(wire.replace(/(\w+)\./g, '$1-all.'));
+  const right = CELL_PX.x * Math.max(...ROWS.map((cells) => cells.length));
+  wall.add('scene-all', 'layer/scene', { x: right + CELL_PX.node, y: 0 }, { ambient: 0.8, shadows: false });
+  wall.add('sun-all', 'light/directional', { x: right, y: -CELL_PX.line }, { intensity: 0.6 });
+  wall.add('screen-all', 'output/screen', { x: right + 2 * CELL_PX.node, y: 0 });
   wall.wire('sun-all.lights -> scene-all.lights');
   wall.wire('scene-all.layer -> screen-all.layer');
-  wall.end();
   ROWS.forEach((cells, row) => {
+    const group = `row-${'abcdefgh'[row]}`;
+    wall.add(group, 'objects/group', { x: right, y: row * CELL_PX.y });
     cells.forEach((cell, column) => {
-      placeCell(wall, cell, row, column);
+      wall.wire(`${placeCell(wall, cell, row, column)} -> ${group}.objects`);
     });
+    wall.wire(`${group}.objects -> scene-all.objects`);
   });
   return wall.finish();
 }
 
-function placeCell(wall: Builder, cell: Cell, row: number, column: number): void {
+/** Gives the output with its objects. */
+function placeCell(wall: GalleryBuilder, cell: Cell, row: number, column: number): string {
   const key = cellKey(row, column);
+  const [x, y] = [column * CELL_PX.x, row * CELL_PX.y];
   const idOf = (name: string): string => `${name}-${Object.hasOwn(cell.nodes, name) ? key : 'all'}`;
   const outputOf = (output: string): string => output.replace(/^\w+/, idOf);
-  wall.begin(cell.title, row, column);
-  for (const [name, [type, params]] of Object.entries(cell.nodes)) wall.add(idOf(name), type, params);
+  Object.entries(cell.nodes).forEach(([name, [type, params]], i) => {
+    wall.add(idOf(name), type, { x: x + (i % 3) * CELL_PX.node, y: y + Math.floor(i / 3) * CELL_PX.line }, params);
+  });
   for (const wire of cell.wires) wall.wire(wire.split(' -> ').map(outputOf).join(' -> '));
   const [kind, output] = cell.shows;
-  const from = outputOf(output);
   const color = COLORS[row % COLORS.length] ?? COLORS[0];
-  const isBox = kind === 'color';
-  wall.add(`thing-${key}`, 'objects/primitive', {
-    shape: isBox ? 'box' : 'sphere',
-    sizeM: isBox ? [...BOX] : [BALL, BALL, BALL],
-    roughness: 1,
-    ...(isBox ? {} : { color: [...color] }),
-  });
-  wall.add(`move-${key}`, 'objects/transform', isBox ? { positionM: [0, 0.5, 0] } : {});
-  const [x, y, z] = cellFootM(row, column);
-  wall.add(`cell-${key}`, 'objects/transform', { positionM: [x, round(kind === 'place' ? y + RAIL_M / 2 : y), z], scale: RAIL_M });
-  if (kind === 'color') wall.wire(`${from} -> thing-${key}.color`);
-  if (kind === 'place') wall.wire(`${from} -> move-${key}.positionM`);
-  if (kind === 'height') {
-    wall.add(`lift-${key}`, 'value/make-vector3');
-    wall.wire(`${from} -> lift-${key}.y`);
-    wall.wire(`lift-${key}.vector -> move-${key}.positionM`);
-    wall.wire(`upright-all.objects -> cell-${key}.objects`);
-  }
-  wall.wire(`thing-${key}.objects -> move-${key}.objects`);
-  wall.wire(`move-${key}.objects -> cell-${key}.objects`);
-  wall.wire(`cell-${key}.objects -> scene-all.objects`);
-  wall.end();
+  const footM = [...cellFootM(row, column)];
+  wall.add(
+    `shown-${key}`,
+    `graph/${SHOWN_BY[kind]}`,
+    { x: x + 3 * CELL_PX.node, y },
+    kind === 'color' ? { footM } : { footM, color: [...color] },
+  );
+  wall.wire(`${outputOf(output)} -> shown-${key}.${kind}`);
+  wall.frame(cell.title, { x: x - 30, y: y - 60, width: 4 * CELL_PX.node, height: CELL_PX.y - 80 });
+  return `shown-${key}.objects`;
 }
 
-type Builder = ReturnType<typeof createBuilder>;
+/** In heights of a rail: `cell` sizes them and puts them where they belong. */
+function addBallOnRail(wall: GalleryBuilder): void {
+  wall.into(SHOWN_BY.height);
+  wall.add('lift-one', 'value/make-vector3', { x: 0, y: 200 });
+  wall.add('ball-one', 'objects/primitive', { x: 0, y: 0 }, { shape: 'sphere', sizeM: [0.24, 0.24, 0.24], roughness: 1 });
+  wall.add('move-one', 'objects/transform', { x: 270, y: 0 });
+  wall.add('rail-one', 'objects/primitive', { x: 0, y: 400 }, { sizeM: [0.05, 1, 0.05], color: [0.2, 0.21, 0.24, 1], roughness: 1 });
+  wall.add('upright-one', 'objects/transform', { x: 270, y: 400 }, { positionM: [0, 0.5, 0] });
+  wall.add('cell-one', 'objects/transform', { x: 540, y: 0 }, { scale: RAIL_M });
+  wall.wire('lift-one.vector -> move-one.positionM');
+  wall.wire('ball-one.objects -> move-one.objects');
+  wall.wire('rail-one.objects -> upright-one.objects');
+  wall.wire('move-one.objects -> cell-one.objects');
+  wall.wire('upright-one.objects -> cell-one.objects');
+  wall.show('inputs', 'height', 'lift-one.y');
+  wall.show('inputs', 'color', 'ball-one.color');
+  wall.show('inputs', 'footM', 'cell-one.positionM');
+  wall.show('outputs', 'objects', 'cell-one.objects');
+}
 
-/** Adds nodes cell by cell; each cell is a frame on the canvas, its nodes in lines of four. */
-function createBuilder(library: NodeLibrary, title: string) {
-  let project = newProject(title);
-  const places: Record<string, NodeLayout> = {};
-  const frames: Record<string, Frame> = {};
-  let current = { title: '', x: 0, y: 0, ids: [] as string[] };
-  const apply = ({ project: next, diagnostics }: ReturnType<typeof addNode>): void => {
-    if (hasErrors(diagnostics)) throw new Error(diagnostics.map(formatDiagnostic).join(' '));
-    project = next;
-  };
-  return {
-    begin: (cellTitle: string, row: number, column: number): void => {
-      current = { title: cellTitle, x: column * CELL_PX.x, y: row * CELL_PX.y, ids: [] };
-    },
-    add: (id: string, type: string, params: Readonly<Record<string, ParamValue>> = {}): void => {
-      current.ids.push(id);
-      apply(addNode(project, { library, graph: MAIN_GRAPH, id, type, x: 0, y: 0, params }));
-    },
-    wire: (text: string): void => {
-      const wire = parseWire(text);
-      if (!wire) throw new Error(`${text} is no wire.`);
-      apply(connect(project, { library, graph: MAIN_GRAPH, ...wire }));
-    },
-    end: (): void => {
-      const { x, y, ids } = current;
-      const columns = Math.min(ids.length, 4);
-      ids.forEach((id, i) => {
-        places[id] = { x: x + (i % 4) * NODE_PX.x, y: y + Math.floor(i / 4) * NODE_PX.y };
-      });
-      frames[`frame-${Object.keys(frames).length + 1}`] = {
-        x: x - FRAME_PX.left,
-        y: y - FRAME_PX.top,
-        width: columns * NODE_PX.x,
-        height: Math.ceil(ids.length / 4) * NODE_PX.y + FRAME_PX.top,
-        title: current.title,
-      };
-    },
-    finish: (): Project => ({ ...project, layout: { [MAIN_GRAPH]: { nodes: places, frames, notes: {} } } }),
-  };
+function addBall(wall: GalleryBuilder): void {
+  wall.into(SHOWN_BY.place);
+  wall.add('ball-one', 'objects/primitive', { x: 0, y: 0 }, { shape: 'sphere', sizeM: [0.24, 0.24, 0.24], roughness: 1 });
+  wall.add('move-one', 'objects/transform', { x: 270, y: 0 });
+  wall.add('middle-one', 'objects/transform', { x: 540, y: 0 }, { positionM: [0, 0.5, 0] });
+  wall.add('cell-one', 'objects/transform', { x: 810, y: 0 }, { scale: RAIL_M });
+  wall.wire('ball-one.objects -> move-one.objects');
+  wall.wire('move-one.objects -> middle-one.objects');
+  wall.wire('middle-one.objects -> cell-one.objects');
+  wall.show('inputs', 'place', 'move-one.positionM');
+  wall.show('inputs', 'color', 'ball-one.color');
+  wall.show('inputs', 'footM', 'cell-one.positionM');
+  wall.show('outputs', 'objects', 'cell-one.objects');
+}
+
+function addBox(wall: GalleryBuilder): void {
+  wall.into(SHOWN_BY.color);
+  wall.add('box-one', 'objects/primitive', { x: 0, y: 0 }, { sizeM: [0.7, 0.7, 0.7], roughness: 1 });
+  wall.add('middle-one', 'objects/transform', { x: 270, y: 0 }, { positionM: [0, 0.5, 0] });
+  wall.add('cell-one', 'objects/transform', { x: 540, y: 0 }, { scale: RAIL_M });
+  wall.wire('box-one.objects -> middle-one.objects');
+  wall.wire('middle-one.objects -> cell-one.objects');
+  wall.show('inputs', 'color', 'box-one.color');
+  wall.show('inputs', 'footM', 'cell-one.positionM');
+  wall.show('outputs', 'objects', 'cell-one.objects');
 }
 
 /** So that positions are written in few digits. */

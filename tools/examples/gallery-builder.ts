@@ -1,0 +1,55 @@
+import type { Change } from '../../export/graph/commands/change.ts';
+import { addGraph, exposePort } from '../../export/graph/commands/graphs.ts';
+import { addNode } from '../../export/graph/commands/nodes.ts';
+import { connect } from '../../export/graph/commands/wires.ts';
+import { newProject } from '../../export/graph/new-project.ts';
+import { type Frame, MAIN_GRAPH, type ParamValue, type Project } from '../../export/graph/project.ts';
+import { parseWire } from '../../export/graph/wires.ts';
+import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import { formatDiagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+
+/** Puts a project together, graph by graph, by the commands that the editor uses; what these refuse throws. */
+export interface GalleryBuilder {
+  /** What follows goes into this graph, which is made where it is not there yet. */
+  into(graph: string): void;
+  add(id: string, type: string, at: { readonly x: number; readonly y: number }, params?: Readonly<Record<string, ParamValue>>): void;
+  /** `node.port -> node.port`. */
+  wire(text: string): void;
+  /** Shows `node.port` of a subgraph outside. */
+  show(side: 'inputs' | 'outputs', name: string, address: string): void;
+  frame(title: string, box: Omit<Frame, 'title'>): void;
+  finish(): Project;
+}
+
+export function createGalleryBuilder(library: NodeLibrary, title: string): GalleryBuilder {
+  let project = newProject(title);
+  let graph: string = MAIN_GRAPH;
+  const frames: Record<string, Frame> = {};
+  const apply = ({ project: next, diagnostics }: Change): void => {
+    if (hasErrors(diagnostics)) throw new Error(diagnostics.map(formatDiagnostic).join(' '));
+    project = next;
+  };
+  return {
+    into: (name) => {
+      if (!Object.hasOwn(project.graphs, name)) apply(addGraph(project, { name }));
+      graph = name;
+    },
+    add: (id, type, { x, y }, params = {}) => apply(addNode(project, { library, graph, id, type, x, y, params })),
+    wire: (text) => {
+      const wire = parseWire(text);
+      if (!wire) throw new Error(`${text} is no wire.`);
+      apply(connect(project, { library, graph, ...wire }));
+    },
+    show: (side, name, address) => {
+      const [node = '', port = ''] = address.split('.');
+      apply(exposePort(project, { library, graph, side, name, node, port }));
+    },
+    frame: (frameTitle, box) => {
+      frames[`frame-${Object.keys(frames).length + 1}`] = { ...box, title: frameTitle };
+    },
+    finish: () => {
+      const { [MAIN_GRAPH]: main, ...others } = project.layout;
+      return { ...project, layout: { ...others, [MAIN_GRAPH]: { nodes: main?.nodes ?? {}, notes: {}, frames } } };
+    },
+  };
+}
