@@ -70,7 +70,8 @@ async function previewOf(
 
 /** What the device of someone who visits the exported page shows, less what the page lays over it and the strip that the preview leaves out. */
 async function pageOf(project: string, views: 1 | 2, size: { width: number; height: number }, steps: number): Promise<Picture> {
-  const served = await serveProject(project);
+  // Compression rounds what a model is made of; what is compared here is how it is played.
+  const served = await serveProject(project, { compress: false });
   const options = {
     room: 'studio',
     device: views === 2 ? 'headset' : 'phone',
