@@ -10,16 +10,16 @@ export const definition = defineNode({
   outputs: { result: { type: 'number', label: 'Result', doc: 'The number in its new range.' } },
   params: {
     number: { type: 'number', stage: 'uniform', label: 'Number', doc: 'What to move.', default: 0.5 },
-    fromLow: { type: 'number', stage: 'uniform', label: 'From', doc: 'Where the old range begins.', default: 0 },
+    fromLow: { type: 'number', stage: 'uniform', label: 'From low', doc: 'Where the old range begins.', default: 0 },
     fromHigh: {
       type: 'number',
       stage: 'uniform',
-      label: 'From, end',
+      label: 'From high',
       doc: 'Where the old range ends. Equal to its beginning, the range is a step.',
       default: 1,
     },
-    toLow: { type: 'number', stage: 'uniform', label: 'To', doc: 'Where the new range begins.', default: 0 },
-    toHigh: { type: 'number', stage: 'uniform', label: 'To, end', doc: 'Where the new range ends.', default: 1 },
+    toLow: { type: 'number', stage: 'uniform', label: 'To low', doc: 'Where the new range begins.', default: 0 },
+    toHigh: { type: 'number', stage: 'uniform', label: 'To high', doc: 'Where the new range ends.', default: 1 },
     clamp: {
       type: 'toggle',
       stage: 'uniform',
