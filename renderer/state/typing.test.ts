@@ -7,11 +7,11 @@ import { shaderOf } from './edit-shader.ts';
 import { filesOf } from './files.ts';
 import { createTyping } from './typing.ts';
 
-async function withSepia() {
+async function withSepia(type = 'filter/sepia') {
   const { editor, clock } = await openTestEditor();
-  const definition = editor.document.getState().library.definition('filter/sepia');
+  const definition = editor.document.getState().library.definition(type);
   const node = definition && addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
-  if (!node) throw new Error('Sepia was not added.');
+  if (!node) throw new Error(`${type} was not added.`);
   const text = () => shaderOf(editor.document.getState(), node)?.text ?? '';
   return { editor, clock, node, text, typing: createTyping(editor), steps: () => editor.document.getState().history.past.length };
 }
@@ -34,6 +34,17 @@ describe('typing a shader', () => {
     expect(steps()).toBe(stepsBefore + 1);
     undo(editor);
     expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('a technique is copied and typed as a filter is', async () => {
+    const { editor, clock, node, text, typing } = await withSepia('technique/gooch');
+    const original = text();
+    typing.type(node, original.replace('"NAME": "highlight"', '"NAME": "shine"').replaceAll('highlight *', 'shine *'));
+    clock.pass(300);
+    expect(Object.keys(editor.document.getState().project.sources)).toEqual(['gooch-2.glsl']);
+    const { library } = editor.document.getState();
+    const type = graphOf(editor.document.getState()).nodes[node]?.type ?? '';
+    expect(Object.keys(library.definition(type)?.params ?? {})).toEqual(expect.arrayContaining(['coolColor', 'shine']));
   });
 
   test('a header that is broken while it is typed takes no port and no dial away', async () => {
