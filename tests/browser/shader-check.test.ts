@@ -61,6 +61,13 @@ void main() {
     3,
     'do not end',
   ],
+  'h-technique.glsl': [
+    '/*{ "INPUTS": [] }*/\n#include <light/strength>\nvec4 surface(const in Surface s) {\n  return vec4(s.color.rgb * strength, 1.0);\n}',
+    'SCR042',
+    4,
+    29,
+    '"strength": undeclared',
+  ],
 } as const;
 
 /** What hosts put up with, and public files are full of. */
@@ -142,6 +149,7 @@ describe('scrim shader check', () => {
         ...['old.fs', 'march.isf', 'deep/er/plain.fs'].map((name) => join(folder, 'fine', name)),
         join(library, 'filters', 'sepia.fs'),
         join(library, 'operators', 'over.fs'),
+        join(library, 'techniques', 'toon.glsl'),
       ]),
     );
   });

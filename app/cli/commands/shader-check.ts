@@ -9,9 +9,9 @@ export const shaderCheckCommand: Command = {
   name: 'shader check',
   usage: 'FILE|DIR…',
   summary: 'Compile shader files with a graphics driver and say what is wrong',
-  doc: 'Reads ISF files (filters, operators, generators), compiles them with a real driver in a headless browser and lets their loops run. What is wrong with the header, the syntax or the types, and loops that do not end, are printed with file, line and column of the author’s text. Only errors give status 1.',
+  doc: 'Reads ISF files (filters, operators, generators) and techniques (.glsl), compiles them with a real driver in a headless browser and lets their loops run. What is wrong with the header, the syntax or the types, and loops that do not end, are printed with file, line and column of the author’s text. Only errors give status 1.',
   project: 'required',
-  operand: { word: 'FILE|DIR', doc: 'an ISF file, or a folder with such files at any depth', many: true },
+  operand: { word: 'FILE|DIR', doc: 'a shader, or a folder with shaders at any depth', many: true },
   options: {},
   examples: [
     { line: 'scrim shader check my-project/shaders', says: 'Prints one line per problem: file:line:column: error SCR042: message.' },

@@ -2,8 +2,12 @@ import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
 import { readIsf } from '../../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
 import type { LinkedPass } from '../../../export/glsl/link/linked-pass.ts';
+import { linkTechnique } from '../../../export/glsl/technique/link-technique.ts';
+import { readTechnique } from '../../../export/glsl/technique/read-technique.ts';
+import { isTechniqueFile } from '../../../export/glsl/technique/technique-shader.ts';
 import type { LinkedShader } from '../../../export/program/program.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { LIBRARY } from '../../services/compile-project.ts';
 import type { ShaderJob } from './driver.page.ts';
 
 export interface LinkedFile {
@@ -15,8 +19,12 @@ export interface LinkedFile {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** An ISF file as a new node would have it: all inputs wired, and with their first values. */
+/** A file as a new node would have it: all inputs wired, and with their first values. By its ending it is a technique, else ISF. */
 export function linkFile(source: string, file: string): LinkedFile {
+  return isTechniqueFile(file) ? linkTechniqueFile(source, file) : linkIsfFile(source, file);
+}
+
+function linkIsfFile(source: string, file: string): LinkedFile {
   const read = readIsf(source, file);
   if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics };
   const shader = read.output;
@@ -26,6 +34,19 @@ export function linkFile(source: string, file: string): LinkedFile {
     source,
     passes: (linked.output ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
     diagnostics: [...read.diagnostics, ...linked.diagnostics],
+  };
+}
+
+function linkTechniqueFile(source: string, file: string): LinkedFile {
+  const read = readTechnique(source, file);
+  const options = { chunkOf: (name: string) => LIBRARY.shader(`chunks/${name}.glsl`), loopBudget: true };
+  const linked = read.output && linkTechnique(read.output, options);
+  const trial = linked?.output?.trial;
+  return {
+    file,
+    source,
+    passes: trial ? [{ shader: trial, job: { shader: trial, passIndex: 0, uniforms: [], samplers: [] } }] : [],
+    diagnostics: [...read.diagnostics, ...(linked?.diagnostics ?? [])],
   };
 }
 
