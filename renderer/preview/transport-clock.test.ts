@@ -30,6 +30,14 @@ test('runs with the display while playing, and stands while held', () => {
   expect(times.at(-1)).toBe(0.3);
 });
 
+test('takes no leap after the page was hidden', () => {
+  const { base, times } = createRun();
+  base.advance(0.1);
+  base.advance(60);
+  base.advance(0.1);
+  expect(times).toEqual([0.1, 0.6, 0.7]);
+});
+
 test('held, a step moves time on once, and a wake asks for a frame without moving it', () => {
   const { base, clock, times } = createRun();
   clock.setPlaying(false);

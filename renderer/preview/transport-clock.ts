@@ -14,6 +14,12 @@ export interface TransportClock extends FrameClock {
 const IDLE_S = 0.25;
 
 /**
+ * The longest step of time, seconds. While the page is hidden browsers ask for no frames; what plays then goes on where it was,
+ * instead of making up for it in one leap.
+ */
+const LONGEST_STEP_S = 0.5;
+
+/**
  * Runs with `base` while playing; held, it gives frames of the same time, few and far between. `beforeFrame` runs ahead of every
  * frame's callbacks.
  */
@@ -29,7 +35,7 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
 
   const advance = () => {
     const nowS = base.nowS();
-    if (playing) timeS += Math.max(0, nowS - baseS);
+    if (playing) timeS += Math.min(Math.max(0, nowS - baseS), LONGEST_STEP_S);
     baseS = nowS;
   };
   const tick = () => {
