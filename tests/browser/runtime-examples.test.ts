@@ -110,6 +110,12 @@ describe('the example of', () => {
     expect((await play('value/math')).centre).toEqual(sepia(0.5));
   });
 
+  test('value/expression swings the strength of a filter around a number', async () => {
+    expect((await play('value/expression')).centre).toEqual(sepia(0.5));
+    expect((await play('value/expression', 1)).centre).toEqual(sepia(0.75));
+    expect((await play('value/expression', 3)).centre).toEqual(sepia(0.25));
+  });
+
   test('value/color gives a filter its colour', async () => {
     // A picture of one colour has no edges: the drawing is all paper.
     expect((await play('value/color')).centre).toEqual([0, 0, 0, 255]);
