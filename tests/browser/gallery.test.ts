@@ -162,7 +162,9 @@ describe('the gallery', () => {
     const t = 80 / 30;
     const ring = [0.4 * Math.sin(Math.PI * t), 0.4 * Math.cos(Math.PI * t)];
     expect(looks.c2 && placeIn(looks.c2)).toEqual(ring.map(near));
-    expect(looks.c7 && placeIn(looks.c7)).toEqual([0.3, 0.3].map(near));
+    // As the smoothed number, from -0.3 to 0.3.
+    const glided = smoothAt(80, (frame) => (Math.floor(frame / 15) % 2) * 0.6 - 0.3);
+    expect(looks.c7 && placeIn(looks.c7)).toEqual([glided, glided].map(near));
   });
 
   test('wanders smoothly by noise, and draws by chance with each beat only', async () => {

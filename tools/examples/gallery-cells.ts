@@ -171,12 +171,13 @@ export const ROWS: readonly (readonly Cell[])[] = [
       shows: ['place', 'noise.vector'],
     },
     {
-      title: 'Switch vectors',
+      title: 'Switch vectors, and glide between them',
       nodes: {
         switch: ['value/switch-vector3', { first: [-0.3, -0.3, 0], second: [0.3, 0.3, 0] }],
+        glide: ['value/smooth-vector3', { halfLifeS: 0.1 }],
       },
-      wires: ['steps.number -> switch.index'],
-      shows: ['place', 'switch.chosen'],
+      wires: ['steps.number -> switch.index', 'switch.chosen -> glide.vector'],
+      shows: ['place', 'glide.result'],
     },
     {
       title: 'Split colour: its brightness',
