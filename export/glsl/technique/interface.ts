@@ -26,5 +26,5 @@ bool scrim_discarded = false;`;
 
 export const INTERFACE_LINES = TECHNIQUE_INTERFACE.split('\n').length - 1;
 
-/** Names in the order in which they are given, so that every technique prints them alike. */
+/** What gives a light. */
 export const INTERFACE_FUNCTION = 'LIGHT';

@@ -34,6 +34,11 @@ vec4 surface(const in Surface s) { return vec4(s.color.rgb * tint.rgb, 1.0); }`)
     expect(uniforms).toEqual([{ name: 'a_tint', type: 'vec4', param: 'tint' }]);
   });
 
+  test('by what is written, not by what comments say', () => {
+    const { vertex } = linked(`${HEADER}\nvec4 surface(const in Surface s) { return s.color; } // no void vertex(inout Vertex v)`);
+    expect(vertex).toContain('void a_vertex(inout a_Vertex v) {}');
+  });
+
   test('with a vertex function of its own, or without', () => {
     expect(linked(`${HEADER}\nvec4 surface(const in Surface s) { return s.color; }`).vertex).toContain(
       'void a_vertex(inout a_Vertex v) {}',
@@ -92,5 +97,7 @@ describe('what is wrong with a technique is said on its line', () => {
       ['SCR040', 2],
       ['SCR040', 3],
     ]);
+    const taken = readTechnique('/*{ "INPUTS": [{ "NAME": "EYE", "TYPE": "color" }] }*/', 'x.glsl');
+    expect(taken.diagnostics).toEqual([expect.objectContaining({ code: 'SCR040', line: 1, message: expect.stringContaining('"EYE"') })]);
   });
 });

@@ -63,14 +63,16 @@ export function linkTechnique(technique: TechniqueShader, { chunkOf, loopBudget 
 
 function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, loopBudget: boolean): LinkedTechnique {
   const given = new Map(technique.inputs.map(({ name, type }) => [name, variableOf(name, INPUT_TYPES[type], 'input')]));
-  const parsed = parseShader(`${TECHNIQUE_INTERFACE}${expanded.text}\n${mainFor(expanded.text)}`);
+  const text = `${TECHNIQUE_INTERFACE}${expanded.text}\n`;
+  const parsed = parseShader(`${text}${mainFor(parseShader(text))}`);
   const surface = functionOf(parsed, 'surface', 'vec4', 'Surface');
   if (!surface)
     throw new GlslError({ line: INTERFACE_LINES + 1, column: 1 }, 'The technique has no "vec4 surface(const in Surface s) { … }".');
   const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
   const checked = checkShader(parsed, given);
   const unit: Unit = { technique, expanded, checked, given, loopBudget };
-  const uses = usesOf(unit, checked.main);
+  const names = namesFor(unit);
+  const uses = usesOf(unit, checked.main, names);
   if (vertex) refuseLights(unit, vertex);
   const inVertex = vertex ? printStage(unit, vertex) : null;
   const inFragment = printStage(unit, surface);
@@ -79,15 +81,13 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, loopBu
     vertex: `${inVertex?.text ?? PRINTED_STRUCTS}\n${vertex ? '' : 'void a_vertex(inout a_Vertex v) {}\n'}`,
     fragment: `${inFragment.text}\n`,
     trial: trialShader(unit, trial),
-    uniforms: technique.inputs
-      .filter(({ name }) => uses.params.has(name))
-      .map(({ name, type }) => ({ name: `a_${name}`, type: INPUT_TYPES[type] as PassUniform['type'], param: name })),
+    uniforms: uniformsOf(unit, uses, names).map(({ name, type, param }) => ({ name, type: type as PassUniform['type'], param })),
   };
 }
 
 /** Calls both functions; text after the author's, so that its lines stay where they are. */
-function mainFor(text: string): string {
-  const vertex = /\bvoid\s+vertex\s*\(/.test(text) ? 'Vertex v; vertex(v);' : '';
+function mainFor(author: ParsedShader): string {
+  const vertex = functionOf(author, 'vertex', 'void', 'Vertex') ? 'Vertex v; vertex(v);' : '';
   return `void main() { ${vertex} Surface s; surface(s); }`;
 }
 
@@ -141,6 +141,14 @@ function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
   }
 }
 
+/** Inputs that are used, in the header's order. */
+function uniformsOf({ technique, given }: Unit, { params }: Reach, names: Names) {
+  return technique.inputs.flatMap(({ name: param, type }) => {
+    const symbol = params.has(param) ? given.get(param) : undefined;
+    return symbol ? [{ name: names.of(symbol), type: INPUT_TYPES[type], param }] : [];
+  });
+}
+
 interface Stage {
   readonly text: string;
   readonly head: readonly string[];
@@ -181,9 +189,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   const head = [
     PRINTED_STRUCTS,
     ...(context.loopBudget ? [LOOPS_END] : []),
-    ...unit.technique.inputs
-      .filter(({ name }) => reach.params.has(name))
-      .map(({ name, type }) => `uniform ${INPUT_TYPES[type]} a_${name};`),
+    ...uniformsOf(unit, reach, names).map(({ name, type }) => `uniform ${type} ${name};`),
   ]
     .join('\n')
     .split('\n');

@@ -9,6 +9,21 @@ const MAX_PASSES = 8;
 
 const SIDES: readonly TechniquePass['side'][] = ['object', 'front', 'back', 'both'];
 
+/** Names of the interface (`interface.ts`). */
+const TAKEN: ReadonlySet<string> = new Set([
+  'Vertex',
+  'Surface',
+  'Light',
+  'EYE',
+  'AMBIENT',
+  'LIGHT_COUNT',
+  'LIGHT',
+  'PASSINDEX',
+  'vertex',
+  'surface',
+  'main',
+]);
+
 /**
  * Reads the header of a technique, as leniently as those of ISF files are read. What is wrong comes as SCR040 with line and
  * column; `output` is null where nothing can be done with the file.
@@ -35,9 +50,11 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
 function readValues(header: Header): TechniqueShader['inputs'] {
   const nodes = items(property(header.root, 'INPUTS'));
   return readInputs(header).filter((input) => {
-    if (['bool', 'long', 'float', 'point2D', 'color'].includes(input.type)) return true;
     const node = nodes.find((one) => textOf(property(one, 'NAME'))?.trim() === input.name) ?? header.root;
-    header.error(node, `The input "${input.name}" is of TYPE "${input.type}", which techniques cannot take yet.`);
+    if (TAKEN.has(input.name))
+      header.error(node, `"${input.name}" is what techniques call something else.`, 'Give the input another name.');
+    else if (['bool', 'long', 'float', 'point2D', 'color'].includes(input.type)) return true;
+    else header.error(node, `The input "${input.name}" is of TYPE "${input.type}", which techniques cannot take yet.`);
     return false;
   });
 }
