@@ -1,5 +1,6 @@
 import { type ChildProcess, spawn, spawnSync } from 'node:child_process';
 
+import { once } from 'node:events';
 import { existsSync } from 'node:fs';
 import { cp, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -48,9 +49,10 @@ describeElectron('the packaged app', electron, () => {
     display = await openDisplay();
   });
   afterAll(async () => {
-    for (const child of running) child.kill('SIGKILL');
+    await end('SIGKILL');
     await display?.close();
-    if (base !== '') await rm(base, { recursive: true, force: true });
+    // Chromium's own children end a moment after it, and write to the last.
+    if (base !== '') await rm(base, { recursive: true, force: true, maxRetries: 20, retryDelay: 250 });
   });
 
   /** As a desktop starts it, and with a door for this test: the shipped program has none for Node's debugger. */
@@ -75,10 +77,21 @@ describeElectron('the packaged app', electron, () => {
     return chromium.connectOverCDP(address, { noDefaults: true });
   }
 
+  async function end(signal: NodeJS.Signals): Promise<void> {
+    await Promise.all(
+      [...running].map(async (child) => {
+        const ended = once(child, 'exit');
+        child.kill(signal);
+        await ended;
+      }),
+    );
+  }
+
   async function windowOf(browser: Browser): Promise<Page> {
     const [context] = browser.contexts();
     const page = context?.pages()[0] ?? (await context?.waitForEvent('page'));
     if (!page) throw new Error('The app opened no window.');
+    page.setDefaultTimeout(120_000);
     await page.waitForURL('scrim://editor/');
     return page;
   }
@@ -91,6 +104,7 @@ describeElectron('the packaged app', electron, () => {
     const errors = collectErrors(page);
     const editor = new EditorDriver(page);
     await page.locator('.react-flow__node').first().waitFor();
+    await page.locator('.transport-time').filter({ hasText: /\d s/ }).waitFor();
     await editor.settled();
     const { data } = await editor.rewind();
     const colours = new Set<number>();
@@ -119,7 +133,7 @@ describeElectron('the packaged app', electron, () => {
     // What the environment asks of Node, the fuses forbid.
     expect(existsSync(join(base, 'ran'))).toBe(false);
     await browser.close();
-    for (const child of running) child.kill('SIGTERM');
+    await end('SIGKILL');
     await visitExportedPage(visitor.browser, out);
   });
 
