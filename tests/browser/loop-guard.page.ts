@@ -62,14 +62,17 @@ void main() {
   gl_FragColor = IMG_THIS_PIXEL(inputImage) * f(TIME);
 }`;
 
+/** The GPU answers within a few frames where it is not starved. */
+const PATIENCE_FRAMES = 2500;
+
 /** Draws until what the GPU found has been told; the number of the next frame. */
 async function drawUntil(player: Awaited<ReturnType<typeof stand>>['player'], from: number, done: () => boolean): Promise<number> {
-  for (let i = from; i < from + 200; i++) {
+  for (let i = from; i < from + PATIENCE_FRAMES; i++) {
     player.draw(frame(i));
     if (done()) return i + 1;
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
-  throw new Error('Nothing was told in 200 frames.');
+  throw new Error(`Nothing was told in ${PATIENCE_FRAMES} frames.`);
 }
 
 /** An endless loop: never drawn in full, told on its line, and gone with another shader. */
