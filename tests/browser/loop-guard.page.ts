@@ -106,7 +106,7 @@ export async function tooLong() {
   player.draw(frame(1));
   const atOnce = pixel(gl, 3, 3);
   const next = await drawUntil(player, 2, () => diagnostics().length > 0);
-  player.setParam('looped', 'n', 4000);
+  player.setParam('looped', 'n', 50);
   const back = await drawUntil(player, next, () => diagnostics().length === 0);
   player.draw(frame(back));
   const again = pixel(gl, 3, 3);
