@@ -1,4 +1,4 @@
-import { Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry } from 'three';
+import { type Material, Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry } from 'three';
 import type { LoadedEnvironment } from '../../export/runtime/scene-backend.ts';
 import type { EnvironmentLightItem, LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
@@ -80,7 +80,7 @@ function shoot(
 }
 
 const middle = (pixels: Uint8Array): number[] => pixel(pixels, WIDTH / 2, HEIGHT / 2);
-const ball = (material = new MeshLambertMaterial()): ObjectItem => item(new Mesh(new SphereGeometry(0.5, 48, 32), material));
+const ball = (material: Material = new MeshLambertMaterial()): ObjectItem => item(new Mesh(new SphereGeometry(0.5, 48, 32), material));
 
 /** Reds of all pixels of a white matt ball: the least and the greatest. */
 export async function furnace() {

@@ -105,7 +105,17 @@ function range(min: number | undefined, max: number | undefined, unit: Unit | un
   return max === undefined ? [] : [`to ${quantity(max, unit)}`];
 }
 
-const SUFFIX: Readonly<Record<Unit, string>> = { m: ' m', s: ' s', rad: '°', px: ' px', K: ' K', Hz: ' Hz', cd: ' cd', ratio: '', none: '' };
+const SUFFIX: Readonly<Record<Unit, string>> = {
+  m: ' m',
+  s: ' s',
+  rad: '°',
+  px: ' px',
+  K: ' K',
+  Hz: ' Hz',
+  cd: ' cd',
+  ratio: '',
+  none: '',
+};
 
 /** `scaledBy` converts without naming the unit, for the first end of a range. */
 function quantity(value: number, unit: Unit | undefined, scaledBy: Unit | undefined = unit): string {

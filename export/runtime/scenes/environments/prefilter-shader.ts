@@ -25,7 +25,7 @@ void main() {
  * (Křivánek and Colbert 2008, "Real-time shading with filtered importance sampling").
  */
 export const SAMPLED_FRAGMENT = /* glsl */ `
-#define SAMPLES 32
+#define SAMPLES 64
 // Samples that lie apart by the golden ratio, in sequence and in angle, cover the lobe evenly.
 #define GOLDEN_ANGLE 2.399963229728653
 #define TAU 6.283185307179586
@@ -61,8 +61,8 @@ void main() {
     float spread = halfCosine2 * ( alpha2 - 1.0 ) + 1.0;
     float density = alpha2 / ( 2.0 * TAU * spread * spread );
     float sampleSr = 1.0 / ( float( SAMPLES ) * density );
-    // One level more than exact hides the pattern of the samples.
-    float level = max( 0.5 * log2( sampleSr / texelSr ) + 1.0, 0.0 );
+    // Half a level more than exact hides the pattern of the samples.
+    float level = max( 0.5 * log2( sampleSr / texelSr ) + 0.5, 0.0 );
     sum += textureLod( cube, direction, level ).rgb * facing;
     weights += facing;
   }

@@ -36,8 +36,8 @@ const SUMMED_FACE_PX = 16;
  * Filters a panorama for image-based lighting, in the layout that three's materials read (`PMREMGenerator.lodToRoughness`).
  *
  * three's own `PMREMGenerator` (r187) gives the same picture (`tests/slow/panoramas.test.ts` compares them), but for at least 256
- * pixels a face and with 256 samples each: 37 million, which took 3 s to 10 s on SwiftShader where this takes 0.1 s to 0.5 s, and
- * which phones feel too.
+ * pixels a face and with 256 samples each: 37 million in all, which took 10 s on a busy machine without a graphics processor. This
+ * takes a third of them for large panoramas and a tenth for small ones.
  */
 export function prefilter(renderer: SceneRenderer, { texture, widthPx }: EnvironmentAsset): Prefiltered {
   const facePx = Math.min(Math.max(2 ** Math.floor(Math.log2(widthPx / 4)), MIN_FACE_PX), MAX_FACE_PX);

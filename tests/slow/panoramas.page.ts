@@ -1,0 +1,99 @@
+import {
+  Mesh,
+  MeshStandardMaterial,
+  NoToneMapping,
+  PMREMGenerator,
+  Scene,
+  SphereGeometry,
+  type Texture,
+  type WebGLCubeRenderTarget,
+} from 'three';
+import { loadPanorama } from '../../export/runtime/scenes/environments/load-panorama.ts';
+import { prefilter } from '../../export/runtime/scenes/environments/prefilter.ts';
+import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { createSceneRenderer } from '../../export/runtime/scenes/scene-renderer.ts';
+import { createGl, HEIGHT, lookingAt, readPixels, WIDTH } from '../browser/scenes-kit.ts';
+
+export interface Compared {
+  readonly sizePx: readonly [number, number];
+  /** Per roughness: the mean difference of a ball's pixels lit by our filter and by three's, of 255, and their mean brightness. */
+  readonly balls: readonly { readonly roughness: number; readonly mean: number; readonly brightness: number }[];
+}
+
+/** Balls of several roughnesses under one panorama, lit through our filter and through three's own. */
+export async function compare(url: string): Promise<Compared> {
+  const gl = createGl();
+  const renderer = createSceneRenderer({ gl, canvas: gl.canvas });
+  const { three } = renderer;
+  three.toneMapping = NoToneMapping;
+  const panorama = await loadPanorama(await (await fetch(url)).arrayBuffer(), three.capabilities.maxTextureSize, readRadiance);
+  // Ours has the middle of the picture at -z, three's at +x: a quarter turn.
+  const ours = prefilter(renderer, panorama);
+  let theirs: WebGLCubeRenderTarget | null = null;
+  renderer.work(() => {
+    theirs = new PMREMGenerator(three).fromEquirectangular(panorama.texture) as unknown as WebGLCubeRenderTarget;
+  });
+  if (theirs === null) throw new Error('three made no filter');
+  const theirTexture = (theirs as WebGLCubeRenderTarget).texture;
+  // Exposed so that the mean is a middle grey: differences of white and black are none.
+  const exposure = 0.2 / (await meanRadiance(three, ours.texture, gl));
+  const balls = [0.2, 0.4, 0.7, 1].map((roughness) => {
+    const a = shoot(three, gl, ours.texture, roughness, 0, exposure);
+    const b = shoot(three, gl, theirTexture, roughness, Math.PI / 2, exposure);
+    return { roughness, mean: meanDifference(a, b), brightness: meanOf(a) };
+  });
+  ours.dispose();
+  panorama.dispose();
+  return { sizePx: [panorama.widthPx, panorama.heightPx], balls };
+}
+
+type Three = ReturnType<typeof createSceneRenderer>['three'];
+
+function shoot(
+  three: Three,
+  gl: WebGL2RenderingContext,
+  environment: Texture,
+  roughness: number,
+  turn: number,
+  exposure: number,
+): Uint8Array {
+  const scene = new Scene();
+  scene.add(new Mesh(new SphereGeometry(0.5, 48, 32), new MeshStandardMaterial({ roughness, metalness: 1 })));
+  scene.environment = environment;
+  scene.environmentRotation.y = turn;
+  scene.environmentIntensity = exposure;
+  three.setRenderTarget(null);
+  three.clear(true, true, true);
+  three.render(scene, lookingAt([0, 0, 1.4], [0, 0, 0]));
+  return readPixels(gl, WIDTH, HEIGHT);
+}
+
+/** Of what a rough ball sends back, undone from sRGB; a first guess is enough. */
+async function meanRadiance(three: Three, environment: Texture, gl: WebGL2RenderingContext): Promise<number> {
+  for (let exposure = 1; ; exposure *= 0.5) {
+    const mean = meanOf(shoot(three, gl, environment, 1, 0, exposure)) / 255;
+    if (mean < 0.6) return (mean <= 0.04045 ? mean / 12.92 : ((mean + 0.055) / 1.055) ** 2.4) / exposure;
+  }
+}
+
+function meanOf(pixels: Uint8Array): number {
+  let sum = 0;
+  let count = 0;
+  for (let i = 0; i < pixels.length; i += 4) {
+    if (pixels[i + 3] !== 255) continue;
+    sum += (pixels[i] ?? 0) + (pixels[i + 1] ?? 0) + (pixels[i + 2] ?? 0);
+    count += 3;
+  }
+  return sum / count;
+}
+
+function meanDifference(a: Uint8Array, b: Uint8Array): number {
+  let sum = 0;
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) {
+    if (a[i + 3] !== 255) continue;
+    for (let c = 0; c < 3; c++) sum += Math.abs((a[i + c] ?? 0) - (b[i + c] ?? 0));
+    count += 3;
+  }
+  return sum / count;
+}

@@ -1,0 +1,35 @@
+import { readdirSync } from 'node:fs';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describeWithData } from '../support/shared-data.ts';
+import type { Compared } from './panoramas.page.ts';
+
+/** three's filter takes ten seconds a panorama on SwiftShader, which is why Scrim has one of its own. */
+describeWithData('real panoramas', 'panoramas', (folder) => {
+  const chromium = useBrowser();
+  let page: PageModule;
+
+  beforeAll(async () => {
+    page = await openModule(chromium.browser, 'tests/slow/panoramas.page.ts', { mounts: { '/panoramas/': folder } });
+  }, 60_000);
+  afterAll(async () => {
+    await page.close();
+    expect(page.errors).toEqual([]);
+  });
+
+  const files = readdirSync(folder).filter((name) => /\.(hdr|exr|jpg|png)$/.test(name));
+
+  test('there are some of every format', () => {
+    for (const ending of ['.hdr', '.exr', '.jpg', '.png']) expect(files.some((name) => name.endsWith(ending))).toBe(true);
+  });
+
+  test.each(files)('%s lights as three’s own filter has it', async (name) => {
+    const { sizePx, balls } = await page.call<Compared>('compare', `/panoramas/${name}`);
+    expect(sizePx[0]).toBeGreaterThanOrEqual(256);
+    for (const { roughness, mean, brightness } of balls) {
+      // Rough surfaces take a sum over all of the sky, and agree; smooth ones take samples, whose number differs.
+      const tolerance = roughness < 0.5 ? 8 : 1;
+      expect([roughness, mean < tolerance, brightness > 20]).toEqual([roughness, true, true]);
+    }
+  });
+});
