@@ -39,8 +39,8 @@ export interface Stage extends Heritage {
   /** Frees GL programs, assets and targets that the stage after this one did not take over. */
   release(next: Stage | null): void;
   /**
-   * Before the first frame: has what the scenes of an empty world need compiled, without drawing them, and leaves no trace of that in
-   * any node. Else the first frame would stand still for it.
+   * Before the first frame: has what the scenes of an empty world need compiled, without drawing them. Else the first frame would
+   * stand still for it. Values are not worked out for it: their first frame is still to come.
    */
   prepare(): Promise<void>;
   /** The context is lost, and this stage with it; what is left are the values, and the nodes that make them, with their state. */
@@ -68,27 +68,19 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
   const run = (steps: readonly Step[]): void => {
     for (let i = 0; i < steps.length; i++) steps[i]?.run(state);
   };
-  const update = (): void => {
-    const { frame } = state;
-    enterView(state, 0);
-    for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
-    for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
-    for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
-  };
-  const reset = (): void => {
-    for (const node of cast.nodes.values()) node.reset();
-    loops?.retry();
-    for (const resource of resources.values()) {
-      if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
-    }
-  };
   return {
     program,
     slots,
     resources,
     cast,
     loops,
-    update,
+    update: () => {
+      const { frame } = state;
+      enterView(state, 0);
+      for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
+      for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
+      for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
+    },
     settle: async () => {
       await Promise.all(runtimes.map((runtime) => runtime.settle?.()));
     },
@@ -109,16 +101,22 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
         run(each);
       }
     },
-    reset,
+    reset: () => {
+      for (const node of cast.nodes.values()) node.reset();
+      loops?.retry();
+      for (const resource of resources.values()) {
+        if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
+      }
+    },
     prepare: async () => {
       const backend = engine.scenesIfMade();
       if (!backend) return;
       state.frame = createEmptyWorld();
-      update();
+      enterView(state, 0);
+      for (const [id, { runtime }] of cast.nodes) if (!makesValues(program, id)) runtime.update(state.frame);
       const compiled = backend.prepare(() => {
         for (const step of [...once, ...each]) step.prepare?.(state);
       });
-      reset();
       state.frame = EMPTY_FRAME;
       await compiled;
     },
