@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'source/model',
   version: 1,
   title: 'Model',
-  doc: 'Brings in a 3D model: a glTF file (.glb, or a .gltf with everything in it), in metres, standing at the origin. Its animations play by themselves; a Transform places and sizes it.',
+  doc: 'Brings in a 3D model: a glTF file (.glb, or a .gltf with its files beside it; Draco, meshopt and KTX2 are read), in metres, standing at the origin. Its animations play by themselves; a Transform places and sizes it.',
   keywords: ['gltf', 'glb', 'import', 'mesh', 'character', 'animation', '3d'],
   inputs: {},
   outputs: { objects: { type: 'objects', label: 'Object', doc: 'The model; nothing while it loads.' } },
