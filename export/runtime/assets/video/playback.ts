@@ -117,7 +117,11 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     onProblem({ message: `The video cannot be played on: ${message}.`, fix });
     proceed();
   };
-  element.addEventListener('loadeddata', onEvent, { once: true });
+  const onLoaded = (): void => {
+    onEvent();
+    void insist(++tries, PATIENCE_S);
+  };
+  element.addEventListener('loadeddata', onLoaded, { once: true });
   element.addEventListener('seeked', onEvent);
   element.addEventListener('error', onError);
 
@@ -183,7 +187,7 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
       return settled.promise;
     },
     dispose: () => {
-      element.removeEventListener('loadeddata', onEvent);
+      element.removeEventListener('loadeddata', onLoaded);
       element.removeEventListener('seeked', onEvent);
       element.removeEventListener('error', onError);
       if (tells) element.cancelVideoFrameCallback(watching);
