@@ -50,7 +50,7 @@ async function write(text: ProjectText, files: Readonly<Record<string, string>> 
   await writeProject(project, { 'project.scrim.json': projectText(text), 'assets/robot.glb': await readFile(MODEL), ...files });
 }
 
-/** A poster takes a browser and seconds, and so does compression: `tests/browser/page-poster.test.ts` has one drawn. */
+/** A poster takes a browser and seconds, and so does compression: `tests/slow/page-poster.test.ts` has one drawn. */
 const quick = (args: readonly string[]): string[] => (args[0] === 'export' ? [...args, '--no-poster', '--no-compress'] : [...args]);
 
 async function scrim(...args: string[]) {

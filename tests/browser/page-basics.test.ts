@@ -3,7 +3,8 @@ import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@j
 import type { AxeResults } from 'axe-core';
 import type { BrowserContextOptions, Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { DISC, type ServedPage, servePage } from './page-kit.ts';
+import { LAMP } from './controls-program.ts';
+import { type ServedPage, servePage } from './page-kit.ts';
 
 // Frames are drawn on the CPU, beside whatever else the machine does.
 jest.setTimeout(60_000);
@@ -13,16 +14,7 @@ const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
 
 let served: ServedPage;
 beforeAll(async () => {
-  served = await servePage({
-    ...DISC,
-    slots: { numbers: [0.5, 1, 0, 0], texts: [], slots: [], params: {} },
-    controls: [
-      { node: 'size-a1', param: 'value', label: 'Size of the light', kind: 'slider', min: 0, max: 1, step: 0.05, value: 0.5 },
-      { node: 'on-a1', param: 'value', label: 'Light', kind: 'toggle', value: 1 },
-      { node: 'mood-a1', param: 'value', label: 'Mood', kind: 'choice', options: ['Warm', 'Cold'], value: 0 },
-      { node: 'again-a1', param: 'presses', label: 'Again', kind: 'button', value: 0 },
-    ],
-  });
+  served = await servePage({ ...LAMP, title: 'Warm light' });
 });
 afterAll(() => served.close());
 
