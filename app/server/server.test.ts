@@ -2,15 +2,12 @@ import { mkdir, mkdtemp, readFile, rm, symlink, truncate, writeFile } from 'node
 import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import type { HostEvent } from '../contract/contract.ts';
 import { createHttpHost, TOKEN_HEADER } from '../contract/http-client.ts';
 import { encodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
 import { installationAt } from '../services/installation.ts';
 import { type EditorServer, startServer } from './start-server.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(30_000);
 
 const MAX_MESSAGE_BYTES = 1 << 20;
 

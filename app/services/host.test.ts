@@ -1,12 +1,9 @@
 import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(60_000);
 
 let base = '';
 let project = '';

@@ -5,13 +5,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { createInterface } from 'node:readline';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { bundleHostChild } from '../../tests/support/host-child.ts';
 import { startHost, stopHosts } from '../../tests/support/host-kit.ts';
 import type { HostService } from './host.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(120_000);
 
 const KILLS = 24;
 /** Saves take some 5 ms here: the kill falls anywhere in the first dozen of them. */

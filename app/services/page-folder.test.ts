@@ -1,13 +1,10 @@
 import { chmod, mkdir, mkdtemp, readdir, readFile, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import type { FileSink } from '../../export/bundle/file-sink.ts';
 import { NODE_FILES } from './file-layer.ts';
 import { writePageFolder } from './page-folder.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(30_000);
 
 let base = '';
 let out = '';

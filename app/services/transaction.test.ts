@@ -1,13 +1,10 @@
 import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { realFolder } from './confine.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { finishInterrupted, writeAll } from './transaction.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(30_000);
 
 const bytes = (text: string) => new TextEncoder().encode(text);
 

@@ -4,15 +4,12 @@ import { chmod, mkdir, mkdtemp, readdir, readFile, rename, rm, utimes, writeFile
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
-import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
 import type { HostEvent, HostOutput } from '../contract/contract.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { HostService } from './host.ts';
 import { OWNER } from './owner.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(60_000);
 
 let base = '';
 let project = '';

@@ -1,14 +1,11 @@
 import { createHash } from 'node:crypto';
 import { resolve } from 'node:path';
-import { describe, expect, jest, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { packGlb } from '../gltf/pack-glb.ts';
 import { PROGRAM_VERSION, type Program } from '../program/program.ts';
 import { sessionInit } from '../runtime/sessions/webxr/features.ts';
 import { type BundleInput, bundlePage } from './bundle-page.ts';
 import type { ExportReport } from './report.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(30_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 

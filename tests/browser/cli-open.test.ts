@@ -4,12 +4,9 @@ import { createServer } from 'node:net';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { createInterface } from 'node:readline';
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
-
-// The first start builds what is out of date.
-jest.setTimeout(120_000);
 
 const SCRIM = resolve(import.meta.dirname, '../../bin/scrim.mjs');
 const chromium = useBrowser();

@@ -1,14 +1,11 @@
 import { mkdtemp, readdir, readFile, rm, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import { decode, encode } from 'fast-png';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
-
-// Each call starts a browser of its own.
-jest.setTimeout(60_000);
 
 const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 const MODEL = resolve(import.meta.dirname, '../../examples/first-light/assets/robot.glb');

@@ -2,16 +2,13 @@ import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { type EditorServer, startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
-
-// Editors start slowly on a busy machine; every wait here is for a condition.
-jest.setTimeout(120_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const chromium = useBrowser();

@@ -1,12 +1,10 @@
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, describe, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
 import { centreOf } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
 import { encodePicture } from '../support/picture.ts';
-
-jest.setTimeout(60_000);
 
 /** The camera's picture goes to the screen; a number stands by. */
 const SIMPLE: GraphText = {

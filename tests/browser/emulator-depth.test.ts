@@ -1,11 +1,8 @@
 import { readFileSync } from 'node:fs';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { RoomSource } from '../../export/emulator/rooms/room-source.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import type { DepthErrors, DepthTrial } from './emulator-depth.page.ts';
-
-// The studio takes seconds to make where several test files share two cores.
-jest.setTimeout(40_000);
 
 const chromium = useBrowser();
 let page: PageModule;

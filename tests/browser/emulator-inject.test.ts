@@ -1,4 +1,4 @@
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { build } from 'esbuild';
 import type { Page } from 'playwright-core';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
@@ -7,9 +7,6 @@ import { type StaticServer, serveStatic } from '../support/serve.ts';
 
 const CSP =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; base-uri 'none'; form-action 'none'";
-
-// The studio takes seconds to make where several test files share two cores.
-jest.setTimeout(40_000);
 
 const chromium = useBrowser();
 let server: StaticServer;

@@ -1,9 +1,6 @@
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import type { Landmark } from './emulator-picture.page.ts';
-
-// The studio takes seconds to make where several test files share two cores.
-jest.setTimeout(40_000);
 
 const chromium = useBrowser();
 let page: PageModule;

@@ -1,11 +1,8 @@
 import { readFileSync } from 'node:fs';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import type { SeenBySession } from './emulator-runtime.page.ts';
-
-// The studio takes seconds to make where several test files share two cores.
-jest.setTimeout(40_000);
 
 const chromium = useBrowser();
 let page: PageModule;

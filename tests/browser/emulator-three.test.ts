@@ -1,8 +1,5 @@
-import { expect, jest, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { openModule, useBrowser } from '../support/browser.ts';
-
-// The studio takes seconds to make where several test files share two cores.
-jest.setTimeout(40_000);
 
 const chromium = useBrowser();
 

@@ -1,11 +1,9 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterEach, expect, jest, test } from '@jest/globals';
+import { afterEach, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
 import { type OpenEditor, openEditor } from '../support/open-editor.ts';
 import { pixelAt } from '../support/picture.ts';
-
-jest.setTimeout(120_000);
 
 const browser = useBrowser();
 let open: OpenEditor | null = null;

@@ -1,7 +1,7 @@
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { TOKEN_HEADER } from '../../app/contract/http-client.ts';
 import { encodeMessage, MESSAGE_TYPE } from '../../app/contract/message.ts';
@@ -10,8 +10,6 @@ import { installationAt } from '../../app/services/installation.ts';
 import { useBrowser } from '../support/browser.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
 import { type StaticServer, serveStatic } from '../support/serve.ts';
-
-jest.setTimeout(60_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const chromium = useBrowser();

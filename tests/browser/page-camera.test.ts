@@ -1,11 +1,8 @@
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
 import { DISC, type ServedPage, servePage } from './page-kit.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(60_000);
 
 // Chromium's own fake camera, green with a pie that fills; and its visitor, who says yes to everything, or no.
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);

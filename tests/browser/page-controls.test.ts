@@ -1,12 +1,9 @@
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { decodePicture, pixelAt } from '../support/picture.ts';
 import { LAMP } from './controls-program.ts';
 import { DISC, type ServedPage, servePage } from './page-kit.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(60_000);
 
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
 let served: ServedPage;

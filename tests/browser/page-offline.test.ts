@@ -1,7 +1,7 @@
 import { cp, mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { BrowserContext, Page } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { decodePicture, pixelAt } from '../support/picture.ts';
@@ -9,9 +9,6 @@ import { type ServedExport, serveProjectText } from '../support/project-page.ts'
 import { serveStatic } from '../support/serve.ts';
 import { DISC, servePage } from './page-kit.ts';
 import { MODEL, ROBOT } from './robot-project.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(60_000);
 
 const chromium = useBrowser();
 let served: ServedExport;

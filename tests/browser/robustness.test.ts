@@ -1,11 +1,8 @@
 import { join } from 'node:path';
-import { expect, jest, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { openModule, useBrowser } from '../support/browser.ts';
 import { compileExample, compileText } from '../support/compile-project.ts';
 import { projectText } from '../support/project-kit.ts';
-
-// Sessions of an emulated device, drawn on the CPU.
-jest.setTimeout(120_000);
 
 const chromium = useBrowser();
 

@@ -1,9 +1,8 @@
 import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 
-jest.setTimeout(30_000);
 const chromium = useBrowser();
 const models = resolve('../shared/data/models');
 let page: PageModule;

@@ -1,9 +1,8 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 
-jest.setTimeout(60_000);
 const chromium = useBrowser();
 const folder = resolve('../shared/data/models');
 const names = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.glb')) : [];

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { compile } from '../../export/compiler/compile.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
@@ -8,7 +8,6 @@ import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { Example } from './scenes-player.page.ts';
 
-jest.setTimeout(30_000);
 const chromium = useBrowser();
 let page: PageModule;
 

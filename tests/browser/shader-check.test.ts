@@ -1,13 +1,10 @@
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { writeProject } from '../support/project-kit.ts';
-
-// Each call starts a browser of its own.
-jest.setTimeout(60_000);
 
 const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 

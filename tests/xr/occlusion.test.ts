@@ -1,15 +1,12 @@
 import { readFile } from 'node:fs/promises';
 import { resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
-
-// Frames are drawn on the CPU, and the room is asked ray by ray.
-jest.setTimeout(120_000);
 
 const chromium = useBrowser();
 const livingRoom = await readCapture('living_room');

@@ -1,12 +1,9 @@
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { useBrowser } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import { openXrPage, readCapture, type XrPage } from './xr-page.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(60_000);
 
 // With a camera, for those whom AR refuses.
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);

@@ -1,13 +1,10 @@
 import { resolve } from 'node:path';
-import { beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { beforeAll, describe, expect, test } from '@jest/globals';
 import { texturedModel } from '../../../tests/support/textured-model.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { AssetCache } from './asset-cache.ts';
 import { chooseForms } from './choose-forms.ts';
 import { type AssetOptions, type PreparedAssets, prepareAssets } from './prepare-assets.ts';
-
-// The compressor is a thread of its own, bundled when it is needed; and cores are busy.
-jest.setTimeout(120_000);
 
 const BALL: ProgramAsset = { id: 'ball', kind: 'model', path: 'assets/ball.glb' };
 const PICTURE: ProgramAsset = { id: 'picture', kind: 'image', path: 'assets/a picture.png' };
