@@ -3,7 +3,8 @@ export interface GltfDocument {
   readonly asset?: { readonly version?: string };
   readonly extensionsUsed?: readonly string[];
   readonly extensionsRequired?: readonly string[];
-  readonly scenes?: readonly unknown[];
+  readonly scenes?: readonly { readonly nodes?: readonly number[] }[];
+  readonly nodes?: readonly GltfNode[];
   readonly meshes?: readonly GltfMesh[];
   readonly animations?: readonly { readonly samplers: readonly { readonly input: number; readonly output: number }[] }[];
   readonly skins?: readonly { readonly inverseBindMatrices?: number }[];
@@ -11,6 +12,11 @@ export interface GltfDocument {
   readonly bufferViews?: readonly GltfBufferView[];
   readonly buffers?: readonly GltfBuffer[];
   readonly images?: readonly GltfImage[];
+}
+
+export interface GltfNode {
+  readonly children?: readonly number[];
+  readonly mesh?: number;
 }
 
 export interface GltfMesh {

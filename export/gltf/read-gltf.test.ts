@@ -101,6 +101,31 @@ describe('readGltf', () => {
       text({ ...TRIANGLE, meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 3 }] }] }),
       'the file is damaged: its mesh 0 names a list that is not there. Export it again.',
     ],
+    [
+      'a node that is its own child',
+      text({ ...TRIANGLE, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, children: [1] }, { children: [1] }] }),
+      'the file is damaged: its node 1 hangs from itself. Export it again.',
+    ],
+    [
+      'nodes in a ring',
+      text({ ...TRIANGLE, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, children: [1] }, { children: [0] }] }),
+      'the file is damaged: its node 0 hangs from itself. Export it again.',
+    ],
+    [
+      'a scene that names no node',
+      text({ ...MINIMAL, scenes: [{ nodes: [2] }] }),
+      'the file is damaged: its scene names a node that is not there. Export it again.',
+    ],
+    [
+      'a node that names no node',
+      text({ ...MINIMAL, nodes: [{ children: [4] }] }),
+      'the file is damaged: its node 0 names a node that is not there. Export it again.',
+    ],
+    [
+      'a node that names no mesh',
+      text({ ...TRIANGLE, nodes: [{ mesh: 1 }] }),
+      'the file is damaged: its node 0 names a mesh that is not there. Export it again.',
+    ],
   ])('says what is wrong with %s', (_what, bytes, message) => {
     expect(() => readGltf(bytes)).toThrow(new Error(message));
   });
@@ -108,5 +133,8 @@ describe('readGltf', () => {
   test('lets pass what is used and not required', () => {
     expect(() => readGltf(text({ ...MINIMAL, extensionsUsed: ['ACME_teapots'] }))).not.toThrow();
     expect(() => readGltf(text(TRIANGLE))).not.toThrow();
+    // Two parents are one too many, and harm nobody.
+    const shared = [{ children: [1, 2] }, { children: [2] }, { mesh: 0 }];
+    expect(() => readGltf(text({ ...TRIANGLE, scenes: [{ nodes: [0] }], nodes: shared }))).not.toThrow();
   });
 });

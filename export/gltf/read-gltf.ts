@@ -1,4 +1,5 @@
 import { checkAccessors } from './check-accessors.ts';
+import { checkNodes } from './check-nodes.ts';
 import { isDecoded } from './decoders.ts';
 import { damaged, type Gltf, type GltfDocument, ModelError } from './document.ts';
 
@@ -32,6 +33,7 @@ export function readGltf(bytes: Uint8Array): Gltf {
   checkExtensions(document);
   checkBuffers(document, isBinary);
   checkAccessors(document);
+  checkNodes(document);
   if (!document.scenes?.length) throw new ModelError('it holds no scene, so there is nothing to show.');
   return { document, binary: chunks?.binary ?? null };
 }
