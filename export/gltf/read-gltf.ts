@@ -1,5 +1,6 @@
 import { checkAccessors } from './check-accessors.ts';
 import { checkNodes } from './check-nodes.ts';
+import { checkPictures } from './check-pictures.ts';
 import { isDecoded } from './decoders.ts';
 import { damaged, type Gltf, type GltfDocument, ModelError } from './document.ts';
 
@@ -35,7 +36,9 @@ export function readGltf(bytes: Uint8Array): Gltf {
   checkAccessors(document);
   checkNodes(document);
   if (!document.scenes?.length) throw new ModelError('it holds no scene, so there is nothing to show.');
-  return { document, binary: chunks?.binary ?? null };
+  const gltf = { document, binary: chunks?.binary ?? null };
+  checkPictures(gltf);
+  return gltf;
 }
 
 interface Chunks {

@@ -89,4 +89,22 @@ describe('a model in several files', () => {
     found.set('models/a.bin', new Uint8Array(10));
     await expect(read(found)).rejects.toThrow('the file is damaged: its buffer 0 is shorter than it should be. Export it again.');
   });
+
+  test.each<[string, Uint8Array]>([
+    ['of zeros', new Uint8Array(PIXEL.length)],
+    ['cut off within its head', PIXEL.subarray(0, 12)],
+  ])('is refused when a picture in it is %s', async (_what, picture) => {
+    const found = (await files()).set('models/wood.png', Uint8Array.from(picture));
+    await expect(read(found)).rejects.toThrow(
+      'the file is damaged: its picture 0 is broken or of an unknown kind; PNG, JPEG and WebP are known. Export it again.',
+    );
+  });
+
+  test.each([
+    ['GIF', 'GIF89a'],
+    ['AVIF', '\0\0\0\x1cftypavif'],
+    ['BMP', 'BM'],
+  ])('is left alone with pictures that browsers decode, too: %s', async (_what, head) => {
+    await read((await files()).set('models/wood.png', new TextEncoder().encode(head.padEnd(40))));
+  });
 });
