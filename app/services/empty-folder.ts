@@ -1,8 +1,9 @@
-import { mkdir, readdir } from 'node:fs/promises';
+import { readdir } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { realFolder } from './confine.ts';
 import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { makeFolders } from './make-folders.ts';
 
 /**
  * Fills the folder at `path`, made where it is missing, and answers with where it really lies. Where `fill` fails, the folder is
@@ -23,7 +24,7 @@ export async function fillEmptyFolder(path: string, files: FileLayer, fill: (roo
 async function emptyFolder(path: string): Promise<string> {
   const absolute = resolve(path);
   try {
-    await mkdir(absolute, { recursive: true });
+    await makeFolders(absolute);
     const names = await readdir(absolute);
     if (names.length > 0) throw refusal('SCR061', `${path} is not empty. Nothing was written.`, 'Choose a new or an empty folder.');
   } catch (error) {

@@ -8,6 +8,8 @@ export function readRefusal(error: unknown, path: string): HostError {
   return refusal('SCR004', `${path} cannot be read: ${messageOf(error)}`);
 }
 
+const UNWRITABLE: ReadonlySet<string> = new Set(['EACCES', 'EPERM', 'EROFS', 'ENOTDIR', 'ENOENT', 'EEXIST']);
+
 /** The refusal for an error of the file system while something was written below `path`. */
 export function writeRefusal(error: unknown, path: string): HostError {
   if (error instanceof HostError) return error;
@@ -15,7 +17,7 @@ export function writeRefusal(error: unknown, path: string): HostError {
   if (code === 'ENOSPC' || code === 'EDQUOT') {
     return refusal('SCR062', `There is no space left for ${path}. Nothing was changed.`, 'Free some space and try again.');
   }
-  if (code === 'EACCES' || code === 'EPERM' || code === 'EROFS' || code === 'ENOTDIR' || code === 'ENOENT') {
+  if (code !== undefined && UNWRITABLE.has(code)) {
     return refusal('SCR060', `${path} cannot be written. Nothing was changed.`, 'Choose a folder that you may write to.');
   }
   return refusal('SCR060', `${path} cannot be written: ${messageOf(error)} Nothing was changed.`);

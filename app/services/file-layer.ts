@@ -1,6 +1,8 @@
 import { constants } from 'node:fs';
-import { link, mkdir, open, rename, rm } from 'node:fs/promises';
+import { link, open, rename, rm } from 'node:fs/promises';
+import { resolve } from 'node:path';
 import process from 'node:process';
+import { makeFolders } from './make-folders.ts';
 
 /** The file operations that a save is made of; handed in, so that a test can break any one of them. */
 export interface FileLayer {
@@ -31,7 +33,7 @@ export const NODE_FILES: FileLayer = {
   link,
   remove: (path) => rm(path, { recursive: true, force: true }),
   makeFolder: async (path) => {
-    await mkdir(path, { recursive: true });
+    await makeFolders(resolve(path));
   },
   syncFolder: async (path) => {
     // Windows cannot open a folder; there, NTFS journals the rename.

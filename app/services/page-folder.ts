@@ -1,10 +1,11 @@
 import { randomBytes } from 'node:crypto';
-import { lstat, mkdir, readdir, readFile, realpath, rm } from 'node:fs/promises';
+import { lstat, readdir, readFile, realpath, rm } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
 import type { FileSink } from '../../export/bundle/file-sink.ts';
 import { REPORT_FILE } from '../../export/bundle/report.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { makeFolders } from './make-folders.ts';
 
 /**
  * Writes a page into the folder `out` in one step: into a new folder beside it, which then takes its place. `out` may be
@@ -19,7 +20,7 @@ export async function writePageFolder<T>(out: string, files: FileLayer, write: (
   const fresh = `${target}.new-${suffix}`;
   const old = `${target}.old-${suffix}`;
   try {
-    firstMade = await mkdir(dirname(target), { recursive: true });
+    firstMade = await makeFolders(dirname(target));
     await files.makeFolder(fresh);
     const result = await write(createFolderSink(fresh, files));
     if (result === null) {

@@ -1,8 +1,9 @@
 import { rmSync } from 'node:fs';
-import { mkdir, mkdtemp, rename, rm, writeFile } from 'node:fs/promises';
+import { mkdtemp, rename, rm, writeFile } from 'node:fs/promises';
 import { basename, dirname, join, resolve } from 'node:path';
 import process from 'node:process';
 import { writeRefusal } from '../../services/file-errors.ts';
+import { makeFolders } from '../../services/make-folders.ts';
 import { encodeDepth, encodeLayer } from '../pictures.ts';
 import type { PictureHead } from './render.page.ts';
 
@@ -21,7 +22,7 @@ export async function createFrameWriter(out: string, isFile: boolean, isDepth: b
   const refuse = (error: unknown): never => {
     throw writeRefusal(error, out);
   };
-  const firstMade = await mkdir(folder, { recursive: true }).catch(refuse);
+  const firstMade = await makeFolders(folder).catch(refuse);
   const aside = await mkdtemp(join(folder, '.scrim-render-')).catch(refuse);
   const names: string[] = [];
   let finished = false;
