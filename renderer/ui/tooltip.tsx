@@ -29,7 +29,9 @@ export function TooltipLayer({ clock }: { readonly clock: EditorClock }) {
       setTip(null);
     };
     const consider = (event: Event) => {
-      const next = event.target instanceof Element ? event.target.closest('[data-tip]') : null;
+      // While something is dragged, what the gesture itself says must stay in sight.
+      const isDrag = event instanceof PointerEvent && event.buttons !== 0;
+      const next = event.target instanceof Element && !isDrag ? event.target.closest('[data-tip]') : null;
       if (next === target) return;
       hide();
       if (next === null || (event.type === 'focusin' && !next.matches(':focus-visible'))) return;
