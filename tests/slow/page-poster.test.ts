@@ -1,5 +1,9 @@
-import { readdir, readFile } from 'node:fs/promises';
+import { execFile } from 'node:child_process';
+import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
+import process from 'node:process';
+import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
 import { drawPoster } from '../../app/cli/render/draw-poster.ts';
 import { installationAt } from '../../app/services/installation.ts';
@@ -12,6 +16,16 @@ jest.setTimeout(120_000);
 const ROOT = resolve(import.meta.dirname, '../..');
 const PROJECT = join(ROOT, 'examples/first-light');
 
+/** A sentence of the language that no type check of ours looks at. */
+const REFUSED_SHADER = `/*{
+  "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ]
+}*/
+void main() {
+  vec3 a = 1.0;
+  gl_FragColor = vec4(a, 1.0);
+}
+`;
+
 const chromium = useBrowser();
 let served: ServedExport;
 beforeAll(async () => {
@@ -23,6 +37,26 @@ beforeAll(async () => {
 afterAll(() => served.close());
 
 describe('the poster of a page', () => {
+  test('is not drawn with a shader that a driver refuses: the export says which line', async () => {
+    const base = await mkdtemp(join(tmpdir(), 'scrim-poster-'));
+    try {
+      const project = join(base, 'project');
+      await cp(PROJECT, project, { recursive: true });
+      const file = join(project, 'project.scrim.json');
+      const text = await readFile(file, 'utf8');
+      await mkdir(join(project, 'shaders'));
+      await writeFile(join(project, 'shaders/edge.fs'), REFUSED_SHADER);
+      const node = /"type": "filter\/color-temperature",\s*"version": 1,\s*"params": \{[^}]*\}/;
+      await writeFile(file, text.replace(node, '"type": "filter/edge", "version": 1'));
+      const out = join(base, 'page');
+      const call = promisify(execFile)(process.execPath, [join(ROOT, 'bin/scrim.mjs'), 'export', project, '--out', out]);
+      await expect(call).rejects.toMatchObject({ code: 1, stderr: expect.stringMatching(/shaders\/edge\.fs:5\b.* SCR042/) });
+      expect(await readdir(base)).toEqual(['project']);
+    } finally {
+      await rm(base, { recursive: true, force: true });
+    }
+  });
+
   test('is a frame of it in a room, found by those who link to the page', async () => {
     const name = (await readdir(served.folder)).find((file) => file.startsWith('poster-'));
     expect(name).toMatch(/\.jpg$/);

@@ -1,4 +1,5 @@
 import type { ExportReport } from '../../../export/bundle/report.ts';
+import { compileProject } from '../../services/compile-project.ts';
 import { exportProject } from '../../services/export-project.ts';
 import { type FileLayer, NODE_FILES } from '../../services/file-layer.ts';
 import { findProject } from '../../services/project-files.ts';
@@ -56,9 +57,11 @@ export const exportCommand: Command = {
       ...(call.flag('no-poster')
         ? {}
         : {
-            drawPoster: (program) => {
+            drawPoster: async (program) => {
               say('Drawing the poster…');
-              return drawPoster({ program, projectRoot: root, installation });
+              // With source maps, which the page does without: a shader that a driver refuses is told of by its file and line.
+              const mapped = await compileProject(root, projectFiles, () => ({ sourceMaps: true }));
+              return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
             },
           }),
     });

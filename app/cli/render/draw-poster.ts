@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core';
 import { POSTER_SIZE, type PosterPicture } from '../../../export/bundle/poster.ts';
 import type { Program } from '../../../export/program/program.ts';
+import { HostError } from '../../contract/host-error.ts';
 import { findChromium } from '../../services/chromium.ts';
 import type { Installation } from '../../services/installation.ts';
 import { startBrowser } from '../browser.ts';
@@ -17,14 +18,14 @@ export interface PosterJob {
 
 /**
  * What a page shows, in the room that `scrim render` plays by default: its first frame, as JPEG. Null where there is no browser to
- * draw with, or the project cannot be drawn in it: a page does without.
+ * draw with, or the project cannot be drawn in it: a page does without. Throws a shader's SCR042: no page draws what does not compile.
  */
 export async function drawPoster({ program, projectRoot, installation }: PosterJob): Promise<PosterPicture | null> {
   const found = await findChromium();
   const session = await findRenderSession(null, projectRoot, installation, POSTER_SIZE);
   if (found === null || session.output === null) return null;
   let png: Uint8Array | null = null;
-  await renderFrames({
+  const said = await renderFrames({
     ...session.output,
     first: 0,
     last: 0,
@@ -37,6 +38,8 @@ export async function drawPoster({ program, projectRoot, installation }: PosterJ
     },
     say: () => {},
   });
+  const broken = said.find(({ code, severity }) => code === 'SCR042' && severity === 'error');
+  if (broken) throw new HostError(broken);
   if (png === null) return null;
   const browser = await startBrowser(found);
   try {
