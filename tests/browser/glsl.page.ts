@@ -74,9 +74,13 @@ export function compile(shaders: readonly LinkedShader[]): string[] {
   });
 }
 
+/** One for all shaders: a browser takes the oldest context away when there are more than sixteen. */
+let elsewhere: WebGLRenderingContext | null = null;
+
 /** The log of WebGL 1 for a fragment shader's text: what hosts that never heard of Scrim would make of it. */
 export function compileElsewhere(fragment: string): string {
-  const other = document.createElement('canvas').getContext('webgl');
+  elsewhere ??= document.createElement('canvas').getContext('webgl');
+  const other = elsewhere;
   const shader = other?.createShader(other.FRAGMENT_SHADER);
   if (!other || !shader) throw new Error('This browser has no WebGL.');
   other.shaderSource(shader, fragment);

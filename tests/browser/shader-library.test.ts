@@ -4,29 +4,12 @@ import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsfDepth } from '../../export/glsl/link/link-depth.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
-import colorTemperature from '../../shader-library/filters/color-temperature.fs';
-import gaussianBlur from '../../shader-library/filters/gaussian-blur.fs';
-import sepia from '../../shader-library/filters/sepia.fs';
-import sobelEdges from '../../shader-library/filters/sobel-edges.fs';
-import threshold from '../../shader-library/filters/threshold.fs';
-import blend from '../../shader-library/operators/blend.fs';
-import mask from '../../shader-library/operators/mask.fs';
 import over from '../../shader-library/operators/over.fs';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { type Picture, pixelAt } from '../support/picture.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { drawFloats, drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
-
-const SHADERS: Readonly<Record<string, string>> = {
-  'filters/sepia.fs': sepia,
-  'filters/threshold.fs': threshold,
-  'filters/color-temperature.fs': colorTemperature,
-  'filters/gaussian-blur.fs': gaussianBlur,
-  'filters/sobel-edges.fs': sobelEdges,
-  'operators/blend.fs': blend,
-  'operators/over.fs': over,
-  'operators/mask.fs': mask,
-};
+import { applyShader, expectedPicture as expected, type Params, SHADERS } from './shader-library-kit.ts';
 
 /** Half a step of rounding on either side and one for arithmetic in single precision. */
 const TOLERANCE = 2;
@@ -41,23 +24,8 @@ afterAll(async () => {
   await page.close();
 });
 
-/** Draws a library shader with its defaults, except for `params`. */
-async function apply(file: string, pictures: Readonly<Record<string, Picture>>, params: Readonly<Record<string, number | number[]>> = {}) {
-  const shader = made(readIsf(SHADERS[file] ?? '', file));
-  const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
-  const [first] = Object.values(pictures);
-  if (first === undefined) throw new Error('A filter needs a picture.');
-  return drawPicture(page, {
-    width: first.width,
-    height: first.height,
-    passes: made(linkIsf(shader, { node: 'test' })),
-    pictures: Object.fromEntries(Object.entries(pictures).map(([name, picture]) => [name, toPage(picture)])),
-    params: { ...defaults, ...params },
-  });
-}
-
-async function expected(name: string): Promise<Picture> {
-  return decodePicture(await readFile(`tests/browser/expected/${name}.png`));
+function apply(file: string, pictures: Readonly<Record<string, Picture>>, params?: Params) {
+  return applyShader(page, file, pictures, params);
 }
 
 /** `formula` works on straight colours from 0 to 1; the layer around it is premultiplied and 8 bits. */
@@ -106,10 +74,12 @@ describe.each(Object.keys(SHADERS))('%s', (file) => {
       'varying vec2 isf_FragNormCoord;',
       'uniform vec2 RENDERSIZE;',
       'uniform int PASSINDEX;',
+      'uniform float TIME;',
       ...shader.inputs.filter((input) => input.type !== 'image').map((input) => `uniform ${types[input.type]} ${input.name};`),
       ...images.map((name) => `uniform sampler2D ${name};`),
       '#define IMG_NORM_PIXEL(image, uv) texture2D(image, uv)',
       '#define IMG_THIS_PIXEL(image) texture2D(image, isf_FragNormCoord)',
+      '#define IMG_SIZE(image) RENDERSIZE',
     ].join('\n');
     expect(await page.call<string>('compileElsewhere', `${prelude}\n${SHADERS[file]}`)).toBe('');
   });
@@ -117,8 +87,8 @@ describe.each(Object.keys(SHADERS))('%s', (file) => {
 
 test('the filter that the README teaches works', async () => {
   const readme = await readFile('shader-library/README.md', 'utf8');
-  const vignette = /```glsl\n([\s\S]*?)```/.exec(readme)?.[1]?.replace(/^ {3}/gm, '') ?? '';
-  const { output, diagnostics } = readIsf(vignette, 'filters/vignette.fs');
+  const corners = /```glsl\n([\s\S]*?)```/.exec(readme)?.[1]?.replace(/^ {3}/gm, '') ?? '';
+  const { output, diagnostics } = readIsf(corners, 'filters/dark-corners.fs');
   expect(diagnostics).toEqual([]);
   const white = paint(32, 32, () => [255, 255, 255, 255]);
   const passes = made(linkIsf(made({ output, diagnostics }), { node: 'test' }));

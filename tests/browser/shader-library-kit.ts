@@ -1,0 +1,47 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { linkIsf } from '../../export/glsl/link/link-isf.ts';
+import type { PageModule } from '../support/browser.ts';
+import { decodePicture, type Picture } from '../support/picture.ts';
+import { drawPicture, made, toPage } from './glsl-kit.ts';
+
+const FOLDER = 'shader-library';
+
+/** Text of every filter and operator by its path in the library, such as `filters/sepia.fs`. */
+export const SHADERS: Readonly<Record<string, string>> = Object.fromEntries(
+  ['filters', 'operators'].flatMap((kind) =>
+    readdirSync(join(FOLDER, kind))
+      .filter((file) => file.endsWith('.fs'))
+      .sort()
+      .map((file) => [`${kind}/${file}`, readFileSync(join(FOLDER, kind, file), 'utf8')]),
+  ),
+);
+
+export type Params = Readonly<Record<string, number | readonly number[]>>;
+
+/** Draws a library shader with its defaults, except for `params`. */
+export async function applyShader(
+  page: PageModule,
+  file: string,
+  pictures: Readonly<Record<string, Picture>>,
+  params: Params = {},
+): Promise<Picture> {
+  const shader = made(readIsf(SHADERS[file] ?? '', file));
+  const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
+  const [first] = Object.values(pictures);
+  if (first === undefined) throw new Error('A filter needs a picture.');
+  return drawPicture(page, {
+    width: first.width,
+    height: first.height,
+    passes: made(linkIsf(shader, { node: 'test' })),
+    pictures: Object.fromEntries(Object.entries(pictures).map(([name, picture]) => [name, toPage(picture)])),
+    params: { ...defaults, ...params },
+  });
+}
+
+/** One of the pictures in `tests/browser/expected/`; the scripts beside them say who made them. */
+export async function expectedPicture(name: string): Promise<Picture> {
+  return decodePicture(await readFile(`tests/browser/expected/${name}.png`));
+}
