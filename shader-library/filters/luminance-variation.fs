@@ -1,0 +1,24 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Changes how bright the picture is and how much dark and light differ, and leaves its colour differences alone.",
+  "CREDIT": "Scrim. Luma: Rec. ITU-R BT.709. Effect named in the mixed-reality rendering framework with osgART, figure 14",
+  "CATEGORIES": ["Colour", "Light", "Brightness", "Contrast", "Gamma"],
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to change." },
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Added to the luma: -1 makes everything black, 1 makes it white.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "contrast", "TYPE": "float", "LABEL": "Contrast", "DOC": "Distance of dark and light from middle grey: 0 gives one luma everywhere, 2 doubles the distance.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.4, "IDENTITY": 1.0, "UNIT": "ratio" },
+    { "NAME": "gamma", "TYPE": "float", "LABEL": "Midtones", "DOC": "Above 1 the midtones become lighter, below 1 darker. Black and white stay.", "MIN": 0.2, "MAX": 5.0, "DEFAULT": 1.0, "IDENTITY": 1.0, "UNIT": "ratio" }
+  ]
+}*/
+
+const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
+const float MIDDLE = 0.5;
+
+void main() {
+  vec4 color = IMG_THIS_PIXEL(inputImage);
+  float luma = dot(color.rgb, LUMA_709);
+  float varied = pow(clamp(luma, 0.0, 1.0), 1.0 / gamma);
+  varied = clamp((varied - MIDDLE) * contrast + MIDDLE + brightness, 0.0, 1.0);
+  // Red, green and blue move by the same step: Cb and Cr, which are differences to the luma, stay.
+  gl_FragColor = vec4(color.rgb + (varied - luma), color.a);
+}
