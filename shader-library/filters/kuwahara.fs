@@ -1,0 +1,61 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Paints the picture: areas become flat strokes and edges stay sharp. Every pixel takes the mean colour of that side of it which varies least.",
+  "CREDIT": "Scrim. M. Kuwahara et al. 1976. Weights: G. Papari et al. 2007, IEEE Trans. Image Processing 16, 2449, in the form of J. E. Kyprianidis et al. 2009",
+  "CATEGORIES": ["Style", "Painterly", "Oil", "Smooth", "Watercolour"],
+  "SCRIM_ALPHA": "premultiplied",
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Brush size", "DOC": "How far each side reaches, in whole pixels of the layer. The cost grows with its square.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 5.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },
+    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How clearly the calmest side wins: low is soft, high gives hard brush edges.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 8.0 }
+  ]
+}*/
+
+const int MAX_RADIUS = 8;
+
+// Deviations count in steps of 8 bits, as in the paper: below one step all sides are equally calm.
+const float STEPS = 255.0;
+
+// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+vec4 readLayer(vec2 uv) {
+  vec4 color = IMG_NORM_PIXEL(inputImage, uv);
+#ifndef SCRIM
+  color.rgb *= color.a;
+#endif
+  return color;
+}
+
+// Mean of the square that has this pixel in one corner, multiplied with its weight; and the weight.
+vec4 painted(vec2 side, int reach, out float weight) {
+  vec4 sum = vec4(0.0);
+  vec4 squares = vec4(0.0);
+  for (int y = 0; y <= MAX_RADIUS; y++) {
+    if (y > reach) break;
+    for (int x = 0; x <= MAX_RADIUS; x++) {
+      if (x > reach) break;
+      vec4 color = readLayer(isf_FragNormCoord + side * vec2(float(x), float(y)) / RENDERSIZE);
+      sum += color;
+      squares += color * color;
+    }
+  }
+  float count = float((reach + 1) * (reach + 1));
+  vec4 mean = sum / count;
+  vec4 variance = max(squares / count - mean * mean, 0.0);
+  float deviation = STEPS * sqrt(dot(variance, vec4(1.0)));
+  weight = 1.0 / (1.0 + pow(deviation, sharpness));
+  return mean * weight;
+}
+
+void main() {
+  int reach = int(floor(radius + 0.5));
+  vec4 weights;
+  vec4 sum = painted(vec2(1.0, 1.0), reach, weights.x);
+  sum += painted(vec2(-1.0, 1.0), reach, weights.y);
+  sum += painted(vec2(-1.0, -1.0), reach, weights.z);
+  sum += painted(vec2(1.0, -1.0), reach, weights.w);
+  vec4 result = sum / dot(weights, vec4(1.0));
+#ifndef SCRIM
+  if (result.a > 0.0) result.rgb /= result.a;
+#endif
+  gl_FragColor = result;
+}
