@@ -28,6 +28,8 @@ export default defineConfig(({ mode }) => {
       modulePreload: { polyfill: false },
       reportCompressedSize: false,
       chunkSizeWarningLimit: 4096,
+      // On a slow machine its advice would hide the address that `npm start` prints.
+      rolldownOptions: { checks: { bundlerTimings: false } },
     },
   };
 });
