@@ -75,6 +75,15 @@ describe('an exported page with AR', () => {
     expect(xr.errors).toEqual([]);
   });
 
+  test('is left by its own button on a phone held upright, too', async () => {
+    const xr = await openXrPage(chromium.browser, served.url, { room: livingRoom }, { width: 390, height: 844 });
+    opened.push(xr);
+    await xr.enter();
+    await xr.page.getByRole('button', { name: 'Leave AR' }).click();
+    await xr.page.getByRole('button', { name: 'Enter AR' }).waitFor();
+    expect(xr.errors).toEqual([]);
+  });
+
   test('says that AR has ended when the system ends it, and can be entered again', async () => {
     const xr = await open();
     await xr.enter();
