@@ -8,6 +8,8 @@ export interface ProgramUse {
   readonly scenes: boolean;
   /** Whether panoramas are read. */
   readonly panoramas: boolean;
+  /** Whether visitors can set something. */
+  readonly controls: boolean;
   /** Ids of the assets that some operation names. */
   readonly assets: ReadonlySet<string>;
 }
@@ -22,6 +24,7 @@ export function programUse(program: Program): ProgramUse {
       program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
       uses('model', 'environment'),
     panoramas: uses('environment'),
+    controls: (program.controls ?? []).length > 0,
     assets,
   };
 }

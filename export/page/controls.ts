@@ -1,4 +1,5 @@
 import type { Control } from '../program/program.ts';
+import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
 
 /** What visitors can set, on screen. */
@@ -8,18 +9,22 @@ export interface Controls {
   setShown(shown: boolean): void;
 }
 
-export type SetControl = (control: Control, value: number | boolean) => void;
-
 /** So many leave enough of the picture on a phone; more are shown when asked for. */
 const FEW = 2;
 /** From here on the picture is wide enough to have controls beside it, CSS pixels. */
 const WIDE_PX = 900;
 
 /** Native inputs with labels, so that keys, screen readers and fingers all work; null where there is nothing to set. */
-export function createControls(document: Document, controls: readonly Control[], set: SetControl): Controls | null {
+export function createControls(document: Document, values: ControlValues): Controls | null {
+  const { controls } = values;
   if (controls.length === 0) return null;
-  const parts = controls.map((control, i) => createControl(document, `control-${i}`, control, (value) => set(control, value)));
-  const body = element(document, 'div', { id: 'controls-body', className: 'controls-body' }, ...parts);
+  const parts = controls.map((control, i) => {
+    const set = (value: number) => values.set(i, value);
+    return createControl(document, `control-${i}`, control, { get: () => values.get(i), set });
+  });
+  // They may be set in the room too.
+  values.listen((index) => parts[index]?.show(values.get(index)));
+  const body = element(document, 'div', { id: 'controls-body', className: 'controls-body' }, ...parts.map((part) => part.element));
   let isOpen = false;
   const fold = element(
     document,
@@ -46,38 +51,41 @@ export function createControls(document: Document, controls: readonly Control[],
   };
 }
 
-function createControl(document: Document, id: string, control: Control, set: (value: number | boolean) => void): HTMLElement {
+/** One control: its element, and how it shows what it is set to. */
+interface Part {
+  readonly element: HTMLElement;
+  show(value: number): void;
+}
+
+interface Value {
+  get(): number;
+  set(value: number): void;
+}
+
+function createControl(document: Document, id: string, control: Control, value: Value): Part {
   switch (control.kind) {
     case 'slider':
-      return createSlider(document, id, control, set);
+      return createSlider(document, id, control, value);
     case 'toggle':
-      return createToggle(document, control, set);
+      return createToggle(document, control, value);
     case 'choice':
-      return createChoice(document, id, control, set);
+      return createChoice(document, id, control, value);
     case 'button': {
-      let presses = control.value;
-      const press = () => set(++presses);
-      return element(document, 'button', { className: 'press', attributes: { type: 'button' }, onClick: press }, control.label);
+      const press = () => value.set(value.get() + 1);
+      const made = element(document, 'button', { className: 'press', attributes: { type: 'button' }, onClick: press }, control.label);
+      return { element: made, show: () => {} };
     }
   }
 }
 
-function createSlider(
-  document: Document,
-  id: string,
-  control: Extract<Control, { kind: 'slider' }>,
-  set: (value: number) => void,
-): HTMLElement {
-  const { label, min, max, step, value } = control;
-  const shown = element(document, 'output', { attributes: { for: id } }, sliderText(control, value));
+function createSlider(document: Document, id: string, control: Extract<Control, { kind: 'slider' }>, { get, set }: Value): Part {
+  const { label, min, max, step } = control;
+  const shown = element(document, 'output', { attributes: { for: id } }, sliderText(control, get()));
   const input = element(document, 'input', {
     id,
-    attributes: { type: 'range', min: String(min), max: String(max), step: step > 0 ? String(step) : 'any', value: String(value) },
+    attributes: { type: 'range', min: String(min), max: String(max), step: step > 0 ? String(step) : 'any', value: String(get()) },
   });
-  input.addEventListener('input', () => {
-    set(input.valueAsNumber);
-    shown.textContent = sliderText(control, input.valueAsNumber);
-  });
+  input.addEventListener('input', () => set(input.valueAsNumber));
   const head = element(
     document,
     'div',
@@ -85,7 +93,13 @@ function createSlider(
     element(document, 'label', { attributes: { for: id } }, label),
     shown,
   );
-  return element(document, 'div', { className: 'control' }, head, input);
+  return {
+    element: element(document, 'div', { className: 'control' }, head, input),
+    show: (value) => {
+      if (input.valueAsNumber !== value) input.valueAsNumber = value;
+      shown.textContent = sliderText(control, value);
+    },
+  };
 }
 
 /** As many digits as tell one step from the next; without steps, a hundredth of the way. */
@@ -95,28 +109,30 @@ export function sliderText({ min, max, step }: { min: number; max: number; step:
   return value.toFixed(digits);
 }
 
-function createToggle(document: Document, { label, value }: Control, set: (value: boolean) => void): HTMLElement {
+function createToggle(document: Document, { label }: Control, { get, set }: Value): Part {
   const input = element(document, 'input', { attributes: { type: 'checkbox', role: 'switch' } });
-  input.checked = value !== 0;
-  input.addEventListener('change', () => set(input.checked));
-  return element(document, 'label', { className: 'control toggle' }, element(document, 'span', {}, label), input);
+  const show = (value: number) => {
+    input.checked = value !== 0;
+  };
+  show(get());
+  input.addEventListener('change', () => set(input.checked ? 1 : 0));
+  return { element: element(document, 'label', { className: 'control toggle' }, element(document, 'span', {}, label), input), show };
 }
 
 /** Radio buttons: lists that open do so outside the page, where AR shows nothing. */
-function createChoice(
-  document: Document,
-  id: string,
-  { label, options, value }: Extract<Control, { kind: 'choice' }>,
-  set: (value: number) => void,
-): HTMLElement {
-  const choices = options.map((text, i) => {
+function createChoice(document: Document, id: string, control: Extract<Control, { kind: 'choice' }>, { get, set }: Value): Part {
+  const inputs = control.options.map((_, i) => {
     const input = element(document, 'input', { attributes: { type: 'radio', name: id } });
-    input.checked = i === value;
     input.addEventListener('change', () => {
       if (input.checked) set(i);
     });
-    return element(document, 'label', {}, input, element(document, 'span', {}, text));
+    return input;
   });
-  const group = element(document, 'div', { className: 'choices' }, ...choices);
-  return element(document, 'fieldset', { className: 'control' }, element(document, 'legend', {}, label), group);
+  const show = (value: number) => {
+    for (const [i, input] of inputs.entries()) input.checked = i === value;
+  };
+  show(get());
+  const labels = inputs.map((input, i) => element(document, 'label', {}, input, element(document, 'span', {}, control.options[i] ?? '')));
+  const group = element(document, 'div', { className: 'choices' }, ...labels);
+  return { element: element(document, 'fieldset', { className: 'control' }, element(document, 'legend', {}, control.label), group), show };
 }

@@ -1,16 +1,19 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
-import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
+import type { Session, SessionEvent, SessionFrame } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from '../runtime/assets/asset-source.ts';
 import { createPlayer, type Player } from '../runtime/player.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
+import type { RoomPanel } from './room-panel/room-panel.ts';
 
 export interface MountOptions {
   readonly program: Program;
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
+  /** Shows the controls in sessions that hide the page; null where there are none. */
+  readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;
   /** What is played first; made on the canvas's context. */
   readonly session: (gl: WebGL2RenderingContext) => Session;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
@@ -42,11 +45,13 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
   if (!gl) throw new Error(NO_WEBGL);
   const player = createPlayer({ ...options, gl, canvas, seed: 1 });
   let playing: Session | null = null;
+  let panel: RoomPanel | null = null;
 
   const lost = (event: Event) => {
     // Without this the browser never gives the context back.
     event.preventDefault();
     player.contextLost();
+    panel?.contextLost();
     options.onContext('lost');
   };
   const restored = () => {
@@ -62,9 +67,22 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     // Another one came while the earlier one ended.
     if (playing !== session) return void session?.end();
     player.setSession(session);
-    session?.start(player.draw, (event) => {
-      if (event.kind === 'reset') player.reset();
-      if (event.kind === 'ended' && playing === session) playing = null;
+    const shown = session?.hidesPage === true ? (options.createPanel?.(gl) ?? null) : null;
+    panel = shown;
+    const draw = (frame: SessionFrame) => {
+      player.draw(shown?.take(frame) ?? frame);
+      shown?.draw(frame);
+    };
+    session?.start(draw, (event) => {
+      if (event.kind === 'reset') {
+        player.reset();
+        shown?.reset();
+      }
+      if (event.kind === 'ended') {
+        shown?.dispose();
+        if (playing === session) playing = null;
+        if (panel === shown) panel = null;
+      }
       options.onSessionEvent(event, session);
     });
   };

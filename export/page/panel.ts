@@ -144,13 +144,14 @@ function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
   return [
     element(document, 'p', {}, motion + (items.length === 0 ? '' : ' It may also use:')),
     ...(items.length === 0 ? [] : [element(document, 'dl', {}, ...items)]),
-    ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_FIRST)]),
+    ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_IN_ROOM)]),
     element(document, 'p', { className: 'privacy' }, PRIVACY),
   ];
 }
 
 /** They have no DOM overlays. */
-const CONTROLS_FIRST = 'Headsets do not show the controls in AR: set them before you enter. They stay as you set them.';
+const CONTROLS_IN_ROOM =
+  'In a headset the controls are on a panel in front of you, below your eyes: point at it and press. What you set here before stays set.';
 
 function cameraTexts(document: Document): HTMLElement[] {
   const asks = 'Your browser will ask for the camera, and perhaps whether this page may follow how your device turns.';

@@ -1,5 +1,5 @@
-import type { Control } from '../program/program.ts';
-import { createControls, type SetControl } from './controls.ts';
+import type { ControlValues } from './control-values.ts';
+import { createControls } from './controls.ts';
 import { element } from './dom.ts';
 import { createNotices, type Notices } from './notices.ts';
 import { createPanel, type Panel, type PanelOptions } from './panel.ts';
@@ -19,9 +19,7 @@ export interface Stage {
 }
 
 export interface StageOptions extends PanelOptions {
-  /** What visitors can set, from top to bottom. */
-  readonly controls: readonly Control[];
-  readonly onSet: SetControl;
+  readonly values: ControlValues;
   readonly onLeave: () => void;
 }
 
@@ -36,7 +34,7 @@ export function createStage(options: StageOptions): Stage {
   const panel = createPanel(options);
   const notices = createNotices(document);
   const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
-  const controls = createControls(document, options.controls, options.onSet);
+  const controls = createControls(document, options.values);
   const overlay = element(document, 'div', { id: 'overlay' }, notices.element, ...(controls ? [controls.element] : []), leave);
   // A tap on what lies above the room is no tap into the room (WebXR DOM Overlays §3.3).
   overlay.addEventListener('beforexrselect', (event) => event.preventDefault());

@@ -3,19 +3,23 @@ import { type Program, readProgram } from '../program/program.ts';
 import { type AssetSource, createFetchAssetSource } from '../runtime/assets/asset-source.ts';
 import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import type { DecoderFiles } from '../runtime/scenes/models/decoders/decoder.ts';
+import { createControlValues } from './control-values.ts';
 import { createEmbeddedAssetSource, hasEmbeddedFiles } from './embedded-files.ts';
 import { countingFetch } from './load-progress.ts';
 import { browserFetch } from './network.ts';
 import { keepForOffline } from './offline.ts';
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
+import type { CreateRoomPanel } from './room-panel/room-panel.ts';
 import { createStage } from './stage.ts';
 import { createVisit, type Visit } from './visit.ts';
 import { findWays, lacksOf } from './way-texts.ts';
 
-/** What the page's own script hands in: the behaviour of the nodes in use, and three.js where they draw objects. */
+/** What the page's own script hands in: the behaviour of the nodes in use, and what not every page needs. */
 export interface PageParts {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: ((files: DecoderFiles) => CreateSceneBackend) | null;
+  /** Null where there is nothing to set. */
+  readonly createRoomPanel: CreateRoomPanel | null;
 }
 
 /** Runs an exported page: loads the program, shows it to be looked around, and offers what the browser and the device have. */
@@ -23,12 +27,13 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
   const { document } = page;
   const config = readConfig(document);
   let visit: Visit | null = null;
+  const values = createControlValues(config.controls, ({ node, param }, value) => visit?.setParam(node, param, value));
   const stage = createStage({
     ...config,
     document,
+    values,
     lacks: { camera: lacksOf(config.tiers, 'camera'), orbit: lacksOf(config.tiers, 'orbit') },
     totalBytes: Object.values(config.bytes).reduce((sum, bytes) => sum + bytes, 0),
-    onSet: ({ node, param }, value) => visit?.setParam(node, param, value),
     onEnter: (way) => void visit?.enter(way),
     onLeave: () => void visit?.lookAround(),
   });
@@ -43,7 +48,9 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     const program = await loadProgram(files, config.program);
     const ways = await found;
     const createScenes = parts.createScenes?.((file) => files.load(config.decoders[file] ?? file)) ?? null;
-    visit = createVisit({ page, stage, program, assets: files, ways, modules: parts.modules, createScenes });
+    const { modules, createRoomPanel } = parts;
+    const createPanel = createRoomPanel && ((gl: WebGL2RenderingContext) => createRoomPanel({ gl, document, title: config.title, values }));
+    visit = createVisit({ page, stage, program, assets: files, ways, modules, createScenes, createPanel });
     await visit.ready;
     panel.show({ kind: 'ready', offers: ways.offers, reason: ways.noAr });
     stage.showPicture();

@@ -7,7 +7,7 @@ import type { CreateSceneBackend } from '../runtime/scene-backend.ts';
 import { requestCameraSession } from '../runtime/sessions/camera/request-camera.ts';
 import { createOrbitSession } from '../runtime/sessions/orbit/orbit-session.ts';
 import { requestWebXrSession } from '../runtime/sessions/webxr/request-session.ts';
-import { type Mounted, mount } from './mount.ts';
+import { type Mounted, type MountOptions, mount } from './mount.ts';
 import { showDiagnostics } from './notices.ts';
 import type { Stage } from './stage.ts';
 import type { PageParts } from './start-page.ts';
@@ -16,6 +16,7 @@ import { canUseCamera, type Way, type Ways } from './way-texts.ts';
 export interface VisitOptions {
   readonly modules: PageParts['modules'];
   readonly createScenes: CreateSceneBackend | null;
+  readonly createPanel: MountOptions['createPanel'];
   readonly page: Window;
   readonly stage: Stage;
   readonly program: Program;

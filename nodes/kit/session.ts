@@ -14,6 +14,8 @@ export interface Session {
   readonly world: 'device' | 'image' | 'none';
   /** `additive` displays cannot darken: black is transparent. */
   readonly blend: 'opaque' | 'alpha' | 'additive';
+  /** Nothing of the page is seen while it runs, as in headsets, which have no DOM overlay. */
+  readonly hidesPage?: boolean;
   /** Begins delivering frames to `onFrame`, and events to `onEvent`, until `end`. */
   start(onFrame: (frame: SessionFrame) => void, onEvent: (event: SessionEvent) => void): void;
   /** Ends the session and frees what it made; safe to call twice. */

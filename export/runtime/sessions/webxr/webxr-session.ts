@@ -134,6 +134,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     capabilities,
     world: session.environmentBlendMode === 'opaque' ? 'none' : 'device',
     blend: session.environmentBlendMode === 'additive' ? 'additive' : session.environmentBlendMode === 'opaque' ? 'opaque' : 'alpha',
+    hidesPage: !session.domOverlayState,
     start: (frameHandler, eventHandler) => {
       onFrame = frameHandler;
       onEvent = eventHandler;

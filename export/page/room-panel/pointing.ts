@@ -1,0 +1,148 @@
+import type { Controller, SessionFrame, SessionInput, Tap } from '../../../nodes/kit/session.ts';
+import type { Control } from '../../program/program.ts';
+import { createSessionInput } from '../../runtime/sessions/input/session-input.ts';
+import { createSessionFrame } from '../../runtime/sessions/session-frame.ts';
+import type { ControlValues } from '../control-values.ts';
+import { isOnPanel, type PanelLayout, type Part, partAt, sliderValueAt } from './layout.ts';
+import { castRay, createRayHit, type RayHit } from './ray-hit.ts';
+
+/** A trigger is pulled from here on, and let go below the other: a finger that trembles pulls it once. */
+const PULLED = 0.5;
+const LET_GO = 0.35;
+
+/** A hand or controller, and what it does with the panel. */
+export interface Pointer {
+  readonly by: 'left' | 'right';
+  /** It points at the card. */
+  pointing: boolean;
+  readonly hit: RayHit;
+  /** Part that it points at, or -1. */
+  part: number;
+  /** Part that it holds, or -1. */
+  held: number;
+}
+
+/** What is done to the panel, by rays and taps. */
+export interface Pointing {
+  readonly pointers: readonly Pointer[];
+  readonly isHeld: boolean;
+  /** Sets the controls. Returns the frame as the program is to see it, without the taps that were for the panel; valid as long as `frame`. */
+  take(frame: SessionFrame, worldFromPanel: Float32Array): SessionFrame;
+}
+
+/**
+ * A switch, button or choice is set by a tap on it, which is what the device calls a selection; a slider follows the ray while the
+ * trigger is held, also beyond its ends. The tap that ends a press on the panel belongs to the panel, wherever it then points; one
+ * that began elsewhere presses nothing.
+ */
+export function createPointing(layout: PanelLayout, values: ControlValues): Pointing {
+  const hands = [createHand('left'), createHand('right')];
+  const tapHit = createRayHit();
+  const passed = createPassedFrame();
+
+  function press(part: number, hit: RayHit): void {
+    const found = layout.parts[part];
+    const control = found && values.controls[found.control];
+    if (!found || !control) return;
+    values.set(found.control, valueBy(control, found, hit));
+  }
+
+  function valueBy(control: Control, part: Part, hit: RayHit): number {
+    const value = values.get(part.control);
+    switch (control.kind) {
+      case 'slider':
+        return sliderValueAt(control, part, hit.x);
+      case 'toggle':
+        return value === 0 ? 1 : 0;
+      case 'button':
+        return value + 1;
+      case 'choice':
+        return part.option;
+    }
+  }
+
+  function follow(hand: Hand, controller: Controller, worldFromPanel: Float32Array): void {
+    const { hit } = hand;
+    const ray = controller.worldFromRay;
+    if (ray) castRay(hit, ray, worldFromPanel, layout);
+    else hit.hits = false;
+    hand.pointing = hit.hits && isOnPanel(layout, hit.x, hit.y);
+    hand.part = hand.pointing ? partAt(layout, hit.x, hit.y) : -1;
+    const wasPulled = hand.pulled;
+    hand.pulled = controller.trigger >= (wasPulled ? LET_GO : PULLED);
+    if (hand.pulled && !wasPulled) {
+      hand.began = hand.pointing ? 'panel' : 'elsewhere';
+      hand.beganPart = hand.part;
+    }
+    hand.held = hand.pulled && hand.began === 'panel' ? hand.beganPart : -1;
+    if (hit.hits && layout.parts[hand.held]?.kind === 'slider') press(hand.held, hit);
+  }
+
+  /** Whether the tap was for the panel. */
+  function takeTap(tap: Tap, worldFromPanel: Float32Array): boolean {
+    castRay(tapHit, tap.worldFromRay, worldFromPanel, layout);
+    const onPanel = tapHit.hits && isOnPanel(layout, tapHit.x, tapHit.y);
+    const part = onPanel ? partAt(layout, tapHit.x, tapHit.y) : -1;
+    const hand = hands.find(({ by }) => by === tap.by);
+    const began = hand?.began ?? null;
+    // A press too short to be seen, or by something without a trigger, began where it ends.
+    const presses = began === null || (began === 'panel' && hand?.beganPart === part && layout.parts[part]?.kind !== 'slider');
+    if (hand) hand.began = null;
+    if (onPanel && presses) press(part, tapHit);
+    return onPanel || began === 'panel';
+  }
+
+  return {
+    pointers: hands,
+    get isHeld() {
+      return hands.some(holdsPanel);
+    },
+    take: (frame, worldFromPanel) => {
+      const { input } = frame;
+      for (const hand of hands) follow(hand, input[hand.by], worldFromPanel);
+      passed.begin(frame);
+      for (let i = 0; i < input.tapCount; i++) {
+        const tap = input.taps[i];
+        if (tap && !takeTap(tap, worldFromPanel)) passed.addTap(tap);
+      }
+      return passed.frame;
+    },
+  };
+}
+
+interface Hand extends Pointer {
+  pulled: boolean;
+  /** Where the press began that no tap has ended yet. */
+  began: 'panel' | 'elsewhere' | null;
+  beganPart: number;
+}
+
+function createHand(by: Hand['by']): Hand {
+  return { by, pointing: false, hit: createRayHit(), part: -1, held: -1, pulled: false, began: null, beganPart: -1 };
+}
+
+function holdsPanel({ pulled, began }: Hand): boolean {
+  return pulled && began === 'panel';
+}
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+/** A frame with fewer taps: the session's own is not to be changed. */
+function createPassedFrame() {
+  const taps: Tap[] = [];
+  const input: Mutable<SessionInput> = { ...createSessionInput(), taps };
+  const frame: Mutable<SessionFrame> = { ...createSessionFrame(), input };
+  return {
+    frame,
+    begin: (from: SessionFrame): void => {
+      Object.assign(frame, from);
+      frame.input = input;
+      input.left = from.input.left;
+      input.right = from.input.right;
+      input.tapCount = 0;
+    },
+    addTap: (tap: Tap): void => {
+      taps[input.tapCount++] = tap;
+    },
+  };
+}
