@@ -161,10 +161,9 @@ export const LAYERS: readonly Layer[] = [
   },
   {
     name: 'measured page',
-    files: ['tools/bench/pages/*.page.ts'],
+    files: ['tools/bench/pages/**'],
     imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'registry of runtimes'],
     packages: ['three'],
-    own: 'none',
   },
   {
     name: 'tools',

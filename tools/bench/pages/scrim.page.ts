@@ -5,6 +5,7 @@ import { createPlayer } from '../../../export/runtime/player.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { createOrbitSession } from '../../../export/runtime/sessions/orbit/orbit-session.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
+import { type Drawn, measureFrames } from './frame-ms.ts';
 
 /** Plays a program as a page without AR does, at a clock of its own. */
 export async function open(program: Program, assetsUrl: string, widthPx: number, heightPx: number): Promise<void> {
@@ -41,17 +42,10 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   stage = { gl, draw: clock.advance };
 }
 
-/** Milliseconds per frame over `count` frames, the GPU's work included. */
+/** See `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
-  const { gl, draw } = stage;
-  const pixel = new Uint8Array(4);
-  const startMs = performance.now();
-  for (let i = 0; i < count; i++) {
-    draw(1 / 60);
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-  }
-  return (performance.now() - startMs) / count;
+  return measureFrames(stage, count);
 }
 
-let stage: { readonly gl: WebGL2RenderingContext; draw(deltaS: number): void } | null = null;
+let stage: Drawn | null = null;

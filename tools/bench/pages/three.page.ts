@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
+import { type Drawn, measureFrames } from './frame-ms.ts';
 
 /**
  * What somebody who knows three.js writes by hand for the first example: the same model twice, light, shadow and floor, without
@@ -74,17 +75,10 @@ export async function open(modelUrl: string, widthPx: number, heightPx: number):
   };
 }
 
-/** Milliseconds per frame over `count` frames, the GPU's work included. */
+/** See `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
-  const { gl, draw } = stage;
-  const pixel = new Uint8Array(4);
-  const startMs = performance.now();
-  for (let i = 0; i < count; i++) {
-    draw(1 / 60);
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-  }
-  return (performance.now() - startMs) / count;
+  return measureFrames(stage, count);
 }
 
-let stage: { readonly gl: WebGLRenderingContext | WebGL2RenderingContext; draw(deltaS: number): void } | null = null;
+let stage: Drawn | null = null;

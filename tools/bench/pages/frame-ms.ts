@@ -1,0 +1,16 @@
+/** What a measured page draws with. */
+export interface Drawn {
+  readonly gl: WebGLRenderingContext | WebGL2RenderingContext;
+  draw(deltaS: number): void;
+}
+
+/** Milliseconds per frame over `count` frames, the GPU's work included: reading a pixel waits for it. */
+export function measureFrames({ gl, draw }: Drawn, count: number): number {
+  const pixel = new Uint8Array(4);
+  const startMs = performance.now();
+  for (let i = 0; i < count; i++) {
+    draw(1 / 60);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+  }
+  return (performance.now() - startMs) / count;
+}
