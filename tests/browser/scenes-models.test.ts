@@ -43,7 +43,7 @@ test('a .gltf with everything in it loads too; broken pictures are named', async
   expect(await page.call('embedded')).toEqual({
     // An opaque material takes no alpha from its picture.
     color: [255, 128, 0, 255],
-    broken: 'Error: image 1 in it is broken or of an unknown kind. Use PNG, JPEG or WebP images.',
+    broken: 'Error: the file is damaged: its picture 0 is broken or of an unknown kind; PNG, JPEG and WebP are known. Export it again.',
     error: 0,
   });
 });
