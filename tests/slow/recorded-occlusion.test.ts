@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
 import { promisify } from 'node:util';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { decode } from 'fast-png';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
@@ -12,7 +12,6 @@ import { projectText, writeProject } from '../support/project-kit.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
 // Twenty frames of 640 × 480, twice, on the CPU.
-jest.setTimeout(180_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 /** Every third frame of the recording. */

@@ -1,8 +1,8 @@
 import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
-import { DISC, type ServedPage, servePage } from './page-kit.ts';
 
 // Chromium's own fake camera, green with a pie that fills; and its visitor, who says yes to everything, or no.
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);

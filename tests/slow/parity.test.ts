@@ -1,7 +1,7 @@
 import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
@@ -9,10 +9,9 @@ import { EditorDriver, FLAG_PX } from '../support/editor-driver.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
 import { countDifferent, expectSamePixels } from '../support/pixels.ts';
 import { serveProject } from '../support/project-page.ts';
-import { openXrPage } from './xr-page.ts';
+import { openXrPage } from '../xr/xr-page.ts';
 
 // An editor and a page, each with an emulated device, drawn on the CPU.
-jest.setTimeout(180_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const chromium = useBrowser();
