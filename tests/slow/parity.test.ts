@@ -11,8 +11,6 @@ import { countDifferent, expectSamePixels } from '../support/pixels.ts';
 import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from '../xr/xr-page.ts';
 
-// An editor and a page, each with an emulated device, drawn on the CPU.
-
 const ROOT = resolve(import.meta.dirname, '../..');
 const chromium = useBrowser();
 

@@ -11,8 +11,6 @@ import { installationAt } from '../../app/services/installation.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
-// Twenty frames of 640 × 480, twice, on the CPU.
-
 const ROOT = resolve(import.meta.dirname, '../..');
 /** Every third frame of the recording. */
 const POSES = 20;
