@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
-import { build } from 'esbuild';
+import { build, type Plugin } from 'esbuild';
 import type { CompressedModel, WorkerAnswer } from './compressed-model.ts';
 
 /** Compresses models beside the program that asks: one worker thread, made for the first model. */
@@ -46,12 +46,25 @@ async function bundleWorker(root: string): Promise<string> {
     target: 'node16',
     // The encoder finds its WebAssembly beside its own file.
     define: { 'import.meta.url': JSON.stringify(pathToFileURL(encoder).href) },
+    plugins: [WITHOUT_SHARP],
     logLevel: 'silent',
   });
   const [file] = outputFiles;
   if (!file) throw new Error('esbuild made no worker.');
   return file.text;
 }
+
+/**
+ * glTF-Transform brings a picture library of native code, which refuses Electron's older Node as soon as it is loaded. Nothing that
+ * is called here draws pictures by it.
+ */
+const WITHOUT_SHARP: Plugin = {
+  name: 'without-sharp',
+  setup: ({ onResolve, onLoad }) => {
+    onResolve({ filter: /^sharp$/ }, ({ path }) => ({ path, namespace: 'left-out' }));
+    onLoad({ filter: /.*/, namespace: 'left-out' }, () => ({ contents: 'export default null;' }));
+  },
+};
 
 function startWorker(script: string): Worker {
   // The encoder prints what it does; standard output may be a program's.
