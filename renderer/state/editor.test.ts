@@ -136,10 +136,12 @@ describe('the editor', () => {
     expect(graphOf(editor.document.getState()).nodes[sepia]?.muted).toBe(true);
     toggleMuted(editor);
     expect(graphOf(editor.document.getState()).nodes[sepia]?.muted).toBeUndefined();
+    const before = graphOf(editor.document.getState());
+    expect(before.nodes[sepia]).toMatchObject({ type: 'filter/sepia' });
     deleteSelection(editor);
     expect(graphOf(editor.document.getState()).nodes[sepia]).toBeUndefined();
     undo(editor);
-    expect(graphOf(editor.document.getState()).nodes[sepia]).toBeDefined();
+    expect(graphOf(editor.document.getState())).toEqual(before);
   });
 
   test('knows what is unsaved, through saving and undoing', async () => {

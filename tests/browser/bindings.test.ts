@@ -1,5 +1,6 @@
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
+import { lookTwice } from '../compile/graphs.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
@@ -90,21 +91,15 @@ test('a value node with an expression of its own, a param bound to another, and 
 });
 
 test('a subgraph within a subgraph, used twice, its ports and params shown outside', async () => {
-  const studio = empty()
+  const looks = empty()
     .in('look')
     .add('sepia-a', 'filter/sepia')
     .add('half-a', 'value/expression', { expression: 'a / 2' })
     .wire('half-a.result -> sepia-a.amount')
     .expose('inputs', 'picture', 'sepia-a.inputImage')
     .expose('inputs', 'strength', 'half-a.a')
-    .expose('outputs', 'layer', 'sepia-a.layer')
-    .in('twice')
-    .add('first-a', 'graph/look', { strength: 1 })
-    .add('second-a', 'graph/look')
-    .wire('first-a.layer -> second-a.picture')
-    .expose('inputs', 'picture', 'first-a.picture')
-    .expose('inputs', 'strength', 'second-a.strength')
-    .expose('outputs', 'layer', 'second-a.layer')
+    .expose('outputs', 'layer', 'sepia-a.layer');
+  const studio = lookTwice(looks, 1)
     .in('main')
     .add('video-a', 'source/camera-video')
     .add('twice-a', 'graph/twice')

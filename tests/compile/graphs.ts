@@ -7,6 +7,24 @@ export function emptyStudio(): TestStudio {
   return new TestStudio({ library: TEST_LIBRARY, readShader });
 }
 
+/** Of a thing before and behind the room, its shadow on a floor, over the camera video. */
+export const AR_WIRES: readonly string[] = [
+  'fox-a.objects -> place-a.objects',
+  'place-a.objects -> scene-a.objects',
+  'sun-a.lights -> scene-a.lights',
+  'scene-a.layer -> hide-a.layer',
+  'room-a.depth -> hide-a.depth',
+  'box-a.objects -> floor-a.objects',
+  'place-a.objects -> shadow-a.casters',
+  'floor-a.objects -> shadow-a.receivers',
+  'sun-a.lights -> shadow-a.lights',
+  'shadow-a.layer -> over-a.top',
+  'video-a.layer -> over-a.bottom',
+  'hide-a.layer -> over-b.top',
+  'over-a.layer -> over-b.bottom',
+  'over-b.layer -> screen-a.layer',
+];
+
 /** A model behind the room, its shadow on a phantom floor, over the camera video. */
 export function arScene(): TestStudio {
   return emptyStudio()
@@ -24,22 +42,7 @@ export function arScene(): TestStudio {
     .add('over-a', 'operator/over')
     .add('over-b', 'operator/over')
     .add('screen-a', 'output/screen')
-    .wire(
-      'fox-a.objects -> place-a.objects',
-      'place-a.objects -> scene-a.objects',
-      'sun-a.lights -> scene-a.lights',
-      'scene-a.layer -> hide-a.layer',
-      'room-a.depth -> hide-a.depth',
-      'box-a.objects -> floor-a.objects',
-      'place-a.objects -> shadow-a.casters',
-      'floor-a.objects -> shadow-a.receivers',
-      'sun-a.lights -> shadow-a.lights',
-      'shadow-a.layer -> over-a.top',
-      'video-a.layer -> over-a.bottom',
-      'hide-a.layer -> over-b.top',
-      'over-a.layer -> over-b.bottom',
-      'over-b.layer -> screen-a.layer',
-    );
+    .wire(...AR_WIRES);
 }
 
 /** A scene over the video, which the two scenes of the paper treat in different orders. */
@@ -90,23 +93,29 @@ export function imageOnly(): TestStudio {
     );
 }
 
+/** Adds the subgraph `twice`: the subgraph `look` applied twice, the first with a strength of its own. */
+export function lookTwice(studio: TestStudio, strength: number): TestStudio {
+  return studio
+    .in('twice')
+    .add('first-a', 'graph/look', { strength })
+    .add('second-a', 'graph/look')
+    .wire('first-a.layer -> second-a.picture')
+    .expose('inputs', 'picture', 'first-a.picture')
+    .expose('inputs', 'strength', 'second-a.strength')
+    .expose('outputs', 'layer', 'second-a.layer');
+}
+
 /** The same look used twice, within another subgraph, with a param set and a param wired from outside. */
 export function subgraphs(): TestStudio {
-  return emptyStudio()
+  const studio = emptyStudio()
     .in('look')
     .add('sepia-a', 'filter/sepia', { amount: 0.25 })
     .add('sobel-a', 'filter/sobel-edges')
     .wire('sepia-a.layer -> sobel-a.inputImage')
     .expose('inputs', 'picture', 'sepia-a.inputImage')
     .expose('inputs', 'strength', 'sepia-a.amount')
-    .expose('outputs', 'layer', 'sobel-a.layer')
-    .in('twice')
-    .add('first-a', 'graph/look', { strength: 0.5 })
-    .add('second-a', 'graph/look')
-    .wire('first-a.layer -> second-a.picture')
-    .expose('inputs', 'picture', 'first-a.picture')
-    .expose('inputs', 'strength', 'second-a.strength')
-    .expose('outputs', 'layer', 'second-a.layer')
+    .expose('outputs', 'layer', 'sobel-a.layer');
+  return lookTwice(studio, 0.5)
     .in('main')
     .add('video-a', 'source/camera-video')
     .add('toggle-a', 'value/toggle')

@@ -12,6 +12,7 @@ import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
 import { TestStudio } from '../support/test-studio.ts';
 import { TESTS_FOLDER } from '../support/this-test.ts';
+import { AR_WIRES } from './graphs.ts';
 import { programFaults } from './program-faults.ts';
 
 const ROOT = join(TESTS_FOLDER, '..');
@@ -66,7 +67,7 @@ function firstLight(): TestStudio {
     .add('fox-a', 'objects/primitive')
     .add('place-a', 'objects/transform')
     .add('floor-a', 'objects/phantom')
-    .add('plane-a', 'objects/primitive')
+    .add('box-a', 'objects/primitive')
     .add('sun-a', 'light/directional')
     .add('room-a', 'world/depth')
     .add('scene-a', 'layer/scene')
@@ -75,22 +76,7 @@ function firstLight(): TestStudio {
     .add('over-a', 'operator/over')
     .add('over-b', 'operator/over')
     .add('screen-a', 'output/screen')
-    .wire(
-      'fox-a.objects -> place-a.objects',
-      'place-a.objects -> scene-a.objects',
-      'sun-a.lights -> scene-a.lights',
-      'scene-a.layer -> hide-a.layer',
-      'room-a.depth -> hide-a.depth',
-      'plane-a.objects -> floor-a.objects',
-      'place-a.objects -> shadow-a.casters',
-      'floor-a.objects -> shadow-a.receivers',
-      'sun-a.lights -> shadow-a.lights',
-      'shadow-a.layer -> over-a.top',
-      'video-a.layer -> over-a.bottom',
-      'hide-a.layer -> over-b.top',
-      'over-a.layer -> over-b.bottom',
-      'over-b.layer -> screen-a.layer',
-    );
+    .wire(...AR_WIRES);
 }
 
 describe('first light', () => {

@@ -1,7 +1,8 @@
 import { afterAll, beforeAll } from '@jest/globals';
 import { build } from 'esbuild';
-import { type Browser, chromium, type Page } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { findChromium } from '../../app/services/chromium.ts';
+import { startBrowser } from '../../app/services/start-browser.ts';
 import { type StaticServer, serveStatic } from './serve.ts';
 
 /** Starts the pinned Chromium once per test file. Goldens and pixel facts are only ever taken from it. `more`: switches of Chromium. */
@@ -10,11 +11,7 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
   beforeAll(async () => {
     const found = await findChromium({ pinnedOnly: true });
     if (!found) throw new Error('The pinned Chromium (@sparticuz/chromium) is missing: run `npm ci` on Linux x64.');
-    browser = await chromium.launch({
-      executablePath: found.executablePath,
-      args: [...found.args, ...more],
-      env: { ...process.env, ...found.env } as Record<string, string>,
-    });
+    browser = await startBrowser(found, more);
   }, 60_000);
   afterAll(async () => {
     await browser?.close();

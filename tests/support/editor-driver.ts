@@ -1,6 +1,6 @@
 import type { FrameLocator, Locator, Page } from 'playwright-core';
 import { decodePicture, type Picture } from './picture.ts';
-import { countDifferent } from './pixels.ts';
+import { countDifferent, expectSamePixels } from './pixels.ts';
 
 const WAIT_MS = 60_000;
 /** Height of the strip at the preview's top where the editor may put a flag. */
@@ -131,20 +131,23 @@ export class EditorDriver {
 
   /** The picture when it has come to rest, after it has changed in at least `pixels` pixels. */
   async pictureOtherThan(before: Picture, pixels = 1000): Promise<Picture> {
-    await this.pictureThat((picture) => countDifferent(picture, before, 4).pixels >= pixels, 'The picture did not change.');
+    const isOther = (picture: Picture) => countDifferent(picture, before, 4).pixels >= pixels;
+    if (!isOther(await this.pictureThat(isOther))) throw new Error('The picture did not change.');
     return this.restingPicture();
   }
 
-  async pictureSameAs(expected: Picture): Promise<Picture> {
-    return this.pictureThat((picture) => countDifferent(picture, expected, 1).pixels === 0, 'The picture is another one.');
+  /** Waits for the picture. Where another one stays, both are kept, with their difference, under `name`. */
+  async pictureSameAs(expected: Picture, name = 'editor'): Promise<void> {
+    const last = await this.pictureThat((picture) => countDifferent(picture, expected, 1).pixels === 0);
+    await expectSamePixels(name, last, expected, { tolerance: 1 });
   }
 
-  private async pictureThat(accept: (picture: Picture) => boolean, otherwise: string): Promise<Picture> {
+  /** The first picture that is accepted, or else the last one that there was time for. */
+  private async pictureThat(accept: (picture: Picture) => boolean): Promise<Picture> {
     const endMs = Date.now() + WAIT_MS;
     for (;;) {
       const picture = await this.picture();
-      if (accept(picture)) return picture;
-      if (Date.now() > endMs) throw new Error(otherwise);
+      if (accept(picture) || Date.now() > endMs) return picture;
     }
   }
 }

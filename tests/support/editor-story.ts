@@ -63,11 +63,11 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   expect(countDifferent(plain, untouched, 8).pixels).toBeLessThan(0.03 * plain.width * plain.height);
   expect(await compileStatus(page)).toBe(compiled);
   await page.keyboard.press('Control+z');
-  await editor.pictureSameAs(brown);
+  await editor.pictureSameAs(brown, 'undone');
   await page.keyboard.press('Control+Shift+Z');
-  await editor.pictureSameAs(plain);
+  await editor.pictureSameAs(plain, 'redone');
   await page.keyboard.press('Control+z');
-  await editor.pictureSameAs(brown);
+  await editor.pictureSameAs(brown, 'undone again');
 
   // A broken shader is marked on its line, and the last good one plays on.
   await editor.press('Edit shader');
@@ -78,12 +78,12 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await page.locator('.status-bar').getByText('error').click();
   const problem = page.getByRole('list', { name: 'Problems' }).getByRole('button').first();
   expect(await problem.textContent()).toMatch(new RegExp(`shaders/sepia[^:]*\\.fs:${broken}`));
-  await editor.pictureSameAs(brown);
+  await editor.pictureSameAs(brown, 'broken');
   await editor.press('Play');
   const frame = await editor.frame();
   await page.waitForFunction((f) => Number(document.querySelector('.transport-time span')?.textContent) > f + 1, frame);
   await editor.rewind();
-  await editor.pictureSameAs(brown);
+  await editor.pictureSameAs(brown, 'rewound');
 
   // A click on the problem leads to the line; mending it takes the mark away.
   await problem.click();
@@ -92,7 +92,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   for (let i = 0; i < 4; i++) await page.keyboard.press('Control+z');
   await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
   await page.getByText('Showing the last version that worked').waitFor({ state: 'detached' });
-  await editor.pictureSameAs(brown);
+  await editor.pictureSameAs(brown, 'mended');
 
   // Another input in the header is a port and a dial at once.
   await typeIntoLine(page, '"INPUTS"', '', ' { "NAME": "darken", "TYPE": "float", "LABEL": "Darken", "MIN": 0, "MAX": 1, "DEFAULT": 0 },');
@@ -109,7 +109,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await page.reload();
   await editor.settled();
   await editor.rewind();
-  await editor.pictureSameAs(dark);
+  await editor.pictureSameAs(dark, 'reloaded');
   expect(await editor.node(sepia).count()).toBe(1);
 
   // Exported.

@@ -8,6 +8,7 @@ import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { readSessionFile } from '../../export/runtime/sessions/recorded/read-session-file.ts';
 import { dot, normalize, scale, subtract, transformDirection, type Vector } from '../../tools/sessions/vector.ts';
+import { describeWithData } from '../support/shared-data.ts';
 import { writePng16 } from './png16.ts';
 import { loadSession, quantile, reproject, toDegrees, worldPoints } from './sessions-kit.ts';
 
@@ -238,19 +239,12 @@ describe('what cannot be converted is refused in words', () => {
 
 // --- Real input: kept outside the repository ---------------------------------------------------------------------------------
 
-const SHARED = '../shared/data/sessions/icl-livingroom';
-const there = existsSync(SHARED);
-
-describe('the recorded living room', () => {
-  if (!there) {
-    test.skip(`is not checked here: ${SHARED} is missing`, () => {});
-    return;
-  }
+describeWithData('the recorded living room', 'sessions/icl-livingroom', (recording) => {
   let output: string;
 
   beforeAll(async () => {
     output = join(folder, 'icl');
-    expect(await convert(SHARED, output)).toMatchObject({ code: 0 });
+    expect(await convert(recording, output)).toMatchObject({ code: 0 });
   }, 60_000);
 
   test('stands on its floor, and its walls are upright', async () => {

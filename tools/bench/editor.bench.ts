@@ -8,7 +8,7 @@ import { createInterface } from 'node:readline';
 import type { Browser, Page } from 'playwright-core';
 import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, timeMs } from './bench.ts';
-import { startBrowser } from './open-page.ts';
+import { startBenchBrowser } from './open-page.ts';
 
 const PREVIEW = 'iframe[title="Preview"]';
 /** Below the strip where the editor may put a flag; small, so that looking takes little time. */
@@ -29,7 +29,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   await cp(join(root, 'examples', 'first-light'), project, { recursive: true });
   let started: Promise<{ server: ChildProcess; url: string; browser: Browser }> | undefined;
   const start = () => {
-    started ??= (async () => ({ ...(await openServer(root, project)), browser: await startBrowser() }))();
+    started ??= (async () => ({ ...(await openServer(root, project)), browser: await startBenchBrowser() }))();
     return started;
   };
   let typing: Promise<Editor> | undefined;

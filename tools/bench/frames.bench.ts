@@ -5,7 +5,7 @@ import { compileProject } from '../../app/services/compile-project.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
-import { call, openPage, startBrowser } from './open-page.ts';
+import { call, openPage, startBenchBrowser } from './open-page.ts';
 
 const SIZE_PX = [640, 480] as const;
 const FRAMES = 10;
@@ -24,7 +24,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
 function time(root: string, example: string): Bench {
   let opened: Promise<{ browser: Browser; page: Page }> | undefined;
   const open = async () => {
-    const browser = await startBrowser();
+    const browser = await startBenchBrowser();
     return { browser, page: await openExample(browser, root, example, []) };
   };
   return {
@@ -41,7 +41,7 @@ function time(root: string, example: string): Bench {
 function compare(root: string, name: string, mutedTypes: readonly string[]): Bench {
   let opened: Promise<{ browser: Browser; ours: Page; theirs: Page }> | undefined;
   const open = async () => {
-    const browser = await startBrowser();
+    const browser = await startBenchBrowser();
     const ours = await openExample(browser, root, 'first-light', mutedTypes);
     const theirs = await openPage(browser, root, 'tools/bench/pages/three.page.ts', join(root, 'examples', 'first-light'));
     await call(theirs, 'open', 'assets/robot.glb', ...SIZE_PX);

@@ -1,21 +1,17 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import process from 'node:process';
-import { type Browser, chromium, type Page } from 'playwright-core';
+import type { Browser, Page } from 'playwright-core';
 import { bundleScript } from '../../app/services/bundle-script.ts';
 import { findChromium } from '../../app/services/chromium.ts';
+import { startBrowser } from '../../app/services/start-browser.ts';
 
 const ORIGIN = 'http://bench.invalid/';
 
 /** The headless browser that everything here is measured in. */
-export async function startBrowser(): Promise<Browser> {
+export async function startBenchBrowser(): Promise<Browser> {
   const found = await findChromium();
   if (found === null) throw new Error('No browser was found to measure in. Install Chromium, or name its program in SCRIM_CHROMIUM.');
-  return chromium.launch({
-    executablePath: found.executablePath,
-    args: [...found.args],
-    env: { ...process.env, ...found.env } as Record<string, string>,
-  });
+  return startBrowser(found);
 }
 
 /** An empty page with a script's exports under the global `bench`, and a folder's files beside it. */

@@ -1,6 +1,6 @@
-import { chromium } from 'playwright-core';
 import { bundleScript } from '../../app/services/bundle-script.ts';
 import { findChromium } from '../../app/services/chromium.ts';
+import { startBrowser } from '../../app/services/start-browser.ts';
 
 /** WebCodecs are there for secure pages alone; nothing is ever asked of this address. */
 const ADDRESS = 'https://film.invalid/';
@@ -9,11 +9,7 @@ const ADDRESS = 'https://film.invalid/';
 export async function makeFilm(root: string): Promise<Uint8Array> {
   const found = await findChromium({ pinnedOnly: true });
   if (!found) throw new Error('The pinned Chromium is missing: run `npm ci` on Linux x64.');
-  const browser = await chromium.launch({
-    executablePath: found.executablePath,
-    args: [...found.args],
-    env: { ...process.env, ...found.env } as Record<string, string>,
-  });
+  const browser = await startBrowser(found);
   try {
     const page = await browser.newPage();
     await page.route(ADDRESS, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>film</title>' }));

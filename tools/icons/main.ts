@@ -1,8 +1,7 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import process from 'node:process';
-import { chromium } from 'playwright-core';
 import { findChromium } from '../../app/services/chromium.ts';
+import { startBrowser } from '../../app/services/start-browser.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { icnsOf, icoOf, type SizedPng } from './containers.ts';
 
@@ -26,8 +25,7 @@ export const main: ToolMain = async (_args, { root }) => {
 async function draw(svg: string): Promise<SizedPng[]> {
   const found = await findChromium();
   if (!found) throw new Error('No browser was found to draw with; name one in SCRIM_CHROMIUM.');
-  const env = { ...process.env, ...found.env } as Record<string, string>;
-  const browser = await chromium.launch({ executablePath: found.executablePath, args: [...found.args], env });
+  const browser = await startBrowser(found);
   try {
     const page = await browser.newPage();
     const pictures: SizedPng[] = [];

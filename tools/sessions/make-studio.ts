@@ -3,8 +3,8 @@ import { join, relative } from 'node:path';
 import process from 'node:process';
 import { build } from 'esbuild';
 import { encode } from 'fast-png';
-import { chromium } from 'playwright-core';
 import { findChromium } from '../../app/services/chromium.ts';
+import { startBrowser } from '../../app/services/start-browser.ts';
 import type { Intrinsics, SessionFile } from '../../export/runtime/sessions/format.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { printSession } from './print-session.ts';
@@ -77,11 +77,7 @@ function poseAt(turn: number): Matrix {
 async function filmInBrowser(root: string, poses: readonly Matrix[]) {
   const found = await findChromium({ pinnedOnly: true });
   if (!found) throw new Error('The pinned Chromium (@sparticuz/chromium) is missing: the session is only ever made with it.');
-  const browser = await chromium.launch({
-    executablePath: found.executablePath,
-    args: [...found.args],
-    env: { ...process.env, ...found.env } as Record<string, string>,
-  });
+  const browser = await startBrowser(found);
   try {
     const page = await browser.newPage();
     await page.addScriptTag({ content: await bundlePage(root) });

@@ -1,6 +1,6 @@
 import { formatDiagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { findChromium } from '../../services/chromium.ts';
-import { NO_BROWSER } from '../browser.ts';
+import { NO_BROWSER } from '../../services/start-browser.ts';
 import { type Command, EXIT, failed } from '../command.ts';
 import { type CheckedFile, checkShaders } from '../shader/check-shaders.ts';
 import { findShaders } from '../shader/find-shaders.ts';

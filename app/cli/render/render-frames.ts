@@ -4,7 +4,7 @@ import { DECODER_FILES_FOLDER } from '../../../export/gltf/decoders.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import { type Chromium, findChromium } from '../../services/chromium.ts';
-import { NO_BROWSER, startBrowser } from '../browser.ts';
+import { NO_BROWSER, startBrowser } from '../../services/start-browser.ts';
 import type * as RenderPage from './render.page.ts';
 import { type RenderServer, startRenderServer } from './render-server.ts';
 

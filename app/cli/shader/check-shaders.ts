@@ -5,7 +5,7 @@ import { tooManyRounds } from '../../../export/program/loop-budget.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import type { Chromium } from '../../services/chromium.ts';
-import { startBrowser } from '../browser.ts';
+import { startBrowser } from '../../services/start-browser.ts';
 import type * as DriverPage from './driver.page.ts';
 import { type LinkedFile, linkFile } from './link-file.ts';
 

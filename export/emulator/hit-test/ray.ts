@@ -33,7 +33,7 @@ export class EmulatedRay {
 /** Rodrigues' formula for the turn from −z to `d`, about (−z) × d. */
 function rayMatrix(o: DOMPointReadOnly, d: DOMPointReadOnly): Float32Array {
   const cos = -d.z;
-  // Straight back: any axis across will do; x is what the specification names.
+  // Straight back, no turn is the shortest: WebXR Hit Test §5.1 takes the one about x.
   if (cos < -0.999999) return new Float32Array([1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, o.x, o.y, o.z, 1]);
   const [ax, ay] = [d.y, -d.x];
   const k = 1 / (1 + cos);

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { SHADOW_BIAS_PX } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/directional',
@@ -74,17 +75,7 @@ export const definition = defineNode({
         { value: '4096', label: '4096' },
       ],
     },
-    biasPx: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Shadow offset',
-      doc: 'How far the shadow is held off its surface, in pixels of the shadow map. Raise it where lit surfaces show stripes; lower it where a shadow comes loose from its object.',
-      default: 2.5,
-      min: 0,
-      max: 10,
-      step: 0.1,
-      unit: 'px',
-    },
+    biasPx: SHADOW_BIAS_PX,
   },
   lowering: { kind: 'geometry' },
 });

@@ -1,4 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
+import { LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/point',
@@ -29,24 +30,8 @@ export const definition = defineNode({
       default: [0, 1.5, 0],
       unit: 'm',
     },
-    rangeM: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Range',
-      doc: 'Where its light ends; it fades out on the way there. 0: it has no end, as real light.',
-      default: 0,
-      min: 0,
-      max: 100,
-      step: 0.1,
-      unit: 'm',
-    },
-    castShadow: {
-      type: 'toggle',
-      stage: 'uniform',
-      label: 'Cast shadows',
-      doc: 'Whether objects in this light throw shadows. At most six lights of a layer do.',
-      default: true,
-    },
+    rangeM: LAMP_RANGE_M,
+    castShadow: LAMP_CASTS_SHADOW,
     mapSize: {
       type: 'choice',
       stage: 'structure',
@@ -59,17 +44,7 @@ export const definition = defineNode({
         { value: '2048', label: '2048' },
       ],
     },
-    biasPx: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Shadow offset',
-      doc: 'How far the shadow is held off its surface, in pixels of the shadow map. Raise it where lit surfaces show stripes; lower it where a shadow comes loose from its object.',
-      default: 2.5,
-      min: 0,
-      max: 10,
-      step: 0.1,
-      unit: 'px',
-    },
+    biasPx: SHADOW_BIAS_PX,
   },
   lowering: { kind: 'geometry' },
 });

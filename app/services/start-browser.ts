@@ -1,7 +1,7 @@
 import process from 'node:process';
 import type { Browser } from 'playwright-core';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { Chromium } from '../services/chromium.ts';
+import type { Chromium } from './chromium.ts';
 
 export const NO_BROWSER: Diagnostic = {
   code: 'SCR071',
@@ -10,12 +10,13 @@ export const NO_BROWSER: Diagnostic = {
   fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
 };
 
-export async function startBrowser(found: Chromium): Promise<Browser> {
-  // Loaded here, because other commands start faster without it.
+/** A headless browser. `more`: switches of Chromium beside those that it needs. */
+export async function startBrowser(found: Chromium, more: readonly string[] = []): Promise<Browser> {
+  // Loaded here, because whatever needs no browser starts faster without it.
   const { chromium } = await import('playwright-core');
   return chromium.launch({
     executablePath: found.executablePath,
-    args: [...found.args],
+    args: [...found.args, ...more],
     env: { ...process.env, ...found.env } as Record<string, string>,
   });
 }
