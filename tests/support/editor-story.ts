@@ -31,8 +31,11 @@ export async function playEditorStory(options: StoryOptions): Promise<void> {
   } catch (error) {
     const path = join(OUTPUT_FOLDER, 'editor-story.png');
     await mkdir(OUTPUT_FOLDER, { recursive: true });
-    await options.page.screenshot({ path });
-    throw new Error(`The story broke off; the window then: ${path}`, { cause: error });
+    const seen = await options.page.screenshot({ path }).then(
+      () => path,
+      () => 'gone',
+    );
+    throw new Error(`The story broke off, ${String(error)}; the window then: ${seen}`, { cause: error });
   }
 }
 
