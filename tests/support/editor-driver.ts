@@ -106,6 +106,8 @@ export class EditorDriver {
     if ((await pause.count()) > 0) await pause.click();
     await this.press('Back to the first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
+    // That may have been said of the frame before; two paints later the preview has drawn the one asked for.
+    await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     return this.restingPicture();
   }
 

@@ -14,6 +14,7 @@ export interface PlaybackHost {
 export interface Playback {
   start(): void;
   stop(): void;
+  /** The next frame shows this moment, however long ago the last one was. */
   seek(timeS: number): void;
 }
 
@@ -41,6 +42,7 @@ export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback 
     stop: () => clock.cancelFrame(handle),
     seek: (timeS) => {
       playheadS = timeS;
+      lastS = null;
       count = 0;
     },
   };
