@@ -57,13 +57,24 @@ export function openEditorWindow(host: HostService): EditorWindow {
     dialog.showErrorBox('Scrim', `The editor’s page stopped (${reason}). Unsaved work is found again when the project is opened.`);
     closeNow();
   });
-  window.on('unresponsive', () => void askWhetherToWait(window, closeNow));
+  let asking = false;
+  window.on('unresponsive', () => {
+    if (asking) return;
+    asking = true;
+    const answered = new AbortController();
+    window.once('responsive', () => answered.abort());
+    void askWhetherToWait(window, answered.signal, closeNow).finally(() => {
+      asking = false;
+    });
+  });
   void window.loadURL(`${ORIGINS.editor}/`);
   return { window, closeNow };
 }
 
-async function askWhetherToWait(window: BrowserWindow, closeNow: () => void): Promise<void> {
+/** The question goes away by itself, as if answered with "Wait", when `reacts` is aborted: the editor reacts again. */
+async function askWhetherToWait(window: BrowserWindow, reacts: AbortSignal, closeNow: () => void): Promise<void> {
   const { response } = await dialog.showMessageBox(window, {
+    signal: reacts,
     type: 'warning',
     message: 'Scrim does not react.',
     detail: 'Unsaved work is kept and found again when the project is opened.',

@@ -1,11 +1,11 @@
 import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import type { ElectronApplication } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { playEditorStory } from '../support/editor-story.ts';
-import { describeElectron, findElectron } from '../support/electron.ts';
+import { describeElectron, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -13,30 +13,28 @@ const ROOT = resolve(import.meta.dirname, '../..');
 describeElectron('the editor in Electron', await findElectron(), (launch) => {
   const visitor = useBrowser();
   let base = '';
-  beforeAll(async () => {
+  beforeEach(async () => {
     base = await mkdtemp(join(tmpdir(), 'scrim-story-'));
-    await cp(join(ROOT, 'examples', 'first-light'), join(base, 'project'), { recursive: true });
   });
-  afterAll(() => rm(base, { recursive: true, force: true }));
+  afterEach(() => rm(base, { recursive: true, force: true }));
 
   test('a designer’s afternoon', async () => {
-    const app = await launch([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${join(base, 'project')}`]);
-    const page = await app.firstWindow();
-    const errors = collectErrors(page);
-    await page.waitForURL('scrim://editor/');
-    await page.setViewportSize({ width: 1440, height: 900 });
-    const exportTo = join(base, 'page');
-    await playEditorStory({
-      page,
-      project: join(base, 'project'),
-      exportTo,
-      answerFolder: (path) => answerFolderDialog(app, path),
+    await playedTwiceAfterFault(launch, async (launchWatched) => {
+      await rm(base, { recursive: true, force: true });
+      const project = join(base, 'project');
+      const exportTo = join(base, 'page');
+      await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
+      const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
+      const page = await app.firstWindow();
+      const errors = collectErrors(page);
+      await page.waitForURL('scrim://editor/');
+      await page.setViewportSize({ width: 1440, height: 900 });
+      await playEditorStory({ page, project, exportTo, answerFolder: (path) => answerFolderDialog(app, path) });
+      expect(errors).toEqual([]);
+      await app.close();
     });
-    expect(errors).toEqual([]);
-
-    await app.close();
-    await visitExportedPage(visitor.browser, exportTo);
-  }, 240_000);
+    await visitExportedPage(visitor.browser, join(base, 'page'));
+  }, 480_000);
 });
 
 /** The system's own dialog cannot be reached from a page; Electron is told what the person would have picked. */
