@@ -3,6 +3,7 @@ import type { Graph, GraphLayout, GraphNode, NodeLayout, Wire } from '../../expo
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
+import { portWords } from '../state/plain-words.ts';
 import { type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
 import { valueText } from './value-text.ts';
 
@@ -93,7 +94,8 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
       const order = (count.get(portKey(wire.to)) ?? 0) > 1 ? place : null;
       const from = typeOf(wire.from.node, wire.from.port, 'output');
       const to = typeOf(wire.to.node, wire.to.port, 'input');
-      const key = [from ?? to, to ?? from, order, input.selectedWires.has(id)];
+      const label = wireLabel(input, wire);
+      const key = [from ?? to, to ?? from, order, input.selectedWires.has(id), label];
       const known = wires.get(id);
       nextWires.set(id, known && same(known.key, key) ? known : { key, wire: canvasWire(wire, key) });
     }
@@ -191,7 +193,7 @@ function handleOf(shape: NodeShape, port: NodeShape['ports'][number]): NodeHandl
 }
 
 function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
-  const [from, to, order, selected] = key as [WireType | undefined, WireType | undefined, number | null, boolean];
+  const [from, to, order, selected, ariaLabel] = key as [WireType | undefined, WireType | undefined, number | null, boolean, string];
   return {
     id: wireId(wire),
     type: 'scrim',
@@ -201,8 +203,16 @@ function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
     targetHandle: wire.to.port,
     selected,
     data: { from: from ?? 'number', to: to ?? 'number', order },
-    ariaLabel: `Wire from ${wire.from.node}, ${wire.from.port}, to ${wire.to.node}, ${wire.to.port}`,
+    ariaLabel,
   };
+}
+
+function wireLabel({ graph, library }: CanvasInput, { from, to }: Wire): string {
+  const words = ({ node, port }: Wire['from']) => {
+    const definition = library.definition(graph.nodes[node]?.type ?? '');
+    return definition ? portWords(definition, port) : node;
+  };
+  return `Wire from ${words(from)} to ${words(to)}`;
 }
 
 function portTypes({ graph, library }: CanvasInput): (node: string, port: string, side: 'input' | 'output') => WireType | undefined {

@@ -2,6 +2,7 @@ import { useStore } from 'zustand';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { runCommand } from '../state/app-commands.ts';
 import { titleOf } from '../state/document.ts';
+import { plainWords } from '../state/plain-words.ts';
 import { selectOnly } from '../state/selection.ts';
 import { Button } from '../ui/button.tsx';
 
@@ -25,9 +26,7 @@ export function SelectionInspector() {
             </li>
           ))}
           {[...wires].map((id) => (
-            <li key={id}>
-              <code>{id}</code>
-            </li>
+            <li key={id}>{plainWords(state, id.replace('->', '→'))}</li>
           ))}
         </ul>
         <div className="inspector-actions">

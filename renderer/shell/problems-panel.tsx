@@ -1,5 +1,6 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { type DocumentState, titleOf } from '../state/document.ts';
+import type { DocumentState } from '../state/document.ts';
+import { plainWords } from '../state/plain-words.ts';
 import { goToProblem, problemKey } from '../state/problems.ts';
 import { Icon } from '../ui/icon.tsx';
 import { useDocument, useEditor } from './editor-context.ts';
@@ -42,7 +43,7 @@ export function ProblemsPanel() {
 }
 
 function placeOf({ nodeId, port, file, line }: Diagnostic, state: DocumentState): string {
-  const node = nodeId === undefined ? '' : `${titleOf(state, nodeId)}${port === undefined ? '' : ` · ${port}`}`;
+  const node = nodeId === undefined ? '' : plainWords(state, port === undefined ? nodeId : `${nodeId}.${port}`);
   const place = file === undefined ? '' : `${file}${line === undefined ? '' : `:${line}`}`;
   return [node, place].filter(Boolean).join(' · ');
 }

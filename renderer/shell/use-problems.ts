@@ -2,6 +2,7 @@ import { useMemo } from 'react';
 import { useStore } from 'zustand';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeProblem } from '../canvas/project-canvas.ts';
+import { inPlainWords } from '../state/plain-words.ts';
 import { collectProblems, problemsByNode } from '../state/problems.ts';
 import { useDocument, useEditor } from './editor-context.ts';
 
@@ -13,7 +14,10 @@ export function useProblems(): readonly Diagnostic[] {
   const preview = useStore(editor.preview, (state) => state.diagnostics);
   const driver = useStore(editor.preview, (state) => state.shaderDiagnostics);
   const exported = useStore(editor.ui, (state) => state.exportDiagnostics);
-  return useMemo(() => collectProblems([load, compile, driver, preview, exported]), [load, compile, driver, preview, exported]);
+  return useMemo(() => {
+    const state = editor.document.getState();
+    return collectProblems([load, compile, driver, preview, exported]).map((problem) => inPlainWords(state, problem));
+  }, [editor, load, compile, driver, preview, exported]);
 }
 
 /** The same by node, as the canvas marks it. */

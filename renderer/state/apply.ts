@@ -6,6 +6,7 @@ import { printWire } from '../../export/graph/wires.ts';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { graphOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { inPlainWords } from './plain-words.ts';
 import { keepInSelection } from './selection.ts';
 import { toastDiagnostic } from './ui.ts';
 
@@ -14,7 +15,7 @@ import { toastDiagnostic } from './ui.ts';
  * `endGesture`. A refused change is shown with its reason and answers false.
  */
 export function apply(editor: Editor, label: string, change: Change, key?: string): boolean {
-  for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, diagnostic);
+  for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, inPlainWords(editor.document.getState(), diagnostic));
   if (hasErrors(change.diagnostics)) return false;
   if (change.patches.length === 0) return true;
   const before = editor.document.getState().history;

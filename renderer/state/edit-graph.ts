@@ -16,6 +16,7 @@ import type { Place, WireInHand } from './canvas.ts';
 import { takeWire } from './canvas.ts';
 import { graphOf, nodeOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { inPlainWords } from './plain-words.ts';
 import { selectOnly } from './selection.ts';
 import { toastDiagnostic } from './ui.ts';
 
@@ -33,7 +34,7 @@ export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnos
   }
   const [from, to] = start.side === 'output' ? [start, end] : [end, start];
   const result = canConnect(project, library, graph, addressOf(from), addressOf(to));
-  return result.ok ? null : result.reason;
+  return result.ok ? null : inPlainWords(editor.document.getState(), result.reason);
 }
 
 export function connect(editor: Editor, from: PortAddress, to: PortAddress): boolean {
