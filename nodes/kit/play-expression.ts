@@ -1,11 +1,16 @@
 import { type ClockWord, EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS, type ExpressionWord } from './expression.ts';
-import type { Clock, NumberView } from './runtime.ts';
 
-/** An expression as the compiler prints it, ready to be played. */
+/** What `time` and `frame` stand for; the runtime's clock is one. */
+export interface ExpressionClock {
+  readonly timeS: number;
+  readonly frame: number;
+}
+
+/** An expression as the compiler prints it, ready to be played. The editor plays those that come to a number while they are typed. */
 export interface PlayedExpression {
   /** What it left at the last `update`; the same array every time. */
   readonly results: Readonly<Float64Array>;
-  update(clock: Pick<Clock, 'timeS' | 'frame'>): void;
+  update(clock: ExpressionClock): void;
 }
 
 type Operation = Exclude<ExpressionWord, ClockWord>;
@@ -26,7 +31,7 @@ const MOST_TAKEN = 3;
  * compiler prints. `update` allocates nothing: its numbers live in arrays of its own, because an engine makes a heap object of a
  * fraction that a function hands back.
  */
-export function playExpression(postfix: string, numbers: Readonly<Record<string, NumberView>> = {}): PlayedExpression {
+export function playExpression(postfix: string, numbers: Readonly<Record<string, { readonly value: number }>> = {}): PlayedExpression {
   const words = postfix.split(' ');
   /** Numbers as they are written, and the clock's, which change. */
   const known = Float64Array.from(words, Number);

@@ -3,7 +3,8 @@ import { showChord } from '../shell/chord.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
 import { selectOnly } from '../state/selection.ts';
-import { Menu, type MenuItem } from '../ui/menu.tsx';
+import { ContextMenu } from '../ui/context-menu.tsx';
+import type { MenuItem } from '../ui/menu.tsx';
 import type { CanvasNode, CanvasWire } from './project-canvas.ts';
 
 interface OpenMenu {
@@ -57,9 +58,5 @@ export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; 
     const keys = chords[0] === undefined ? {} : { keys: showChord(chords[0], editor.mac) };
     return { kind: 'action', label, ...keys, disabled: !enabled(editor), run: () => runCommand(editor, id) };
   });
-  return (
-    <div className="context-menu" style={{ left: menu.x, top: menu.y }}>
-      <Menu id="canvas-menu" label="Actions" items={items} onClose={onClose} onLeave={onClose} />
-    </div>
-  );
+  return <ContextMenu label="Actions" at={menu} items={items} onClose={onClose} />;
 }

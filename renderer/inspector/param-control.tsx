@@ -15,13 +15,16 @@ import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
 import { Slider } from '../ui/slider.tsx';
 import { AssetPicker } from './asset-picker.tsx';
 import './inspector.css';
-import { clampTo, formatNumber, parseNumber, rangeOf, shownUnit } from './units.ts';
+import { parseTyped } from './typed-number.ts';
+import { clampTo, formatNumber, rangeOf, shownUnit } from './units.ts';
 
 interface ControlProps<P extends ParamDefinition> extends EditHandlers<ParamValue> {
   readonly param: P;
   readonly value: ParamValue;
   /** For the label's `for`. */
   readonly id: string;
+  /** An expression was typed in place of a number, without its `=`; false where it cannot be read. */
+  readonly onExpression: (text: string) => boolean;
 }
 
 /** The control that a param's type asks for. Nothing here knows any node. */
@@ -46,7 +49,7 @@ export function ParamControl({ param, ...rest }: ControlProps<ParamDefinition>) 
   }
 }
 
-function NumberControl({ param, value, id, onEdit, onEnd }: ControlProps<NumberParam>) {
+function NumberControl({ param, value, id, onEdit, onEnd, onExpression }: ControlProps<NumberParam>) {
   const { suffix, shownPerStored } = shownUnit(param.unit);
   const range = rangeOf(param);
   const stored = Number(value);
@@ -59,8 +62,9 @@ function NumberControl({ param, value, id, onEdit, onEnd }: ControlProps<NumberP
       step={range.step}
       suffix={suffix}
       format={format}
-      parse={(text) => parseNumber(text, param.unit)}
+      parse={(text) => parseTyped(text, param.unit)}
       clamp={(number) => clampTo(number, range)}
+      {...(param.stage === 'uniform' ? { onExpression } : {})}
       onEdit={onEdit}
       onEnd={onEnd}
     />
@@ -85,7 +89,7 @@ function NumberControl({ param, value, id, onEdit, onEnd }: ControlProps<NumberP
 
 const AXES = ['X', 'Y', 'Z', 'W'] as const;
 
-function VectorControl({ param, value, id, onEdit, onEnd }: ControlProps<VectorParam>) {
+function VectorControl({ param, value, id, onEdit, onEnd, onExpression }: ControlProps<VectorParam>) {
   const { suffix, shownPerStored } = shownUnit(param.unit);
   const parts: readonly number[] = Array.isArray(value) ? value : param.default;
   return (
@@ -102,7 +106,8 @@ function VectorControl({ param, value, id, onEdit, onEnd }: ControlProps<VectorP
               step={0.01 / (param.unit === 'rad' ? shownPerStored / 100 : 1)}
               suffix={suffix}
               format={(number) => formatNumber(number * shownPerStored)}
-              parse={(text) => parseNumber(text, param.unit)}
+              parse={(text) => parseTyped(text, param.unit)}
+              onExpression={(text) => onExpression(asList(text, parts, index))}
               clamp={(number) => clampTo(number, limits)}
               onEdit={(number) => onEdit(param.default.map((fallback, i) => (i === index ? number : (parts[i] ?? fallback))))}
               onEnd={onEnd}
@@ -112,6 +117,11 @@ function VectorControl({ param, value, id, onEdit, onEnd }: ControlProps<VectorP
       })}
     </div>
   );
+}
+
+/** An expression typed for one part of a vector is one for the whole of it. */
+function asList(text: string, parts: readonly number[], index: number): string {
+  return text.startsWith('[') ? text : `[${parts.map((part, i) => (i === index ? text : String(part))).join(', ')}]`;
 }
 
 function ColorControl({ param, value, onEdit, onEnd }: ControlProps<ColorParam>) {

@@ -1,13 +1,16 @@
-import { memo, useId } from 'react';
+import { type MouseEvent, memo, useId, useRef, useState } from 'react';
 import type { Binding, PortAddress } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
 import { boundValue } from '../canvas/value-text.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { endGesture } from '../state/apply.ts';
+import { bindExpression } from '../state/bind-params.ts';
 import { editParam, resetParam } from '../state/edit-params.ts';
 import { IconButton } from '../ui/button.tsx';
+import { ExpressionField } from './expression-field.tsx';
 import { ParamControl } from './param-control.tsx';
+import { ParamMenu } from './param-menu.tsx';
 import { SourceLink } from './source-link.tsx';
 import { shownUnit } from './units.ts';
 
@@ -24,12 +27,26 @@ interface ParamRowProps {
 export const ParamRow = memo(function ParamRow({ node, name, param, binding, source }: ParamRowProps) {
   const editor = useEditor();
   const id = useId();
+  const row = useRef<HTMLFieldSetElement>(null);
+  const [menuAt, setMenuAt] = useState<Point | null>(null);
   const type = paramWireType(param);
   // Fields of a vector are too narrow to say it themselves.
   const unit = param.type.startsWith('vector') && 'unit' in param ? shownUnit(param.unit).suffix : '';
   const changed = source !== undefined || (binding !== undefined && !isDefaultPort(param, binding));
+  const openMenu = (event: MouseEvent) => {
+    // Text that is being typed keeps the browser's own menu.
+    if (event.target instanceof HTMLInputElement && event.target === document.activeElement) return;
+    event.preventDefault();
+    setMenuAt({ x: event.clientX, y: event.clientY });
+  };
+  const closeMenu = () => {
+    setMenuAt(null);
+    row.current?.querySelector<HTMLElement>('.param-actions button:last-of-type')?.focus();
+  };
+  const focusExpression = () =>
+    editor.clock.nextFrame(() => row.current?.querySelector<HTMLInputElement>('.expression-field input')?.focus());
   return (
-    <div className="param-row" data-param={name}>
+    <fieldset ref={row} className="param-row" aria-label={param.label} data-param={name} onContextMenu={openMenu}>
       <label htmlFor={id} className="param-label" data-tip={param.doc}>
         {type && <PortMark type={type} />}
         <span>
@@ -40,8 +57,10 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
       <div className="param-control">
         {source ? (
           <SourceLink from={source} to={{ node, port: name }} />
-        ) : binding && ('track' in binding || 'expression' in binding) ? (
-          <span className="param-bound">{'track' in binding ? 'Keyframes' : binding.expression}</span>
+        ) : binding && 'expression' in binding ? (
+          <ExpressionField id={id} node={node} name={name} param={param} expression={binding.expression} />
+        ) : binding && 'track' in binding ? (
+          <span className="param-bound">{`${binding.track.keys.length} keyframes`}</span>
         ) : (
           <ParamControl
             id={id}
@@ -49,15 +68,39 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
             value={boundValue(param, binding)}
             onEdit={(value) => void editParam(editor, node, name, value)}
             onEnd={() => endGesture(editor)}
+            onExpression={(text) => bindExpression(editor, node, name, text)}
           />
         )}
       </div>
-      <span className="param-reset">
+      <span className="param-actions">
         {changed && <IconButton icon="reset" label={`Reset ${param.label}`} small onPress={() => void resetParam(editor, node, name)} />}
+        <IconButton icon="more" label={`More for ${param.label}`} small onPress={() => setMenuAt(below(row.current))} />
       </span>
-    </div>
+      {menuAt && (
+        <ParamMenu
+          node={node}
+          name={name}
+          param={param}
+          binding={binding}
+          wired={source !== undefined}
+          at={menuAt}
+          onClose={closeMenu}
+          onFollow={focusExpression}
+        />
+      )}
+    </fieldset>
   );
 });
+
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+function below(row: HTMLElement | null): Point {
+  const box = row?.getBoundingClientRect();
+  return { x: box?.right ?? 0, y: box?.bottom ?? 0 };
+}
 
 /** A port that nothing is wired to and that holds the default looks untouched. */
 function isDefaultPort(param: ParamDefinition, binding: Binding): boolean {

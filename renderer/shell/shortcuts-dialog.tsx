@@ -11,6 +11,7 @@ const POINTER: readonly (readonly [string, string])[] = [
   ['Add a node', 'Double-click, or let go of a wire over the canvas'],
   ['Take a wire off', 'Pull its end away'],
   ['Change a number', 'Drag it sideways; Shift for large, Alt for fine steps'],
+  ['Let a number follow an expression', 'Type = and the expression: =sin(time) * 2'],
 ];
 
 export function ShortcutsDialog({ onClose }: { readonly onClose: () => void }) {

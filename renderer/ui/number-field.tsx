@@ -17,14 +17,16 @@ interface NumberFieldProps extends EditHandlers<number> {
   /** Null where the text is no number. */
   readonly parse: (text: string) => number | null;
   readonly clamp: (value: number) => number;
+  /** `=` and something that is no number was typed; false where it will not do, and the text stays to be mended. */
+  readonly onExpression?: (text: string) => boolean;
 }
 
 const SCRUB_START_PX = 3;
 const PX_PER_STEP = 2;
 
-/** A number as text. Dragging it sideways, or the arrow keys, change it by steps; Shift makes ten of them, Alt a tenth. */
+/** A number as text. Dragging it sideways, or the arrow keys, change it by steps; Shift makes ten of them, Alt a tenth. Sums are worked out; `=` begins an expression. */
 export function NumberField(props: NumberFieldProps) {
-  const { value, label, id, step, suffix, format, parse, clamp, onEdit, onEnd } = props;
+  const { value, label, id, step, suffix, format, parse, clamp, onExpression, onEdit, onEnd } = props;
   const [typed, setTyped] = useState<string | null>(null);
   const field = useRef<HTMLInputElement>(null);
   const scrub = useRef<{ x: number; value: number; moving: boolean } | null>(null);
@@ -33,6 +35,8 @@ export function NumberField(props: NumberFieldProps) {
   const finish = () => {
     if (typed !== null) {
       const parsed = parse(typed);
+      const expression = /^\s*=(.*)/s.exec(typed)?.[1]?.trim() ?? '';
+      if (parsed === null && expression !== '' && onExpression && !onExpression(expression)) return;
       if (parsed !== null && clamp(parsed) !== value) onEdit(clamp(parsed));
       setTyped(null);
     }

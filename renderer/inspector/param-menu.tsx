@@ -1,0 +1,59 @@
+import type { Binding } from '../../export/graph/project.ts';
+import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
+import { useEditor } from '../shell/editor-context.ts';
+import { copyParam, pasteParam, startExpression, unbind } from '../state/bind-params.ts';
+import { resetParam, setExposed } from '../state/edit-params.ts';
+import { ContextMenu } from '../ui/context-menu.tsx';
+import type { MenuItem } from '../ui/menu.tsx';
+
+interface ParamMenuProps {
+  readonly node: string;
+  readonly name: string;
+  readonly param: ParamDefinition;
+  readonly binding: Binding | undefined;
+  readonly wired: boolean;
+  readonly at: { readonly x: number; readonly y: number };
+  readonly onClose: () => void;
+  /** An expression has taken the place of the value, and is to be written. */
+  readonly onFollow: () => void;
+}
+
+/** What can be done with a param besides changing it. */
+export function ParamMenu({ node, name, param, binding, wired, at, onClose, onFollow }: ParamMenuProps) {
+  const editor = useEditor();
+  const type = paramWireType(param);
+  const isPort = binding !== undefined && 'port' in binding;
+  const follows = binding !== undefined && ('expression' in binding || 'track' in binding);
+  const items: MenuItem[] = [
+    { kind: 'action', label: 'Copy value', disabled: wired, run: () => void copyParam(editor, node, name) },
+    { kind: 'action', label: 'Paste value', disabled: wired, run: () => void pasteParam(editor, node, name) },
+    { kind: 'line' },
+  ];
+  if (type !== undefined && type !== 'text') {
+    items.push(
+      follows
+        ? { kind: 'action', label: 'Use a value', run: () => void unbind(editor, node, name) }
+        : {
+            kind: 'action',
+            label: 'Use an expression',
+            disabled: wired,
+            run: () => {
+              if (startExpression(editor, node, name)) onFollow();
+            },
+          },
+    );
+  }
+  if (type !== undefined) {
+    items.push({
+      kind: 'action',
+      label: isPort ? 'Hide the port' : 'Show as a port',
+      disabled: wired || follows,
+      run: () => void setExposed(editor, node, name, !isPort),
+    });
+  }
+  items.push(
+    { kind: 'line' },
+    { kind: 'action', label: 'Reset', disabled: binding === undefined && !wired, run: () => void resetParam(editor, node, name) },
+  );
+  return <ContextMenu label={`Actions for ${param.label}`} at={at} items={items} onClose={onClose} />;
+}

@@ -1,0 +1,20 @@
+import { describe, expect, test } from '@jest/globals';
+import { parseTyped } from './typed-number.ts';
+
+describe('a number field takes', () => {
+  test.each([
+    ['12', 'none', 12],
+    ['0,5 m', 'm', 0.5],
+    ['1/4', 'none', 0.25],
+    ['=2 * (3 + 1)', 'px', 8],
+    ['= 1.5', 'none', 1.5],
+    ['180 / 2', 'rad', Math.PI / 2],
+    ['sqrt(2) ^ 2', 'm', 2],
+  ] as const)('%s in %s', (text, unit, stored) => {
+    expect(parseTyped(text, unit)).toBeCloseTo(stored, 12);
+  });
+
+  test.each(['', '=', 'abc', '=sin(time)', 'frame', '1/0', '2 +', '[1, 2]'])('not %j', (text) => {
+    expect(parseTyped(text, 'none')).toBeNull();
+  });
+});

@@ -1,0 +1,32 @@
+import { useLayoutEffect, useRef, useState } from 'react';
+import { Menu, type MenuItem } from './menu.tsx';
+import './menu.css';
+
+interface ContextMenuProps {
+  readonly label: string;
+  /** Client pixels; moved inside the window as far as needed. */
+  readonly at: { readonly x: number; readonly y: number };
+  readonly items: readonly MenuItem[];
+  readonly onClose: () => void;
+}
+
+const EDGE_PX = 8;
+
+/** A menu where the pointer, or the button that asked for it, is. */
+export function ContextMenu({ label, at, items, onClose }: ContextMenuProps) {
+  const element = useRef<HTMLDivElement>(null);
+  const [place, setPlace] = useState({ left: at.x, top: at.y });
+  useLayoutEffect(() => {
+    const box = element.current?.querySelector('.menu')?.getBoundingClientRect();
+    if (!box) return;
+    setPlace({
+      left: Math.max(EDGE_PX, Math.min(at.x, window.innerWidth - box.width - EDGE_PX)),
+      top: Math.max(EDGE_PX, Math.min(at.y, window.innerHeight - box.height - EDGE_PX)),
+    });
+  }, [at]);
+  return (
+    <div ref={element} className="context-menu" style={place}>
+      <Menu id="context-menu" label={label} items={items} onClose={onClose} onLeave={onClose} />
+    </div>
+  );
+}
