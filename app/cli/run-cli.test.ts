@@ -335,3 +335,32 @@ describe('scrim export', () => {
     expect(await scrimJson('export', project, '--out', below)).toMatchObject({ status: 1, json: { diagnostics: [{ code: 'SCR060' }] } });
   });
 });
+
+describe('scrim shader import', () => {
+  const source = () => join(base, 'Deep Rings.glsl');
+  const out = () => join(base, 'rings.fs');
+  beforeEach(() =>
+    writeFile(source(), '// by Ada, 2020\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, iTime, 1.0); }'),
+  );
+
+  test('writes an ISF file that says whose it is, and overwrites nothing', async () => {
+    const made = await scrimJson('shader', 'import', source(), '--out', out());
+    expect(made).toMatchObject({ status: 0, json: { ok: true, out: out(), credit: 'by Ada, 2020', diagnostics: [] } });
+    const text = await readFile(out(), 'utf8');
+    expect(text).toContain('"LICENSE": "CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no licence)"');
+    await writeFile(out(), 'mine');
+    const again = await scrim('shader', 'import', source(), '--out', out());
+    expect(again.status).toBe(EXIT.problems);
+    expect(again.err).toContain('There is a file');
+    expect(await readFile(out(), 'utf8')).toBe('mine');
+  });
+
+  test('refuses what is no such source, and what is not there', async () => {
+    await writeFile(source(), 'void main() {}');
+    const other = await scrim('shader', 'import', source(), '--out', out());
+    expect(other).toMatchObject({ status: EXIT.problems });
+    expect(other.err).toContain('SCR045');
+    expect((await scrim('shader', 'import', join(base, 'none.glsl'))).status).toBe(EXIT.notUnderstood);
+    expect(await readdir(base)).not.toContain('rings.fs');
+  });
+});

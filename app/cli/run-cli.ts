@@ -9,6 +9,7 @@ import { openCommand } from './commands/open.ts';
 import { planCommand } from './commands/plan.ts';
 import { renderCommand } from './commands/render.ts';
 import { shaderCheckCommand } from './commands/shader-check.ts';
+import { shaderImportCommand } from './commands/shader-import.ts';
 import { commandHelp, overviewHelp } from './help.ts';
 import { createPaint } from './paint.ts';
 import { parseCall } from './parse-call.ts';
@@ -22,6 +23,7 @@ export const COMMANDS: readonly Command[] = [
   exportCommand,
   renderCommand,
   shaderCheckCommand,
+  shaderImportCommand,
 ];
 
 /** Where the words go. */

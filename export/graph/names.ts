@@ -39,6 +39,18 @@ export function isShaderFile(text: string): boolean {
   return text.length <= MAX_LENGTH && SHADER_FILE.test(text);
 }
 
+const MAX_STEM = 60;
+
+/** A file for a shader that people call `title`: `Ripples (deep)` gives `ripples-deep.fs`. */
+export function makeShaderFile(title: string): string {
+  const words = title
+    .normalize('NFKC')
+    .toLowerCase()
+    .split(/[^\p{L}\p{N}]+/u)
+    .filter((word) => word !== '');
+  return `${words.join('-').slice(0, MAX_STEM).replace(/-$/, '') || 'shader'}.fs`;
+}
+
 /** The file in `shaders/` that gives a type, if one does: `edge.fs` of `filter/edge`, `ink.glsl` of `technique/ink`. */
 export function shaderFileOf(type: string): string {
   const [kind = '', name = ''] = type.split('/');

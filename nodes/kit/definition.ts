@@ -36,8 +36,10 @@ export interface NodeDefinition {
   readonly needs?: readonly Need[];
   /** Step `i` lifts saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];
-  /** Who made it and under which terms, shown in the docs and in the exported page's credits. */
+  /** Who made it, shown in the docs and in the exported page's credits. */
   readonly credit?: string;
+  /** Under which terms, where they are not Scrim's own; shown in the same places. */
+  readonly licence?: string;
 }
 
 export interface InputPort {

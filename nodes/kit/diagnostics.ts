@@ -54,6 +54,7 @@ export const DIAGNOSTICS = {
   SCR042: 'The shader does not compile',
   SCR043: 'The shader uses something that Scrim cannot give it',
   SCR044: 'The loops of the shader do not end in time',
+  SCR045: 'The Shadertoy source cannot be converted as it is',
   // Sessions
   SCR050: 'This browser has no WebXR',
   SCR051: 'The device or the visitor refused',

@@ -21,7 +21,7 @@ interface PointerPlace {
 
 const ON_NODE = ['edit.duplicate', 'edit.copy', 'edit.mute', 'line', 'view.code', 'view.fit-selection', 'line', 'edit.delete'] as const;
 const ON_WIRE = ['edit.delete'] as const;
-const ON_PANE = ['graph.add', 'edit.paste', 'line', 'edit.select-all', 'view.fit'] as const;
+const ON_PANE = ['graph.add', 'graph.import-shadertoy', 'edit.paste', 'line', 'edit.select-all', 'view.fit'] as const;
 
 /** Which menu the secondary button opened, and for what. */
 export function useCanvasMenu() {

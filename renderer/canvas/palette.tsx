@@ -152,6 +152,7 @@ function Preview({ definition }: { readonly definition: NodeDefinition }) {
       <Ports title="Takes" ports={definition.inputs} />
       <Ports title="Gives" ports={definition.outputs} />
       {definition.credit && <p className="palette-credit">{definition.credit}</p>}
+      {definition.licence && <p className="palette-credit">{definition.licence}</p>}
     </div>
   );
 }

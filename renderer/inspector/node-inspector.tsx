@@ -107,8 +107,8 @@ function Params({ id, definition, params, sourceOf }: ParamsProps) {
 }
 
 /** What it asks of the visitor's device, and whose work it is. */
-function Facts({ definition: { needs = [], credit } }: { readonly definition: NodeDefinition }) {
-  if (needs.length === 0 && credit === undefined) return null;
+function Facts({ definition: { needs = [], credit, licence } }: { readonly definition: NodeDefinition }) {
+  if (needs.length === 0 && credit === undefined && licence === undefined) return null;
   return (
     <section className="inspector-section" aria-label="About">
       {needs.length > 0 && <h3>Needs</h3>}
@@ -119,6 +119,8 @@ function Facts({ definition: { needs = [], credit } }: { readonly definition: No
       ))}
       {credit !== undefined && <h3>Credit</h3>}
       {credit !== undefined && <p className="inspector-note">{credit}</p>}
+      {licence !== undefined && <h3>Licence</h3>}
+      {licence !== undefined && <p className="inspector-note">{licence}</p>}
     </section>
   );
 }

@@ -7,6 +7,7 @@ import { useEditor } from './editor-context.ts';
 import { FolderDialog } from './folder-dialog.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
+import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
 
 /** The question that is open, if one is. */
@@ -29,6 +30,8 @@ export function Dialogs() {
       return <RecoveryDialog request={dialog} onClose={close} />;
     case 'changed-outside':
       return <ChangedOutsideDialog onClose={close} />;
+    case 'shadertoy':
+      return <ShadertoyDialog onClose={close} />;
     case 'shortcuts':
       return <ShortcutsDialog onClose={close} />;
   }

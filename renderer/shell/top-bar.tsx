@@ -10,7 +10,10 @@ import { Logo } from './logo.tsx';
 import './top-bar.css';
 
 const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
-  { label: 'File', entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'file.export'] },
+  {
+    label: 'File',
+    entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'graph.import-shadertoy', 'file.export'],
+  },
   {
     label: 'Edit',
     entries: [

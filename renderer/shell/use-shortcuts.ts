@@ -1,10 +1,8 @@
 import { useEffect } from 'react';
 import { appCommand, commandOfChord, runCommand } from '../state/app-commands.ts';
-import { clipSelection, cutSelection, parseClipping, pasteClipping } from '../state/clipboard.ts';
+import { clipSelection, cutSelection, pasteText } from '../state/clipboard.ts';
 import { chordOf, isTyping } from './chord.ts';
 import { useEditor } from './editor-context.ts';
-
-const PASTE_OFFSET = { x: 32, y: 32 };
 
 /**
  * Keys of the whole window. Text fields and the shader editor keep the keys that edit text; a dialog or the palette keeps all.
@@ -43,10 +41,7 @@ export function useShortcuts(): void {
     };
     const onPaste = (event: ClipboardEvent) => {
       if (blocked() || isTyping(event.target)) return;
-      const clipping = parseClipping(event.clipboardData?.getData('text/plain') ?? '');
-      if (clipping === null) return;
-      event.preventDefault();
-      pasteClipping(editor, clipping, 'Paste', PASTE_OFFSET);
+      if (pasteText(editor, event.clipboardData?.getData('text/plain') ?? '')) event.preventDefault();
     };
     window.addEventListener('pointerdown', onPointerDown, true);
     window.addEventListener('keydown', onKeyDown);

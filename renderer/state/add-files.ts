@@ -1,14 +1,16 @@
+import { isShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { putAsset } from '../../export/graph/commands/assets.ts';
 import { inTurn } from '../../export/graph/commands/change.ts';
 import { addNode } from '../../export/graph/commands/nodes.ts';
-import { setSource } from '../../export/graph/commands/sources.ts';
-import { isShaderFile, makeAssetId, makeNodeId } from '../../export/graph/names.ts';
-import type { Asset, Project } from '../../export/graph/project.ts';
+import { makeAssetId, makeNodeId } from '../../export/graph/names.ts';
+import type { Asset } from '../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../nodes/kit/definition.ts';
+import { addShader } from './add-shader.ts';
 import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import type { Editor } from './editor.ts';
 import { showRefusal } from './files.ts';
+import { addShadertoy } from './import-shadertoy.ts';
 import { selectOnly } from './selection.ts';
 import { addToast } from './ui.ts';
 
@@ -20,6 +22,8 @@ const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly str
   { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
 ];
 const SHADERS = /\.(fs|glsl)$/i;
+/** What sources of shadertoy.com are kept in. */
+const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;
 const STEP_PX = 40;
 
 export function kindOfFile(name: string): AssetKind | 'shader' | null {
@@ -45,16 +49,34 @@ export async function addFiles(editor: Editor, files: readonly DroppedFile[], pl
   const added: string[] = [];
   for (const [index, file] of files.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
+    const shadertoy = await readShadertoy(file);
+    if (shadertoy !== null) {
+      const node = addShadertoy(editor, { source: shadertoy, name: file.name.replace(/\.[^.]*$/, '') }, at);
+      if (node !== null) added.push(node);
+      continue;
+    }
     const kind = kindOfFile(file.name);
     if (kind === null) {
       const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }
-    const node = kind === 'shader' ? await addShader(editor, file, at) : await addAssetNode(editor, file, kind, at);
+    const node =
+      kind === 'shader' ? addShader(editor, { name: file.name, text: await textOf(file) }, at) : await addAssetNode(editor, file, kind, at);
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+/** A file's text where it is a source of shadertoy.com, else null. */
+async function readShadertoy(file: DroppedFile): Promise<string | null> {
+  if (!SOURCES.test(file.name)) return null;
+  const text = await textOf(file);
+  return isShadertoy(text) ? text : null;
+}
+
+async function textOf(file: DroppedFile): Promise<string> {
+  return new TextDecoder().decode(await file.arrayBuffer());
 }
 
 /** Copies a file into the project and makes an asset of it; its id, or null where the host refused. */
@@ -108,41 +130,4 @@ function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: strin
     if (param) return { type, param: param[0] };
   }
   return null;
-}
-
-async function addShader(editor: Editor, file: DroppedFile, place: Place): Promise<string | null> {
-  const text = new TextDecoder().decode(await file.arrayBuffer());
-  const { project, graph } = editor.document.getState();
-  const name = freeShaderName(project, file.name);
-  if (!isShaderFile(name)) {
-    addToast(editor.ui, { tone: 'error', text: `${file.name} will not do as the name of a shader: rename it and drop it again.` });
-    return null;
-  }
-  const { base, readShader } = editor.libraries;
-  const read = readShader(`shaders/${name}`, text);
-  if (read.output === null) {
-    const [first] = read.diagnostics;
-    addToast(editor.ui, {
-      tone: 'error',
-      text: `${file.name}: ${first?.message ?? 'its header cannot be read.'}`,
-      detail: first?.fix ?? '',
-    });
-    return null;
-  }
-  const { type } = read.output;
-  const id = makeNodeId(project, type, editor.random);
-  const change = inTurn(
-    project,
-    (before) => setSource(before, { base, readShader, file: name, text }),
-    (before) => addNode(before, { library: editor.libraries.of(before), graph, id, type, ...place }),
-  );
-  return apply(editor, `Add ${name}`, change) ? id : null;
-}
-
-function freeShaderName({ sources }: Project, wanted: string): string {
-  const stem = wanted.replace(SHADERS, '');
-  const ending = wanted.slice(stem.length).toLowerCase();
-  let name = `${stem}${ending}`;
-  for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}${ending}`;
-  return name;
 }

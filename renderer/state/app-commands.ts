@@ -46,6 +46,12 @@ const COMMANDS = {
   'edit.select-all': { label: 'Select all', chords: ['Mod+A'], enabled: isOpen, run: selectAll },
   'edit.mute': { label: 'Mute', chords: ['M'], enabled: hasNodes, run: (editor) => void toggleMuted(editor) },
   'graph.add': { label: 'Add node…', chords: ['Tab', 'Shift+A'], enabled: isOpen, run: openPalette },
+  'graph.import-shadertoy': {
+    label: 'Import Shadertoy…',
+    chords: [],
+    enabled: isOpen,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'shadertoy' } }),
+  },
   'view.fit': { label: 'Show the whole graph', chords: ['F'], enabled: isOpen, run: ({ ui }) => revealNodes(ui, [], 'fit') },
   'view.fit-selection': {
     label: 'Show the selection',

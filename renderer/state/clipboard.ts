@@ -1,3 +1,4 @@
+import { isShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { type Change, inTurn, unchanged } from '../../export/graph/commands/change.ts';
 import { addNode, removeNodes } from '../../export/graph/commands/nodes.ts';
 import { bindParam } from '../../export/graph/commands/params.ts';
@@ -9,6 +10,7 @@ import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import { graphOf, layoutOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { importShadertoy } from './import-shadertoy.ts';
 import { selectOnly } from './selection.ts';
 import { addToast } from './ui.ts';
 
@@ -108,8 +110,15 @@ export async function cutSelection(editor: Editor): Promise<void> {
 }
 
 export async function pasteFromClipboard(editor: Editor): Promise<void> {
-  const text = await editor.clipboard.read().catch(() => null);
-  const clipping = text === null ? null : parseClipping(text);
-  if (clipping === null) addToast(editor.ui, { tone: 'info', text: 'There are no nodes on the clipboard.' });
-  else pasteClipping(editor, clipping, 'Paste', { x: OFFSET_PX, y: OFFSET_PX });
+  const text = await editor.clipboard.read().catch(() => '');
+  if (!pasteText(editor, text)) addToast(editor.ui, { tone: 'info', text: 'There are no nodes on the clipboard.' });
+}
+
+/** Nodes become copies of them, a source of shadertoy.com a shader and its node. Whether the text is one of these. */
+export function pasteText(editor: Editor, text: string): boolean {
+  const clipping = parseClipping(text);
+  if (clipping !== null) pasteClipping(editor, clipping, 'Paste', { x: OFFSET_PX, y: OFFSET_PX });
+  else if (isShadertoy(text)) importShadertoy(editor, { source: text, name: 'Shadertoy' });
+  else return false;
+  return true;
 }

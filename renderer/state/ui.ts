@@ -32,6 +32,7 @@ export type DialogRequest =
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }
+  | { readonly kind: 'shadertoy' }
   | { readonly kind: 'shortcuts' };
 
 export interface Toast {

@@ -132,6 +132,27 @@ describe('nodes', () => {
     expect((await centreOf(editor.node('number-aaaa').locator('.node-title'))).x).toBeCloseTo(before.x, 0);
   });
 
+  test('a Shadertoy source is pasted into its dialogue, and becomes a shader with its credit', async () => {
+    const { page, editor } = await start();
+    const place = await editor.emptyPlace();
+    await page.mouse.click(place.x, place.y, { button: 'right' });
+    await page.getByRole('menuitem', { name: 'Import Shadertoy…' }).click();
+    const dialog = page.getByRole('dialog', { name: 'Import Shadertoy' });
+    const source = dialog.getByLabel('Code or JSON');
+    await source.fill('// Buffer A\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }');
+    await dialog.getByText('There is no Image tab in it.').waitFor();
+    expect(await dialog.getByRole('button', { name: 'Import' }).isDisabled()).toBe(true);
+    await source.fill('// Created by Ada Example\nvoid mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy); }');
+    await dialog.getByText(/Created by Ada Example.*CC BY-NC-SA 3\.0/).waitFor();
+    await dialog.getByLabel('Name').fill('Rings');
+    await dialog.getByRole('button', { name: 'Import' }).click();
+    const node = page.locator('.react-flow__node', { hasText: 'Rings' });
+    await node.waitFor();
+    await page.getByRole('region', { name: 'About' }).getByText('Created by Ada Example').waitFor();
+    await page.keyboard.press('Control+z');
+    await node.waitFor({ state: 'detached' });
+  });
+
   test('a dropped picture becomes an asset of the project and a node that shows it', async () => {
     const { page, editor, project } = await start();
     const png = Buffer.from(encodePicture({ width: 2, height: 2, data: new Uint8Array(16).fill(200) })).toString('base64');

@@ -43,6 +43,7 @@ export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
     params,
     lowering: { kind: 'image', shader: shader.file, access },
     ...(shader.credit === '' ? {} : { credit: shader.credit }),
+    ...(shader.licence === '' ? {} : { licence: shader.licence }),
   };
 }
 

@@ -17,6 +17,8 @@ export interface IsfShader {
   readonly title: string | null;
   readonly description: string;
   readonly credit: string;
+  /** `LICENSE`: under which terms the file may be used; empty where it does not say. */
+  readonly licence: string;
   readonly categories: readonly string[];
   readonly inputs: readonly IsfInput[];
   /** At least one; the last makes the output. */
@@ -47,6 +49,8 @@ export interface IsfInput {
   readonly step: number | null;
   /** Images and depth: may be left without a wire; reads then give transparent black and 0. */
   readonly optional: boolean;
+  /** `WRAP`: an image that repeats beyond its edges, where others continue with their edge. */
+  readonly repeat: boolean;
   /** Of the name in the header, from 1. */
   readonly line: number;
   readonly column: number;

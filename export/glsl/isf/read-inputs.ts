@@ -85,6 +85,7 @@ function readInput(header: Header, node: Node): IsfInput | null {
     unit: readUnit(header, node, name),
     step: numberOf(property(node, 'STEP')),
     optional: flagOf(property(node, 'OPTIONAL')),
+    repeat: textOf(property(node, 'WRAP')) === 'repeat',
     line,
     column,
   };

@@ -21,6 +21,7 @@ export function readIsf(source: string, file: string): Result<IsfShader> {
     title: textOf(property(header.root, 'SCRIM_TITLE')),
     description: textOf(property(header.root, 'DESCRIPTION'))?.trim() ?? '',
     credit: textOf(property(header.root, 'CREDIT'))?.trim() ?? '',
+    licence: textOf(property(header.root, 'LICENSE'))?.trim() ?? '',
     categories: items(property(header.root, 'CATEGORIES'))
       .map(textOf)
       .filter((category) => category !== null),

@@ -12,6 +12,8 @@ export interface Image {
   readonly sampler: string;
   /** The layer behind an input has depth. */
   readonly hasDepth: boolean;
+  /** Repeats beyond its edges. */
+  readonly repeat: boolean;
 }
 
 /** What is read of an image: its colours, how large it is, its depth. */
@@ -84,7 +86,7 @@ function inputColor(image: Image, premultiplied: boolean): string {
   const { sampler } = image;
   return `uniform mat3 ${sampler}_uvFromViewUv;
 vec4 ${colorFunction(image)}(vec2 uv) {
-  vec2 at = scrim_place(${sampler}_uvFromViewUv, uv);
+  vec2 at = scrim_place(${sampler}_uvFromViewUv, ${image.repeat ? 'fract(uv)' : 'uv'});
   vec4 color = scrim_inside(at) ? textureLod(${sampler}, at, 0.0) : vec4(0.0);
   return ${premultiplied ? 'color' : 'scrim_straight(color)'};
 }`;

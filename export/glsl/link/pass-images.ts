@@ -12,13 +12,13 @@ export function passImages(shader: IsfShader, pass: PlannedPass, options: LinkOp
   const absent = new Set(options.absent ?? []);
   const withoutDepth = new Set(options.withoutDepth ?? []);
 
-  function add(name: string, kind: Image['kind'], isRoom: boolean, buffer = ''): void {
+  function add(name: string, kind: Image['kind'], isRoom: boolean, buffer = '', repeat = false): void {
     const sampler = names.fresh(name, IMAGE_SUFFIXES);
-    images.set(name, { name, kind, isRoom, buffer, sampler, hasDepth: kind === 'input' && !withoutDepth.has(name) });
+    images.set(name, { name, kind, isRoom, buffer, sampler, hasDepth: kind === 'input' && !withoutDepth.has(name), repeat });
   }
 
   for (const input of shader.inputs) {
-    if (input.type === 'image') add(input.name, absent.has(input.name) ? 'absent' : 'input', false);
+    if (input.type === 'image') add(input.name, absent.has(input.name) ? 'absent' : 'input', false, '', input.repeat);
     if (input.type === 'depth') add(input.name, absent.has(input.name) ? 'absent' : 'room', true);
   }
   const targets = new Set([...shader.passes.map((other) => other.target), ...pass.readable.keys()]);

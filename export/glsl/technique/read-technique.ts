@@ -37,6 +37,7 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
     title: textOf(property(header.root, 'SCRIM_TITLE')),
     description: textOf(property(header.root, 'DESCRIPTION'))?.trim() ?? '',
     credit: textOf(property(header.root, 'CREDIT'))?.trim() ?? '',
+    licence: textOf(property(header.root, 'LICENSE'))?.trim() ?? '',
     categories: items(property(header.root, 'CATEGORIES'))
       .map(textOf)
       .filter((category) => category !== null),

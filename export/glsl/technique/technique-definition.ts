@@ -16,5 +16,6 @@ export function techniqueDefinition(technique: TechniqueShader, name: string): N
     params: paramsOf(technique.inputs),
     lowering: { kind: 'technique', shader: technique.file },
     ...(technique.credit === '' ? {} : { credit: technique.credit }),
+    ...(technique.licence === '' ? {} : { licence: technique.licence }),
   };
 }

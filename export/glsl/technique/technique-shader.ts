@@ -10,6 +10,7 @@ export interface TechniqueShader {
   readonly title: string | null;
   readonly description: string;
   readonly credit: string;
+  readonly licence: string;
   readonly categories: readonly string[];
   /** Numbers, toggles, choices, points and colours. */
   readonly inputs: readonly IsfInput[];

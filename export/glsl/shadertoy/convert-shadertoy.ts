@@ -1,0 +1,64 @@
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { findTerms } from './licence.ts';
+import { printIsf } from './print-isf.ts';
+import { readShadertoyJson } from './read-json.ts';
+import { hasMain, readPasted } from './read-pasted.ts';
+import { type Shadertoy, tabName } from './shadertoy.ts';
+
+export interface ConvertedShader {
+  /** Empty where the source does not say. */
+  readonly title: string;
+  /** The ISF file. */
+  readonly text: string;
+  readonly credit: string;
+  readonly licence: string;
+}
+
+/** Whether a text is meant for shadertoy.com: no ISF file, with its entry function, or its JSON. */
+export function isShadertoy(source: string): boolean {
+  if (/^\s*\/\*\s*\{/.test(source)) return false;
+  return hasMain(source) || /^\s*[[{][\s\S]*"renderpass"\s*:/.test(source);
+}
+
+/**
+ * A work of shadertoy.com as an ISF file: pasted tabs, or the site's JSON. Buffers become passes that keep their picture for the
+ * next frame where somebody reads it then; pictures become layers; the pointer becomes a point from 0 to 1. Credit and licence are
+ * read from the source and its comments. What cannot be converted is SCR045; `file` is its name in messages.
+ */
+export function convertShadertoy(source: string, file: string): Result<ConvertedShader> {
+  const { output, diagnostics } = readShadertoyJson(source, file) ?? readPasted(source, file);
+  if (output === null) return { output, diagnostics };
+  const mistakes = mistakesOf(output, file);
+  if (mistakes.length > 0) return { output: null, diagnostics: mistakes };
+  const terms = findTerms(
+    [output.description === '' ? '' : `/* ${output.description} */`, output.common, ...output.tabs.map(({ code }) => code)].join('\n'),
+  );
+  const credit = [output.credit, terms.credit].filter((part) => part !== '').join('; ') || 'Somebody on shadertoy.com';
+  const { licence } = terms;
+  return { output: { title: output.title, text: printIsf(output, { credit, licence }), credit, licence }, diagnostics };
+}
+
+function mistakesOf({ tabs }: Shadertoy, file: string): Diagnostic[] {
+  const error = (message: string, fix: string): Diagnostic => ({ code: 'SCR045', severity: 'error', file, message, fix });
+  if (!tabs.some(({ buffer }) => buffer === null)) {
+    return [
+      error(
+        'There is no Image tab in it.',
+        'Paste the code of the Image tab, and before each tab a line such as "// Image" or "// Buffer A".',
+      ),
+    ];
+  }
+  return tabs.flatMap((tab) => {
+    const mains = tab.code.match(/\bvoid\s+mainImage\s*\([^)]*\)\s*\{/g)?.length ?? 0;
+    if (mains === 1) return [];
+    const where = tabName(tab);
+    return mains === 0
+      ? [error(`The tab ${where} has no "void mainImage(out vec4 fragColor, in vec2 fragCoord)".`, 'Paste the whole code of the tab.')]
+      : [
+          error(
+            `The tab ${where} has ${mains} functions mainImage.`,
+            'Where these are several tabs, put a line such as "// Buffer A" before each.',
+          ),
+        ];
+  });
+}

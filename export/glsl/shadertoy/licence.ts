@@ -1,0 +1,75 @@
+/** What shadertoy.com/terms says of works whose author names no licence. */
+export const SITE_LICENCE = 'CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no licence)';
+
+export interface Terms {
+  /** Who is named in the comments; empty where nobody is. */
+  readonly credit: string;
+  readonly licence: string;
+}
+
+const COMMENT = /\/\/[^\r\n]*|\/\*[\s\S]*?\*\//g;
+
+/** Words by which people say whose work something is. */
+const CREDIT =
+  /©|\(c\)|\bcopyright\b|\bauthors?\b|\bcredits?\b|\b(?:created|written|made|coded|designed|ported|modified|shader|original(?:ly)?)\s+(?:by|from)\b|\bport of\b|\bfork(?:ed)?\s+(?:of|from)\b|\bbased (?:on|off)\b|\badapted from\b|\bthanks to\b|\bshadertoy\.com\/(?:view|user)\b|^by\s+\S|\bby\s+\S.*\b(?:19|20)\d\d\b/i;
+
+/** First come, first served: what says more stands before what it contains. */
+const LICENCES: readonly (readonly [RegExp, string])[] = [
+  [/\bCC0\b|\bpublic domain\b/i, 'CC0 (public domain)'],
+  [/\bunlicense\b/i, 'Unlicense (public domain)'],
+  [/\bBY[- ]NC[- ]SA\b|Attribution[-\s]*Non-?\s?Commercial[-\s]*Share-?\s?Alike/i, 'CC BY-NC-SA'],
+  [/\bBY[- ]NC[- ]ND\b|Attribution[-\s]*Non-?\s?Commercial[-\s]*No-?\s?Deriv/i, 'CC BY-NC-ND'],
+  [/\bBY[- ]NC\b|Attribution[-\s]*Non-?\s?Commercial/i, 'CC BY-NC'],
+  [/\bBY[- ]SA\b|Attribution[-\s]*Share-?\s?Alike/i, 'CC BY-SA'],
+  [/\bBY[- ]ND\b|Attribution[-\s]*No-?\s?Deriv/i, 'CC BY-ND'],
+  [/\bCC[- ]BY\b|\bcreative commons attribution\b/i, 'CC BY'],
+  [/\bMIT\b|Permission is hereby granted, free of charge/i, 'MIT'],
+  [/\bApache\b/i, 'Apache 2.0'],
+  [/\bBSD\b|Redistribution and use in source and binary forms/i, 'BSD'],
+  [/\bAGPL/i, 'AGPL'],
+  [/\bLGPL/i, 'LGPL'],
+  [/\bGPL|\bGNU General Public/i, 'GPL'],
+  [/\bMPL\b|\bMozilla Public/i, 'MPL 2.0'],
+  [/\bWTFPL\b/i, 'WTFPL'],
+  [/\bzlib licen[sc]e\b/i, 'zlib'],
+  [/\bISC licen[sc]e\b/i, 'ISC'],
+  [/\ball rights reserved\b/i, 'All rights reserved'],
+];
+
+const VERSION = /\b([1-4]\.0)\b/;
+const SPEAKS_OF_LICENCE = /\blicen[sc]ed?\b/i;
+
+/** Comments in the wild run to pages; a credit is a line. */
+const MAX_CREDIT_LINES = 6;
+
+/** Whose work a source is and under which terms, as far as its comments say. A licence that is not known is quoted. */
+export function findTerms(source: string): Terms {
+  const lines = commentLines(source);
+  const credit = [...new Set(lines.filter((line) => CREDIT.test(line)))].slice(0, MAX_CREDIT_LINES).join('; ');
+  return { credit, licence: licenceOf(lines) };
+}
+
+/** Whether works under it may not be used for money. */
+export function isNonCommercial(licence: string): boolean {
+  return /\bNC\b|non-?\s?commercial/i.test(licence);
+}
+
+function licenceOf(lines: readonly string[]): string {
+  const text = lines.join(' ');
+  const known = LICENCES.find(([pattern]) => pattern.test(text));
+  if (known) {
+    const [pattern, name] = known;
+    const version = name.startsWith('CC BY') ? VERSION.exec(text.slice(text.search(pattern)))?.[1] : undefined;
+    return version === undefined ? name : `${name} ${version}`;
+  }
+  const line = lines.find((one) => SPEAKS_OF_LICENCE.test(one));
+  return line === undefined ? SITE_LICENCE : `As its source says: ${line}`;
+}
+
+/** The text of all comments, without what only decorates it. */
+function commentLines(source: string): string[] {
+  return [...source.matchAll(COMMENT)]
+    .flatMap(([comment]) => comment.replace(/^\/\*|\*\/$/g, '').split(/\r\n|\r|\n/))
+    .map((line) => line.replace(/^[\s/*=~#_+-]+|[\s/*=~#_+-]+$/g, ''))
+    .filter((line) => line !== '');
+}

@@ -1,0 +1,59 @@
+import { type Declared, declaredIn, renameWords, wordsOf } from './rename-words.ts';
+import { type Shadertoy, type Tab, tabName } from './shadertoy.ts';
+
+export interface Separated {
+  /** Stands before all tabs; empty where it has become part of each. */
+  readonly common: string;
+  readonly codes: readonly string[];
+  /** Macros of each tab, which end with it. */
+  readonly macros: readonly (readonly string[])[];
+}
+
+const CHANNEL = /^iChannel[0-3]$/;
+
+/**
+ * Tabs as parts of one text: names that two of them declare are changed in all but the last. `Common` is shared where nothing in
+ * it depends on the tab that it is read with.
+ */
+export function separateTabs({ tabs, common }: Pick<Shadertoy, 'tabs' | 'common'>): Separated {
+  if (tabs.length < 2) return { common, codes: tabs.map(({ code }) => code), macros: tabs.map(() => []) };
+  const shared = declaredIn(common, '');
+  const alone = tabs.map(({ code }) => declaredIn(code, common));
+  const isShared = !readsChannels(common) && alone.every((tab) => !overlaps(tab, shared));
+  const codes = tabs.map(({ code }) => (isShared || common === '' ? code : `${common}\n${code}`));
+  const declared = isShared ? alone : codes.map((code) => declaredIn(code, ''));
+  const taken = new Set([...codes, common].flatMap((code) => [...wordsOf(code)]));
+  const renamed = codes.map((code, i) => {
+    const others = declared.filter((_, other) => other !== i);
+    const last = i === codes.length - 1;
+    const own = declared[i];
+    if (!own || last) return code;
+    const clashing = [...own.names].filter((name) => name !== 'mainImage' && others.some(({ names }) => names.has(name)));
+    const names = new Map(clashing.map((name) => [name, freshName(name, tabs[i] as Tab, taken)]));
+    return renameWords(code, names, own.members);
+  });
+  return { common: isShared ? common : '', codes: renamed, macros: declared.map(({ macros }) => [...macros]) };
+}
+
+/** A macro that reads a channel means that of the tab where it is used. */
+function readsChannels(common: string): boolean {
+  const code = common.replace(/^[ \t]*#(?:[^\n\\]|\\[\s\S])*/gm, '');
+  return [...wordsOf(code)].some((word) => CHANNEL.test(word));
+}
+
+function overlaps(tab: Declared, shared: Declared): boolean {
+  return [...tab.names, ...tab.macros].some((name) => shared.names.has(name) || shared.macros.has(name));
+}
+
+function freshName(name: string, tab: Tab, taken: Set<string>): string {
+  return fresh(`${name}_${tabName(tab).replace(' ', '')}`, taken);
+}
+
+/** The wanted name, or one like it that the text does not use; taken from then on. */
+export function fresh(wanted: string, taken: Set<string>): string {
+  let name = wanted;
+  // Two underscores in a row are GLSL's own.
+  for (let number = 2; taken.has(name); number++) name = `${wanted}${number}`;
+  taken.add(name);
+  return name;
+}
