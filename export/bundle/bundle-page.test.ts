@@ -219,6 +219,31 @@ describe('a bundled page', () => {
     expect(report.features).toEqual({ required: asked.requiredFeatures, optional: asked.optionalFeatures });
   });
 
+  test('names whose works it is made of, and warns of terms that forbid business', async () => {
+    const works: Program['credits'] = [
+      { title: 'Waves', kind: 'effect', credit: 'Ada', licence: 'CC BY-NC-SA 3.0', nodes: ['waves-a', 'waves-b'] },
+      { title: 'assets/my picture.png', kind: 'asset', credit: 'Bob', licence: 'CC BY 4.0', nodes: ['picture-a1'] },
+    ];
+    const model = packGlb({ document: { asset: { version: '2.0', copyright: '© Cy' }, scenes: [{}] }, binary: null }, new Map());
+    const readAsset = async (path: string) => (path.endsWith('.glb') ? model : PICTURE);
+    const page = await exported({ ...WITH_OBJECTS, credits: works }, { readAsset });
+    const credits = [
+      { title: 'Waves', kind: 'effect', credit: 'Ada', licence: 'CC BY-NC-SA 3.0' },
+      { title: 'assets/my picture.png', kind: 'asset', credit: 'Bob', licence: 'CC BY 4.0' },
+      { title: 'assets/unused.glb', kind: 'asset', credit: '© Cy', licence: '' },
+    ];
+    expect(page.output?.credits).toEqual(credits);
+    const text = page.text(/^LICENSES\.txt$/);
+    for (const word of ['Waves\n  Credit: Ada\n  Licence: CC BY-NC-SA 3.0', 'my picture.png\n  Credit: Bob', 'unused.glb\n  Credit: © Cy'])
+      expect(text).toContain(word);
+    expect(page.text(/^program-.*\.json$/)).not.toContain('Ada');
+    expect(page.diagnostics).toMatchObject([{ code: 'SCR046', severity: 'warning', nodeId: 'waves-a' }]);
+    expect(page.diagnostics[0]?.message).toContain('CC BY-NC-SA 3.0');
+    const alone = await exported({ ...WITH_OBJECTS, credits: works }, { readAsset, singleFile: true });
+    expect([...alone.files.keys()]).toEqual(['index.html', 'report.json']);
+    expect(alone.output?.credits).toEqual(credits);
+  });
+
   test('is not begun when an asset cannot be read', async () => {
     const readAsset = () => Promise.reject(new Error('there is no such file'));
     const { files, output, diagnostics } = await exported(IMAGE_ONLY, { readAsset });

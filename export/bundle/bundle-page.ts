@@ -4,6 +4,7 @@ import type { Program } from '../program/program.ts';
 import type { AssetCache } from './assets/asset-cache.ts';
 import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
 import { bundleScript, bundleStyle, type Script } from './bundle-script.ts';
+import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './credits.ts';
 import type { FileSink } from './file-sink.ts';
 import { hashedName } from './hashed-name.ts';
 import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
@@ -56,7 +57,9 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
     return { output: null, diagnostics: [{ code: 'SCR064', severity: 'error', message }] };
   }
   const files: ReportedFile[] = [];
-  for (const { path, kind, bytes } of layOut(input, code, prepared.output)) {
+  const works = pageCredits(input.program.credits ?? [], prepared.output.assets);
+  const credits = works.map(({ nodes: _, ...credit }): PageCredit => credit);
+  for (const { path, kind, bytes } of layOut(input, code, prepared.output, credits)) {
     await input.sink.write(path, bytes);
     files.push({ path, kind, ...sizesOf(bytes) });
   }
@@ -67,9 +70,10 @@ export async function bundlePage(input: BundleInput): Promise<Result<ExportRepor
     scriptParts: code.script.parts,
     features: webXrFeatures(input.program.needs),
     assets: prepared.output.assets.map(({ report }) => report),
+    credits,
   });
   await input.sink.write(REPORT_FILE, toBytes(`${JSON.stringify(report, null, 2)}\n`));
-  return { output: report, diagnostics: prepared.diagnostics };
+  return { output: report, diagnostics: [...prepared.diagnostics, ...licenceWarnings(works)] };
 }
 
 interface Code {
@@ -77,7 +81,12 @@ interface Code {
   readonly style: Uint8Array;
 }
 
-function layOut(input: BundleInput, { script, style }: Code, { assets, decoders, decoderFiles }: PreparedAssets): PageFile[] {
+function layOut(
+  input: BundleInput,
+  { script, style }: Code,
+  { assets, decoders, decoderFiles }: PreparedAssets,
+  credits: readonly PageCredit[],
+): PageFile[] {
   const { program, page, poster, singleFile = false, address = null } = input;
   const bytes = toBytes(JSON.stringify(exportedProgram(program, assets)));
   const programFile: PageFile = { path: hashedName('program.json', bytes), kind: 'program', bytes };
@@ -86,7 +95,8 @@ function layOut(input: BundleInput, { script, style }: Code, { assets, decoders,
   // Two assets may be one file.
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
   const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
-  return layOutPage({
+  const licences: PageFile = { path: LICENCES_FILE, kind: 'licences', bytes: toBytes(licencesText(program.title, credits)) };
+  const files = layOutPage({
     title: program.title,
     ...page,
     address,
@@ -99,14 +109,16 @@ function layOut(input: BundleInput, { script, style }: Code, { assets, decoders,
       program: programFile.path,
       tiers: program.tiers,
       controls: program.controls ?? [],
+      credits,
       decoders: Object.fromEntries(decoderFiles.map(({ file, path }) => [file, path])),
     },
     powers: { wasm: decoders.length > 0, workers: decoderFiles.length > 0, media: assets.some(({ asset }) => asset.kind === 'video') },
   });
+  return credits.length > 0 && !singleFile ? [...files, licences] : files;
 }
 
-/** Without what only the editor looks at: source maps, taps, and assets that nothing uses. */
-function exportedProgram(program: Program, assets: readonly PreparedAsset[]): Program {
+/** Without what only the editor looks at: source maps, taps, and assets that nothing uses. Credits stand on the page. */
+function exportedProgram({ credits: _, ...program }: Program, assets: readonly PreparedAsset[]): Program {
   return {
     ...program,
     shaders: program.shaders.map(({ id, vertex, fragment }) => ({ id, vertex, fragment })),

@@ -1,9 +1,10 @@
 import { gzipSync } from 'node:zlib';
 import type { Program, ProgramAsset, ProgramNeed, Tier } from '../program/program.ts';
 import type { ReportedAsset } from './assets/prepare-assets.ts';
+import type { PageCredit } from './credits.ts';
 import type { WebXrFeatures } from './webxr-features.ts';
 
-export type FileKind = 'page' | 'script' | 'style' | 'offline' | 'poster' | 'program' | 'decoder' | ProgramAsset['kind'];
+export type FileKind = 'page' | 'script' | 'style' | 'offline' | 'poster' | 'program' | 'decoder' | 'licences' | ProgramAsset['kind'];
 
 /** `report.json` beside an exported page: what it is made of, and which files Scrim may replace there. */
 export interface ExportReport {
@@ -20,6 +21,8 @@ export interface ExportReport {
   readonly features: WebXrFeatures;
   /** What the export made of each asset: compressed models, with their bytes before and after. */
   readonly assets: readonly ReportedAsset[];
+  /** Whose works the page is made of, and under which terms. */
+  readonly credits: readonly PageCredit[];
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
 }
@@ -48,9 +51,10 @@ export interface ReportInput {
   readonly scriptParts: Readonly<Record<string, number>>;
   readonly features: WebXrFeatures;
   readonly assets: readonly ReportedAsset[];
+  readonly credits: readonly PageCredit[];
 }
 
-export function makeReport({ program, generator, files, scriptParts, features, assets }: ReportInput): ExportReport {
+export function makeReport({ program, generator, files, scriptParts, features, assets, credits }: ReportInput): ExportReport {
   const byKind: Partial<Record<FileKind, Sizes>> = {};
   for (const { kind, raw, gzip } of files) byKind[kind] = add(byKind[kind], { raw, gzip });
   const total = files.reduce<Sizes>(add, { raw: 0, gzip: 0 });
@@ -64,6 +68,7 @@ export function makeReport({ program, generator, files, scriptParts, features, a
     script: groupParts(scriptParts),
     features,
     assets,
+    credits,
     needs: program.needs,
     tiers: program.tiers,
   };

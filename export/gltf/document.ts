@@ -1,6 +1,6 @@
 /** What Scrim reads of a glTF document by itself (Khronos glTF 2.0 specification, §5). */
 export interface GltfDocument {
-  readonly asset?: { readonly version?: string };
+  readonly asset?: { readonly version?: string; readonly copyright?: string };
   readonly extensionsUsed?: readonly string[];
   readonly extensionsRequired?: readonly string[];
   readonly scenes?: readonly { readonly nodes?: readonly number[] }[];

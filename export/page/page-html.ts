@@ -1,4 +1,4 @@
-import type { Control, Tier } from '../program/program.ts';
+import type { Control, ProgramCredit, Tier } from '../program/program.ts';
 import type { Ask } from './needs-text.ts';
 import { type PagePowers, pagePolicy } from './page-policy.ts';
 
@@ -52,6 +52,8 @@ export interface PageConfig {
   readonly tiers: readonly Tier[];
   /** What visitors can set, from top to bottom. */
   readonly controls: readonly Control[];
+  /** Whose works the page is made of. */
+  readonly credits: readonly Omit<ProgramCredit, 'nodes'>[];
   readonly program: string;
   /** Files of three's decoders that the page's models need, by the names that `export/gltf/decoders.ts` gives them. */
   readonly decoders: Readonly<Record<string, string>>;

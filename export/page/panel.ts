@@ -1,3 +1,4 @@
+import { type Credit, createCredits } from './credits.ts';
 import { element } from './dom.ts';
 import { progressText } from './load-progress.ts';
 import type { Ask } from './needs-text.ts';
@@ -25,6 +26,7 @@ export interface PanelOptions {
   readonly asks: readonly Ask[];
   /** What visitors can set. */
   readonly controls: readonly unknown[];
+  readonly credits: readonly Credit[];
   /** What the picture does without what the camera, or looking around, lacks. */
   readonly lacks: Readonly<Record<'camera' | 'orbit', readonly string[]>>;
   /** Of all that has to be loaded. */
@@ -60,7 +62,18 @@ export function createPanel(options: PanelOptions): Panel {
     element(document, 'p', { className: 'hint' }, 'Drag to look around. Scroll or pinch to come closer. Arrow keys work too.'),
   );
   const aroundLacks = element(document, 'div', {}, ...lacksElement(document, lacks.orbit));
-  const body = element(document, 'div', { id: 'panel-body' }, loading, reason, ar.element, camera.element, around, aroundLacks);
+  const body = element(
+    document,
+    'div',
+    { id: 'panel-body' },
+    loading,
+    reason,
+    ar.element,
+    camera.element,
+    around,
+    aroundLacks,
+    ...createCredits(document, options.credits),
+  );
   if (description !== '') body.prepend(element(document, 'p', { className: 'description' }, description));
   const fold = element(document, 'button', {
     className: 'fold',

@@ -23,6 +23,21 @@ export interface Program {
   readonly taps: Readonly<Record<string, LayerRef>>;
   /** What visitors can set on screen, from top to bottom; absent where there is nothing. */
   readonly controls?: readonly Control[];
+  /** Whose works it is made of, by title; absent where nobody is named. For whoever shows the picture: nothing plays it. */
+  readonly credits?: readonly ProgramCredit[];
+}
+
+/** A work and its terms. */
+export interface ProgramCredit {
+  /** An effect's title, or the project path of an asset. */
+  readonly title: string;
+  readonly kind: 'effect' | 'asset';
+  /** Who made it; empty where nobody is named. */
+  readonly credit: string;
+  /** Empty where none is named: effects of Scrim's own library are under Scrim's. */
+  readonly licence: string;
+  /** Ids of the nodes that use it. */
+  readonly nodes: readonly string[];
 }
 
 /**

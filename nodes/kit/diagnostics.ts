@@ -55,6 +55,7 @@ export const DIAGNOSTICS = {
   SCR043: 'The shader uses something that Scrim cannot give it',
   SCR044: 'The loops of the shader do not end in time',
   SCR045: 'The Shadertoy source cannot be converted as it is',
+  SCR046: 'The licence of a work forbids commercial use',
   // Sessions
   SCR050: 'This browser has no WebXR',
   SCR051: 'The device or the visitor refused',

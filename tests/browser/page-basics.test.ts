@@ -2,6 +2,7 @@ import { readFile } from 'node:fs/promises';
 import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
 import type { AxeResults } from 'axe-core';
 import type { BrowserContextOptions, Page } from 'playwright-core';
+import type { Program } from '../../export/program/program.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { LAMP } from './controls-program.ts';
 import { type ServedPage, servePage } from './page-kit.ts';
@@ -12,9 +13,14 @@ jest.setTimeout(60_000);
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
 const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
 
+const CREDITS: Program['credits'] = [
+  { title: 'Waves', kind: 'effect', credit: 'Ada, https://www.shadertoy.com/view/abc', licence: 'CC BY-NC-SA 3.0', nodes: ['waves-a'] },
+  { title: 'assets/robot.glb', kind: 'asset', credit: '© Cy.', licence: '', nodes: ['robot-a'] },
+];
+
 let served: ServedPage;
 beforeAll(async () => {
-  served = await servePage({ ...LAMP, title: 'Warm light' });
+  served = await servePage({ ...LAMP, title: 'Warm light', credits: CREDITS });
 });
 afterAll(() => served.close());
 
@@ -72,6 +78,18 @@ describe('what every exported page has', () => {
     expect(await page.getByRole('heading', { name: 'Warm light' }).isVisible()).toBe(true);
     expect(await page.getByText('A warm light for the room').isVisible()).toBe(true);
     expect(await page.locator('noscript').textContent()).toContain('This page needs JavaScript');
+  });
+
+  test('names whose works it shows, to those who ask', async () => {
+    const { page, errors } = await open({ viewport: { width: 390, height: 844 } });
+    const list = page.getByRole('listitem').filter({ hasText: 'Waves' });
+    expect(await list.isVisible()).toBe(false);
+    await page.getByText('Credits', { exact: true }).click();
+    expect(await list.textContent()).toBe('Waves Ada, https://www.shadertoy.com/view/abc. CC BY-NC-SA 3.0.');
+    expect(await page.getByRole('listitem').filter({ hasText: 'robot' }).textContent()).toBe('robot.glb © Cy.');
+    expect(await page.getByRole('link').getAttribute('href')).toBe('https://www.shadertoy.com/view/abc');
+    expect(await findings(page)).toEqual([]);
+    expect(errors).toEqual([]);
   });
 
   test.each(SIZES)('scrolls sideways nowhere, and axe finds nothing: %s', async (_name, width, height) => {

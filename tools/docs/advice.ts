@@ -42,6 +42,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Look at the loop that the message names: its condition may never fail, or a param may make it go round too often. Previews and checks allow 16,384 rounds a pixel; exported pages have no limit.',
   SCR045:
     'Paste every tab whole, with a line such as `// Buffer A` before each and `// iChannel0: Buffer A` below it. Sound, cube maps and the keyboard have no counterpart: mend the converted file by hand.',
+  SCR046:
+    'Ask the author of the work for other terms, use another work, or publish the page for no business. Works under “NC” licences may be shown, with their credit, where no money is made.',
   SCR050: 'Open the page in a browser with WebXR, such as Chrome on an AR phone; elsewhere the page shows the picture without AR.',
   SCR051: 'Allow what the page asks for in the browser’s site settings, and start again.',
   SCR052: 'Start the session again.',

@@ -30,6 +30,8 @@ export interface PreparedAsset {
   /** In the page. */
   readonly path: string;
   readonly bytes: Uint8Array;
+  /** What a model says of its author and terms (glTF's `asset.copyright`); empty for all else. */
+  readonly copyright: string;
   readonly report: ReportedAsset;
 }
 
@@ -147,7 +149,8 @@ function prepare(
     fileBytes: { before: fileBytes, after: bytes.length },
     gpuBytes: { before: gpu(original), after: gpu(bytes) },
   };
-  return { asset, path, bytes, report };
+  const copyright = asset.kind === 'model' ? (readGltf(original).document.asset?.copyright ?? '') : '';
+  return { asset, path, bytes, copyright, report };
 }
 
 /** Pictures on their own are drawn without mip maps. */

@@ -3,6 +3,7 @@ import { type Operation, PROGRAM_VERSION, type Program, type ProgramAsset } from
 import type { LinkedOperations } from '../link/link.ts';
 import type { Schedule } from '../schedule/schedule.ts';
 import { collectControls } from './controls.ts';
+import { collectCredits } from './credits.ts';
 import { collectNeeds } from './needs.ts';
 import { findTiers } from './tiers.ts';
 
@@ -10,6 +11,7 @@ import { findTiers } from './tiers.ts';
 export function print(project: ProjectLogic, scheduled: Schedule, { operations, resources, shaders }: LinkedOperations): Program {
   const needs = collectNeeds(scheduled.nodes, scheduled.working);
   const controls = collectControls(scheduled);
+  const credits = collectCredits(scheduled.nodes, project.assets);
   return {
     format: 'scrim-program',
     version: PROGRAM_VERSION,
@@ -24,6 +26,7 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
     tiers: findTiers(needs, scheduled.presentation),
     taps: scheduled.taps,
     ...(controls.length > 0 ? { controls } : {}),
+    ...(credits.length > 0 ? { credits } : {}),
   };
 }
 

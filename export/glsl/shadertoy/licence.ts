@@ -49,11 +49,6 @@ export function findTerms(source: string): Terms {
   return { credit, licence: licenceOf(lines) };
 }
 
-/** Whether works under it may not be used for money. */
-export function isNonCommercial(licence: string): boolean {
-  return /\bNC\b|non-?\s?commercial/i.test(licence);
-}
-
 function licenceOf(lines: readonly string[]): string {
   const text = lines.join(' ');
   const known = LICENCES.find(([pattern]) => pattern.test(text));
