@@ -38,11 +38,15 @@ export async function checkShaders(paths: readonly string[], options: CheckOptio
     const page = await browser.newPage();
     await page.addScriptTag({ content: script });
     const checked: CheckedFile[] = [];
+    const read = (start: number) => Promise.all(paths.slice(start, start + BATCH).map(readShader));
+    let next = read(0);
     for (let start = 0; start < paths.length; start += BATCH) {
       interrupted.throwIfAborted();
       if (paths.length > BATCH) say(`Compiling ${start + 1} of ${paths.length} shaders…`);
-      const files = await Promise.all(paths.slice(start, start + BATCH).map(readShader));
-      checked.push(...(await judge(page, files)));
+      const judged = judge(page, await next);
+      // The driver has its own processes: meanwhile the next are read and linked.
+      next = read(start + BATCH);
+      checked.push(...(await judged));
     }
     return checked;
   } finally {
