@@ -43,7 +43,8 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
   let isReady = false;
   let { offers } = ways;
   const offer = () => panel.show({ kind: 'ready', offers, reason: ways.noAr });
-  const orbit = (gl: WebGL2RenderingContext) => createOrbitSession({ gl, canvas, clock });
+  const { around } = program.presentation;
+  const orbit = (gl: WebGL2RenderingContext) => createOrbitSession({ gl, canvas, clock, ...(around && { start: around }) });
   const mounted: Mounted = mount(canvas, {
     ...parts,
     program,

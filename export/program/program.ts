@@ -322,6 +322,8 @@ export interface Presentation {
   /** `world`: passthrough or the session's camera image. A colour is display-referred sRGB, straight alpha. */
   readonly background: 'world' | readonly [number, number, number, number];
   readonly blend: 'alpha';
+  /** Where those who look around do so at first, if it is not where all do: the point that they look at, and how far away they are. */
+  readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
 }
 
 export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands';

@@ -1,10 +1,12 @@
 import type { Program } from '../../export/program/program.ts';
+import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { Player } from '../../export/runtime/player.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { createSessionInput, nextTap } from '../../export/runtime/sessions/input/session-input.ts';
 import { setFrustum, setRigidInverse } from '../../export/runtime/sessions/matrix.ts';
 import type { SlotValue } from '../../export/runtime/values/slots.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import { MIDDLE_M, moved, type Place, RAIL_M } from '../../tools/examples/gallery-place.ts';
 import { frame, stand, view } from './runtime-kit.ts';
 
 /** What is done before a frame. */
@@ -12,6 +14,8 @@ export interface Deed {
   readonly params?: readonly (readonly [node: string, param: string, value: SlotValue])[];
   readonly taps?: number;
   readonly stick?: readonly [number, number];
+  /** How many frames are drawn at the end; 1 unless given. */
+  readonly drawn?: number;
 }
 
 export interface CellLook {
@@ -21,14 +25,14 @@ export interface CellLook {
   readonly color: readonly number[];
 }
 
-const WIDTH_PX = 960;
-const HEIGHT_PX = 720;
-/** The wall is looked at straight on: its middle, how far away, and what is seen of it from top to bottom. */
-const EYE = [0, 0.86, 1.8] as const;
-const SEEN_M = 1.36;
+const WIDTH_PX = 408;
+const HEIGHT_PX = 600;
+/** The wall is looked at straight on, from this far in front of it; so much is seen of it from top to bottom. */
+const AWAY_M = 1.8;
+const SEEN_M = 1.26;
 const METRES_PER_PX = SEEN_M / HEIGHT_PX;
-/** What belongs to a cell around the foot of its rail, metres. */
-const CELL_M = { side: 0.105, below: 0.042, above: 0.178, middle: 0.07 } as const;
+/** What belongs to a cell around the foot of its rail, in heights of the rail. */
+const CELL = { side: 0.75, below: 0.25, above: 1.25 } as const;
 /** A ball, but no rail and no background. */
 const BRIGHT = 100;
 
@@ -39,25 +43,26 @@ let index = 0;
 const input = createSessionInput();
 const wall = view(0, 0, WIDTH_PX, HEIGHT_PX);
 
-export async function begin(program: Program): Promise<void> {
+export async function begin(program: Program, assetsUrl: string): Promise<void> {
   const canvas = document.createElement('canvas');
   canvas.width = WIDTH_PX;
   canvas.height = HEIGHT_PX;
   document.body.append(canvas);
   gl = canvas.getContext('webgl2', { antialias: false, depth: true, preserveDrawingBuffer: true }) as WebGL2RenderingContext;
-  const made = await stand(program, { gl, modules: RUNTIMES, createScenes });
+  const assets = createFetchAssetSource(new URL(assetsUrl, location.href).href, (...args) => fetch(...args));
+  const made = await stand(program, { gl, modules: RUNTIMES, createScenes, assets, held: true });
   player = made.player;
   told = made.diagnostics;
   player.setSession({ world: 'none', blend: 'opaque' });
-  const y = (SEEN_M / 2 / EYE[2]) as number;
+  const y = SEEN_M / 2 / AWAY_M;
   const x = (y * WIDTH_PX) / HEIGHT_PX;
   setFrustum(wall.clipFromView, -x, x, -y, y, 0.1, 100);
-  wall.worldFromView.set(EYE, 12);
+  wall.worldFromView.set(moved(MIDDLE_M, 0, 0, AWAY_M), 12);
   setRigidInverse(wall.viewFromWorld, wall.worldFromView);
 }
 
-/** Frames of a thirtieth of a second up to this one, after the deed; only the last is drawn. */
-export function playTo(last: number, { params = [], taps = 0, stick }: Deed = {}): void {
+/** Frames of a thirtieth of a second up to this one, after the deed; the last ones are drawn. */
+export async function playTo(last: number, { params = [], taps = 0, stick, drawn = 1 }: Deed = {}): Promise<void> {
   for (const [node, param, value] of params) {
     if (!player.setParam(node, param, value)) throw new Error(`${node}.${param} cannot be set.`);
   }
@@ -68,7 +73,8 @@ export function playTo(last: number, { params = [], taps = 0, stick }: Deed = {}
   input.tapCount = 0;
   for (let i = 0; i < taps; i++) nextTap(input);
   for (; index <= last; index++) {
-    player.draw(frame(index, index === last ? [wall] : [], { input }));
+    if (index > last - drawn) await player.drawSettled(frame(index, [wall], { input }));
+    else player.draw(frame(index, [], { input }));
     input.tapCount = 0;
   }
 }
@@ -84,32 +90,59 @@ export function reset(): void {
 }
 
 /** Of cells with their feet here, as the last frame drew them. */
-export function look(feet: readonly (readonly [number, number])[]): CellLook[] {
-  const pixels = new Uint8Array(WIDTH_PX * HEIGHT_PX * 4);
-  gl.readPixels(0, 0, WIDTH_PX, HEIGHT_PX, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  const at = (x: number, y: number) => pixels.subarray((y * WIDTH_PX + x) * 4, (y * WIDTH_PX + x) * 4 + 3);
+export function look(feet: readonly Place[]): CellLook[] {
+  const picture = readWall();
   return feet.map(([footX, footY]) => {
-    const px = (metres: number) => Math.round(WIDTH_PX / 2 + (metres - EYE[0]) / METRES_PER_PX);
-    const py = (metres: number) => Math.round(HEIGHT_PX / 2 + (metres - EYE[1]) / METRES_PER_PX);
+    const [left, right] = [footX - CELL.side * RAIL_M, footX + CELL.side * RAIL_M].map(pixelX) as [number, number];
+    const [bottom, top] = [footY - CELL.below * RAIL_M, footY + CELL.above * RAIL_M].map(pixelY) as [number, number];
     let [count, sumX, sumY] = [0, 0, 0];
-    for (let y = py(footY - CELL_M.below); y < py(footY + CELL_M.above); y++) {
-      for (let x = px(footX - CELL_M.side); x < px(footX + CELL_M.side); x++) {
-        if (Math.max(...at(x, y)) < BRIGHT) continue;
+    for (let y = bottom; y < top; y++) {
+      for (let x = left; x < right; x++) {
+        if (Math.max(...colorAt(picture, x, y)) < BRIGHT) continue;
         count++;
         sumX += x + 0.5;
         sumY += y + 0.5;
       }
     }
-    const ball =
-      count === 0
-        ? null
-        : ([
-            (sumX / count - WIDTH_PX / 2) * METRES_PER_PX + EYE[0] - footX,
-            (sumY / count - HEIGHT_PX / 2) * METRES_PER_PX + EYE[1] - footY,
-          ] as const);
-    return { ball, color: [...at(px(footX), py(footY + CELL_M.middle))] };
+    const ball = count === 0 ? null : ([metresX(sumX / count) - footX, metresY(sumY / count) - footY] as const);
+    return { ball, color: [...colorAt(picture, pixelX(footX), pixelY(footY + RAIL_M / 2))] };
   });
 }
+
+/** A part of the wall, RGB bytes from the lower left. */
+export interface Piece {
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly rgb: readonly number[];
+}
+
+/** Pieces of the wall of this size around these places. */
+export function piecesAt(middles: readonly Place[], [widthM, heightM]: readonly [number, number]): Piece[] {
+  const picture = readWall();
+  const [widthPx, heightPx] = [Math.round(widthM / METRES_PER_PX), Math.round(heightM / METRES_PER_PX)];
+  return middles.map(([xM, yM]) => {
+    const [left, bottom] = [pixelX(xM - widthM / 2), pixelY(yM - heightM / 2)];
+    const rgb: number[] = [];
+    for (let y = 0; y < heightPx; y++) for (let x = 0; x < widthPx; x++) rgb.push(...colorAt(picture, left + x, bottom + y));
+    return { widthPx, heightPx, rgb };
+  });
+}
+
+function readWall(): Uint8Array {
+  const pixels = new Uint8Array(WIDTH_PX * HEIGHT_PX * 4);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.readPixels(0, 0, WIDTH_PX, HEIGHT_PX, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return pixels;
+}
+
+function colorAt(picture: Uint8Array, x: number, y: number): Uint8Array {
+  return picture.subarray((y * WIDTH_PX + x) * 4, (y * WIDTH_PX + x) * 4 + 3);
+}
+
+const pixelX = (metres: number): number => Math.round(WIDTH_PX / 2 + (metres - MIDDLE_M[0]) / METRES_PER_PX);
+const pixelY = (metres: number): number => Math.round(HEIGHT_PX / 2 + (metres - MIDDLE_M[1]) / METRES_PER_PX);
+const metresX = (pixels: number): number => (pixels - WIDTH_PX / 2) * METRES_PER_PX + MIDDLE_M[0];
+const metresY = (pixels: number): number => (pixels - HEIGHT_PX / 2) * METRES_PER_PX + MIDDLE_M[1];
 
 export function problems(): readonly unknown[] {
   return [...told(), ...(gl.getError() === 0 ? [] : ['GL error'])];

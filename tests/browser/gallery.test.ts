@@ -1,21 +1,22 @@
 import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { compile } from '../../export/compiler/compile.ts';
-import { loadProject } from '../../export/graph/load.ts';
+import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
-import type { Program } from '../../export/program/program.ts';
 import { hsvFromRgb } from '../../nodes/kit/color-math.ts';
-import { cellFootM, cellKey, makeGallery, RAIL_M } from '../../tools/examples/gallery.ts';
-import { ROWS } from '../../tools/examples/gallery-cells.ts';
+import { makeGallery } from '../../tools/examples/gallery.ts';
+import { SECTIONS } from '../../tools/examples/gallery-cells.ts';
+import { BLEND_MODES } from '../../tools/examples/gallery-layers.ts';
+import { cellFootM, cellKey, RAIL_M } from '../../tools/examples/gallery-place.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { CellLook, Deed } from './gallery.page.ts';
+import { compileGallery, GALLERY_MOUNTS, loadGallery } from './gallery-kit.ts';
 
 const chromium = useBrowser();
 let page: PageModule;
 
-const CELLS = ROWS.flatMap((cells, row) =>
-  cells.map((cell, column) => ({ cell, key: cellKey(row, column), foot: cellFootM(row, column) })),
+const CELLS = SECTIONS.flatMap(({ cells, row, column }) =>
+  cells.map((cell, i) => ({ cell, key: cellKey(row, column + i), foot: cellFootM(row, column + i) })),
 );
 
 /** Within two pixels: 0.03 of a rail. */
@@ -23,24 +24,23 @@ function near(height: number): unknown {
   return expect.closeTo(height, -Math.log10(2 * 0.03));
 }
 
-function project() {
-  const text = (name: string) => readFileSync(`examples/gallery/${name}`, 'utf8');
-  const { output } = loadProject({ project: text('project.scrim.json'), layout: text('project.layout.json'), sources: {} });
-  if (!output) throw new Error('The gallery cannot be read.');
-  return output;
-}
-
-function program(): Program {
-  const { output, diagnostics } = compile({ project: project(), library: LIBRARY });
-  expect(diagnostics).toEqual([]);
-  if (!output) throw new Error('The gallery does not compile.');
-  return output;
+/** The wall without what is laid over it: the other picture is `tests/slow/gallery-layers.test.ts`'s. */
+function bare({ graphs, ...rest }: Project): Project {
+  const { main } = graphs;
+  if (!main) throw new Error('There is no main graph.');
+  const wires = main.wires.filter(({ to }) => to.node !== 'screen-all');
+  const shown = { from: { node: 'wall-all', port: 'layer' }, to: { node: 'screen-all', port: 'layer' } };
+  return { ...rest, graphs: { ...graphs, main: { ...main, wires: [...wires, shown] } } };
 }
 
 beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/gallery.page.ts', { width: 960, height: 720 });
-  await page.call('begin', program());
-}, 60_000);
+  page = await openModule(chromium.browser, 'tests/browser/gallery.page.ts', {
+    width: 408,
+    height: 600,
+    mounts: GALLERY_MOUNTS,
+  });
+  await page.call('begin', compileGallery(bare(loadGallery())), 'gallery/');
+}, 120_000);
 
 afterAll(async () => {
   await page.close();
@@ -53,7 +53,7 @@ async function lookAt(frame: number, deed: Deed = {}): Promise<Readonly<Record<s
   expect(await page.call('problems')).toEqual([]);
   const looks = await page.call<CellLook[]>(
     'look',
-    CELLS.map(({ foot }) => [foot[0], foot[1]]),
+    CELLS.map(({ foot }) => foot),
   );
   return Object.fromEntries(CELLS.map(({ key }, i) => [key, looks[i] ?? { ball: null, color: [] }]));
 }
@@ -105,28 +105,28 @@ function expectedHeights(frame: number): Readonly<Record<string, number>> {
     a3: unit,
     a4: 0.5 + 0.5 * Math.sin(Math.PI * t),
     a5: 1 - (3 * unit ** 2 - 2 * unit ** 3),
-    a8: t % 2 > 1 ? 1 : 0,
-    b1: (beats % 5) / 4,
+    a6: t % 2 > 1 ? 1 : 0,
+    e2: (beats % 5) / 4,
     b2: smoothAt(frame, steps),
     b3: springAt(frame, steps),
     b4: t < 0.25 ? 0 : steps(frame - 7.5),
     b5: 1 - 0.98 ** (frame + 1),
-    b6: (beats % 4) / 4,
-    b7: [0.1, 0.9, 0.3, 0.7][beats % 4] ?? Number.NaN,
-    b8: beats % 2,
+    e3: (beats % 4) / 4,
+    e4: [0.1, 0.9, 0.3, 0.7][beats % 4] ?? Number.NaN,
+    e6: beats % 2,
     c1: unit,
     c3: 0.6,
     c5: 0.85,
-    c8: 0.35,
-    d7: t >= 1 ? 0.25 : 0,
-    d8: (Math.floor(t * 4) % 5) / 4,
-    e1: Math.floor(t / 2) / 4,
-    e2: Math.floor((t + 0.5) / 2) / 4,
-    e3: 0.5,
-    e4: 0,
-    e5: 0,
-    e6: 0.1,
-    e7: 0,
+    d6: 0.35,
+    f1: t >= 1 ? 0.25 : 0,
+    f2: (Math.floor(t * 4) % 5) / 4,
+    f3: Math.floor(t / 2) / 4,
+    f4: Math.floor((t + 0.5) / 2) / 4,
+    g1: 0.5,
+    g2: 0,
+    g3: 0,
+    g4: 0.1,
+    f5: 0,
   };
 }
 
@@ -145,10 +145,28 @@ test('the gallery is what the script makes of it', () => {
   expect(readFileSync('examples/gallery/project.layout.json', 'utf8')).toBe(layout);
 });
 
-test('it shows every node type of values, pulses and controls', () => {
-  const shown = new Set(CELLS.flatMap(({ cell }) => Object.values(cell.nodes).map(([type]) => type)));
+/** What every graph needs, besides values, pulses and controls. */
+const STAPLES = [
+  'source/video-file',
+  'source/panorama',
+  'light/point',
+  'light/spot',
+  'light/environment',
+  'objects/apply-technique',
+  'layer/object-mask',
+  'layer/previous-frame',
+  'operator/blend',
+];
+
+test('it shows every node type of values, pulses and controls, and what else every graph needs', () => {
+  const shown = new Set(Object.values(loadGallery().graphs).flatMap(({ nodes }) => Object.values(nodes).map(({ type }) => type)));
   const types = [...LIBRARY.types()].filter((type) => /^(value|pulse|input)\//.test(type));
-  expect(types.filter((type) => !shown.has(type))).toEqual([]);
+  expect([...types, ...STAPLES].filter((type) => !shown.has(type))).toEqual([]);
+});
+
+test('its choice of blend modes has the words of the operator, in its order', () => {
+  const mode = LIBRARY.definition('operator/blend')?.params.mode;
+  expect(mode?.type === 'choice' && mode.options.map(({ label }) => label)).toEqual(BLEND_MODES);
 });
 
 // The tests go on from one another, as time does.
@@ -164,16 +182,16 @@ describe('the gallery', () => {
     expect(looks.c2 && placeIn(looks.c2)).toEqual(ring.map(near));
     // As the smoothed number, from -0.3 to 0.3.
     const glided = smoothAt(80, (frame) => (Math.floor(frame / 15) % 2) * 0.6 - 0.3);
-    expect(looks.c7 && placeIn(looks.c7)).toEqual([glided, glided].map(near));
+    expect(looks.c6 && placeIn(looks.c6)).toEqual([glided, glided].map(near));
   });
 
   test('wanders smoothly by noise, and draws by chance with each beat only', async () => {
     const noise: number[] = [];
     const random: number[] = [];
     for (let frame = 86; frame <= 93; frame++) {
-      const { a6, a7 } = await lookAt(frame);
-      noise.push(a6 ? heightIn(a6) : Number.NaN);
-      random.push(a7 ? heightIn(a7) : Number.NaN);
+      const { b1, e1 } = await lookAt(frame);
+      noise.push(b1 ? heightIn(b1) : Number.NaN);
+      random.push(e1 ? heightIn(e1) : Number.NaN);
     }
     const jumps = noise.slice(1).map((x, i) => Math.abs(x - (noise[i] ?? 0)));
     expect(Math.max(...jumps)).toBeLessThan(0.1);
@@ -185,9 +203,9 @@ describe('the gallery', () => {
 
   test('paints boxes by colours', async () => {
     const looks = await lookAt(110);
-    const hues = Object.fromEntries(['c4', 'd1', 'd3', 'd5', 'd6'].map((key) => [key, hueOf(looks[key]?.color ?? [])]));
+    const hues = Object.fromEntries(['c4', 'd1', 'd3', 'd5', 'e5'].map((key) => [key, hueOf(looks[key]?.color ?? [])]));
     // 110 frames are 1.667 s of two: five sixths of the way around; the beat is the seventh, so the second of two.
-    const expected = { c4: 37.5, d1: 4.6, d3: 300, d5: 120, d6: 221.5 };
+    const expected = { c4: 37.5, d1: 4.6, d3: 300, d5: 120, e5: 221.5 };
     for (const [key, hue] of Object.entries(expected)) expect(Math.abs((hues[key] ?? 0) - hue)).toBeLessThan(12);
     const [, greenOn = 0] = looks.d2?.color ?? [];
     const mixed = looks.d4?.color ?? [];
@@ -200,37 +218,38 @@ describe('the gallery', () => {
   test('follows its controls, taps and a stick', async () => {
     await lookAt(126, {
       params: [
-        ['slider-e3', 'value', 0.2],
-        ['toggle-e4', 'value', true],
-        ['button-e5', 'presses', 2],
-        ['choice-e6', 'value', 2],
+        ['controls-all/slider-g1', 'value', 0.2],
+        ['controls-all/toggle-g2', 'value', true],
+        ['controls-all/button-g3', 'presses', 2],
+        ['controls-all/choice-g4', 'value', 2],
       ],
       taps: 3,
       stick: [0.3, -0.8],
     });
     const looks = await lookAt(127);
-    expectHeights(looks, { e3: 0.2, e4: 1, e5: 0.5, e6: 0.9, e7: 0.75 });
-    expect(looks.e8 && placeIn(looks.e8)).toEqual([0.12, -0.32].map(near));
+    expectHeights(looks, { g1: 0.2, g2: 1, g3: 0.5, g4: 0.9, f5: 0.75 });
+    expect(looks.f6 && placeIn(looks.f6)).toEqual([0.12, -0.32].map(near));
   });
 
   test('keeps what its nodes remember when it is compiled anew, with another wire into a counter', async () => {
-    const { graphs, ...rest } = project();
-    const { main } = graphs;
-    if (!main) throw new Error('There is no main graph.');
-    const wire = { from: { node: 'beat-all', port: 'pulse' }, to: { node: 'counter-e5', port: 'up' } };
-    const rewired = { ...rest, graphs: { ...graphs, main: { ...main, wires: [...main.wires, wire] } } };
-    const { output } = compile({ project: rewired, library: LIBRARY });
-    expect(await page.call('recompile', output)).toBe('playing');
+    const { graphs, ...rest } = bare(loadGallery());
+    const { controls } = graphs;
+    if (!controls) throw new Error('There is no subgraph of the controls.');
+    const beat = { type: 'pulse/every', version: 1, params: { periodS: { value: 0.5 } } };
+    const wire = { from: { node: 'beat-g3', port: 'pulse' }, to: { node: 'counter-g3', port: 'up' } };
+    const more = { ...controls, nodes: { ...controls.nodes, 'beat-g3': beat }, wires: [...controls.wires, wire] };
+    const rewired = { ...rest, graphs: { ...graphs, controls: more } };
+    expect(await page.call('recompile', compileGallery(rewired))).toBe('playing');
     const before = await lookAt(128);
-    expectHeights(before, { e5: 0.5, e7: 0.75, b5: 1 - 0.98 ** 129 });
-    // The next beat comes in frame 135.
-    expectHeights(await lookAt(136), { e5: 0.75 });
+    expectHeights(before, { g3: 0.5, f5: 0.75, b5: 1 - 0.98 ** 129 });
+    // The new beat comes half a second after it was made, and then every half second.
+    expectHeights(await lookAt(149), { g3: 0.75 });
   });
 
   test('starts over with a reset', async () => {
     await page.call('reset');
     const looks = await lookAt(20);
-    expectHeights(looks, { ...expectedHeights(20), e3: 0.5, e4: 0, e5: 0.25, e6: 0.1, e7: 0 });
+    expectHeights(looks, { ...expectedHeights(20), g1: 0.5, g2: 0, g3: 0.25, g4: 0.1, f5: 0 });
   });
 
   test('leaves nothing on the GPU', async () => {

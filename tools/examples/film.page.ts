@@ -1,33 +1,70 @@
 import { encodeFilm, type FilmPicture } from './encode-film.ts';
 
-const SIDE_PX = 96;
-const PICTURES = 24;
-const PICTURES_PER_S = 12;
+const BALL = { sidePx: 96, pictures: 24, picturesPerS: 12 } as const;
 /** BT.601 of a warm orange: about sRGB (255, 139, 60). */
 const ORANGE = { y: 158, u: 76, v: 185 };
 
 /** A ball of two seconds that swells and shrinks, with a soft edge; nothing around it. */
-export async function makeFilm(): Promise<number[]> {
-  const pictures = Array.from({ length: PICTURES }, (_, i) => picture(Math.sin((2 * Math.PI * i) / PICTURES)));
+export async function makeBall(): Promise<number[]> {
+  const { sidePx, pictures, picturesPerS } = BALL;
   const bytes = await encodeFilm({
-    widthPx: SIDE_PX,
-    heightPx: SIDE_PX,
-    picturesPerS: PICTURES_PER_S,
-    keyEvery: PICTURES_PER_S,
+    widthPx: sidePx,
+    heightPx: sidePx,
+    picturesPerS,
+    keyEvery: picturesPerS,
     bitrate: 150_000,
-    pictures,
+    pictures: Array.from({ length: pictures }, (_, i) => ball(Math.sin((2 * Math.PI * i) / pictures))),
   });
   return [...bytes];
 }
 
-function picture(swell: number): FilmPicture {
+function ball(swell: number): FilmPicture {
+  const { sidePx } = BALL;
   const radiusPx = 30 + 10 * swell;
-  const alpha = new Uint8Array(SIDE_PX * SIDE_PX);
+  const alpha = new Uint8Array(sidePx * sidePx);
   for (let i = 0; i < alpha.length; i++) {
-    const awayPx = Math.hypot((i % SIDE_PX) + 0.5 - SIDE_PX / 2, Math.floor(i / SIDE_PX) + 0.5 - SIDE_PX / 2);
+    const awayPx = Math.hypot((i % sidePx) + 0.5 - sidePx / 2, Math.floor(i / sidePx) + 0.5 - sidePx / 2);
     alpha[i] = 255 * Math.min(1, Math.max(0, (radiusPx - awayPx) / 4));
   }
   const plane = (value: number, length: number): Uint8Array => new Uint8Array(length).fill(value);
   const quarter = alpha.length / 4;
   return { y: plane(ORANGE.y, alpha.length), u: plane(ORANGE.u, quarter), v: plane(ORANGE.v, quarter), alpha };
+}
+
+const STRIPES = {
+  widthPx: 160,
+  heightPx: 90,
+  pictures: 24,
+  picturesPerS: 12,
+  /** Of one rainbow, along x and along y. */ periodPx: 60,
+} as const;
+
+/** Rainbows that run from the lower left to the upper right and over their width in two seconds, without end. */
+export async function makeStripes(): Promise<number[]> {
+  const { widthPx, heightPx, pictures, picturesPerS } = STRIPES;
+  const bytes = await encodeFilm({
+    widthPx,
+    heightPx,
+    picturesPerS,
+    keyEvery: picturesPerS,
+    bitrate: 200_000,
+    pictures: Array.from({ length: pictures }, (_, i) => stripes(i / pictures)),
+  });
+  return [...bytes];
+}
+
+function stripes(turn: number): FilmPicture {
+  const { widthPx, heightPx, periodPx } = STRIPES;
+  const hueAt = (x: number, y: number): number => 2 * Math.PI * ((x + (heightPx - y)) / periodPx - turn);
+  const luma = new Uint8Array(widthPx * heightPx);
+  for (let i = 0; i < luma.length; i++) luma[i] = 125 + 25 * Math.cos(2 * hueAt((i % widthPx) + 0.5, Math.floor(i / widthPx) + 0.5));
+  const chroma = (shift: number): Uint8Array => {
+    const plane = new Uint8Array(luma.length / 4);
+    for (let i = 0; i < plane.length; i++) {
+      const [x, y] = [(i % (widthPx / 2)) * 2 + 1, Math.floor(i / (widthPx / 2)) * 2 + 1];
+      plane[i] = 128 + 60 * Math.cos(hueAt(x, y) + shift);
+    }
+    return plane;
+  };
+  return { y: luma, u: chroma(0), v: chroma(Math.PI / 2) };
 }

@@ -3,7 +3,7 @@ import { addGraph, exposePort } from '../../export/graph/commands/graphs.ts';
 import { addNode } from '../../export/graph/commands/nodes.ts';
 import { connect } from '../../export/graph/commands/wires.ts';
 import { newProject } from '../../export/graph/new-project.ts';
-import { type Frame, MAIN_GRAPH, type ParamValue, type Project } from '../../export/graph/project.ts';
+import { type Asset, type Frame, MAIN_GRAPH, type ParamValue, type Project } from '../../export/graph/project.ts';
 import { parseWire } from '../../export/graph/wires.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import { formatDiagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
@@ -18,13 +18,14 @@ export interface GalleryBuilder {
   /** Shows `node.port` of a subgraph outside. */
   show(side: 'inputs' | 'outputs', name: string, address: string): void;
   frame(title: string, box: Omit<Frame, 'title'>): void;
+  asset(id: string, asset: Asset): void;
   finish(): Project;
 }
 
 export function createGalleryBuilder(library: NodeLibrary, title: string): GalleryBuilder {
   let project = newProject(title);
   let graph: string = MAIN_GRAPH;
-  const frames: Record<string, Frame> = {};
+  const frames: Record<string, Record<string, Frame>> = {};
   const apply = ({ project: next, diagnostics }: Change): void => {
     if (hasErrors(diagnostics)) throw new Error(diagnostics.map(formatDiagnostic).join(' '));
     project = next;
@@ -45,11 +46,15 @@ export function createGalleryBuilder(library: NodeLibrary, title: string): Galle
       apply(exposePort(project, { library, graph, side, name, node, port }));
     },
     frame: (frameTitle, box) => {
-      frames[`frame-${Object.keys(frames).length + 1}`] = { ...box, title: frameTitle };
+      const here = frames[graph] ?? {};
+      frames[graph] = { ...here, [`frame-${Object.keys(here).length + 1}`]: { ...box, title: frameTitle } };
+    },
+    asset: (id, asset) => {
+      project = { ...project, assets: { ...project.assets, [id]: asset } };
     },
     finish: () => {
-      const { [MAIN_GRAPH]: main, ...others } = project.layout;
-      return { ...project, layout: { ...others, [MAIN_GRAPH]: { nodes: main?.nodes ?? {}, notes: {}, frames } } };
+      const framed = Object.entries(project.layout).map(([name, layout]) => [name, { ...layout, frames: frames[name] ?? {} }] as const);
+      return { ...project, layout: Object.fromEntries(framed) };
     },
   };
 }

@@ -1,140 +1,111 @@
 import { MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import { createGalleryBuilder, type GalleryBuilder } from './gallery-builder.ts';
-import { type Cell, ROWS, SIGNAL_WIRES, SIGNALS } from './gallery-cells.ts';
+import { SECTIONS } from './gallery-cells.ts';
+import { addBlend, addFilm, addMask, addTrail } from './gallery-layers.ts';
+import { addLamps, addSky } from './gallery-lights.ts';
+import { MIDDLE_M, moved, WALL_M } from './gallery-place.ts';
+import { addSection } from './gallery-sections.ts';
+import { addShown } from './gallery-shown.ts';
 
-/** Height of a rail, and from cell to cell, metres. */
-export const RAIL_M = 0.14;
-const PITCH_M = 0.22;
-/** Foot of the rails of the lowest row. */
-const FOOT_M = 0.35;
+/** Files in its `assets/`, by id. */
+export const GALLERY_FILES = { sky: 'sky.hdr', film: 'stripes.webm' } as const;
 
-/** Of the balls, row by row. */
-const COLORS = [
-  [0.95, 0.75, 0.3, 1],
-  [0.45, 0.8, 0.55, 1],
-  [0.5, 0.7, 0.95, 1],
-  [0.85, 0.6, 0.9, 1],
-  [0.95, 0.55, 0.45, 1],
+/** How far the board is behind the cells, and how far it shows around them, metres. */
+const BOARD = { behindM: 0.075, marginM: 0.02, thickM: 0.02 } as const;
+
+/** Subgraphs that give a layer, from the lowest up, with what they show. */
+const LAYERS = [
+  ['lamps', 'Lamps'],
+  ['sky', 'Evening light'],
+  ['mask', 'Mask'],
+  ['trail', 'Trail'],
+  ['film', 'Film'],
+  ['blend', 'Blend modes'],
 ] as const;
 
-/** From cell to cell on the canvas; the last column of a cell holds what shows it. */
-const CELL_PX = { x: 1150, y: 640, node: 270, line: 250 } as const;
-
-/** The subgraph that shows a cell, by what it shows. */
-const SHOWN_BY = { height: 'ball-on-rail', place: 'ball', color: 'box' } as const;
-
-/** Name of a cell: its row as a letter and its column from 1. Ids of its nodes end with it. */
-export function cellKey(row: number, column: number): string {
-  return `${'abcdefgh'[row]}${column + 1}`;
-}
-
-/** Where the foot of a cell's rail stands. */
-export function cellFootM(row: number, column: number): readonly [number, number, number] {
-  const columns = Math.max(...ROWS.map((cells) => cells.length));
-  return [round((column - (columns - 1) / 2) * PITCH_M), round(FOOT_M + (ROWS.length - 1 - row) * PITCH_M), 0];
-}
-
-/** A wall of cells, each showing what one node type does: by the height of a ball, by its place, or by a colour. */
+/** A wall of cells, each showing what a node type does. */
 export function makeGallery(library: NodeLibrary): Project {
-  const wall = createGalleryBuilder(library, 'Gallery of values, pulses and controls');
-  addBallOnRail(wall);
-  addBall(wall);
-  addBox(wall);
-  wall.into(MAIN_GRAPH);
-  Object.entries(SIGNALS).forEach(([name, [type, params]], i) => {
-    wall.add(`${name}-all`, type, { x: -CELL_PX.node * 2, y: i * CELL_PX.line }, params);
-  });
-  for (const wire of SIGNAL_WIRES) wall.wire(wire.replace(/(\w+)\./g, '$1-all.'));
-  const right = CELL_PX.x * Math.max(...ROWS.map((cells) => cells.length));
-  wall.add('scene-all', 'layer/scene', { x: right + CELL_PX.node, y: 0 }, { ambient: 0.8, shadows: false });
-  wall.add('sun-all', 'light/directional', { x: right, y: -CELL_PX.line }, { intensity: 0.6 });
-  wall.add('screen-all', 'output/screen', { x: right + 2 * CELL_PX.node, y: 0 });
-  wall.wire('sun-all.lights -> scene-all.lights');
-  wall.wire('scene-all.layer -> screen-all.layer');
-  ROWS.forEach((cells, row) => {
-    const group = `row-${'abcdefgh'[row]}`;
-    wall.add(group, 'objects/group', { x: right, y: row * CELL_PX.y });
-    cells.forEach((cell, column) => {
-      wall.wire(`${placeCell(wall, cell, row, column)} -> ${group}.objects`);
-    });
-    wall.wire(`${group}.objects -> scene-all.objects`);
-  });
+  const wall = createGalleryBuilder(library, 'Gallery');
+  const credit = { credit: 'Scrim', licence: 'MIT' };
+  wall.asset('sky', { path: `assets/${GALLERY_FILES.sky}`, kind: 'environment', ...credit });
+  wall.asset('film', { path: `assets/${GALLERY_FILES.film}`, kind: 'video', ...credit });
+  addShown(wall);
+  for (const section of SECTIONS) addSection(wall, section);
+  addLamps(wall, 7, [0, 1]);
+  addSky(wall, 7, [2, 3]);
+  addMask(wall, 7, 4);
+  addTrail(wall, 7, 5);
+  addFilm(wall, 8, 0);
+  addBlend(wall, 8, 2);
+  addMain(wall);
   return wall.finish();
 }
 
-/** Gives the output with its objects. */
-function placeCell(wall: GalleryBuilder, cell: Cell, row: number, column: number): string {
-  const key = cellKey(row, column);
-  const [x, y] = [column * CELL_PX.x, row * CELL_PX.y];
-  const idOf = (name: string): string => `${name}-${Object.hasOwn(cell.nodes, name) ? key : 'all'}`;
-  const outputOf = (output: string): string => output.replace(/^\w+/, idOf);
-  Object.entries(cell.nodes).forEach(([name, [type, params]], i) => {
-    wall.add(idOf(name), type, { x: x + (i % 3) * CELL_PX.node, y: y + Math.floor(i / 3) * CELL_PX.line }, params);
+const NODE_PX = { x: 270, y: 210 } as const;
+
+function addMain(wall: GalleryBuilder): void {
+  const [column, line] = [NODE_PX.x, NODE_PX.y];
+  wall.into(MAIN_GRAPH);
+  SECTIONS.forEach(({ name }, i) => {
+    wall.add(`${name}-all`, `graph/${name}`, { x: 0, y: i * line });
   });
-  for (const wire of cell.wires) wall.wire(wire.split(' -> ').map(outputOf).join(' -> '));
-  const [kind, output] = cell.shows;
-  const color = COLORS[row % COLORS.length] ?? COLORS[0];
-  const footM = [...cellFootM(row, column)];
+  addBoard(wall, SECTIONS.length * line);
+  wall.add('sun-all', 'light/directional', { x: column, y: (SECTIONS.length + 2) * line }, { intensity: 0.6 });
+  wall.add('wall-all', 'layer/scene', { x: 2.2 * column, y: 0 }, { ambient: 0.8, shadows: false });
+  for (const { name } of SECTIONS) wall.wire(`${name}-all.objects -> wall-all.objects`);
+  wall.wire('stand-board.objects -> wall-all.objects');
+  wall.wire('sun-all.lights -> wall-all.lights');
+  wall.frame('Values, pulses, controls and techniques: cells of one scene', {
+    x: -30,
+    y: -60,
+    width: 3.2 * column + 60,
+    height: (SECTIONS.length + 3) * line + 60,
+  });
+
+  const left = 3.8 * column;
+  let below = 'wall-all.layer';
+  LAYERS.forEach(([name], i) => {
+    wall.add(`${name}-all`, `graph/${name}`, { x: left, y: (i + 1) * line });
+    wall.add(`over-${name}`, 'operator/over', { x: left + (i + 1.3) * column, y: 0 });
+    wall.wire(`${name}-all.layer -> over-${name}.top`);
+    wall.wire(`${below} -> over-${name}.bottom`);
+    below = `over-${name}.layer`;
+  });
+  // Six of its layers are pictures of their own: with four samples each, a phone would keep some 400 MB for them.
   wall.add(
-    `shown-${key}`,
-    `graph/${SHOWN_BY[kind]}`,
-    { x: x + 3 * CELL_PX.node, y },
-    kind === 'color' ? { footM } : { footM, color: [...color] },
+    'screen-all',
+    'output/screen',
+    { x: left + (LAYERS.length + 1.6) * column, y: 0 },
+    {
+      antialias: false,
+      aroundHeightM: MIDDLE_M[1],
+      aroundAheadM: -MIDDLE_M[2],
+      aroundDistanceM: 1.55,
+    },
   );
-  wall.wire(`${outputOf(output)} -> shown-${key}.${kind}`);
-  wall.frame(cell.title, { x: x - 30, y: y - 60, width: 4 * CELL_PX.node, height: CELL_PX.y - 80 });
-  return `shown-${key}.objects`;
+  wall.wire(`${below} -> screen-all.layer`);
+  wall.frame('Lights and layers: each a picture of its own, laid over those before', {
+    x: left - 30,
+    y: -60,
+    width: (LAYERS.length + 2.6) * column + 60,
+    height: (LAYERS.length + 1.4) * line + 60,
+  });
 }
 
-/** In heights of a rail: `cell` sizes them and puts them where they belong. */
-function addBallOnRail(wall: GalleryBuilder): void {
-  wall.into(SHOWN_BY.height);
-  wall.add('lift-one', 'value/make-vector3', { x: 0, y: 200 });
-  wall.add('ball-one', 'objects/primitive', { x: 0, y: 0 }, { shape: 'sphere', sizeM: [0.24, 0.24, 0.24], roughness: 1 });
-  wall.add('move-one', 'objects/transform', { x: 270, y: 0 });
-  wall.add('rail-one', 'objects/primitive', { x: 0, y: 400 }, { sizeM: [0.05, 1, 0.05], color: [0.2, 0.21, 0.24, 1], roughness: 1 });
-  wall.add('upright-one', 'objects/transform', { x: 270, y: 400 }, { positionM: [0, 0.5, 0] });
-  wall.add('cell-one', 'objects/transform', { x: 540, y: 0 }, { scale: RAIL_M });
-  wall.wire('lift-one.vector -> move-one.positionM');
-  wall.wire('ball-one.objects -> move-one.objects');
-  wall.wire('rail-one.objects -> upright-one.objects');
-  wall.wire('move-one.objects -> cell-one.objects');
-  wall.wire('upright-one.objects -> cell-one.objects');
-  wall.show('inputs', 'height', 'lift-one.y');
-  wall.show('inputs', 'color', 'ball-one.color');
-  wall.show('inputs', 'footM', 'cell-one.positionM');
-  wall.show('outputs', 'objects', 'cell-one.objects');
-}
-
-function addBall(wall: GalleryBuilder): void {
-  wall.into(SHOWN_BY.place);
-  wall.add('ball-one', 'objects/primitive', { x: 0, y: 0 }, { shape: 'sphere', sizeM: [0.24, 0.24, 0.24], roughness: 1 });
-  wall.add('move-one', 'objects/transform', { x: 270, y: 0 });
-  wall.add('middle-one', 'objects/transform', { x: 540, y: 0 }, { positionM: [0, 0.5, 0] });
-  wall.add('cell-one', 'objects/transform', { x: 810, y: 0 }, { scale: RAIL_M });
-  wall.wire('ball-one.objects -> move-one.objects');
-  wall.wire('move-one.objects -> middle-one.objects');
-  wall.wire('middle-one.objects -> cell-one.objects');
-  wall.show('inputs', 'place', 'move-one.positionM');
-  wall.show('inputs', 'color', 'ball-one.color');
-  wall.show('inputs', 'footM', 'cell-one.positionM');
-  wall.show('outputs', 'objects', 'cell-one.objects');
-}
-
-function addBox(wall: GalleryBuilder): void {
-  wall.into(SHOWN_BY.color);
-  wall.add('box-one', 'objects/primitive', { x: 0, y: 0 }, { sizeM: [0.7, 0.7, 0.7], roughness: 1 });
-  wall.add('middle-one', 'objects/transform', { x: 270, y: 0 }, { positionM: [0, 0.5, 0] });
-  wall.add('cell-one', 'objects/transform', { x: 540, y: 0 }, { scale: RAIL_M });
-  wall.wire('box-one.objects -> middle-one.objects');
-  wall.wire('middle-one.objects -> cell-one.objects');
-  wall.show('inputs', 'color', 'box-one.color');
-  wall.show('inputs', 'footM', 'cell-one.positionM');
-  wall.show('outputs', 'objects', 'cell-one.objects');
-}
-
-/** So that positions are written in few digits. */
-function round(metres: number): number {
-  return Math.round(metres * 1000) / 1000;
+/** Dark, so that all is seen before any room. */
+function addBoard(wall: GalleryBuilder, y: number): void {
+  const { behindM, marginM, thickM } = BOARD;
+  wall.add(
+    'shape-board',
+    'objects/primitive',
+    { x: 0, y },
+    {
+      sizeM: [WALL_M.width + 2 * marginM, WALL_M.height + 2 * marginM, thickM],
+      color: [0.12, 0.13, 0.16, 1],
+      roughness: 1,
+    },
+  );
+  wall.add('stand-board', 'objects/transform', { x: NODE_PX.x, y }, { positionM: [...moved(MIDDLE_M, 0, 0, -behindM)] });
+  wall.wire('shape-board.objects -> stand-board.objects');
 }

@@ -4,7 +4,7 @@ import { saveProject } from '../../export/graph/save.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { ToolMain } from '../lib/tool.ts';
-import { makeGallery } from './gallery.ts';
+import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeFilm } from './make-film.ts';
 import { makePinwheel } from './pinwheel.ts';
 import { makeRobot } from './robot.ts';
@@ -15,8 +15,13 @@ const ROBOT_PATHS = ['examples/first-light/assets/robot.glb', 'examples/template
 
 const PINWHEEL_PATHS = ['nodes/source/model/example/assets/pinwheel.glb'];
 
-const SKY_PATHS = ['nodes/source/panorama/example/assets/sky.hdr', 'nodes/light/environment/example/assets/sky.hdr'];
-const FILM_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
+const SKY_PATHS = [
+  'nodes/source/panorama/example/assets/sky.hdr',
+  'nodes/light/environment/example/assets/sky.hdr',
+  `examples/gallery/assets/${GALLERY_FILES.sky}`,
+];
+const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
+const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
 
 /** Makes the files of examples that nobody drew by hand. */
 export const main: ToolMain = async (_args, { root }) => {
@@ -24,7 +29,8 @@ export const main: ToolMain = async (_args, { root }) => {
   await placeGallery(root);
   await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());
-  await place(root, FILM_PATHS, await makeFilm(root));
+  await place(root, BALL_PATHS, await makeFilm(root, 'makeBall'));
+  await place(root, STRIPES_PATHS, await makeFilm(root, 'makeStripes'));
   return 0;
 };
 

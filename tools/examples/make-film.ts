@@ -5,8 +5,8 @@ import { startBrowser } from '../../app/services/start-browser.ts';
 /** WebCodecs are there for secure pages alone; nothing is ever asked of this address. */
 const ADDRESS = 'https://film.invalid/';
 
-/** Encodes the example film in the pinned browser, which gives the same bytes each time. */
-export async function makeFilm(root: string): Promise<Uint8Array> {
+/** Encodes an example film in the pinned browser, which gives the same bytes each time. */
+export async function makeFilm(root: string, film: 'makeBall' | 'makeStripes'): Promise<Uint8Array> {
   const found = await findChromium({ pinnedOnly: true });
   if (!found) throw new Error('The pinned Chromium is missing: run `npm ci` on Linux x64.');
   const browser = await startBrowser(found);
@@ -15,7 +15,7 @@ export async function makeFilm(root: string): Promise<Uint8Array> {
     await page.route(ADDRESS, (route) => route.fulfill({ contentType: 'text/html', body: '<!doctype html><title>film</title>' }));
     await page.goto(ADDRESS);
     await page.addScriptTag({ content: await bundleScript(root, 'tools/examples/film.page.ts', 'film') });
-    const bytes = await page.evaluate('film.makeFilm()');
+    const bytes = await page.evaluate(`film.${film}()`);
     return Uint8Array.from(bytes as number[]);
   } finally {
     await browser.close();

@@ -52,12 +52,13 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const layers = describeLayers(order);
   const uses = countUses(live);
   const plan = planScreen(graph, screen, layers, uses);
-  const samples = readScreen(screen).antialias ? DRAW_SAMPLES : 1;
+  const { antialias, around } = readScreen(screen);
+  const samples = antialias ? DRAW_SAMPLES : 1;
   const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
   const demand = findDemand(graph, live, startOf(plan), (hidden) => uses.get(portKey(hidden)) === 1);
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   if (hasErrors(lowering.diagnostics)) return { output: null, diagnostics: lowering.diagnostics };
-  const presentation = presentationOf(plan, lowering);
+  const presentation: Presentation = { ...presentationOf(plan, lowering), ...(around && { around }) };
 
   const taps = linkableTaps(lowering, checked);
   const behind = nodesBehind(

@@ -5,7 +5,11 @@ import { startValue } from './slots.ts';
 export interface ScreenOptions {
   readonly antialias: boolean;
   readonly background: Presentation['background'];
+  /** Absent where the designer has not said. */
+  readonly around?: NonNullable<Presentation['around']>;
 }
+
+const AROUND = ['aroundHeightM', 'aroundAheadM', 'aroundDistanceM'] as const;
 
 /** What the screen's own params say. They are fixed before a session starts, so the program holds them as they are. */
 export function readScreen(screen: FlatNode): ScreenOptions {
@@ -15,5 +19,11 @@ export function readScreen(screen: FlatNode): ScreenOptions {
   };
   const color = read('color');
   const [r = 0, g = 0, b = 0, a = 1] = typeof color === 'object' ? color : [];
-  return { antialias: read('antialias') !== false, background: read('background') === 'color' ? [r, g, b, a] : 'world' };
+  const [heightM = 0, aheadM = 0, distanceM = 0] = AROUND.map((name) => Number(read(name) ?? 0));
+  const said = AROUND.some((name) => read(name) !== screen.definition.params[name]?.default);
+  return {
+    antialias: read('antialias') !== false,
+    background: read('background') === 'color' ? [r, g, b, a] : 'world',
+    ...(said && { around: { targetWorld: [0, heightM, 0 - aheadM], distanceM } }),
+  };
 }

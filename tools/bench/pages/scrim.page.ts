@@ -13,7 +13,7 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   canvas.style.width = `${widthPx}px`;
   canvas.style.height = `${heightPx}px`;
   document.body.append(canvas);
-  const { antialias } = program.presentation;
+  const { antialias, around } = program.presentation;
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
   if (!gl) throw new Error('The browser has no WebGL 2.');
   const clock = createManualClock();
@@ -32,7 +32,7 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
       if (error) throw new Error(error.message);
     },
   });
-  const session = createOrbitSession({ gl, canvas, clock });
+  const session = createOrbitSession({ gl, canvas, clock, ...(around && { start: around }) });
   await player.ready;
   player.setSession(session);
   session.start(

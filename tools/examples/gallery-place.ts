@@ -1,0 +1,38 @@
+/** Height of a rail, and from cell to cell, metres: so that a phone held upright, whose view is 30° wide, sees the wall whole. */
+export const RAIL_M = 0.083;
+const PITCH_M = 0.13;
+const COLUMNS = 6;
+const ROWS = 9;
+
+/** Middle of the wall: a little below the eyes of who stands at the origin, and as far away as one would stand. */
+export const MIDDLE_M = [0, 1.3, -1.6] as const;
+
+export const WALL_M = { width: COLUMNS * PITCH_M, height: ROWS * PITCH_M } as const;
+
+export type Place = readonly [xM: number, yM: number, zM: number];
+
+/** Name of a cell: its row as a letter and its column from 1. Ids of its nodes end with it. */
+export function cellKey(row: number, column: number): string {
+  return `${'abcdefghi'[row]}${column + 1}`;
+}
+
+/** Its middle; that of `columns` cells in a row, where one takes the place of several. */
+export function cellMiddleM(row: number, column: number, columns = 1): Place {
+  const [x, y, z] = MIDDLE_M;
+  const right = column + (columns - 1) / 2 - (COLUMNS - 1) / 2;
+  return [round(x + right * PITCH_M), round(y + ((ROWS - 1) / 2 - row) * PITCH_M), z];
+}
+
+/** Where the foot of its rail stands. */
+export function cellFootM(row: number, column: number): Place {
+  return moved(cellMiddleM(row, column), 0, -RAIL_M / 2, 0);
+}
+
+export function moved([x, y, z]: Place, rightM: number, upM: number, nearM: number): Place {
+  return [round(x + rightM), round(y + upM), round(z + nearM)];
+}
+
+/** So that positions are written in few digits. */
+function round(metres: number): number {
+  return Math.round(metres * 10_000) / 10_000;
+}
