@@ -125,6 +125,10 @@ export interface TechniqueResource {
   /** Draws of each object, in order. */
   readonly passes: readonly TechniquePass[];
   readonly uniforms: readonly TechniqueUniform[];
+  /** Colours of layers that it reads, if any; draws with it name them among their reads. */
+  readonly samplers?: readonly PassSampler[];
+  /** Pictures that it brings along, by the name of their uniform: base64 of a PNG with its mip levels side by side. */
+  readonly pictures?: readonly { readonly name: string; readonly data: string }[];
 }
 
 export interface TechniquePass {

@@ -8,6 +8,7 @@ import { COPY_SHADER } from './gl/copy-shader.ts';
 import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
 import { createLoopProbe, type LoopProbe } from './gl/loop-probe.ts';
 import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
+import { createPictureStore, type PictureStore } from './gl/picture-store.ts';
 import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
 import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
@@ -25,6 +26,7 @@ export interface Engine {
   /** For programs with bounded loops: made when first asked for, and kept. */
   loopProbe(): LoopProbe;
   readonly assets: AssetStore;
+  readonly pictures: PictureStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
   readonly host: NodeHost;
@@ -83,6 +85,7 @@ export function createEngine(options: EngineOptions): Engine {
       return probe;
     },
     assets,
+    pictures: createPictureStore(objects),
     clock,
     state,
     host: {

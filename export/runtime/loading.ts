@@ -1,5 +1,4 @@
 import type { Program } from '../program/program.ts';
-import type { AssetHold } from './assets/asset-store.ts';
 import type { Engine } from './engine.ts';
 import type { GlProgram, ShaderError } from './gl/program-cache.ts';
 
@@ -24,13 +23,15 @@ const POLL_S = 0.004;
 export function loadProgram(engine: Engine, program: Program): Loading {
   const glPrograms = program.shaders.map((shader) => engine.programs.acquire(shader));
   const assets = engine.assets.hold(program.assets);
+  const pictures = engine.pictures.hold(program);
   let cancelled = false;
   const release = (): void => {
     for (const glProgram of glPrograms.splice(0)) engine.programs.release(glProgram);
     assets.release();
+    pictures.release();
   };
   return {
-    done: wait(engine, glPrograms, assets, () => cancelled).then((ready) => {
+    done: wait(engine, glPrograms, [assets.settled, pictures.settled], () => cancelled).then((ready) => {
       if (!ready) return null;
       return { program, glPrograms: [...glPrograms], errors: glPrograms.flatMap((p) => p.errors), release };
     }),
@@ -42,13 +43,18 @@ export function loadProgram(engine: Engine, program: Program): Loading {
   };
 }
 
-async function wait(engine: Engine, glPrograms: readonly GlProgram[], assets: AssetHold, cancelled: () => boolean): Promise<boolean> {
+async function wait(
+  engine: Engine,
+  glPrograms: readonly GlProgram[],
+  loaded: readonly Promise<void>[],
+  cancelled: () => boolean,
+): Promise<boolean> {
   for (;;) {
     engine.programs.poll();
     const linking = engine.copy.state === 'linking' || glPrograms.some((p) => p.state === 'linking');
     if (cancelled() || !linking) break;
     await engine.clock.delay(POLL_S);
   }
-  await assets.settled;
+  await Promise.all(loaded);
   return !cancelled();
 }

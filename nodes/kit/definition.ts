@@ -193,7 +193,7 @@ export type Migration = (params: SavedParams) => SavedParams;
 /** Where definitions and shader texts come from: the generated library, with a project's own shaders before it. */
 export interface NodeLibrary {
   definition(type: string): NodeDefinition | undefined;
-  /** ISF source of an `image` lowering. */
+  /** ISF source of an `image` lowering, the text of a technique or chunk, or a picture that techniques carry, as base64. */
   shader(name: string): string | undefined;
   types(): Iterable<string>;
 }

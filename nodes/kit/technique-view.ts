@@ -20,6 +20,23 @@ export interface TechniqueView {
   readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' }[];
   /** Live values: read them every frame. Colours are display-referred, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
+  /** Layers and pictures that its text reads, by the name of their uniform. */
+  readonly images: readonly TechniqueImageView[];
+}
+
+export interface TechniqueImageView {
+  readonly name: string;
+  /** What a view reads; valid until the next call. Its pixels are there when the objects are drawn, not before. */
+  at(viewIndex: number, viewWidthPx: number, viewHeightPx: number): TechniqueImage;
+}
+
+export interface TechniqueImage {
+  /** Null where there is nothing: it reads as transparent. */
+  readonly texture: WebGLTexture | null;
+  /** Column-major 3×3: texture UV from view UV, for layers. */
+  readonly uvFromViewUv: Readonly<Float32Array>;
+  readonly widthPx: number;
+  readonly heightPx: number;
 }
 
 export type TechniqueUniformView = { readonly name: string } & (

@@ -20,13 +20,13 @@ export interface Found {
   readonly nodes: readonly NodeFolder[];
   /** Runtimes of `nodes/binding/`, which play what params are bound to; no node types. */
   readonly bindings: readonly string[];
-  /** ISF files and techniques, which are nodes by themselves, and the chunks that techniques include. */
+  /** ISF files and techniques, which are nodes by themselves, and the chunks and pictures (as base64) that techniques take in. */
   readonly library: readonly ShaderFile[];
   /** Shaders that a node's definition names. */
   readonly nodeShaders: readonly ShaderFile[];
 }
 
-const LIBRARY_FOLDERS = ['filters', 'operators', 'generators', 'techniques', 'chunks'] as const;
+const LIBRARY_FOLDERS = ['filters', 'operators', 'generators', 'techniques', 'chunks', 'pictures'] as const;
 
 /** What the folders hold; a folder counts as a node once it has a definition. Sorted, so that the answer is the same everywhere. */
 export async function findNodes(root: string): Promise<Found> {
@@ -51,14 +51,21 @@ async function readLibrary(root: string): Promise<ShaderFile[]> {
   const perFolder = await Promise.all(
     LIBRARY_FOLDERS.map(async (kind) => (await listFiles(join(base, kind))).map((name) => `${kind}/${name}`)),
   );
-  return readShaders(base, perFolder.flat().filter(isShader));
+  return readShaders(
+    base,
+    perFolder.flat().filter((path) => isShader(path) || isPicture(path)),
+  );
 }
 
 function readShaders(base: string, names: readonly string[]): Promise<ShaderFile[]> {
-  return Promise.all(names.map(async (name) => ({ name, text: await readFile(join(base, name), 'utf8') })));
+  return Promise.all(names.map(async (name) => ({ name, text: await readFile(join(base, name), isPicture(name) ? 'base64' : 'utf8') })));
 }
 
 /** `.vs` is the vertex shader that ISF lets stand beside a `.fs` of the same name; `.glsl` are techniques and chunks. */
 function isShader(path: string): boolean {
   return path.endsWith('.fs') || path.endsWith('.vs') || path.endsWith('.glsl');
+}
+
+function isPicture(path: string): boolean {
+  return path.endsWith('.png');
 }

@@ -57,10 +57,11 @@ function linkTechniqueFile(source: string, file: string): LinkedFile {
   const options = { chunkOf: (name: string) => LIBRARY.shader(`chunks/${name}.glsl`), loopBudget: true };
   const linked = read.output && linkTechnique(read.output, options);
   const trial = linked?.output?.trial;
+  const samplers = (linked?.output?.samplers ?? []).map(({ name }) => ({ name, isDepth: false }));
   return {
     file,
     source,
-    passes: trial ? [{ shader: trial, job: { shader: trial, passIndex: 0, uniforms: [], samplers: [] } }] : [],
+    passes: trial ? [{ shader: trial, job: { shader: trial, passIndex: 0, uniforms: [], samplers } }] : [],
     diagnostics: [...read.diagnostics, ...(linked?.diagnostics ?? [])],
   };
 }

@@ -17,8 +17,8 @@ interface Entry {
   readonly source: string;
   readonly technique: Result<TechniqueShader>;
   definition: Result<NodeDefinition> | null;
-  /** By whether loops are bounded. */
-  readonly texts: Map<boolean, Result<TechniqueText>>;
+  /** By whether loops are bounded, and what has no wire. */
+  readonly texts: Map<string, Result<TechniqueText>>;
 }
 
 export function createTechniqueStore(): TechniqueStore {
@@ -41,8 +41,9 @@ export function createTechniqueStore(): TechniqueStore {
     },
     link: (file, source, options) => {
       const { technique, texts } = entryOf(file, source);
-      const text = texts.get(options.loopBudget) ?? linkText(technique, options);
-      texts.set(options.loopBudget, text);
+      const key = `${options.loopBudget};${options.absent?.join() ?? ''}`;
+      const text = texts.get(key) ?? linkText(technique, options);
+      texts.set(key, text);
       return text;
     },
   };

@@ -24,12 +24,8 @@ const FIT: ChoiceParam = {
  */
 export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
   const access = findAccess(shader);
-  const inputs: Record<string, InputPort> = {};
+  const inputs = portsOf(shader.inputs);
   const params = paramsOf(shader.inputs);
-  for (const input of shader.inputs) {
-    const port = portOf(input);
-    if (port !== null) inputs[input.name] = port;
-  }
   if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = FIT;
   const title = shader.title ?? titleFrom(name);
   return {
@@ -50,6 +46,16 @@ export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
 /** `filters/gaussian-blur.fs` → `gaussian-blur`. */
 export function shaderName(file: string): string {
   return file.slice(file.lastIndexOf('/') + 1).replace(/\.(fs|frag|glsl)$/, '');
+}
+
+/** Inputs that only a wire can fill, by name. */
+export function portsOf(inputs: readonly IsfInput[]): Record<string, InputPort> {
+  return Object.fromEntries(
+    inputs.flatMap((input) => {
+      const port = portOf(input);
+      return port === null ? [] : [[input.name, port]];
+    }),
+  );
 }
 
 function portOf(input: IsfInput): InputPort | null {

@@ -2,26 +2,36 @@
  * What a technique is written against, as GLSL that the checker reads before the author's text. In the printed text every name
  * in it has the prefix `a_`, and the one who draws defines it (`export/runtime/scenes/materials/technique-wrapper.ts`).
  *
- * Positions are in metres and directions of unit length, in world space; colours are linear-sRGB with straight alpha.
+ * Positions are in metres and directions of unit length, in world space; colours are linear-sRGB with straight alpha. `rest` is
+ * where the point is on the object itself, in metres along the object's own axes, before bones move it. `outward` is for outlines:
+ * moving each vertex by it moves all faces that meet there by one, so that no gaps open at hard edges.
  */
-export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; };
-struct Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; };
+export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
+struct Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
 struct Light { vec3 towards; vec3 radiance; float lit; };
 vec3 EYE;
 vec3 AMBIENT;
 int LIGHT_COUNT;
 int PASSINDEX;
+float TIME;
+vec2 RENDERSIZE;
 Light LIGHT(const in int index);
+vec2 VIEW_UV(const in vec3 position);
+float VIEW_DEPTH(const in vec3 position);
+float PIXEL_M(const in vec3 position);
 `;
 
 /**
- * The structs and what gives a light, as both stages declare them; `LIGHT` is for the surface alone. Where the author discards, the
- * text sets `scrim_discarded` and returns.
+ * The structs and functions, as both stages declare them; `LIGHT` is for the surface alone. Where the author discards, the text
+ * sets `scrim_discarded` and returns.
  */
-export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; };
-struct a_Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; };
+export const PRINTED_STRUCTS = `struct a_Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };
+struct a_Surface { vec3 position; vec3 normal; vec3 towardsEye; vec2 uv; vec4 color; bool front; vec3 rest; vec3 restNormal; };
 struct a_Light { vec3 towards; vec3 radiance; float lit; };
 a_Light a_LIGHT(const in int index);
+vec2 a_VIEW_UV(const in vec3 position);
+float a_VIEW_DEPTH(const in vec3 position);
+float a_PIXEL_M(const in vec3 position);
 bool scrim_discarded = false;`;
 
 export const INTERFACE_LINES = TECHNIQUE_INTERFACE.split('\n').length - 1;

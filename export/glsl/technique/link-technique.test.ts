@@ -1,10 +1,10 @@
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
 import { linkTechnique } from './link-technique.ts';
 import { readTechnique } from './read-technique.ts';
 
 const text = (name: string) => readFileSync(new URL(`../../../shader-library/${name}`, import.meta.url), 'utf8');
-const chunkOf = (name: string) => (name === 'light/strength' ? text('chunks/light/strength.glsl') : undefined);
+const chunkOf = (name: string) => (name.startsWith('no/') ? undefined : text(`chunks/${name}.glsl`));
 
 function link(source: string, file = 'techniques/test.glsl') {
   const { output, diagnostics } = readTechnique(source, file);
@@ -48,14 +48,28 @@ vec4 surface(const in Surface s) { return vec4(s.color.rgb * tint.rgb, 1.0); }`)
   test('with chunks, each once, and every printed line knows its file and line', () => {
     const { trial } = linked(text('techniques/toon.glsl'));
     const map = trial.sourceMap;
-    expect(map?.sources).toEqual(['techniques/test.glsl', 'chunks/light/strength.glsl']);
+    expect(map?.sources).toEqual(['techniques/test.glsl', 'chunks/light/received.glsl', 'chunks/light/strength.glsl']);
     const lines = trial.fragment.split('\n');
     expect(lines.filter((line) => line.includes('float a_lightStrength('))).toHaveLength(1);
     const at = (word: string) => map?.lines[lines.findIndex((line) => line.includes(word))];
-    expect(at('return dot(light.radiance')).toEqual([1, 3, expect.any(Number)]);
+    expect(at('return dot(light.radiance')).toEqual([2, 3, expect.any(Number)]);
     const author = text('techniques/toon.glsl').split('\n');
-    const wanted = author.findIndex((line) => line.includes('if (outlineM <= 0.0) discard;')) + 1;
+    const wanted = author.findIndex((line) => line.includes('if (outlinePx <= 0.0) discard;')) + 1;
     expect(at('scrim_discarded = true')?.slice(0, 2)).toEqual([0, wanted]);
+  });
+
+  test('with layers and pictures that it reads, linear, and without those that have no wire', () => {
+    const header = `/*{ "INPUTS": [{ "NAME": "behind", "TYPE": "image" }, { "NAME": "other", "TYPE": "image", "OPTIONAL": true }],
+"IMPORTED": { "strokes": { "PATH": "pictures/hatching-light.png" } } }*/`;
+    const body = `${header}
+vec4 surface(const in Surface s) { return IMG_THIS_PIXEL(behind) + IMG_NORM_PIXEL(other, VIEW_UV(s.position)) + texture(strokes, s.uv); }`;
+    const { output: read } = readTechnique(body, 'techniques/test.glsl');
+    const { output } = read ? linkTechnique(read, { chunkOf, loopBudget: false, absent: ['other'] }) : { output: null };
+    expect(output?.samplers).toEqual([{ name: 'a_behind', input: 'behind' }]);
+    expect(output?.pictures).toEqual([{ name: 'a_strokes', path: 'pictures/hatching-light.png' }]);
+    expect(output?.fragment).toContain('scrim_linear(scrim_straight(textureLod(a_behind, at, 0.0)))');
+    expect(output?.fragment).toContain('vec4 a_other_at(vec2 uv) { return vec4(0.0); }');
+    expect(output?.vertex).not.toContain('sampler2D');
   });
 
   test('as the README teaches it', () => {
@@ -65,13 +79,20 @@ vec4 surface(const in Surface s) { return vec4(s.color.rgb * tint.rgb, 1.0); }`)
     expect(linked(taught ?? '').uniforms.map(({ param }) => param)).toEqual(['tint']);
   });
 
-  test.each(['gooch', 'toon'])('%s, as it ships', (name) => {
-    const { diagnostics } = link(text(`techniques/${name}.glsl`), `techniques/${name}.glsl`);
+  test.each(readdirSync('shader-library/techniques'))('%s, as it ships', (name) => {
+    const { diagnostics } = link(text(`techniques/${name}`), `techniques/${name}`);
     expect(diagnostics).toEqual([]);
   });
 });
 
 describe('what is wrong with a technique is said on its line', () => {
+  test('where it asks a layer for its depth', () => {
+    const { diagnostics } = link(
+      '/*{ "INPUTS": [{ "NAME": "a", "TYPE": "image" }] }*/\nvec4 surface(const in Surface s) { return vec4(LAYER_DEPTH(a, s.uv)); }',
+    );
+    expect(diagnostics).toEqual([expect.objectContaining({ code: 'SCR043', message: expect.stringContaining('not its depth') })]);
+  });
+
   test.each([
     ['vec4 other() { return vec4(1.0); }', 1, 'The technique has no "vec4 surface(const in Surface s) { … }".'],
     ['vec4 surface(vec3 s) { return vec4(1.0); }', 2, '"surface" has to return vec4 and take one Surface.'],
@@ -90,7 +111,7 @@ describe('what is wrong with a technique is said on its line', () => {
 
   test('and of its header', () => {
     const { diagnostics } = readTechnique(
-      '/*{ "INPUTS": [\n{ "NAME": "a", "TYPE": "image" }],\n"PASSES": [{ "SIDE": "up" }] }*/',
+      '/*{ "INPUTS": [\n{ "NAME": "a", "TYPE": "audio" }],\n"PASSES": [{ "SIDE": "up" }] }*/',
       'x.glsl',
     );
     expect(diagnostics.map(({ code, line }) => [code, line])).toEqual([

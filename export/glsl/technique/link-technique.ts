@@ -4,6 +4,7 @@ import type { LinkedShader, PassUniform, SourceMap } from '../../program/program
 import { type CheckedShader, checkShader } from '../check/check-shader.ts';
 import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
 import { hashText } from '../link/hash.ts';
+import type { Image } from '../link/images.ts';
 import { createLineWriter } from '../link/line-writer.ts';
 import { printAuthorsText } from '../link/link-pass.ts';
 import { createNames, type Names } from '../link/names.ts';
@@ -16,6 +17,7 @@ import { parseShader } from '../syntax/parse.ts';
 import { GlslError, type Place } from '../syntax/token.ts';
 import { type ExpandedText, expandIncludes } from './expand-includes.ts';
 import { INTERFACE_FUNCTION, INTERFACE_LINES, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
+import { techniqueImages, techniqueImageText } from './technique-images.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
 /** A technique's own text for the two stages of whoever draws with it, and a whole shader to try it with. */
@@ -30,6 +32,10 @@ export interface LinkedTechnique {
    */
   readonly trial: LinkedShader;
   readonly uniforms: readonly { readonly name: string; readonly type: PassUniform['type']; readonly param: string }[];
+  /** Uniform name and input of the layers that it reads; `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels) come with it. */
+  readonly samplers: readonly { readonly name: string; readonly input: string }[];
+  /** Uniform name and path of the pictures of the library that it reads. */
+  readonly pictures: readonly { readonly name: string; readonly path: string }[];
 }
 
 interface Unit {
@@ -38,6 +44,7 @@ interface Unit {
   readonly checked: CheckedShader;
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly loopBudget: boolean;
+  readonly absent: ReadonlySet<string>;
 }
 
 export interface TechniqueOptions {
@@ -45,14 +52,16 @@ export interface TechniqueOptions {
   readonly chunkOf: (name: string) => string | undefined;
   /** Gives every invocation one number of rounds for all its loops, so that an endless one ends; for previews. */
   readonly loopBudget: boolean;
+  /** Optional image inputs without a wire. */
+  readonly absent?: readonly string[];
 }
 
 /** SCR041 where the GLSL cannot be read, SCR043 where it asks for what Scrim cannot give. */
-export function linkTechnique(technique: TechniqueShader, { chunkOf, loopBudget }: TechniqueOptions): Result<LinkedTechnique> {
+export function linkTechnique(technique: TechniqueShader, options: TechniqueOptions): Result<LinkedTechnique> {
   let expanded: ExpandedText | null = null;
   try {
-    expanded = expandIncludes(technique.source, technique.file, chunkOf);
-    return { output: linkExpanded(technique, expanded, loopBudget), diagnostics: [] };
+    expanded = expandIncludes(technique.source, technique.file, options.chunkOf);
+    return { output: linkExpanded(technique, expanded, options), diagnostics: [] };
   } catch (error) {
     if (!(error instanceof GlslError)) throw error;
     const { code, message, place } = error;
@@ -61,8 +70,11 @@ export function linkTechnique(technique: TechniqueShader, { chunkOf, loopBudget 
   }
 }
 
-function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, loopBudget: boolean): LinkedTechnique {
-  const given = new Map(technique.inputs.map(({ name, type }) => [name, variableOf(name, INPUT_TYPES[type], 'input')]));
+function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loopBudget, absent }: TechniqueOptions): LinkedTechnique {
+  const given = new Map([
+    ...technique.inputs.map(({ name, type }) => [name, variableOf(name, INPUT_TYPES[type], type === 'image' ? 'image' : 'input')] as const),
+    ...technique.imported.map(({ name }) => [name, variableOf(name, 'sampler2D', 'image')] as const),
+  ]);
   const text = `${TECHNIQUE_INTERFACE}${expanded.text}\n`;
   const parsed = parseShader(`${text}${mainFor(parseShader(text))}`);
   const surface = functionOf(parsed, 'surface', 'vec4', 'Surface');
@@ -70,7 +82,7 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, loopBu
     throw new GlslError({ line: INTERFACE_LINES + 1, column: 1 }, 'The technique has no "vec4 surface(const in Surface s) { … }".');
   const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
   const checked = checkShader(parsed, given);
-  const unit: Unit = { technique, expanded, checked, given, loopBudget };
+  const unit: Unit = { technique, expanded, checked, given, loopBudget, absent: new Set(absent) };
   const names = namesFor(unit);
   const uses = usesOf(unit, checked.main, names);
   if (vertex) refuseLights(unit, vertex);
@@ -81,7 +93,9 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, loopBu
     vertex: `${inVertex?.text ?? PRINTED_STRUCTS}\n${vertex ? '' : 'void a_vertex(inout a_Vertex v) {}\n'}`,
     fragment: `${inFragment.text}\n`,
     trial: trialShader(unit, trial),
-    uniforms: uniformsOf(unit, uses, names).map(({ name, type, param }) => ({ name, type: type as PassUniform['type'], param })),
+    uniforms: uniformsOf(unit, uses.reach, names).map(({ name, type, param }) => ({ name, type: type as PassUniform['type'], param })),
+    samplers: [...uses.reach.images.keys()].flatMap(({ kind, name: input, sampler: name }) => (kind === 'input' ? [{ name, input }] : [])),
+    pictures: [...uses.reach.images.keys()].flatMap(({ kind, buffer: path, sampler: name }) => (kind === 'buffer' ? [{ name, path }] : [])),
   };
 }
 
@@ -114,7 +128,7 @@ function namesFor({ checked, given }: Unit): Names {
     if (declaration.type.struct?.symbol) names.of(declaration.type.struct.symbol);
     for (const { symbol } of declaration.declarators) if (symbol) names.of(symbol);
   }
-  for (const symbol of given.values()) names.of(symbol);
+  for (const symbol of given.values()) if (symbol.role === 'input') names.of(symbol);
   for (const name of ['vertex', 'surface']) for (const symbol of functionSymbols(checked, name)) names.of(symbol);
   return names;
 }
@@ -130,12 +144,18 @@ function isInterface(declaration: ParsedShader['declarations'][number]): boolean
   return line <= INTERFACE_LINES;
 }
 
-function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): Reach {
-  return findReach({ ...unit.checked, main: root }, { passIndex: 0, images: new Map(), names, also: [] });
+interface Uses {
+  readonly reach: Reach;
+  readonly images: ReadonlyMap<string, Image>;
+}
+
+function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): Uses {
+  const images = techniqueImages(unit.technique, unit.absent, names);
+  return { reach: findReach({ ...unit.checked, main: root }, { passIndex: 0, images, names, also: [] }), images };
 }
 
 function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
-  for (const symbol of usesOf(unit, vertex).instances.keys()) {
+  for (const symbol of usesOf(unit, vertex).reach.instances.keys()) {
     if (symbol.name === INTERFACE_FUNCTION)
       throw new GlslError(vertex.name, 'Lights are there in "surface" only, not in "vertex".', 'SCR043');
   }
@@ -159,13 +179,13 @@ interface Stage {
 /** What one function uses of the author's text. */
 function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   const names = namesFor(unit);
-  const reach = usesOf(unit, root, names);
+  const { reach, images } = usesOf(unit, root, names);
   const context: PrintContext = {
     writer: createLineWriter(0),
     names,
     reach,
     passIndex: 0,
-    images: new Map(),
+    images,
     structs: unit.checked.structs,
     loopBudget: unit.loopBudget && reach.hasLoops,
     binding: new Map(),
@@ -190,6 +210,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
     PRINTED_STRUCTS,
     ...(context.loopBudget ? [LOOPS_END] : []),
     ...uniformsOf(unit, reach, names).map(({ name, type }) => `uniform ${type} ${name};`),
+    ...techniqueImageText(reach),
   ]
     .join('\n')
     .split('\n');
@@ -214,9 +235,14 @@ const TRIAL_HEAD = `${FRAGMENT_HEAD}
 uniform vec3 a_EYE;
 uniform vec3 a_AMBIENT;
 uniform int a_LIGHT_COUNT;
-uniform int a_PASSINDEX;`;
+uniform int a_PASSINDEX;
+uniform float a_TIME;
+uniform vec2 a_RENDERSIZE;`;
 
 const TRIAL_TAIL = `a_Light a_LIGHT(const in int index) { return a_Light(a_EYE, a_AMBIENT, 1.0); }
+vec2 a_VIEW_UV(const in vec3 position) { return position.xy; }
+float a_VIEW_DEPTH(const in vec3 position) { return position.z; }
+float a_PIXEL_M(const in vec3 position) { return position.z; }
 void main() {
   a_main();
   scrim_output = vec4(0.0);

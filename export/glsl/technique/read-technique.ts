@@ -1,7 +1,7 @@
 import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import type { TechniquePass } from '../../program/program.ts';
 import { type Header, items, property, readHeader, textOf } from '../isf/header.ts';
-import { readInputs } from '../isf/read-inputs.ts';
+import { isIdentifier, readInputs } from '../isf/read-inputs.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
 /** Each is one more draw of every object. */
@@ -19,6 +19,11 @@ const TAKEN: ReadonlySet<string> = new Set([
   'LIGHT_COUNT',
   'LIGHT',
   'PASSINDEX',
+  'TIME',
+  'RENDERSIZE',
+  'VIEW_UV',
+  'VIEW_DEPTH',
+  'PIXEL_M',
   'vertex',
   'surface',
   'main',
@@ -41,22 +46,56 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
     categories: items(property(header.root, 'CATEGORIES'))
       .map(textOf)
       .filter((category) => category !== null),
-    inputs: readValues(header),
+    inputs: readTaken(header),
+    pictures: readPictures(header),
+    imported: readImported(header),
     passes: readPasses(header),
   };
   return { output: hasErrors(diagnostics) ? null : technique, diagnostics };
 }
 
-/** Inputs that are values; of the others, each is a mistake. */
-function readValues(header: Header): TechniqueShader['inputs'] {
+/** What techniques take; of the others, each is a mistake. */
+const TYPES: readonly string[] = ['bool', 'long', 'float', 'point2D', 'color', 'image'];
+
+function readTaken(header: Header): TechniqueShader['inputs'] {
   const nodes = items(property(header.root, 'INPUTS'));
   return readInputs(header).filter((input) => {
     const node = nodes.find((one) => textOf(property(one, 'NAME'))?.trim() === input.name) ?? header.root;
     if (TAKEN.has(input.name))
       header.error(node, `"${input.name}" is what techniques call something else.`, 'Give the input another name.');
-    else if (['bool', 'long', 'float', 'point2D', 'color'].includes(input.type)) return true;
-    else header.error(node, `The input "${input.name}" is of TYPE "${input.type}", which techniques cannot take yet.`);
+    else if (TYPES.includes(input.type)) return true;
+    else
+      header.error(
+        node,
+        `The input "${input.name}" is of TYPE "${input.type}", which techniques cannot take.`,
+        `Use one of ${TYPES.join(', ')}.`,
+      );
     return false;
+  });
+}
+
+/** Image inputs that are read by a picture's own coordinates, as a texture is, and not by where things are in the view. */
+function readPictures(header: Header): readonly string[] {
+  return items(property(header.root, 'INPUTS')).flatMap((node) => {
+    const space = property(node, 'SPACE');
+    if (space === undefined) return [];
+    const word = textOf(space);
+    if (word !== 'view' && word !== 'picture') header.error(space, 'SPACE has to be "view" or "picture".');
+    return word === 'picture' ? [textOf(property(node, 'NAME'))?.trim() ?? ''] : [];
+  });
+}
+
+function readImported(header: Header): TechniqueShader['imported'] {
+  const list = property(header.root, 'IMPORTED');
+  return (list?.type === 'object' ? (list.children ?? []) : []).flatMap(({ children: [key, value] = [] }) => {
+    const name = textOf(key);
+    const path = textOf(property(value, 'PATH'));
+    if (!key || name === null) return [];
+    if (path === null || !isIdentifier(name) || TAKEN.has(name)) {
+      header.error(key, 'IMPORTED lists pictures of the library: { "strokes": { "PATH": "pictures/strokes.png" } }.');
+      return [];
+    }
+    return [{ name, path, ...header.place(key.offset) }];
   });
 }
 

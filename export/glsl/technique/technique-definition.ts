@@ -1,5 +1,5 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
-import { paramsOf, titleFrom } from '../isf/isf-definition.ts';
+import { paramsOf, portsOf, titleFrom } from '../isf/isf-definition.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
 /** The node type that a technique file is: `gooch` gives `technique/gooch`. */
@@ -11,7 +11,7 @@ export function techniqueDefinition(technique: TechniqueShader, name: string): N
     title,
     doc: technique.description || `${title}, a technique.`,
     ...(technique.categories.length > 0 ? { keywords: technique.categories.map((category) => category.toLowerCase()) } : {}),
-    inputs: {},
+    inputs: portsOf(technique.inputs),
     outputs: { technique: { type: 'technique', label: 'Technique', doc: 'What to draw objects with, for “Apply technique”.' } },
     params: paramsOf(technique.inputs),
     lowering: { kind: 'technique', shader: technique.file },

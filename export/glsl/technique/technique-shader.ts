@@ -12,8 +12,12 @@ export interface TechniqueShader {
   readonly credit: string;
   readonly licence: string;
   readonly categories: readonly string[];
-  /** Numbers, toggles, choices, points and colours. */
+  /** Numbers, toggles, choices, points, colours and images. */
   readonly inputs: readonly IsfInput[];
+  /** Names of the images that are read by their own coordinates; the others are layers as the view shows them. */
+  readonly pictures: readonly string[];
+  /** Pictures of the library that its text reads by name: `pictures/light-strokes.png`. */
+  readonly imported: readonly { readonly name: string; readonly path: string; readonly line: number; readonly column: number }[];
   /** At least one. */
   readonly passes: readonly TechniquePass[];
 }

@@ -1,5 +1,6 @@
 import type { EnvironmentOutput, LayerOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
@@ -47,9 +48,9 @@ function sharedWith(resource: Resource): ResourceId | null {
 }
 
 /** Gives techniques their texts and values of a program that is about to be drawn. */
-export function pointTechniques(program: Program, live: LiveResources, slots: Slots): void {
+export function pointTechniques(program: Program, live: LiveResources, engine: Pick<Engine, 'pictures' | 'state'>, slots: Slots): void {
   for (const resource of program.resources) {
-    if (resource.kind === 'technique') liveResource(live, resource.id, 'technique').technique.point(resource, slots);
+    if (resource.kind === 'technique') liveResource(live, resource.id, 'technique').technique.point(resource, { live, slots, ...engine });
   }
 }
 

@@ -80,6 +80,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       if (proxies.update(objects, outdated)) {
         outdated = false;
         twins.sweep();
+        techniques.sweep();
         lit = proxies.proxies.some(({ object }) => materialsOf(object).some(isLit));
       }
       watchLimits(lightLists);
@@ -90,6 +91,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       view.set(drawView.view);
       lights.bindShadows(shadowMaps);
       occlusion?.bind(drawView);
+      techniques.bind(drawView);
       renderer.draw(drawView, scene, view.camera);
     },
     dispose: () => {

@@ -12,6 +12,10 @@ import type { Step } from './step.ts';
 export function createDrawStep(engine: Engine, operation: DrawOperation, instance: NodeInstance, resources: LiveResources): Step {
   const { gl } = engine.objects;
   const { runtime } = instance;
+  const sampled = operation.reads.flatMap((id) => {
+    const resource = resources.get(id);
+    return resource?.kind === 'target' ? [resource] : [];
+  });
   const destination = operation.target === 'screen' ? null : liveResource(resources, operation.target, 'target');
   if (!runtime.draw) throw new Error(`The node type ${operation.type} has a drawing operation and no draw().`);
   const viewport = { x: 0, y: 0, widthPx: 0, heightPx: 0 };
@@ -40,6 +44,8 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
     run: (state) => {
       const { view, viewIndex } = state;
       if (!view) return;
+      // Before a framebuffer is bound: carries multisampled pictures into the textures that techniques read.
+      for (let i = 0; i < sampled.length; i++) sampled[i]?.target.front(sampled[i]?.domain === 'view' ? viewIndex : 0);
       if (destination) {
         const buffer = destination.target.back(viewIndex);
         clearAll(gl, buffer.framebuffer, buffer.depth !== null);

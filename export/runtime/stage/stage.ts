@@ -53,7 +53,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
   const { state } = engine;
   const slots = createSlots(program.slots);
   const resources = createResources(program, engine.objects, before?.resources ?? null);
-  pointTechniques(program, resources, slots);
+  pointTechniques(program, resources, engine, slots);
   const cast = createCast(engine, program, slots, resources, before?.cast ?? null);
   const runtimes: readonly NodeRuntime[] = [...cast.nodes.values()].map((node) => node.runtime);
   const delays = runtimes.filter((runtime) => runtime.remember !== undefined);

@@ -7,7 +7,7 @@ import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
 function technique(key: string): TechniqueView & { version: number } {
-  return { version: 1, key, vertex: '', fragment: '', passes: [{ side: 'object' }], uniforms: [] };
+  return { version: 1, key, vertex: '', fragment: '', passes: [{ side: 'object' }], uniforms: [], images: [] };
 }
 
 function listOf(...keys: string[]): ObjectList {

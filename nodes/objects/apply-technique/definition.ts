@@ -4,8 +4,8 @@ export const definition = defineNode({
   type: 'objects/apply-technique',
   version: 1,
   title: 'Apply technique',
-  doc: 'Draws objects with a technique instead of their own materials: Gooch, toon, or one of your own. It keeps their colours, pictures, movement and shadows. Objects that stand in several of these nodes are drawn with the last technique that is for their material. Phantoms stay invisible, and lines and points keep their look.',
-  keywords: ['style', 'shader', 'material', 'look', 'override', 'npr', 'toon', 'gooch'],
+  doc: 'Draws objects with a technique instead of their own materials: a cartoon, pen strokes, glass, or one of your own. It keeps their colours, pictures, movement and shadows. Objects that stand in several of these nodes are drawn with the last technique that is for their material. Phantoms stay invisible, and lines and points keep their look.',
+  keywords: ['style', 'shader', 'material', 'look', 'override', 'npr', 'toon', 'gooch', 'hatching', 'charcoal', 'glass'],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'What to draw with it.', required: true, multiple: true },
     technique: { type: 'technique', label: 'Technique', doc: 'How to draw them.', required: true },

@@ -8,6 +8,7 @@ import { isDraw, layerOutput } from '../layers.ts';
 import { startValue } from '../slots.ts';
 import { depthAt } from './lower-depth.ts';
 import { shadowMapsOf } from './lower-shadow-maps.ts';
+import { layersOfTechniques } from './lower-technique.ts';
 import { addResource, addStep, type Lowering, layerAt, resourceAt, valueSteps } from './lowering.ts';
 
 type NodeKind = 'value' | 'source' | 'behaviour' | 'geometry';
@@ -54,7 +55,9 @@ export function lowerDraw(lowering: Lowering, { node, occlusion, target, extra }
   const shadowMaps = shadowMapsOf(lowering, node);
   const base = nodeOperation(lowering, node, id, 'draw');
   const hiding = occlusion && drawOcclusion(lowering, occlusion);
-  const reads = [...base.reads, ...(shadowMaps === null ? [] : [shadowMaps]), ...(hiding ? [hiding.roomDepth] : [])];
+  const styled = layersOfTechniques(lowering, node);
+  const own = [...base.reads, ...(shadowMaps === null ? [] : [shadowMaps]), ...(hiding ? [hiding.roomDepth] : [])];
+  const reads = [...new Set([...own, ...styled])];
   const operation: DrawOperation = {
     ...base,
     kind: 'draw',

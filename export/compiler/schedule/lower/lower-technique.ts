@@ -1,9 +1,12 @@
-import { type FlatNode, portKey } from '../../flat-graph.ts';
-import { addResource, type Lowering } from './lowering.ts';
+import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
+import type { TechniqueShader } from '../../../glsl/technique/technique-shader.ts';
+import type { ResourceId } from '../../../program/program.ts';
+import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
+import { addResource, type Lowering, resourceAt } from './lowering.ts';
 
 /** Once for each node, whoever asks. A technique is no work by itself: its text and where its values are, for those who draw objects with it. */
 export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
-  const { lowering: kind, outputs, params } = node.definition;
+  const { lowering: kind, inputs, outputs, params } = node.definition;
   if (kind.kind !== 'technique') throw new Error(`${node.id} is no technique.`);
   const port = Object.keys(outputs).find((name) => outputs[name]?.type === 'technique');
   const id = portKey({ node: node.id, port: port ?? '' });
@@ -11,7 +14,8 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   const source = lowering.library.shader(kind.shader);
   if (source === undefined) throw new Error(`The library has no technique ${kind.shader}.`);
   const chunkOf = (name: string) => lowering.library.shader(`chunks/${name}.glsl`);
-  const options = { chunkOf, loopBudget: lowering.loopBudget };
+  const absent = Object.keys(inputs).filter((name) => !node.inputs.has(name));
+  const options = { chunkOf, loopBudget: lowering.loopBudget, absent };
   const { output, diagnostics } = lowering.shaders.linkTechnique(kind.shader, source, options);
   lowering.diagnostics.push(...diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
   lowering.resourceOf.set(id, id);
@@ -19,6 +23,16 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   // Every uniform param can be set while running, whether the text uses it or not.
   for (const [name, param] of Object.entries(params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
   const { technique, linked } = output;
+  const samplers = linked.samplers.map(({ name, input }) => sampler(lowering, node, name, input, technique.pictures.includes(input)));
+  const pictures = linked.pictures.flatMap(({ name, path }) => {
+    const data = lowering.library.shader(path);
+    if (data === undefined) lowering.diagnostics.push(missingPicture(node, technique, path));
+    return data === undefined ? [] : [{ name, data }];
+  });
+  lowering.techniqueReads.set(
+    node.id,
+    samplers.map(({ source }) => source.resource),
+  );
   addResource(lowering, {
     id,
     kind: 'technique',
@@ -27,7 +41,55 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
     fragment: linked.fragment,
     passes: technique.passes,
     uniforms: linked.uniforms.map(({ name, type, param }) => ({ name, type, slot: lowering.slots.ofParam(node, param) })),
+    ...(samplers.length > 0 ? { samplers } : {}),
+    ...(pictures.length > 0 ? { pictures } : {}),
   });
+}
+
+function missingPicture({ id }: FlatNode, { file, imported }: TechniqueShader, path: string): Diagnostic {
+  const { line = 1, column = 1 } = imported.find((one) => one.path === path) ?? {};
+  return {
+    code: 'SCR043',
+    severity: 'error',
+    nodeId: id,
+    file,
+    line,
+    column,
+    message: `The library has no picture "${path}".`,
+    fix: 'Make it an input of TYPE "image" and wire a picture to it.',
+  };
+}
+
+/** A layer that is drawn before whatever is drawn with the technique. A picture of its own size is laid onto the view, or is a texture. */
+function sampler(lowering: Lowering, node: FlatNode, name: string, input: string, isPicture: boolean) {
+  const [layer] = sourcesAt(node, input);
+  if (!layer) throw new Error(`The technique ${node.id} reads ${input}, which has no wire.`);
+  const isImage = lowering.layers.get(portKey(layer))?.domain === 'image';
+  return {
+    name,
+    source: { kind: 'color', resource: resourceAt(lowering, layer) },
+    fit: isImage && !isPicture ? 'cover' : 'none',
+  } as const;
+}
+
+/** Layers that the techniques read with which a draw's objects are drawn: through all that leads to the draw but other layers. */
+export function layersOfTechniques({ graph, techniqueReads }: Lowering, draw: FlatNode): ResourceId[] {
+  const reads = new Set<ResourceId>();
+  const behind = new Set([draw]);
+  // The set grows while it is walked.
+  for (const node of behind) {
+    const own = techniqueReads.get(node.id);
+    for (const resource of own ?? []) reads.add(resource);
+    if (own) continue;
+    for (const [port, sources] of node.inputs) {
+      if (node.definition.inputs[port]?.type === 'layer') continue;
+      for (const { node: id } of sources) {
+        const before = graph.nodes.get(id);
+        if (before) behind.add(before);
+      }
+    }
+  }
+  return [...reads];
 }
 
 export function isTechnique({ definition }: FlatNode): boolean {

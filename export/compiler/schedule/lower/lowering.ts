@@ -35,6 +35,8 @@ export interface Lowering {
   readonly computedBy: Map<string, string>;
   /** Delayed image nodes whose pictures are there and are still to be drawn. */
   readonly delayed: FlatNode[];
+  /** Technique → the layers that draws with it read. */
+  readonly techniqueReads: Map<string, readonly ResourceId[]>;
   /** Node → the operations that move params of its own. */
   readonly movedBy: Map<string, string[]>;
   readonly diagnostics: Diagnostic[];
@@ -61,6 +63,7 @@ export function createLowering(
     writerOf: new Map(),
     computedBy: new Map(),
     delayed: [],
+    techniqueReads: new Map(),
     movedBy: new Map(),
     diagnostics: [],
   };

@@ -1,18 +1,24 @@
-import { type IUniform, Material, Vector3 } from 'three';
-import type { NumberView, ObjectItem } from '../../../../nodes/kit/runtime.ts';
+import { type IUniform, Material, Vector2, Vector3 } from 'three';
+import type { DrawView, NumberView, ObjectItem } from '../../../../nodes/kit/runtime.ts';
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { ProxyPlan } from '../proxies/proxy.ts';
 import type { OcclusionPatch } from './occlusion-patch.ts';
+import { ensureOutward } from './outward.ts';
 import { createTechniqueTwin } from './technique-twin.ts';
+import { createTechniqueUniforms, type TechniqueUniforms } from './technique-uniforms.ts';
 import type { TwinCache } from './twins.ts';
 
 /** Plans for the meshes of one scene that are drawn by techniques. */
 export interface TechniquePlans {
   /** Null for what no technique is for. `own` makes the material of parts that keep their own. */
   plan(master: Drawable, item: ObjectItem, depthFirst: number, own: (part: Material) => Material): readonly ProxyPlan[] | null;
+  /** Forgets techniques that no `plan` has asked for since the last call. */
+  sweep(): void;
   /** Takes over this frame's values. */
   update(): void;
+  /** Takes over what belongs to the view; before every draw. */
+  bind(view: DrawView): void;
 }
 
 export interface TechniquePlansOptions {
@@ -22,18 +28,42 @@ export interface TechniquePlansOptions {
   readonly onChange: () => void;
 }
 
+/** Where a technique's text asks for it, which most do not. */
+const OUTWARD = '.outward';
+
+/**
+ * The first pass of all objects is drawn before the second of any: hulls around objects are mostly hidden by then, and what lets
+ * through what is behind it finds that drawn.
+ */
+const PASS_AFTER_PASS = 1e-3;
+
 /** Of a mesh with several materials, those that have no such pass. three leaves out what is not visible. */
 const NOTHING = new Material();
 NOTHING.visible = false;
 
 export function createTechniquePlans({ twins, ambient, occlusion, onChange }: TechniquePlansOptions): TechniquePlans {
   const ambientUniform: IUniform<Vector3> = { value: new Vector3() };
+  const renderSize: IUniform<Vector2> = { value: new Vector2(1, 1) };
+  const ofScene = { scrimAmbient: ambientUniform, a_RENDERSIZE: renderSize };
+  const ofTechniques = new Map<TechniqueView, { readonly key: string } & TechniqueUniforms>();
+
+  const used = new Set<TechniqueView>();
+
+  function uniformsOf(technique: TechniqueView): TechniqueUniforms {
+    used.add(technique);
+    const known = ofTechniques.get(technique);
+    if (known?.key === technique.key) return known;
+    const made = { key: technique.key, ...createTechniqueUniforms(technique) };
+    // Plans are made after the frame's values came.
+    made.update();
+    ofTechniques.set(technique, made);
+    return made;
+  }
 
   function twinOf(part: Material, features: string, technique: TechniqueView, passIndex: number, depthOnly: boolean): Material {
     const variant = `${features}|${technique.key}|${passIndex}${depthOnly ? '|depth' : ''}`;
-    return twins.get(part, variant, () =>
-      createTechniqueTwin(part, { technique, passIndex, depthOnly, ambient: ambientUniform, occlusion, onChange }),
-    );
+    const shared = { ...ofScene, ...uniformsOf(technique).uniforms };
+    return twins.get(part, variant, () => createTechniqueTwin(part, { technique, passIndex, depthOnly, shared, occlusion, onChange }));
   }
 
   return {
@@ -42,6 +72,7 @@ export function createTechniquePlans({ twins, ambient, occlusion, onChange }: Te
       const found = materialsOf(master).map((part) => techniqueFor(part, item));
       const passes = Math.max(...found.map((technique) => technique?.passes.length ?? 0));
       if (passes === 0) return null;
+      if (found.some((technique) => technique?.vertex.includes(OUTWARD))) ensureOutward(master.geometry);
       const features = programFeatures(master);
       const draw = (passIndex: number, depthOnly: boolean): Material | Material[] =>
         mapMaterials(master, (part) => {
@@ -51,15 +82,24 @@ export function createTechniquePlans({ twins, ambient, occlusion, onChange }: Te
         });
       const plans: ProxyPlan[] = [];
       for (let i = 0; i < passes; i++) {
-        plans.push({ material: draw(i, false), renderOrder: master.renderOrder });
+        plans.push({ material: draw(i, false), renderOrder: master.renderOrder + i * PASS_AFTER_PASS });
         // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
         if (occlusion && !materialsOf(master).some((part) => part.transparent))
           plans.push({ material: draw(i, true), renderOrder: depthFirst, shows: occlusion.isSoft });
       }
       return plans;
     },
+    sweep: () => {
+      for (const technique of ofTechniques.keys()) if (!used.has(technique)) ofTechniques.delete(technique);
+      used.clear();
+    },
     update: () => {
       ambientUniform.value.setScalar(ambient.value);
+      for (const { update } of ofTechniques.values()) update();
+    },
+    bind: (view) => {
+      renderSize.value.set(view.viewport.widthPx, view.viewport.heightPx);
+      for (const { bind } of ofTechniques.values()) bind(view);
     },
   };
 }

@@ -12,15 +12,12 @@ import {
   OneMinusSrcAlphaFactor,
   ShaderMaterial,
   type Side,
-  SRGBColorSpace,
   type Texture,
   UniformsLib,
   UniformsUtils,
-  Vector2,
-  type Vector3,
   Vector4,
 } from 'three';
-import type { TechniqueUniformView, TechniqueView } from '../../../../nodes/kit/technique-view.ts';
+import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { techniqueFragment, techniqueVertex } from './technique-wrapper.ts';
 import type { Twin } from './twins.ts';
@@ -30,15 +27,12 @@ export interface TechniqueTwinOptions {
   readonly passIndex: number;
   /** Depth alone, before the colours; a little behind them. */
   readonly depthOnly: boolean;
-  /** Brightness of the surroundings; shared by all techniques of a scene. */
-  readonly ambient: IUniform<Vector3>;
+  /** Values that several materials share: of the technique, and of the view. */
+  readonly shared: Readonly<Record<string, IUniform>>;
   readonly occlusion: ShaderPatch | null;
   /** Called when the master began to need another way of drawing, such as having become transparent. */
   readonly onChange: () => void;
 }
-
-// Read by the call that fills it, before anything else can.
-const scratchColor = new Color();
 
 const SIDES = { front: FrontSide, back: BackSide, both: DoubleSide } as const;
 
@@ -47,8 +41,7 @@ type Master = Material & Partial<Pick<MeshStandardMaterial, 'color' | 'map' | 'f
 
 /** One pass of a technique in the place of the master. Its output is premultiplied and encoded as other twins' are. */
 export function createTechniqueTwin(master: Master, options: TechniqueTwinOptions): Twin {
-  const { technique, passIndex, depthOnly, ambient, occlusion, onChange } = options;
-  const values = technique.uniforms.map(bindUniform);
+  const { technique, passIndex, depthOnly, shared, occlusion, onChange } = options;
   const color = new Vector4();
   const map: IUniform<Texture | null> = { value: null };
   const mapTransform = new Matrix3();
@@ -59,8 +52,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
     lights: true,
     uniforms: {
       ...UniformsUtils.clone(UniformsLib.lights),
-      ...Object.fromEntries(values.map(({ name, uniform }) => [name, uniform])),
-      scrimAmbient: ambient,
+      ...shared,
       scrimColor: { value: color },
       alphaTest: { value: 0 },
       map,
@@ -111,7 +103,6 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
       if (master.map.matrixAutoUpdate) master.map.updateMatrix();
       mapTransform.copy(master.map.matrix);
     }
-    for (const value of values) value.update();
   }
   follow();
   sync();
@@ -124,39 +115,4 @@ const WHITE = new Color(1, 1, 1);
 function sideOf(pass: TechniqueView['passes'][number]['side'], own: Side): Side {
   if (pass === 'object') return own;
   return own === BackSide && pass === 'back' ? FrontSide : SIDES[pass];
-}
-
-interface BoundUniform {
-  readonly name: string;
-  readonly uniform: IUniform;
-  /** Takes over the live value. */
-  update(): void;
-}
-
-/** Colours are linearised: techniques shade in linear light. */
-function bindUniform(source: TechniqueUniformView): BoundUniform {
-  const { name } = source;
-  switch (source.kind) {
-    case 'number': {
-      const uniform = { value: 0 };
-      return { name, uniform, update: () => (uniform.value = source.view.value) };
-    }
-    case 'toggle': {
-      const uniform = { value: false };
-      return { name, uniform, update: () => (uniform.value = source.view.value) };
-    }
-    case 'vector': {
-      const value = new Vector2();
-      return { name, uniform: { value }, update: () => value.fromArray(source.view.value) };
-    }
-    case 'color': {
-      const value = new Vector4();
-      return { name, uniform: { value }, update: () => setLinear(value, source.view.value) };
-    }
-  }
-}
-
-function setLinear(into: Vector4, srgb: Readonly<Float64Array>): void {
-  const { r, g, b } = scratchColor.setRGB(srgb[0] ?? 0, srgb[1] ?? 0, srgb[2] ?? 0, SRGBColorSpace);
-  into.set(r, g, b, srgb[3] ?? 1);
 }

@@ -9,7 +9,9 @@ export function techniqueVertex(text: string, passIndex: number): string {
 #define a_EYE cameraPosition
 #define a_PASSINDEX ${passIndex}
 ${WITHOUT_LIGHTS}
+${OF_BOTH}
 ${text}
+${FUNCTIONS}
 #include <common>
 #include <uv_pars_vertex>
 #include <color_pars_vertex>
@@ -20,6 +22,14 @@ varying vec3 vTechniquePosition;
 varying vec3 vTechniqueNormal;
 varying vec2 vTechniqueUv;
 varying vec4 vTechniqueColor;
+varying vec3 vTechniqueRest;
+varying vec3 vTechniqueRestNormal;
+${text.includes('.outward') ? 'attribute vec3 scrimOutward;' : '#define scrimOutward normal'}
+
+// How long a unit is along each axis of the matrix.
+vec3 scrimScale( const in mat3 m ) {
+  return vec3( length( m[ 0 ] ), length( m[ 1 ] ), length( m[ 2 ] ) );
+}
 
 void main() {
   #include <uv_vertex>
@@ -32,11 +42,21 @@ void main() {
   #include <skinnormal_vertex>
   #include <begin_vertex>
   #include <morphtarget_vertex>
+  vec3 rest = position;
+  vec3 outward = scrimOutward;
+  vec3 restScale = vec3( 1.0 );
+  #ifdef USE_SKINNING
+    // Bones that turn against each other do not change the scale, as their sum would.
+    vec4 boneScales = vec4( length( boneMatX[ 0 ].xyz ), length( boneMatY[ 0 ].xyz ), length( boneMatZ[ 0 ].xyz ), length( boneMatW[ 0 ].xyz ) );
+    restScale = scrimScale( mat3( bindMatrix ) ) * length( bindMatrixInverse[ 0 ].xyz ) * dot( skinWeight, boneScales );
+    outward = mat3( skinMatrix ) * outward;
+  #endif
   #include <skinning_vertex>
   mat4 worldFromVertex = modelMatrix;
   #ifdef USE_INSTANCING
     worldFromVertex = modelMatrix * instanceMatrix;
   #endif
+  restScale *= scrimScale( mat3( worldFromVertex ) );
   a_Vertex vertex;
   vertex.position = ( worldFromVertex * vec4( transformed, 1.0 ) ).xyz;
   vertex.normal = transpose( inverse( mat3( worldFromVertex ) ) ) * objectNormal;
@@ -50,11 +70,19 @@ void main() {
   #if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR )
     vertex.color = vColor;
   #endif
+  vertex.rest = rest * restScale;
+  // Lengths are those of the object at rest: only the direction is turned.
+  vec3 outwardWorld = transpose( inverse( mat3( worldFromVertex ) ) ) * outward;
+  float outwardLength = length( outwardWorld );
+  vertex.outward = outwardLength > 0.0 ? outwardWorld * ( length( scrimOutward ) / outwardLength ) : vertex.normal;
+  scrim_uv = a_VIEW_UV( vertex.position );
   a_vertex( vertex );
   vTechniquePosition = vertex.position;
   vTechniqueNormal = vertex.normal;
   vTechniqueUv = vertex.uv;
   vTechniqueColor = vertex.color;
+  vTechniqueRest = vertex.rest;
+  vTechniqueRestNormal = normal / restScale;
   vec4 worldPosition = vec4( vertex.position, 1.0 );
   vec4 mvPosition = viewMatrix * worldPosition;
   vec3 transformedNormal = mat3( viewMatrix ) * vertex.normal;
@@ -63,6 +91,23 @@ void main() {
 }
 `;
 }
+
+/** Values and positions that both stages have; three sets `projectionMatrix` for whoever declares it. */
+const OF_BOTH = `uniform float a_TIME;
+uniform vec2 a_RENDERSIZE;
+vec2 scrim_uv;`;
+
+/** After the author's text, which knows them by their prototypes. */
+const FUNCTIONS = `vec2 a_VIEW_UV( const in vec3 position ) {
+  vec4 clip = projectionMatrix * ( viewMatrix * vec4( position, 1.0 ) );
+  return clip.w > 0.0 ? clip.xy / clip.w * 0.5 + 0.5 : vec2( - 1.0 );
+}
+float a_VIEW_DEPTH( const in vec3 position ) {
+  return - ( viewMatrix * vec4( position, 1.0 ) ).z;
+}
+float a_PIXEL_M( const in vec3 position ) {
+  return 2.0 * max( a_VIEW_DEPTH( position ), 0.0 ) / ( projectionMatrix[ 1 ][ 1 ] * a_RENDERSIZE.y );
+}`;
 
 /** There are none while vertices are placed, and the linker lets nobody ask. */
 const WITHOUT_LIGHTS = `#define a_AMBIENT vec3( 0.0 )
@@ -75,7 +120,10 @@ uniform vec3 scrimAmbient;
 #define a_AMBIENT scrimAmbient
 #define a_PASSINDEX ${passIndex}
 #define a_LIGHT_COUNT ( NUM_POINT_LIGHTS + NUM_SPOT_LIGHTS + NUM_DIR_LIGHTS )
+uniform mat4 projectionMatrix;
+${OF_BOTH}
 ${text}
+${FUNCTIONS}
 #include <common>
 #include <packing>
 #include <color_pars_fragment>
@@ -87,6 +135,8 @@ varying vec3 vTechniquePosition;
 varying vec3 vTechniqueNormal;
 varying vec2 vTechniqueUv;
 varying vec4 vTechniqueColor;
+varying vec3 vTechniqueRest;
+varying vec3 vTechniqueRestNormal;
 // Linear, with the opacity as alpha.
 uniform vec4 scrimColor;
 
@@ -165,6 +215,13 @@ void main() {
   surface.uv = vTechniqueUv;
   surface.color = diffuseColor;
   surface.front = gl_FrontFacing;
+  surface.rest = vTechniqueRest;
+  #ifdef FLAT_SHADED
+    surface.restNormal = normalize( cross( dFdx( vTechniqueRest ), dFdy( vTechniqueRest ) ) );
+  #else
+    surface.restNormal = normalize( vTechniqueRestNormal );
+  #endif
+  scrim_uv = a_VIEW_UV( vTechniquePosition );
   gl_FragColor = clamp( a_surface( surface ), 0.0, 1.0 );
   if ( scrim_discarded ) discard;
   #include <colorspace_fragment>

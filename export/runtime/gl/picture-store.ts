@@ -1,0 +1,96 @@
+import type { Program } from '../../program/program.ts';
+import type { GlObjects } from './gl-objects.ts';
+
+/** Textures of the pictures that techniques carry in their program: each decoded once, freed when nobody holds it. */
+export interface PictureStore {
+  /** What a program carries. `settled` never rejects: a picture that cannot be read stays away. */
+  hold(program: Program): { readonly settled: Promise<void>; release(): void };
+  /** Null while it is decoded, and where it cannot be. */
+  texture(data: string): WebGLTexture | null;
+}
+
+interface Entry {
+  holders: number;
+  texture: WebGLTexture | null;
+  readonly ready: Promise<void>;
+}
+
+export function createPictureStore(objects: GlObjects): PictureStore {
+  const entries = new Map<string, Entry>();
+
+  function enter(data: string): Entry {
+    const made: Entry = {
+      holders: 0,
+      texture: null,
+      ready: decode(data).then(
+        (levels) => {
+          if (made.holders > 0 && !objects.gl.isContextLost()) made.texture = upload(objects, levels);
+          for (const level of levels) level.close();
+        },
+        () => {},
+      ),
+    };
+    entries.set(data, made);
+    return made;
+  }
+
+  function release(data: string): void {
+    const entry = entries.get(data);
+    if (!entry || --entry.holders > 0) return;
+    entries.delete(data);
+    if (entry.texture) objects.deleteTexture(entry.texture);
+  }
+
+  return {
+    hold: ({ resources }) => {
+      const held = resources.flatMap((resource) =>
+        resource.kind === 'technique' ? (resource.pictures ?? []).map(({ data }) => data) : [],
+      );
+      const ready = held.map((data) => {
+        const entry = entries.get(data) ?? enter(data);
+        entry.holders++;
+        return entry.ready;
+      });
+      return {
+        settled: Promise.all(ready).then(() => {}),
+        release: () => {
+          for (const data of held.splice(0)) release(data);
+        },
+      };
+    },
+    texture: (data) => entries.get(data)?.texture ?? null,
+  };
+}
+
+/** The levels of a PNG that has them side by side, the largest first, each a square of half the side before. */
+async function decode(data: string): Promise<readonly ImageBitmap[]> {
+  const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+  // The numbers in the file are what counts, whatever the screen's colours.
+  const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' } as const;
+  const whole = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), options);
+  const levels: Promise<ImageBitmap>[] = [];
+  for (let side = whole.height, x = 0; side >= 1 && x + side <= whole.width; x += side, side >>= 1) {
+    levels.push(createImageBitmap(whole, x, 0, side, side, options));
+  }
+  return Promise.all(levels).finally(() => whole.close());
+}
+
+/** Repeats itself; the levels are as they were drawn, not computed. */
+function upload({ gl, createTexture }: GlObjects, levels: readonly ImageBitmap[]): WebGLTexture {
+  const texture = createTexture();
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+  for (const [level, bitmap] of levels.entries()) gl.texImage2D(gl.TEXTURE_2D, level, gl.RGB, gl.RGB, gl.UNSIGNED_BYTE, bitmap);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAX_LEVEL, levels.length - 1);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.LINEAR);
+  const anisotropy = gl.getExtension('EXT_texture_filter_anisotropic');
+  if (anisotropy) gl.texParameterf(gl.TEXTURE_2D, anisotropy.TEXTURE_MAX_ANISOTROPY_EXT, ANISOTROPY);
+  return texture;
+}
+
+/** Strokes on surfaces seen aslant stay as dark as they are dense, instead of turning into a grey of fewer of them. */
+const ANISOTROPY = 4;

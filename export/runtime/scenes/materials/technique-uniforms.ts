@@ -1,0 +1,76 @@
+import { Color, ExternalTexture, type IUniform, Matrix3, SRGBColorSpace, Vector2, Vector4 } from 'three';
+import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import type { TechniqueImageView, TechniqueUniformView, TechniqueView } from '../../../../nodes/kit/technique-view.ts';
+
+/** Values and images of one technique, shared by all materials that one scene draws with it. */
+export interface TechniqueUniforms {
+  readonly uniforms: Readonly<Record<string, IUniform>>;
+  /** Takes over this frame's values. */
+  update(): void;
+  /** Takes over what the view's images are; before every draw. */
+  bind(view: DrawView): void;
+}
+
+// Read by the call that fills it, before anything else can.
+const scratchColor = new Color();
+
+/** Leads outside of any picture, where everything is transparent: an unbound texture would be black. */
+const NOWHERE = Float32Array.of(0, 0, 0, 0, 0, 0, 9, 9, 1);
+
+export function createTechniqueUniforms(technique: TechniqueView): TechniqueUniforms {
+  const uniforms: Record<string, IUniform> = { a_TIME: { value: 0 } };
+  for (const { name, kind } of technique.uniforms) uniforms[name] = { value: emptyValue(kind) };
+  for (const { name } of technique.images) {
+    uniforms[name] = { value: new ExternalTexture() };
+    uniforms[`${name}_uvFromViewUv`] = { value: new Matrix3() };
+    uniforms[`${name}_size`] = { value: new Vector2() };
+  }
+  return {
+    uniforms,
+    // The lists are new ones after a recompile, with the same names.
+    update: () => {
+      for (let i = 0; i < technique.uniforms.length; i++) {
+        const source = technique.uniforms[i];
+        const uniform = source && uniforms[source.name];
+        if (uniform) setValue(uniform, source);
+      }
+    },
+    bind: ({ viewIndex, viewport }) => {
+      for (let i = 0; i < technique.images.length; i++) {
+        const image = technique.images[i];
+        if (image) bindImage(uniforms, image, viewIndex, viewport);
+      }
+    },
+  };
+}
+
+function emptyValue(kind: TechniqueUniformView['kind']): unknown {
+  if (kind === 'number') return 0;
+  if (kind === 'toggle') return false;
+  return kind === 'vector' ? new Vector2() : new Vector4();
+}
+
+/** Colours are linearised: techniques shade in linear light. */
+function setValue(uniform: IUniform, source: TechniqueUniformView): void {
+  if (source.kind === 'vector') uniform.value.fromArray(source.view.value);
+  else if (source.kind === 'color') setLinear(uniform.value, source.view.value);
+  else uniform.value = source.view.value;
+}
+
+function setLinear(into: Vector4, srgb: Readonly<Float64Array>): void {
+  const { r, g, b } = scratchColor.setRGB(srgb[0] ?? 0, srgb[1] ?? 0, srgb[2] ?? 0, SRGBColorSpace);
+  into.set(r, g, b, srgb[3] ?? 1);
+}
+
+function bindImage(
+  uniforms: Readonly<Record<string, IUniform>>,
+  { name, at }: TechniqueImageView,
+  viewIndex: number,
+  { widthPx, heightPx }: DrawView['viewport'],
+): void {
+  const image = at(viewIndex, widthPx, heightPx);
+  const texture = uniforms[name]?.value as ExternalTexture | undefined;
+  if (texture) texture.sourceTexture = image.texture;
+  uniforms[`${name}_uvFromViewUv`]?.value.fromArray(image.texture ? image.uvFromViewUv : NOWHERE);
+  uniforms[`${name}_size`]?.value.set(image.widthPx, image.heightPx);
+}
