@@ -1,32 +1,32 @@
 /*{
-  "DESCRIPTION": "Shades objects from a cool to a warm tone, as technical illustrations do: what faces the light is warm, what faces away is cool, and nothing is black, so that shape reads everywhere. The strongest light counts; without lights it comes from the eye.",
-  "CREDIT": "Scrim. Gooch, Gooch, Shirley, Cohen: A Non-Photorealistic Lighting Model for Automatic Technical Illustration, SIGGRAPH 1998, section 4.2",
-  "CATEGORIES": ["Illustration", "Technical", "NPR", "Cool", "Warm", "Tone", "CAD"],
+  "DESCRIPTION": "Shades objects from a cool to a warm tone, as technical illustrations do: what faces the light is warm, what faces away is cool, and nothing is black, so that shape reads everywhere. Black lines follow the silhouettes. The strongest light counts; without lights it comes from the eye.",
+  "CREDIT": "Scrim. Gooch, Gooch, Shirley, Cohen: A Non-Photorealistic Lighting Model for Automatic Technical Illustration, SIGGRAPH 1998, sections 4.1 and 4.2",
+  "CATEGORIES": ["Illustration", "Technical", "NPR", "Cool", "Warm", "Tone", "CAD", "Silhouette"],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
     { "NAME": "coolColor", "TYPE": "color", "LABEL": "Cool", "DOC": "Tone of what faces away from the light.", "DEFAULT": [0.1, 0.2, 0.75, 1.0] },
     { "NAME": "warmColor", "TYPE": "color", "LABEL": "Warm", "DOC": "Tone of what faces the light.", "DEFAULT": [0.85, 0.7, 0.15, 1.0] },
     { "NAME": "coolShare", "TYPE": "float", "LABEL": "Own colour, cool", "DOC": "How much of the object's own colour is added to the cool tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
     { "NAME": "warmShare", "TYPE": "float", "LABEL": "Own colour, warm", "DOC": "How much of it is added to the warm tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
     { "NAME": "highlight", "TYPE": "float", "LABEL": "Highlight", "DOC": "Strength of the white highlight.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How small the highlight is: Phong's exponent.", "MIN": 1.0, "MAX": 200.0, "DEFAULT": 40.0 }
+    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How small the highlight is: Phong's exponent.", "MIN": 1.0, "MAX": 200.0, "DEFAULT": 40.0 },
+    { "NAME": "linePx", "TYPE": "float", "LABEL": "Silhouette", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 2.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
+    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Silhouette colour", "DOC": "Colour of the lines around shapes.", "DEFAULT": [0.02, 0.02, 0.04, 1.0] }
   ]
 }*/
-#include <light/strength>
+#include <light/strongest>
 
-Light strongest(const in Surface s) {
-  Light best = Light(s.towardsEye, vec3(1.0), 1.0);
-  float strength = 0.0;
-  for (int i = 0; i < LIGHT_COUNT; i++) {
-    Light light = LIGHT(i);
-    if (lightStrength(light) <= strength) continue;
-    strength = lightStrength(light);
-    best = light;
-  }
-  return best;
+void vertex(inout Vertex v) {
+  if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
 }
 
 vec4 surface(const in Surface s) {
-  Light light = strongest(s);
+  if (PASSINDEX == 1) {
+    // Without a width the hull would fight with the object that it lies on.
+    if (linePx <= 0.0) discard;
+    return vec4(lineColor.rgb, lineColor.a * s.color.a);
+  }
+  Light light = strongestLight(s);
   float facing = dot(s.normal, light.towards);
   // In shadow a surface is no warmer than one that the light just grazes.
   float reached = facing > 0.0 ? facing * light.lit : facing;

@@ -1,43 +1,40 @@
 /*{
-  "DESCRIPTION": "Draws objects like a cartoon: flat steps of light and an outline. The outline is the object once more, a little larger and turned inside out, so that edges between faces with a hard crease have gaps in it; smooth shapes have none.",
+  "DESCRIPTION": "Draws objects like a cartoon: flat steps of light and an outline. The steps darken the object's own colour, or are the colours of a picture, from its left, dark, to its right, bright.",
   "CREDIT": "Scrim. Steps: Lake, Marshall, Harris, Blackstein, Stylized Rendering Techniques for Scalable Real-Time 3D Animation, NPAR 2000; outline by inverted hull",
   "CATEGORIES": ["Cartoon", "Cel", "Comic", "Anime", "Outline", "Ramp", "NPR"],
-  "PASSES": [{ "SIDE": "back" }, { "SIDE": "object" }],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
+    { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Picture whose middle row tints the steps, dark to bright from left to right. Without a wire the steps go by “Darkest”.", "OPTIONAL": true, "SPACE": "picture" },
     { "NAME": "levels", "TYPE": "long", "LABEL": "Levels", "DOC": "How many steps of light there are.", "VALUES": [1, 2, 3, 4, 5, 6], "LABELS": ["1", "2", "3", "4", "5", "6"], "DEFAULT": 3 },
     { "NAME": "darkest", "TYPE": "float", "LABEL": "Darkest", "DOC": "Brightness of the darkest step; the brightest shows the object's own colour.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
-    { "NAME": "outlineM", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the outline is in the room. 0 is none.", "MIN": 0.0, "MAX": 0.05, "DEFAULT": 0.004, "IDENTITY": 0.0, "STEP": 0.001, "UNIT": "m" },
+    { "NAME": "outlinePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the outline is on screen. 0 is none.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
     { "NAME": "outlineColor", "TYPE": "color", "LABEL": "Outline colour", "DOC": "Colour of the outline.", "DEFAULT": [0.05, 0.04, 0.08, 1.0] }
   ]
 }*/
-#include <light/strength>
+#include <light/received>
 
 void vertex(inout Vertex v) {
-  if (PASSINDEX == 0) v.position += v.normal * outlineM;
+  if (PASSINDEX == 1) v.position += v.outward * (outlinePx * PIXEL_M(v.position));
 }
 
-// Light received of all there is, from 0 to 1, whatever its strength. Without lights it comes from the eye.
-float received(const in Surface s) {
-  if (LIGHT_COUNT == 0) return max(dot(s.normal, s.towardsEye), 0.0);
-  float sum = 0.0;
-  float most = 0.0;
-  for (int i = 0; i < LIGHT_COUNT; i++) {
-    Light light = LIGHT(i);
-    float strength = lightStrength(light);
-    sum += strength * max(dot(s.normal, light.towards), 0.0) * light.lit;
-    most += strength;
-  }
-  return most > 0.0 ? sum / most : 0.0;
+vec3 stepColor(const in float level) {
+  float last = float(levels - 1);
+  vec4 toned = IMG_NORM_PIXEL(ramp, vec2((level + 0.5) / float(levels), 0.5));
+  if (toned.a > 0.0) return toned.rgb;
+  return vec3(last > 0.0 ? mix(darkest, 1.0, level / last) : 1.0);
 }
 
 vec4 surface(const in Surface s) {
-  if (PASSINDEX == 0) {
+  if (PASSINDEX == 1) {
     // Without a width the hull would fight with the object that it lies on.
-    if (outlineM <= 0.0) discard;
+    if (outlinePx <= 0.0) discard;
     return vec4(outlineColor.rgb, outlineColor.a * s.color.a);
   }
+  float steps = lightReceived(s) * float(levels);
   float last = float(levels - 1);
-  float level = min(floor(received(s) * float(levels)), last);
-  float bright = last > 0.0 ? mix(darkest, 1.0, level / last) : 1.0;
-  return vec4(s.color.rgb * bright, s.color.a);
+  // Over the pixel in which a step lies it goes up smoothly.
+  float border = floor(steps + 0.5);
+  float up = clamp((steps - border) / max(fwidth(steps), 0.0001) + 0.5, 0.0, 1.0);
+  vec3 light = mix(stepColor(clamp(border - 1.0, 0.0, last)), stepColor(clamp(border, 0.0, last)), up);
+  return vec4(s.color.rgb * light, s.color.a);
 }

@@ -1,118 +1,22 @@
+import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
+import { bulb, covered, HEIGHT, item, lookingAt, pixel, project, room, sun, translation, WIDTH } from './scenes-kit.ts';
 import {
-  Bone,
-  BoxGeometry,
-  Float32BufferAttribute,
-  InstancedMesh,
-  type Material,
-  Matrix4,
-  Mesh,
-  MeshLambertMaterial,
-  type Object3D,
-  PlaneGeometry,
-  Quaternion,
-  Skeleton,
-  SkinnedMesh,
-  SphereGeometry,
-  Uint16BufferAttribute,
-  Vector3,
-} from 'three';
-import { linkTechnique } from '../../export/glsl/technique/link-technique.ts';
-import { readTechnique } from '../../export/glsl/technique/read-technique.ts';
-import type { DrawBinding } from '../../export/runtime/scene-backend.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
-import type { TechniqueUniformView, TechniqueView } from '../../nodes/kit/technique-view.ts';
-import strength from '../../shader-library/chunks/light/strength.glsl';
-import gooch from '../../shader-library/techniques/gooch.glsl';
-import toon from '../../shader-library/techniques/toon.glsl';
-import {
-  bulb,
-  covered,
-  createStand,
-  drawView,
-  HEIGHT,
-  item,
-  lights,
-  lookingAt,
-  objects,
-  pixel,
-  project,
-  room,
-  sun,
-  translation,
-  viewOf,
-  WIDTH,
-} from './scenes-kit.ts';
-
-const stand = createStand();
-
-const LIBRARY: Readonly<Record<string, string>> = { gooch, toon };
-const EYE = [0, 0, 3] as const;
-const FRONT = lookingAt(EYE, [0, 0, 0]);
-const TOWARDS_SUN = [0.5, 0.4, 1] as const;
-
-type Values = Readonly<Record<string, number | readonly number[]>>;
-
-/** A technique of the library as the runtime has it, with values other than its defaults. */
-function technique(name: string, values: Values = {}): TechniqueView {
-  return viewOfText(LIBRARY[name] ?? '', name, values);
-}
-
-function viewOfText(text: string, key: string, values: Values = {}): TechniqueView {
-  const { output: read, diagnostics } = readTechnique(text, `techniques/${key}.glsl`);
-  const { output: linked, diagnostics: wrong } = read
-    ? linkTechnique(read, { chunkOf: () => strength, loopBudget: true })
-    : { output: null, diagnostics };
-  if (!read || !linked) throw new Error(JSON.stringify(wrong));
-  const uniforms = linked.uniforms.map(({ name, param }): TechniqueUniformView => {
-    const input = read.inputs.find((one) => one.name === param);
-    const value = values[param] ?? input?.default ?? [];
-    const numbers = typeof value === 'number' ? [value] : value;
-    if (input?.type === 'color') return { name, kind: 'color', view: { value: Float64Array.from(numbers) } };
-    return { name, kind: 'number', view: { value: numbers[0] ?? 0 } };
-  });
-  return { version: 1, key, vertex: linked.vertex, fragment: linked.fragment, passes: read.passes, uniforms };
-}
-
-function drawnWith(root: Object3D, view: TechniqueView | null, at = new Matrix4(), materials: readonly string[] | null = null): ObjectItem {
-  const made = item(root, { at });
-  return view ? Object.assign(made, { techniques: [{ technique: view, materials }] }) : made;
-}
-
-interface Shot {
-  readonly items: readonly ObjectItem[];
-  readonly suns?: readonly LightItem[];
-  readonly occlusion?: DrawBinding['occlusion'];
-  readonly camera?: typeof FRONT;
-}
-
-function shoot({ items, suns = [sun(TOWARDS_SUN)], occlusion = null, camera = FRONT }: Shot): Uint8Array {
-  const { backend, layer } = stand;
-  const list = objects(...items);
-  const lit = lights(...suns);
-  const shadowMaps = suns.some((light) => 'shadow' in light && light.shadow !== null) ? backend.createShadowMaps([list], [lit]) : null;
-  const scene = backend.serviceFor({ shadowMaps, occlusion }).createScene({ kind: 'shaded', ambient: { value: 0 } });
-  scene.update([list], [lit]);
-  shadowMaps?.update();
-  layer.clear();
-  backend.invalidateState();
-  scene.draw(drawView(viewOf(camera), layer.framebuffer));
-  const pixels = layer.pixels();
-  scene.dispose();
-  shadowMaps?.dispose();
-  return pixels;
-}
-
-const sphere = (color = 0xffffff): Mesh => new Mesh(new SphereGeometry(1, 128, 64), new MeshLambertMaterial({ color }));
-
-/** Where a ray through the middle of the pixel meets the unit sphere. */
-function normalAt(x: number, y: number): Vector3 | null {
-  const through = new Vector3(((x + 0.5) / WIDTH) * 2 - 1, ((y + 0.5) / HEIGHT) * 2 - 1, 0.5).unproject(FRONT);
-  const eye = new Vector3(...EYE);
-  const ray = through.sub(eye).normalize();
-  const b = eye.dot(ray);
-  const root = b * b - eye.lengthSq() + 1;
-  return root < 0 ? null : eye.addScaledVector(ray, -b - Math.sqrt(root));
-}
+  differing,
+  drawnWith,
+  EYE,
+  FRONT,
+  instanced,
+  morphing,
+  normalAt,
+  shoot,
+  skinned,
+  sphere,
+  stand,
+  TOWARDS_SUN,
+  technique,
+  type Values,
+  viewOfText,
+} from './techniques-kit.ts';
 
 export interface Sample {
   /** Cosine between normal and light, and between the mirrored light and the eye. */
@@ -140,8 +44,8 @@ export function goochSphere(values: Values, lamp: readonly [number, number, numb
 }
 
 /** The colours of a toon sphere, each with how often it is there, and whether the outline stands around it. */
-export function toonSphere(levels: number, outlineM: number) {
-  const values = { levels, outlineM, outlineColor: [1, 0, 0, 1] };
+export function toonSphere(levels: number, outlinePx: number) {
+  const values = { levels, outlinePx, outlineColor: [1, 0, 0, 1] };
   const pixels = shoot({ items: [drawnWith(sphere(), technique('toon', values))] });
   const plain = shoot({ items: [item(sphere())] });
   const counts = new Map<string, number>();
@@ -152,62 +56,10 @@ export function toonSphere(levels: number, outlineM: number) {
     else if (color === '255,0,0,255') outside.outline++;
     else if ((pixels[at + 3] ?? 0) > 0) outside.other++;
   }
-  return { colors: [...counts], outside, error: stand.gl.getError() };
-}
-
-/** A bar of three parts on two bones, the upper one to be bent. */
-function skinned(material: Material): { root: SkinnedMesh; bend: (angle: number) => void } {
-  const geometry = new BoxGeometry(0.4, 1.6, 0.4, 1, 8, 1);
-  const { position } = geometry.attributes;
-  const count = position?.count ?? 0;
-  const isUpper = Array.from({ length: count }, (_, i) => ((position?.getY(i) ?? 0) > 0 ? 1 : 0));
-  geometry.setAttribute(
-    'skinIndex',
-    new Uint16BufferAttribute(
-      isUpper.flatMap((bone) => [bone, 0, 0, 0]),
-      4,
-    ),
-  );
-  geometry.setAttribute(
-    'skinWeight',
-    new Float32BufferAttribute(
-      isUpper.flatMap(() => [1, 0, 0, 0]),
-      4,
-    ),
-  );
-  const root = new SkinnedMesh(geometry, material);
-  const [lower, upper] = [new Bone(), new Bone()];
-  lower.add(upper);
-  root.add(lower);
-  root.updateMatrixWorld(true);
-  root.bind(new Skeleton([lower, upper]));
-  return { root, bend: (angle) => upper.rotation.set(0, 0, angle) };
-}
-
-function morphing(material: Material): { root: Mesh; bend: (amount: number) => void } {
-  const geometry = new SphereGeometry(0.5, 32, 16);
-  const positions = [...(geometry.attributes.position?.array ?? [])];
-  geometry.morphAttributes.position = [
-    new Float32BufferAttribute(
-      positions.map((value, i) => (i % 3 === 0 ? value * 2 : value)),
-      3,
-    ),
-  ];
-  const root = new Mesh(geometry, material);
-  return { root, bend: (amount) => root.morphTargetInfluences?.splice(0, 1, amount) };
-}
-
-function instanced(material: Material): { root: InstancedMesh; bend: (amount: number) => void } {
-  const root = new InstancedMesh(new SphereGeometry(0.3, 32, 16), material, 3);
-  const place = (amount: number): void => {
-    for (let i = 0; i < 3; i++) {
-      const scale = new Vector3(1, 1 + amount, 1);
-      root.setMatrixAt(i, new Matrix4().compose(new Vector3(i - 1, 0, 0), new Quaternion(), scale));
-    }
-    root.instanceMatrix.needsUpdate = true;
-  };
-  place(0);
-  return { root, bend: place };
+  const middle = HEIGHT / 2;
+  const row = Array.from({ length: WIDTH }, (_, x) => pixel(pixels, x, middle).join());
+  const widths = [row, row.slice().reverse()].map((half) => half.slice(0, WIDTH / 2).filter((color) => color === '255,0,0,255').length);
+  return { colors: [...counts], outside, widths, error: stand.gl.getError() };
 }
 
 /** How many pixels a moving object covers, and in how many poses cover others, or its technique others than its own material. */
@@ -217,7 +69,7 @@ export function moving(kind: 'skinned' | 'morphing' | 'instanced') {
     bend(amount);
     return {
       own: shoot({ items: [drawnWith(root, null)] }),
-      styled: shoot({ items: [drawnWith(root, technique('gooch'))] }),
+      styled: shoot({ items: [drawnWith(root, technique('gooch', { linePx: 0 }))] }),
     };
   });
   if (!before || !after) throw new Error('There are two poses.');
@@ -227,13 +79,6 @@ export function moving(kind: 'skinned' | 'morphing' | 'instanced') {
     wrong: differing(before.own, before.styled) + differing(after.own, after.styled),
     error: stand.gl.getError(),
   };
-}
-
-/** Pixels that one picture covers and the other does not. */
-function differing(a: Uint8Array, b: Uint8Array): number {
-  let count = 0;
-  for (let at = 3; at < a.length; at += 4) if ((a[at] ?? 0) > 0 !== (b[at] ?? 0) > 0) count++;
-  return count;
 }
 
 /** Normals after skinning: the bent half shades as a box turned by the same angle does. */
@@ -273,7 +118,7 @@ export function occluded(softnessM: number) {
   const camera = lookingAt([0, 0, 2], [0, 0, 0]);
   const depth = room(stand.gl, 2, 1, [1.9, 3]);
   const occlusion = { roomDepth: { views: [depth] }, params: { softnessM: { value: softnessM }, biasM: { value: 0 } } };
-  const pixels = shoot({ items: [drawnWith(wall, technique('toon'))], occlusion, camera });
+  const pixels = shoot({ items: [drawnWith(wall, technique('toon', { outlinePx: 0 }))], occlusion, camera });
   const own = shoot({ items: [item(wall)], occlusion, camera });
   const halves = (of: Uint8Array) => [20, 140].map((x) => pixel(of, x, HEIGHT / 2));
   return { styled: halves(pixels), own: halves(own).map((color) => color[3]), error: stand.gl.getError() };

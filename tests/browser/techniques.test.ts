@@ -80,6 +80,8 @@ describe('technique/gooch', () => {
 interface ToonSphere {
   readonly colors: readonly (readonly [color: string, count: number])[];
   readonly outside: { readonly outline: number; readonly other: number };
+  /** Pixels of outline along a line through the middle, on the left and on the right. */
+  readonly widths: readonly number[];
   readonly error: number;
 }
 
@@ -88,21 +90,25 @@ describe('technique/toon', () => {
     const { colors, outside, error } = await page.call<ToonSphere>('toonSphere', levels, 0);
     expect(error).toBe(NO_ERROR);
     const steps = Array.from({ length: levels }, (_, i) => Math.round(encoded(levels === 1 ? 1 : 0.25 + (0.75 * i) / (levels - 1))));
-    const reds = colors.map(([color]) => Number(color.split(',')[0])).sort((a, b) => a - b);
+    // Between two steps one pixel holds some of both.
+    const disc = colors.reduce((sum, [, count]) => sum + count, 0);
+    const large = colors.filter(([, count]) => count > 0.01 * disc);
+    const reds = large.map(([color]) => Number(color.split(',')[0])).sort((a, b) => a - b);
     expect(reds).toEqual(steps);
+    expect(large.reduce((sum, [, count]) => sum + count, 0) / disc).toBeGreaterThan(0.85);
     expect(outside).toEqual({ outline: 0, other: 0 });
   });
 
-  test('the outline stands around the sphere and not on it', async () => {
-    const { colors, outside, error } = await page.call<ToonSphere>('toonSphere', 3, 0.05);
+  test.each([1, 3, 8])('an outline of %d pixels is as wide all around the sphere, and not on it', async (widthPx) => {
+    const { colors, outside, widths, error } = await page.call<ToonSphere>('toonSphere', 3, widthPx);
     expect(error).toBe(NO_ERROR);
     expect(outside.other).toBe(0);
-    // A ring of 5 cm around 1 m: 10 % of the disc's area, whatever its size on screen.
+    for (const width of widths) expect(Math.abs(width - widthPx)).toBeLessThanOrEqual(1);
     const disc = colors.reduce((sum, [, count]) => sum + count, 0);
-    expect(outside.outline / disc).toBeGreaterThan(0.09);
-    expect(outside.outline / disc).toBeLessThan(0.13);
+    const ring = Math.PI * ((Math.sqrt(disc / Math.PI) + widthPx) ** 2 - disc / Math.PI);
+    expect(Math.abs(outside.outline / ring - 1)).toBeLessThan(widthPx < 2 ? 0.3 : 0.1);
     const onIt = colors.find(([color]) => color === '255,0,0,255')?.[1] ?? 0;
-    expect(onIt / disc).toBeLessThan(0.01);
+    expect(onIt / disc).toBeLessThan(0.02);
   });
 });
 

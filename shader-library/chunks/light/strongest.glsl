@@ -1,0 +1,14 @@
+#include <light/strength>
+
+// The strongest light at a surface, lit or in shadow. Without lights it comes from the eye.
+Light strongestLight(const in Surface s) {
+  Light best = Light(s.towardsEye, vec3(1.0), 1.0);
+  float strength = 0.0;
+  for (int i = 0; i < LIGHT_COUNT; i++) {
+    Light light = LIGHT(i);
+    if (lightStrength(light) <= strength) continue;
+    strength = lightStrength(light);
+    best = light;
+  }
+  return best;
+}

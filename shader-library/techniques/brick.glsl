@@ -1,0 +1,68 @@
+/*{
+  "DESCRIPTION": "Builds objects of bricks: rows in half bond with mortar between them, laid along the object's own axes, so that they stay on it as it moves. Edges of the bricks are rounded and catch the light.",
+  "CREDIT": "Scrim. After the brick shader of Rost, OpenGL Shading Language, 2004, chapter 6; bump: Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU, 2010",
+  "CATEGORIES": ["Wall", "Stone", "Masonry", "Mortar", "Procedural", "Texture", "Building"],
+  "INPUTS": [
+    { "NAME": "brickM", "TYPE": "point2D", "LABEL": "Brick", "DOC": "Length and height of a brick with its share of mortar, in the room.", "MIN": [0.002, 0.002], "MAX": [2.0, 1.0], "DEFAULT": [0.064, 0.024], "UNIT": "m" },
+    { "NAME": "mortarM", "TYPE": "float", "LABEL": "Mortar", "DOC": "How wide the joints between bricks are.", "MIN": 0.0, "MAX": 0.1, "DEFAULT": 0.004, "STEP": 0.001, "UNIT": "m" },
+    { "NAME": "brickColor", "TYPE": "color", "LABEL": "Brick colour", "DOC": "Colour of the bricks.", "DEFAULT": [0.58, 0.28, 0.21, 1.0] },
+    { "NAME": "mortarColor", "TYPE": "color", "LABEL": "Mortar colour", "DOC": "Colour of the joints.", "DEFAULT": [0.78, 0.74, 0.68, 1.0] },
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own colour", "DOC": "How much of the object's own colour the bricks take.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "variation", "TYPE": "float", "LABEL": "Variation", "DOC": "How much bricks differ from each other, and how rough they are.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "bump", "TYPE": "float", "LABEL": "Depth", "DOC": "How far bricks stand out of the mortar, as a part of its width.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" }
+  ]
+}*/
+#include <light/diffuse>
+#include <noise/value-3d>
+#include <bump/perturb-normal>
+
+// Where on the wall a point lies, in metres, in its row: x along the row, y up.
+vec2 inBrick(const in vec2 wall) {
+  float row = floor(wall.y / brickM.y);
+  float shift = mod(row, 2.0) * 0.5 * brickM.x;
+  return vec2(wall.x + shift, wall.y) - vec2(floor((wall.x + shift) / brickM.x), row) * brickM;
+}
+
+// 1 on a brick, 0 in the mortar, rising over `edgeM` at its border.
+float onBrick(const in vec2 wall, const in float edgeM) {
+  vec2 at = inBrick(wall);
+  vec2 toBorder = min(at, brickM - at) - 0.5 * mortarM;
+  vec2 inside = clamp(toBorder / edgeM + 0.5, 0.0, 1.0);
+  return inside.x * inside.y;
+}
+
+vec4 surface(const in Surface s) {
+  // The wall is the side of a box about the object that the surface faces most.
+  vec3 faces = abs(s.restNormal);
+  bool isTop = faces.y > max(faces.x, faces.z);
+  bool isEnd = !isTop && faces.x > faces.z;
+  vec3 along = isEnd ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+  vec3 up = isTop ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
+  vec2 wall = vec2(dot(s.rest, along), dot(s.rest, up));
+  float pixelM = max(length(fwidth(s.rest)), 0.000001);
+
+  float brick = onBrick(wall, pixelM);
+  // From afar neither joints nor roughness can be told apart, and what is left is their mean.
+  float near = clamp(0.5 * mortarM / pixelM, 0.0, 1.0);
+  vec2 id = vec2(floor((wall.x + mod(floor(wall.y / brickM.y), 2.0) * 0.5 * brickM.x) / brickM.x), floor(wall.y / brickM.y));
+  vec3 random = hash3d(vec3(id, isTop ? 11.0 : isEnd ? 7.0 : 3.0));
+  float grain = valueNoise3d(s.rest * (6.0 / brickM.y)).x * 0.6 + valueNoise3d(s.rest * (19.0 / brickM.y)).y * 0.4;
+
+  vec3 clay = mix(brickColor.rgb, s.color.rgb, ownColor) * (1.0 + variation * (0.9 * random.x - 0.5));
+  clay *= vec3(1.0, 1.0 + variation * 0.3 * (random.y - 0.5), 1.0 + variation * 0.5 * (random.z - 0.5));
+  clay *= 1.0 - variation * 0.5 * near * (grain - 0.4);
+  vec3 joint = mortarColor.rgb * (1.0 - 0.3 * variation * near * grain);
+  vec3 color = mix(joint, clay, brick);
+
+  float heightM = bump * mortarM;
+  float roundM = max(0.6 * mortarM, 0.000001);
+  float apartM = 0.1 * roundM;
+  vec2 slope = vec2(
+    onBrick(wall + vec2(apartM, 0.0), roundM) - onBrick(wall - vec2(apartM, 0.0), roundM),
+    onBrick(wall + vec2(0.0, apartM), roundM) - onBrick(wall - vec2(0.0, apartM), roundM)) * (heightM / (2.0 * apartM));
+  vec3 rough = (valueNoise3d(s.rest * (9.0 / brickM.y)) - 0.5) * (0.7 * variation * bump);
+  vec3 normal = perturbNormal(s, near * (along * slope.x + up * slope.y + rough));
+  // Joints lie deeper, where less light gets.
+  float sunk = mix(1.0 - 0.4 * bump, 1.0, brick);
+  return vec4(color * diffuseLight(normal) * sunk, s.color.a);
+}

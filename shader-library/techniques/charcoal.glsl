@@ -1,0 +1,65 @@
+/*{
+  "DESCRIPTION": "Draws objects with charcoal on rough paper: soft dark masses that a finger has smudged, the grain of the paper in the half-tones, and thick crumbling lines around shapes. The grain stays on the object and is as fine from near as from afar.",
+  "CREDIT": "Scrim. After Majumder and Gopi, Hardware Accelerated Real Time Charcoal Rendering, NPAR 2002: contrast, smudging and grain; grain of constant size: Bénard, Bousseau, Thollot, Dynamic Solid Textures for Real-Time Coherent Stylization, I3D 2009",
+  "CATEGORIES": ["Charcoal", "Drawing", "Sketch", "Paper", "Pencil", "NPR", "Smudge"],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
+  "INPUTS": [
+    { "NAME": "contrast", "TYPE": "float", "LABEL": "Contrast", "DOC": "How hard dark and bright are set apart.", "MIN": 0.5, "MAX": 4.0, "DEFAULT": 1.3 },
+    { "NAME": "darkness", "TYPE": "float", "LABEL": "Pressure", "DOC": "How much charcoal there is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "grain", "TYPE": "float", "LABEL": "Grain", "DOC": "How rough the paper is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "grainPx", "TYPE": "float", "LABEL": "Grain size", "DOC": "How large the grain is on screen.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 2.5, "UNIT": "px" },
+    { "NAME": "smudge", "TYPE": "float", "LABEL": "Smudge", "DOC": "How much the charcoal is rubbed into the paper, in uneven strokes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "charcoalColor", "TYPE": "color", "LABEL": "Charcoal", "DOC": "Colour of the charcoal.", "DEFAULT": [0.1, 0.09, 0.09, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour of the paper. With less opacity what is behind the object shows through.", "DEFAULT": [0.95, 0.93, 0.88, 1.0] },
+    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colours of the object are drawn darker.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
+  ]
+}*/
+#include <light/received>
+#include <noise/value-3d>
+
+void vertex(inout Vertex v) {
+  if (PASSINDEX != 1) return;
+  // An uneven hand: between half and all of the width.
+  float pressed = 0.5 + 0.5 * valueNoise3d(v.rest * (0.04 / max(PIXEL_M(v.position), 0.000001))).x;
+  v.position += v.outward * (pressed * linePx * PIXEL_M(v.position));
+}
+
+// How high the paper stands at a point, from 0 to 1: noise of two sizes on the object, of which the one that is near
+// the wanted size on screen is seen, so that it neither swims nor grows.
+float paperAt(const in Surface s) {
+  float octave = -log2(max(PIXEL_M(s.position) * grainPx, 0.000001));
+  float whole = floor(octave);
+  float fine = exp2(whole);
+  vec3 a = valueNoise3d(s.rest * fine);
+  vec3 b = valueNoise3d(s.rest * (fine * 2.0));
+  float between = octave - whole;
+  float mixed = mix(0.65 * a.x + 0.35 * b.y, 0.65 * b.y + 0.35 * a.z, between);
+  // Noise gathers around its middle; the tooth of paper does not.
+  return clamp((mixed - 0.5) * 2.0 + 0.5, 0.0, 1.0);
+}
+
+vec4 surface(const in Surface s) {
+  float paper = paperAt(s);
+  float soft = mix(0.6, 0.28, grain);
+  if (PASSINDEX == 1) {
+    if (linePx <= 0.0) discard;
+    float line = mix(1.0, smoothstep(0.15, 0.45, 1.0 - paper), grain);
+    return vec4(charcoalColor.rgb, charcoalColor.a * s.color.a * line);
+  }
+  float own = pow(dot(s.color.rgb, vec3(0.2126, 0.7152, 0.0722)), 0.45);
+  float tone = pow(lightReceived(s), 0.5) * mix(1.0, own, ownTone);
+  // A finger leaves broad uneven strokes, longer than they are wide.
+  vec3 strokes = s.rest * (0.012 / max(PIXEL_M(s.position), 0.000001)) * vec3(1.0, 3.0, 1.0);
+  float rubbed = (valueNoise3d(strokes + s.rest.yzx * 3.0).x - 0.5) * 0.5 * smudge;
+  // Edges that turn away are drawn darker, as a hand does to set them off.
+  float edge = 1.0 - smoothstep(0.0, 0.45, dot(s.normal, s.towardsEye));
+  float dark = 1.0 - tone + rubbed + 0.35 * edge + (darkness - 0.5);
+  dark = clamp((dark - 0.5) * contrast + 0.5, 0.0, 1.0);
+  // Charcoal takes to the heights of the paper first; what is rubbed in fills its valleys with a soft tone.
+  float deposited = smoothstep(1.0 - dark - soft, 1.0 - dark + soft, mix(0.5, paper, grain)) * smoothstep(0.0, 0.2, dark);
+  float smeared = smudge * dark * (1.0 + rubbed);
+  float covered = clamp(mix(deposited * dark, 1.0, smeared), 0.0, 1.0) * smoothstep(0.0, 0.1, dark);
+  vec4 drawn = mix(paperColor, charcoalColor, covered);
+  return vec4(drawn.rgb, drawn.a * s.color.a);
+}

@@ -1,0 +1,75 @@
+/*{
+  "DESCRIPTION": "Makes objects of clear glass: what is behind them is seen bent by both of their surfaces, edges mirror more than the middle, and lights shine on them. Wire the layer that is behind them, such as the camera's video; where that cannot be had, the glass is see-through and bends nothing.",
+  "CREDIT": "Scrim. Refraction: Snell's law at the near and the far side, taking the object for a ball or a pane; Fresnel's equations for glass; colour: Beer's law",
+  "CATEGORIES": ["Glass", "Refraction", "Fresnel", "Lens", "Crystal", "Water", "Transparent", "Ice"],
+  "PASSES": [{ "SIDE": "front" }],
+  "INPUTS": [
+    { "NAME": "behind", "TYPE": "image", "LABEL": "Behind", "DOC": "The layer that is seen through the glass. Without a wire the glass bends nothing.", "OPTIONAL": true },
+    { "NAME": "ior", "TYPE": "float", "LABEL": "Index", "DOC": "Index of refraction: 1 is air, 1.33 water, 1.5 glass, 2.4 diamond.", "MIN": 1.0, "MAX": 2.5, "DEFAULT": 1.5, "IDENTITY": 1.0 },
+    { "NAME": "shape", "TYPE": "long", "LABEL": "Shape", "DOC": "What the inside is like: a ball turns what is behind upside down, a pane moves it aside.", "VALUES": [0, 1], "LABELS": ["Ball", "Pane"], "DEFAULT": 0 },
+    { "NAME": "thicknessM", "TYPE": "float", "LABEL": "Thickness", "DOC": "From the near to the far side where the object is thickest.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.1, "UNIT": "m" },
+    { "NAME": "behindM", "TYPE": "float", "LABEL": "Distance behind", "DOC": "How far from the eye that is which is seen through the glass.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 2.5, "UNIT": "m" },
+    { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "What white looks like through the whole thickness.", "DEFAULT": [0.93, 0.985, 0.97, 1.0] },
+    { "NAME": "dispersion", "TYPE": "float", "LABEL": "Dispersion", "DOC": "How far the index differs between red and blue: colours at edges.", "MIN": 0.0, "MAX": 0.2, "DEFAULT": 0.02, "IDENTITY": 0.0 },
+    { "NAME": "shine", "TYPE": "float", "LABEL": "Shine", "DOC": "Brightness of the lights' reflections.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "mirror", "TYPE": "float", "LABEL": "Mirror", "DOC": "Brightness of the surroundings in the glass, bright above and dark below.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "haze", "TYPE": "float", "LABEL": "Haze", "DOC": "How milky the glass is. Shadows fall on it.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.03, "IDENTITY": 0.0, "UNIT": "ratio" }
+  ]
+}*/
+#include <light/diffuse>
+#include <light/fresnel>
+
+// Where the way through the glass ends, and where to.
+struct Way { vec3 end; vec3 direction; float lengthM; };
+
+Way wayThrough(const in Surface s, const in float index) {
+  vec3 inside = refract(-s.towardsEye, s.normal, 1.0 / index);
+  float down = max(dot(-s.normal, inside), 0.0);
+  // Through a pane the way is the longer the flatter it is, and it goes on as it came.
+  if (shape == 1) {
+    float through = thicknessM / max(down, 0.05);
+    return Way(s.position + inside * through, -s.towardsEye, through);
+  }
+  float chord = thicknessM * down;
+  vec3 end = s.position + inside * chord;
+  vec3 outside = normalize(end - (s.position - s.normal * (0.5 * thicknessM)) + inside * 0.000001);
+  return Way(end, refract(inside, -outside, index), chord);
+}
+
+vec4 seenBehind(const in Way way) {
+  float depth = VIEW_DEPTH(way.end);
+  // What turns away from the view goes on to its edge.
+  float perMetre = max(VIEW_DEPTH(way.end + way.direction) - depth, 0.05);
+  vec2 uv = VIEW_UV(way.end + way.direction * (max(behindM - depth, 0.0) / perMetre));
+  // Beyond the edge of the picture its mirror image is better than its last pixel.
+  return IMG_NORM_PIXEL(behind, 1.0 - abs(1.0 - mod(uv, 2.0)));
+}
+
+vec4 surface(const in Surface s) {
+  float facing = max(dot(s.normal, s.towardsEye), 0.0);
+  Way way = wayThrough(s, ior);
+  vec4 seen = seenBehind(way);
+  if (dispersion > 0.0) {
+    seen.r = seenBehind(wayThrough(s, max(ior - 0.5 * dispersion, 1.0))).r;
+    seen.b = seenBehind(wayThrough(s, ior + 0.5 * dispersion)).b;
+  }
+  float reflected = fresnelAir(facing, ior);
+  vec3 passed = pow(max(tint.rgb, 0.001), vec3(thicknessM > 0.0 ? way.lengthM / thicknessM : 0.0)) * (1.0 - reflected);
+
+  vec3 mirrored = reflect(-s.towardsEye, s.normal);
+  // A bright ceiling over a darker floor: nobody knows what is before the glass.
+  vec3 around = AMBIENT * mirror * mix(0.25, 1.0, smoothstep(-0.3, 0.6, mirrored.y));
+  vec3 lights = vec3(0.0);
+  for (int i = 0; i < LIGHT_COUNT; i++) {
+    Light light = LIGHT(i);
+    // As small as a lamp is in a room, with a halo.
+    float towards = max(dot(mirrored, light.towards), 0.0);
+    lights += light.radiance * light.lit * (pow(towards, 900.0) + 0.05 * pow(towards, 60.0));
+  }
+  vec3 milk = haze * diffuseLight(s.normal);
+  float clear = (1.0 - seen.a) * dot(passed, vec3(0.2126, 0.7152, 0.0722)) * (1.0 - haze);
+  vec3 color = passed * (1.0 - haze) * seen.rgb * seen.a + reflected * around + max(reflected, 0.04) * shine * 4.0 * lights + milk;
+  // Light that is added covers nothing, but a layer can only hold as much of it as it covers.
+  float alpha = clamp(max(1.0 - clear, max(color.r, max(color.g, color.b))), 0.0, 1.0);
+  return vec4(color / max(alpha, 0.001), alpha);
+}

@@ -1,0 +1,55 @@
+/*{
+  "DESCRIPTION": "Draws objects with pen strokes: the less light a surface gets, the more strokes lie on it, and darker tones keep the strokes of lighter ones. The strokes stay on the object and keep their width from near and far.",
+  "CREDIT": "Scrim. Praun, Hoppe, Webb, Finkelstein: Real-Time Hatching, SIGGRAPH 2001",
+  "CATEGORIES": ["Hatch", "Pen", "Ink", "Drawing", "Sketch", "Engraving", "NPR", "Tonal art map"],
+  "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
+  "IMPORTED": { "lightTones": { "PATH": "pictures/hatching-light.png" }, "darkTones": { "PATH": "pictures/hatching-dark.png" } },
+  "INPUTS": [
+    { "NAME": "sizeM", "TYPE": "float", "LABEL": "Size", "DOC": "How far the drawing goes on the object before it repeats: larger gives longer, wider strokes from near.", "MIN": 0.005, "MAX": 2.0, "DEFAULT": 0.16, "UNIT": "m" },
+    { "NAME": "turn", "TYPE": "float", "LABEL": "Direction", "DOC": "How the first strokes are turned on the object.", "MIN": -3.14159, "MAX": 3.14159, "DEFAULT": 0.6, "UNIT": "rad" },
+    { "NAME": "mapping", "TYPE": "long", "LABEL": "Laid by", "DOC": "Whether strokes follow the object's axes, or the coordinates of its pictures, for models that have good ones.", "VALUES": [0, 1], "LABELS": ["Axes", "Picture coordinates"], "DEFAULT": 0 },
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Lightens or darkens the drawing: how much of the tone is left out.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.05, "UNIT": "ratio" },
+    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colours of the object are hatched as well.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Colour of the strokes.", "DEFAULT": [0.09, 0.08, 0.12, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the strokes. With less opacity what is behind the object shows through.", "DEFAULT": [0.97, 0.95, 0.9, 1.0] },
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own colour", "DOC": "How much the ink takes the object's own colour.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
+  ]
+}*/
+#include <light/received>
+
+void vertex(inout Vertex v) {
+  if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
+}
+
+// Ink of the tonal art map at a place, for a darkness from 0, white, to 6: the two nearest tones are blended, weights adding up to 1.
+float inkAt(const in vec2 place, const in float darkness) {
+  vec3 light = 1.0 - texture(lightTones, place).rgb;
+  vec3 dark = 1.0 - texture(darkTones, place).rgb;
+  vec3 lightWeights = max(1.0 - abs(darkness - vec3(1.0, 2.0, 3.0)), 0.0);
+  vec3 darkWeights = max(1.0 - abs(darkness - vec3(4.0, 5.0, 6.0)), 0.0);
+  return dot(light, lightWeights) + dot(dark, darkWeights);
+}
+
+vec4 surface(const in Surface s) {
+  vec3 ink = mix(inkColor.rgb, s.color.rgb * 0.5, ownColor);
+  if (PASSINDEX == 1) {
+    if (linePx <= 0.0) discard;
+    return vec4(ink, inkColor.a * s.color.a);
+  }
+  float own = dot(s.color.rgb, vec3(0.2126, 0.7152, 0.0722));
+  // Strokes are counted in what the eye sees, light in what there is.
+  float tone = pow(lightReceived(s), 0.6) * mix(1.0, pow(own, 0.45), ownTone);
+  float darkness = clamp(6.0 * (1.0 - tone - brightness), 0.0, 6.0);
+
+  mat2 turned = mat2(cos(turn), sin(turn), -sin(turn), cos(turn)) * (1.0 / sizeM);
+  float ink0 = inkAt(turned * s.rest.zy, darkness);
+  float ink1 = inkAt(turned * s.rest.xz, darkness);
+  float ink2 = inkAt(turned * s.rest.xy, darkness);
+  float byPicture = inkAt(s.uv * 3.0, darkness);
+  vec3 sides = pow(abs(s.restNormal), vec3(6.0));
+  sides /= sides.x + sides.y + sides.z;
+  float covered = mapping == 1 ? byPicture : dot(sides, vec3(ink0, ink1, ink2));
+  vec4 drawn = mix(paperColor, vec4(ink, inkColor.a), clamp(covered, 0.0, 1.0));
+  return vec4(drawn.rgb, drawn.a * s.color.a);
+}
