@@ -34,7 +34,7 @@ vec4 surface(const in Surface s) {
   float last = float(levels - 1);
   // Over the pixel in which a step lies it goes up smoothly.
   float border = floor(steps + 0.5);
-  float up = clamp((steps - border) / max(fwidth(steps), 0.0001) + 0.5, 0.0, 1.0);
+  float up = clamp((steps - border) / max(length(vec2(dFdx(steps), dFdy(steps))), 0.0001) + 0.5, 0.0, 1.0);
   vec3 light = mix(stepColor(clamp(border - 1.0, 0.0, last)), stepColor(clamp(border, 0.0, last)), up);
   return vec4(s.color.rgb * light, s.color.a);
 }

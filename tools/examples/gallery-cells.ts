@@ -376,7 +376,7 @@ export const SECTIONS: readonly Section[] = [
       },
       {
         title: 'Apply technique: a cartoon',
-        nodes: { ...TURNING_RING, style: ['technique/toon', { outlineM: 0.003 }], apply: ['objects/apply-technique'] },
+        nodes: { ...TURNING_RING, style: ['technique/toon', { outlinePx: 2 }], apply: ['objects/apply-technique'] },
         wires: [...RING_TURNS, 'tilt.objects -> apply.objects', 'style.technique -> apply.technique'],
         shows: ['things', 'apply.objects'],
       },
