@@ -39,6 +39,7 @@ export type FromPreview =
 export interface PreviewShaderError {
   /** As in the program's `shaders`. */
   readonly shaderId: string;
+  readonly stage: 'vertex' | 'fragment' | 'link';
   readonly log: string;
 }
 

@@ -104,6 +104,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'lights' }
   /** A panorama around the scene. */
   | { readonly id: ResourceId; readonly kind: 'environment' }
+  /** Sound on its way to shaders. */
+  | { readonly id: ResourceId; readonly kind: 'sound' }
   /** What happened in this frame: emptied before each. */
   | { readonly id: ResourceId; readonly kind: 'pulses' }
   /** A way to draw objects; nobody writes it. */
@@ -276,7 +278,11 @@ export interface PassSampler {
     | { readonly kind: 'color'; readonly resource: ResourceId }
     /** Layer depth, or room depth; with it `NAME_decode` (vec4) as `export/glsl` documents. */
     | { readonly kind: 'depth'; readonly depth: LayerDepthRef }
-    | { readonly kind: 'room-depth'; readonly resource: ResourceId };
+    | { readonly kind: 'room-depth'; readonly resource: ResourceId }
+    /** What was heard last, `count` samples or bins wide and as many rows high as there are channels; see `export/runtime/sound`. */
+    | { readonly kind: 'sound'; readonly resource: ResourceId; readonly analysis: 'waveform' | 'spectrum'; readonly count: number }
+    /** Assets that are pictures: one, or the six sides of a cube in the order +x, -x, +y, -y, +z, -z. */
+    | { readonly kind: 'import'; readonly assets: readonly string[]; readonly cube: boolean };
   /** How an image-domain layer is laid onto a view; `none` where the domains agree. */
   readonly fit: 'none' | 'cover' | 'contain' | 'stretch';
 }
@@ -284,7 +290,11 @@ export interface PassSampler {
 export interface PassUniform {
   readonly name: string;
   readonly type: 'float' | 'int' | 'bool' | 'vec2' | 'vec3' | 'vec4';
-  readonly source: { readonly slot: number } | { readonly builtin: BuiltinUniform };
+  readonly source:
+    | { readonly slot: number }
+    | { readonly builtin: BuiltinUniform }
+    /** Whether any of these lists of pulses holds one in this frame. */
+    | { readonly pulses: readonly ResourceId[] };
 }
 
 /** ISF's automatic uniforms (docs.isf.video, "Automatically Created Uniforms"). */
@@ -298,6 +308,13 @@ export interface LinkedShader {
   readonly id: string;
   readonly vertex: string;
   readonly fragment: string;
+  /**
+   * Its vertex shader is an author's: draw 6 vertices as TRIANGLES, a quad, in the place of one triangle. A `moved-quad` may leave
+   * pixels out: clear what it draws into first.
+   */
+  readonly geometry?: 'quad' | 'moved-quad';
+  /** As `sourceMap`, for the lines of the vertex shader, where that is an author's. */
+  readonly vertexMap?: SourceMap;
   /** Printed line (from 0) → where the author wrote it. Left out of an export. */
   readonly sourceMap?: SourceMap;
 }

@@ -3,6 +3,7 @@ import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './de
 import type { Diagnostic } from './diagnostics.ts';
 import type { SceneLook } from './scene-look.ts';
 import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
+import type { SoundOutput } from './sound.ts';
 import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
 
 /**
@@ -267,6 +268,7 @@ export interface WireViews extends ValueViews {
   technique: TechniqueView;
   lights: LightList;
   environment: EnvironmentOutput;
+  audio: SoundOutput;
   pulse: PulseList;
 }
 

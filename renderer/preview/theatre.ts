@@ -72,7 +72,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   };
   const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
     if (outcome === 'superseded') return;
-    send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, log }) => ({ shaderId, log })) });
+    send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, stage, log }) => ({ shaderId, stage, log })) });
     if (outcome === 'playing') send({ kind: 'playing', revision });
     if (playerProblems.length > 0) tellProblems();
     clock.wake();

@@ -123,7 +123,7 @@ describe('the way from document to preview', () => {
     const shader = program?.shaders.find(({ sourceMap }) => sourceMap?.sources.includes('filters/gaussian-blur.fs'));
     const line = (shader?.sourceMap?.lines.findIndex((entry) => entry !== null) ?? -1) + 1;
     if (!shader || programRevision === null || line === 0) throw new Error('The blur has no shader in the program.');
-    const errors = [{ shaderId: shader.id, log: `ERROR: 0:${line}: 'x' : undeclared identifier` }];
+    const errors = [{ shaderId: shader.id, stage: 'fragment' as const, log: `ERROR: 0:${line}: 'x' : undeclared identifier` }];
     feed.receive({ kind: 'shader-errors', revision: programRevision - 1, errors });
     expect(editor.preview.getState().shaderDiagnostics).toEqual([]);
     feed.receive({ kind: 'shader-errors', revision: programRevision, errors });

@@ -155,9 +155,9 @@ function takeMessage({ preview, compile, document }: Editor, message: FromPrevie
 }
 
 function readShaderErrors(program: Program, errors: readonly PreviewShaderError[], library: NodeLibrary): Diagnostic[] {
-  return errors.flatMap(({ shaderId, log }) => {
+  return errors.flatMap(({ shaderId, stage, log }) => {
     const linked = program.shaders.find(({ id }) => id === shaderId);
-    return linked ? driverDiagnostics(linked, log, (file) => library.shader(file)) : [];
+    return linked ? driverDiagnostics(linked, log, (file) => library.shader(file), stage) : [];
   });
 }
 

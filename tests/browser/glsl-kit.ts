@@ -1,4 +1,4 @@
-import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { readImageShader } from '../../export/glsl/read-definition.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { LinkedPass, LinkOptions } from '../../export/glsl/link/linked-pass.ts';
 import type { Result } from '../../nodes/kit/diagnostics.ts';
@@ -14,8 +14,13 @@ export function made<T>({ output, diagnostics }: Result<T>): T {
   return output;
 }
 
-export function linkText(source: string, options: Partial<LinkOptions> = {}, file = 'test.fs'): readonly LinkedPass[] {
-  return made(linkIsf(made(readIsf(source, file)), { node: 'test', ...options }));
+export function linkText(
+  source: string,
+  options: Partial<LinkOptions> = {},
+  file = 'test.fs',
+  vertex: string | null = null,
+): readonly LinkedPass[] {
+  return made(linkIsf(made(readImageShader(source, file, vertex)), { node: 'test', ...options }));
 }
 
 /** Top row first, as pictures are stored, to bottom row first, as textures are. */

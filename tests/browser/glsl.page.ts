@@ -38,6 +38,9 @@ export interface DrawJob {
   readonly pictures?: Readonly<Record<string, Picture>>;
   /** Layer depth by the layer's input, room depth by its own. */
   readonly depths?: Readonly<Record<string, DepthPicture>>;
+  /** Imported cubes by name: a colour per side. */
+  readonly cubes?: Readonly<Record<string, readonly (readonly number[])[]>>;
+  /** Events too: 1 where they happen. */
   readonly params?: Readonly<Record<string, number | readonly number[]>>;
   /** How often to draw; buffers that persist keep their picture in between. */
   readonly frames?: number;
@@ -111,7 +114,8 @@ export function draw(job: DrawJob): Drawing {
       gl.uniform1i(gl.getUniformLocation(program, GATE_SAMPLER), NO_TEXTURE);
       gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffers[1 - target.front] ?? null);
       gl.viewport(0, 0, target.width, target.height);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      if (pass.shader.geometry === 'moved-quad') gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+      gl.drawArrays(gl.TRIANGLES, 0, pass.shader.geometry === undefined ? 3 : 6);
       target.front = 1 - target.front;
       if (pass.target.kind === 'output') output = target;
     });
@@ -238,6 +242,18 @@ function upload(picture: Picture): WebGLTexture {
   return texture;
 }
 
+/** Sides of one pixel each, in the order +x, -x, +y, -y, +z, -z. */
+function uploadCube(sides: readonly (readonly number[])[]): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
+  sides.forEach((color, i) => {
+    gl.texImage2D(gl.TEXTURE_CUBE_MAP_POSITIVE_X + i, 0, gl.RGBA8, 1, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, Uint8Array.from(color));
+  });
+  gl.texParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+  gl.texParameteri(gl.TEXTURE_CUBE_MAP, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+  return texture;
+}
+
 function uploadDepth(depth: DepthPicture): WebGLTexture {
   const texture = createTexture(gl.R32F, depth.width, depth.height, gl.NEAREST);
   gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, depth.width, depth.height, gl.RED, gl.FLOAT, new Float32Array(depth.values));
@@ -262,7 +278,8 @@ function setUniforms(
       RENDERSIZE: [target.width, target.height],
       PASSINDEX: pass.passIndex,
     };
-    const value = 'builtin' in source ? builtins[source.builtin] : job.params?.[source.param];
+    const given = 'event' in source ? (job.params?.[source.event] ?? 0) : undefined;
+    const value = given ?? ('builtin' in source ? builtins[source.builtin] : 'param' in source ? job.params?.[source.param] : undefined);
     if (value === undefined) throw new Error(`The test gives no value for ${name}.`);
     const numbers = typeof value === 'number' ? [value] : [...value];
     if (type === 'int' || type === 'bool') gl.uniform1iv(location, numbers);
@@ -282,15 +299,19 @@ function setSamplers(
 ): void {
   samplers.forEach(({ name, source }, unit) => {
     const buffer = source.kind === 'buffer' ? buffers.get(source.target) : undefined;
-    const key = source.kind === 'buffer' ? '' : source.kind === 'input' ? source.input : `${source.input}:depth`;
-    const picture = source.kind === 'buffer' ? undefined : job.pictures?.[source.input];
-    const depth = source.kind === 'buffer' ? undefined : job.depths?.[source.input];
-    const texture = buffer === undefined ? textures.get(key) : buffer.textures[buffer.front];
+    const image = source.kind === 'buffer' ? '' : source.kind === 'import' ? source.import : source.input;
+    const isDepth = source.kind === 'input-depth' || source.kind === 'room-depth';
+    const cube = job.cubes?.[image];
+    const picture = job.pictures?.[image];
+    const depth = job.depths?.[image];
+    const texture = buffer === undefined ? textures.get(isDepth ? `${image}:depth` : image) : buffer.textures[buffer.front];
     gl.activeTexture(gl.TEXTURE0 + unit);
-    gl.bindTexture(gl.TEXTURE_2D, texture ?? null);
+    if (cube) gl.bindTexture(gl.TEXTURE_CUBE_MAP, uploadCube(cube));
+    else gl.bindTexture(gl.TEXTURE_2D, texture ?? null);
     gl.uniform1i(gl.getUniformLocation(program, name), unit);
     gl.uniformMatrix3fv(gl.getUniformLocation(program, `${name}_uvFromViewUv`), false, picture?.uvFromViewUv ?? IDENTITY);
-    gl.uniform2f(gl.getUniformLocation(program, `${name}_size`), buffer?.width ?? job.width, buffer?.height ?? job.height);
+    const own = buffer ?? (source.kind === 'import' || source.kind === 'sound' ? picture : undefined) ?? job;
+    gl.uniform2f(gl.getUniformLocation(program, `${name}_size`), own.width, own.height);
     const [x, y, z, w] = depth?.decode ?? [1, 0, 0, 0];
     gl.uniform4f(gl.getUniformLocation(program, `${name}_decode`), x, y, z, w);
   });

@@ -16,7 +16,7 @@ function bounded(source: string): { readonly shader: LinkedShader; readonly samp
     uniforms: linked.uniforms.map(({ name, type, source: from }) => ({
       name,
       type,
-      source: 'param' in from ? { slot: slot++ } : from,
+      source: 'builtin' in from ? from : { slot: slot++ },
     })),
   };
 }

@@ -45,7 +45,10 @@ export function target(id: string, more: Partial<Extract<Resource, { kind: 'targ
 }
 
 export function pass(id: string, index: number, targetId: string, more: Partial<PassOperation> = {}): PassOperation {
-  const reads = (more.samplers ?? []).map((s) => (s.source.kind === 'depth' ? s.source.depth.resource : s.source.resource));
+  const reads = (more.samplers ?? []).flatMap(({ source }) => {
+    if (source.kind === 'import') return [];
+    return source.kind === 'depth' ? [source.depth.resource] : [source.resource];
+  });
   return {
     kind: 'pass',
     id,

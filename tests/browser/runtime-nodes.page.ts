@@ -159,7 +159,7 @@ export async function hide(biasM: number, softnessM: number, roomM: number[]) {
   const uniforms = linked.uniforms.map(({ name, type, source: from }): PassOperation['uniforms'][number] => ({
     name,
     type,
-    source: 'param' in from ? { slot: slotOf[from.param] ?? -1 } : from,
+    source: 'builtin' in from ? from : { slot: 'param' in from ? (slotOf[from.param] ?? -1) : -1 },
   }));
   const hiding = program({
     slots: { numbers: [biasM, softnessM], texts: [], slots: [0, 1].map((offset) => ({ type: 'number' as const, offset })), params: {} },

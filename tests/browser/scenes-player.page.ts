@@ -255,7 +255,7 @@ function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>
     uniforms: linked.uniforms.map(({ name, type, source }) => ({
       name,
       type,
-      source: 'param' in source ? { slot: occlusion.params[source.param] ?? -1 } : source,
+      source: 'builtin' in source ? source : { slot: 'param' in source ? (occlusion.params[source.param] ?? -1) : -1 },
     })),
   });
   const early: DrawOperation = {

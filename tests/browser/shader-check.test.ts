@@ -15,12 +15,12 @@ const BROKEN = {
   'a-header.fs': ['/*{ "INPUTS": [ { "NAME": "a", "TYPE": "image" } }*/\nvoid main() {}', 'SCR040', 1, 50, 'comma'],
   'b-no-header.fs': ['void main() { gl_FragColor = vec4(1.0); }', 'SCR040', 1, 1, 'no header'],
   'c-syntax.fs': [`${FILTER}\nvoid main() {\n  gl_FragColor = vec4(1.0)\n}`, 'SCR041', 3, 27, '";" is missing'],
-  'd-sound.fs': [
-    '/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "sound", "TYPE": "audio" } ] }*/\nvoid main() { gl_FragColor = vec4(1.0); }',
-    'SCR043',
+  'd-cube.fs': [
+    '/*{ "ISFVSN": "2", "IMPORTED": { "sky": { "TYPE": "cube", "PATH": [ "a.png" ] } } }*/\nvoid main() { gl_FragColor = vec4(1.0); }',
+    'SCR040',
     1,
-    42,
-    'sound',
+    36,
+    'six',
   ],
   'e-name.fs': [
     `${FILTER}\nvoid main() {\n  vec4 c = IMG_THIS_PIXEL(inputImage);\n  gl_FragColor = c * strength;\n}`,

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { readDefinition } from '../../export/glsl/read-definition.ts';
-import { isTechniqueFile } from '../../export/glsl/technique/technique-shader.ts';
+import { isTechnique } from '../../export/glsl/technique/technique-shader.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
 import { readIfThere, writeIfChanged } from '../lib/files.ts';
@@ -41,7 +41,7 @@ export async function isfDefinitions(files: readonly ShaderFile[], { root, versi
 }
 
 function read({ name, text }: ShaderFile): Omit<Entry, 'key'> {
-  if (isTechniqueFile(name)) {
+  if (isTechnique(text, name)) {
     const { output, diagnostics } = readDefinition(text, name);
     return { definition: output, diagnostics };
   }

@@ -91,9 +91,9 @@ function shaderDiagnostics(
   { job, sourceOf }: RenderOptions,
   errors: Awaited<ReturnType<PageApi['open']>>['shaderErrors'],
 ): readonly Diagnostic[] {
-  return errors.flatMap(({ shaderId, log }) => {
+  return errors.flatMap(({ shaderId, stage, log }) => {
     const shader = job.program.shaders.find(({ id }) => id === shaderId);
-    return shader ? driverDiagnostics(shader, log, sourceOf) : [];
+    return shader ? driverDiagnostics(shader, log, sourceOf, stage) : [];
   });
 }
 

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import type { Page } from 'playwright-core';
 import { driverDiagnostics, uniqueDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
+import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
 import { tooManyRounds } from '../../../export/program/loop-budget.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
@@ -54,14 +55,18 @@ export async function checkShaders(paths: readonly string[], options: CheckOptio
   }
 }
 
-async function readShader(path: string): Promise<LinkedFile> {
+type ReadFile = LinkedFile & { readonly vertex: string };
+
+async function readShader(path: string): Promise<ReadFile> {
   const source = await readFile(path, 'utf8').catch((error: Error) => error);
-  if (typeof source === 'string') return linkFile(source, path);
+  const companion = companionOf(path);
+  const vertex = companion === path ? null : await readFile(companion, 'utf8').catch(() => null);
+  if (typeof source === 'string') return { ...linkFile(source, path, vertex), vertex: vertex ?? '' };
   const unreadable: Diagnostic = { code: 'SCR004', severity: 'error', message: `The file cannot be read: ${source.message}.`, file: path };
-  return { file: path, source: '', passes: [], diagnostics: [unreadable] };
+  return { file: path, source: '', vertex: '', passes: [], diagnostics: [unreadable] };
 }
 
-async function judge(page: Page, files: readonly LinkedFile[]): Promise<CheckedFile[]> {
+async function judge(page: Page, files: readonly ReadFile[]): Promise<CheckedFile[]> {
   const jobs = files.flatMap(({ passes }) => passes.map(({ job }) => job));
   const verdicts = await page.evaluate(
     (all) => (globalThis as unknown as { scrimShaders: typeof DriverPage }).scrimShaders.judge(all),
@@ -75,11 +80,11 @@ async function judge(page: Page, files: readonly LinkedFile[]): Promise<CheckedF
   });
 }
 
-function checkedFile({ file, source, passes, diagnostics }: LinkedFile, verdicts: readonly DriverPage.ShaderVerdict[]): CheckedFile {
+function checkedFile({ file, source, vertex, passes, diagnostics }: ReadFile, verdicts: readonly DriverPage.ShaderVerdict[]): CheckedFile {
   const said = passes.flatMap(({ shader }, i): Diagnostic[] => {
     const { logs = [], endlessLine = null } = verdicts[i] ?? {};
     const endless = endlessLine === null ? [] : [tooManyRounds(shader, endlessLine)];
-    return [...logs.flatMap((log) => driverDiagnostics(shader, log, () => source)), ...endless];
+    return [...logs.flatMap(({ log, stage }) => driverDiagnostics(shader, log, (name) => (name === file ? source : vertex), stage)), ...endless];
   });
   // There is no node: the file alone says where.
   const all = uniqueDiagnostics([...diagnostics, ...said].map(({ nodeId: _, ...diagnostic }) => ({ file, ...diagnostic })));

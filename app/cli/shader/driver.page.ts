@@ -4,7 +4,7 @@ import { createBrowserClock } from '../../../export/runtime/clock.ts';
 import { createGlObjects, type GlObjects } from '../../../export/runtime/gl/gl-objects.ts';
 import { createLoopProbe, type LoopProbe } from '../../../export/runtime/gl/loop-probe.ts';
 import { createPassDrawer, type PassDrawer } from '../../../export/runtime/gl/pass-drawer.ts';
-import { createProgramCache, type GlProgram } from '../../../export/runtime/gl/program-cache.ts';
+import { createProgramCache, type GlProgram, type ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import { createTestPicture } from './test-picture.page.ts';
 
 /** A linked shader and what it is drawn with. */
@@ -16,12 +16,13 @@ export interface ShaderJob {
     readonly type: PassUniform['type'];
     readonly value: readonly number[] | BuiltinUniform;
   }[];
-  readonly samplers: readonly { readonly name: string; readonly isDepth: boolean }[];
+  /** `number`: depth or sound, in the red channel. */
+  readonly samplers: readonly { readonly name: string; readonly holds: 'color' | 'number' | 'cube' }[];
 }
 
 export interface ShaderVerdict {
   /** What the driver said against it. */
-  readonly logs: readonly string[];
+  readonly logs: readonly Pick<ShaderError, 'stage' | 'log'>[];
   /** The author's line of a loop that does not end in time. */
   readonly endlessLine: number | null;
 }
@@ -56,7 +57,7 @@ export async function judge(jobs: readonly ShaderJob[]): Promise<readonly Shader
 }
 
 function verdictOf(of: Bench, job: ShaderJob, program: GlProgram): ShaderVerdict {
-  const logs = program.errors.map(({ log }) => log);
+  const logs = program.errors.map(({ stage, log }) => ({ stage, log }));
   const isBounded = program.state === 'linked' && program.uniform(LOOP_BUDGET_UNIFORM) !== null;
   return { logs, endlessLine: isBounded ? probeLoops(of, job, program) : null };
 }
@@ -65,9 +66,10 @@ function probeLoops({ gl, drawer, probe, color, depth }: Bench, job: ShaderJob, 
   drawer.begin(probe.framebuffer, 0, 0, PROBE_SIDE_PX, PROBE_SIDE_PX, 'replace');
   probe.clear();
   drawer.use(program);
-  job.samplers.forEach(({ name, isDepth }, unit) => {
+  job.samplers.forEach(({ name, holds }, unit) => {
     const location = program.uniform(name);
-    if (location) drawer.texture(unit, location, isDepth ? depth : color, isDepth ? 'nearest' : 'linear');
+    if (location && holds === 'cube') drawer.cube(unit, location, null);
+    else if (location) drawer.texture(unit, location, holds === 'number' ? depth : color, holds === 'number' ? 'nearest' : 'linear');
     gl.uniformMatrix3fv(program.uniform(`${name}_uvFromViewUv`), false, [1, 0, 0, 0, 1, 0, 0, 0, 1]);
     gl.uniform2f(program.uniform(`${name}_size`), VIEW_PX[0], VIEW_PX[1]);
     gl.uniform4f(program.uniform(`${name}_decode`), 1, 0, 0, 0);

@@ -1,13 +1,13 @@
 import { countRounds } from '../../../export/glsl/check/count-rounds.ts';
 import { checkIsf } from '../../../export/glsl/isf/checked-isf.ts';
 import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
-import { readIsf } from '../../../export/glsl/isf/read-isf.ts';
+import { readImageShader } from '../../../export/glsl/read-definition.ts';
 import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
-import type { LinkedPass } from '../../../export/glsl/link/linked-pass.ts';
+import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../../export/glsl/link/linked-pass.ts';
 import { GlslError } from '../../../export/glsl/syntax/token.ts';
 import { linkTechnique } from '../../../export/glsl/technique/link-technique.ts';
 import { readTechnique } from '../../../export/glsl/technique/read-technique.ts';
-import { isTechniqueFile } from '../../../export/glsl/technique/technique-shader.ts';
+import { isTechnique } from '../../../export/glsl/technique/technique-shader.ts';
 import { LOOP_BUDGET } from '../../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../../export/program/program.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
@@ -23,13 +23,16 @@ export interface LinkedFile {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** A file as a new node would have it: all inputs wired, and with their first values. By its ending it is a technique, else ISF. */
-export function linkFile(source: string, file: string): LinkedFile {
-  return isTechniqueFile(file) ? linkTechniqueFile(source, file) : linkIsfFile(source, file);
+/**
+ * A file as a new node would have it: all inputs wired, and with their first values. By its ending and content it is a technique or a
+ * transition, else ISF. `vertex` is the text of the vertex shader beside it, if there is one.
+ */
+export function linkFile(source: string, file: string, vertex: string | null): LinkedFile {
+  return isTechnique(source, file) ? linkTechniqueFile(source, file) : linkImageShader(source, file, vertex);
 }
 
-function linkIsfFile(source: string, file: string): LinkedFile {
-  const read = readIsf(source, file);
+function linkImageShader(source: string, file: string, vertex: string | null): LinkedFile {
+  const read = readImageShader(source, file, vertex);
   if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics };
   const shader = read.output;
   const linked = linkIsf(shader, { node: '', loopBudget: !endsInTime(shader) });
@@ -44,7 +47,8 @@ function linkIsfFile(source: string, file: string): LinkedFile {
 /** Running a shader costs more than all else: those whose loops can be counted are only compiled. */
 function endsInTime(shader: IsfShader): boolean {
   try {
-    return countRounds(checkIsf(shader).checked) <= LOOP_BUDGET;
+    const { checked, vertex } = checkIsf(shader);
+    return countRounds(checked) <= LOOP_BUDGET && (vertex === null || countRounds(vertex.checked) <= LOOP_BUDGET);
   } catch (fault) {
     if (!(fault instanceof GlslError)) throw fault;
     // The link says what it is.
@@ -66,15 +70,26 @@ function linkTechniqueFile(source: string, file: string): LinkedFile {
   };
 }
 
-function jobOf({ shader, passIndex, uniforms, samplers }: LinkedPass, { inputs }: IsfShader): ShaderJob {
+function jobOf({ shader, passIndex, uniforms, samplers }: LinkedPass, { inputs, imported }: IsfShader): ShaderJob {
   return {
-    shader: { id: shader.id, vertex: shader.vertex, fragment: shader.fragment },
+    shader,
     passIndex,
     uniforms: uniforms.map(({ name, type, source }) => ({
       name,
       type,
-      value: 'builtin' in source ? source.builtin : (inputs.find((input) => input.name === source.param)?.default ?? []),
+      value: valueOf(source, inputs),
     })),
-    samplers: samplers.map(({ name, source }) => ({ name, isDepth: source.kind === 'input-depth' || source.kind === 'room-depth' })),
+    samplers: samplers.map(({ name, source }) => ({ name, holds: contentOf(source, imported) })),
   };
+}
+
+function valueOf(source: LinkedUniform['source'], inputs: IsfShader['inputs']): ShaderJob['uniforms'][number]['value'] {
+  if ('builtin' in source) return source.builtin;
+  if ('event' in source) return [0];
+  return inputs.find((input) => input.name === source.param)?.default ?? [];
+}
+
+function contentOf(source: LinkedSampler['source'], imported: IsfShader['imported']): ShaderJob['samplers'][number]['holds'] {
+  if (source.kind === 'input-depth' || source.kind === 'room-depth' || source.kind === 'sound') return 'number';
+  return source.kind === 'import' && imported.find(({ name }) => name === source.import)?.cube ? 'cube' : 'color';
 }

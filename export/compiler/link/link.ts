@@ -1,4 +1,4 @@
-import type { LinkedShader, Operation, Resource } from '../../program/program.ts';
+import type { LinkedShader, Operation, Resource, SourceMap } from '../../program/program.ts';
 import type { Schedule } from '../schedule/schedule.ts';
 
 export interface LinkedOperations {
@@ -37,10 +37,11 @@ export function link({ operations, resources, trials }: Linkable, options: { rea
 }
 
 function named(shader: LinkedShader, node: string): LinkedShader {
-  if (!shader.sourceMap) return shader;
-  return { ...shader, sourceMap: { ...shader.sourceMap, nodes: shader.sourceMap.sources.map(() => node) } };
+  const { sourceMap, vertexMap } = shader;
+  const naming = (map: SourceMap): SourceMap => ({ ...map, nodes: map.sources.map(() => node) });
+  return { ...shader, ...(sourceMap && { sourceMap: naming(sourceMap) }), ...(vertexMap && { vertexMap: naming(vertexMap) }) };
 }
 
-function withoutSourceMap({ id, vertex, fragment }: LinkedShader): LinkedShader {
-  return { id, vertex, fragment };
+function withoutSourceMap({ sourceMap: _, vertexMap: __, ...shader }: LinkedShader): LinkedShader {
+  return shader;
 }

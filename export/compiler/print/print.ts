@@ -1,5 +1,6 @@
 import type { ProjectLogic } from '../../graph/project.ts';
 import { type Operation, PROGRAM_VERSION, type Program, type ProgramAsset } from '../../program/program.ts';
+import { importedAssets } from '../imported-assets.ts';
 import type { LinkedOperations } from '../link/link.ts';
 import type { Schedule } from '../schedule/schedule.ts';
 import { collectControls } from './controls.ts';
@@ -32,12 +33,14 @@ export function print(project: ProjectLogic, scheduled: Schedule, { operations, 
 
 function usedAssets({ assets }: ProjectLogic, operations: readonly Operation[]): ProgramAsset[] {
   const used = new Set<string>();
+  const imported = importedAssets(operations.filter((operation) => operation.kind === 'pass'));
   for (const operation of operations) {
     if (operation.kind === 'pass' || operation.kind === 'shadow-maps') continue;
     for (const id of Object.values(operation.assets)) if (id !== null) used.add(id);
   }
-  return [...used].sort().flatMap((id): ProgramAsset[] => {
+  const chosen = [...used].sort().flatMap((id): ProgramAsset[] => {
     const asset = Object.hasOwn(assets, id) ? assets[id] : undefined;
     return asset ? [{ id, kind: asset.kind, path: asset.path }] : [];
   });
+  return [...chosen, ...imported];
 }

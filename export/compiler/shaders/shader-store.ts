@@ -2,12 +2,12 @@ import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { isfDefinition, shaderName } from '../../glsl/isf/isf-definition.ts';
 import type { IsfShader } from '../../glsl/isf/isf-shader.ts';
-import { readIsf } from '../../glsl/isf/read-isf.ts';
 import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
 import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
+import { readImageShader } from '../../glsl/read-definition.ts';
 import type { LinkedTechnique, TechniqueOptions } from '../../glsl/technique/link-technique.ts';
-import { isTechniqueFile, type TechniqueShader } from '../../glsl/technique/technique-shader.ts';
+import { isTechnique, type TechniqueShader } from '../../glsl/technique/technique-shader.ts';
 import { createTechniqueStore } from './technique-store.ts';
 
 /** What of its inputs a shader has to do without. */
@@ -28,7 +28,8 @@ export interface ShaderStore {
   /** The node type that an ISF file or a technique is. */
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
-  link(file: string, source: string, variant: LinkVariant): Result<readonly LinkedPass[]>;
+  /** `vertex`: the text of the vertex shader beside it, where there is one. */
+  link(file: string, source: string, vertex: string | null, variant: LinkVariant): Result<readonly LinkedPass[]>;
   /** Chunks are the library's, and do not change. */
   linkTechnique(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
   /** Only for shaders whose `depth` is `over`. */
@@ -43,6 +44,7 @@ export interface TechniqueText {
 
 interface Entry {
   readonly source: string;
+  readonly vertex: string | null;
   readonly shader: Result<IsfShader>;
   definition: Result<NodeDefinition> | null;
   readonly links: Map<string, Result<readonly LinkedPass[]>>;
@@ -53,24 +55,31 @@ export function createShaderStore(): ShaderStore {
   const entries = new Map<string, Entry>();
   const techniques = createTechniqueStore();
 
-  function entryOf(file: string, source: string): Entry {
+  function entryOf(file: string, source: string, vertex: string | null): Entry {
     const known = entries.get(file);
-    if (known?.source === source) return known;
-    const made: Entry = { source, shader: readIsf(source, file), definition: null, links: new Map(), depths: new Map() };
+    if (known?.source === source && known.vertex === vertex) return known;
+    const shader = readImageShader(source, file, vertex);
+    const made: Entry = { source, vertex, shader, definition: null, links: new Map(), depths: new Map() };
     entries.set(file, made);
     return made;
   }
 
+  /** What a header says depends on no vertex shader: whichever entry there is will do. */
+  function headerOf(file: string, source: string): Entry {
+    const known = entries.get(file);
+    return known?.source === source ? known : entryOf(file, source, null);
+  }
+
   return {
-    read: (file, source) => entryOf(file, source).shader,
+    read: (file, source) => headerOf(file, source).shader,
     readDefinition: (file, source) => {
-      if (isTechniqueFile(file)) return techniques.readDefinition(file, source);
-      const entry = entryOf(file, source);
+      if (isTechnique(source, file)) return techniques.readDefinition(file, source);
+      const entry = headerOf(file, source);
       entry.definition ??= { ...entry.shader, output: entry.shader.output && isfDefinition(entry.shader.output, shaderName(file)) };
       return entry.definition;
     },
-    link: (file, source, variant) => {
-      const { shader, links } = entryOf(file, source);
+    link: (file, source, vertex, variant) => {
+      const { shader, links } = entryOf(file, source, vertex);
       if (shader.output === null) return { output: null, diagnostics: shader.diagnostics };
       const key = keyOf(variant);
       const known = links.get(key) ?? linkIsf(shader.output, { node: '', ...variant });
@@ -79,7 +88,7 @@ export function createShaderStore(): ShaderStore {
     },
     linkTechnique: techniques.link,
     linkDepth: (file, source, variant) => {
-      const { shader, depths } = entryOf(file, source);
+      const { shader, depths } = headerOf(file, source);
       if (shader.output === null) throw new Error(`${file} has been linked and cannot be read.`);
       const key = keyOf(variant);
       const known = depths.get(key) ?? linkIsfDepth(shader.output, { node: '', ...variant });

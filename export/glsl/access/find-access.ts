@@ -1,8 +1,10 @@
 import type { Access } from '../../../nodes/kit/definition.ts';
 import type { CheckedShader } from '../check/check-shader.ts';
+import { isImageType } from '../check/glsl-type.ts';
 import { checkIsf } from '../isf/checked-isf.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import { classifyImageCall, type ImageCall } from '../link/image-call.ts';
+import { varyingsOf } from '../link/link-vertex.ts';
 import { decideBranch, reachableStatements } from '../link/pass-condition.ts';
 import type { CallExpression, Expression, FunctionSymbol, Statement } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
@@ -19,7 +21,9 @@ export function findAccess(shader: IsfShader): Access {
   const passIndex = shader.passes.length - 1;
   if (shader.passes.filter((pass, i) => pass.target !== null || i === passIndex).length > 1) return 'neighbourhood';
   try {
-    return accessOf(checkIsf(shader).checked, passIndex);
+    const { checked } = checkIsf(shader);
+    // What a vertex shader hands on may stand for any place.
+    return varyingsOf(checked).size > 0 || shader.vertex !== null ? 'neighbourhood' : accessOf(checked, passIndex);
   } catch (error) {
     if (error instanceof GlslError) return 'neighbourhood';
     throw error;
@@ -60,7 +64,7 @@ function countReads(shader: CheckedShader, passIndex: number, positionOf: (expre
     // In place before the body is looked at, so that recursion, which GLSL forbids, ends.
     const reads = new Map<string, Reads>();
     known.set(symbol, reads);
-    if (symbol.parameterTypes.includes('sampler2D')) unclear = true;
+    if (symbol.parameterTypes.some(isImageType)) unclear = true;
     if (symbol.declaration.body !== null) countIn(symbol.declaration.body, 1, reads);
     return reads;
   }

@@ -100,7 +100,7 @@ function checkImageCall(name: string, args: readonly Expression[]): GlslType {
   }
   if (name === 'textureSize') return 'ivec2';
   if (!TEXTURE_FUNCTIONS.has(name)) return '';
-  if (!name.startsWith('texelFetch') && args[1] !== undefined) convert(args[1], 'vec2');
+  if (!name.startsWith('texelFetch') && args[1] !== undefined) convert(args[1], args[0]?.type === 'samplerCube' ? 'vec3' : 'vec2');
   if (args[2] !== undefined) convert(args[2], name.startsWith('texelFetch') ? 'int' : 'float');
   return 'vec4';
 }

@@ -108,24 +108,31 @@ function checkGlobals(declaration: VariableDeclaration, given: ReadonlyMap<strin
     const type = checkDeclarator(declarator, declaration.type.type, context);
     const name = declarator.name.text;
     const same = given.get(name);
-    if (same !== undefined && ['uniform', 'varying', 'in'].some((word) => words.has(word))) {
+    if (same !== undefined && ['uniform', 'varying', 'in', 'out'].some((word) => words.has(word))) {
       // What the host declares anyway, declared once more as some hosts want it.
       declarator.symbol = same;
-    } else if (words.has('out')) {
+    } else if (words.has('out') && given.has('gl_FragColor')) {
       declarator.symbol = outputVariable(declarator, type, given, context);
     } else {
       refuse(declarator, words, type);
-      declarator.symbol = declareGlobal(declarator, type, words.has('const'), context);
+      const role = ['varying', 'in', 'out'].some((word) => words.has(word)) ? 'varying' : 'global';
+      declarator.symbol = declareGlobal(declarator, type, role, words.has('const'), context);
     }
   }
 }
 
-function declareGlobal(declarator: Declarator, type: GlslType, isConst: boolean, context: CheckContext): VariableSymbol {
+function declareGlobal(
+  declarator: Declarator,
+  type: GlslType,
+  role: 'global' | 'varying',
+  isConst: boolean,
+  context: CheckContext,
+): VariableSymbol {
   const symbol: VariableSymbol = {
     kind: 'variable',
     name: declarator.name.text,
     type,
-    role: 'global',
+    role,
     token: declarator.name,
     constant: isConst && declarator.initializer !== null && isConstant(declarator.initializer),
     rename: false,
@@ -152,10 +159,10 @@ function outputVariable(
 
 function refuse(declarator: Declarator, words: ReadonlySet<string>, type: GlslType): void {
   const name = declarator.name.text;
-  if (words.has('varying') || words.has('in') || words.has('attribute')) {
+  if (words.has('attribute')) {
     throw new GlslError(
       declarator.name,
-      `"${name}" comes from a vertex shader (.vs), which Scrim does not run yet. Compute it in the fragment shader instead.`,
+      `"${name}" is an attribute, and a full-screen picture has none: isf_FragNormCoord says where the corner is.`,
       'SCR043',
     );
   }

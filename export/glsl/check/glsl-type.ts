@@ -63,6 +63,11 @@ function allNumerics(): [GlslType, Numeric][] {
   return numerics;
 }
 
+/** What stands for an image and can only be handed on and read. */
+export function isImageType(type: GlslType): boolean {
+  return type === 'sampler2D' || type === 'samplerCube';
+}
+
 /** `mat2x2` is another name of `mat2`; a rectangle texture, which has pixels for coordinates, is an image like any other here. */
 export function canonicalType(name: string): GlslType {
   if (name === 'sampler2DRect') return 'sampler2D';

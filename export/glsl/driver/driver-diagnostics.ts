@@ -1,5 +1,5 @@
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { LinkedShader } from '../../program/program.ts';
+import type { LinkedShader, SourceMap } from '../../program/program.ts';
 import { authorsNames } from '../link/names.ts';
 import { lex } from '../syntax/lexer.ts';
 import { GlslError, type Place, type Token } from '../syntax/token.ts';
@@ -31,7 +31,13 @@ const AUTHORS_NAMES: Readonly<Record<string, string>> = {
  * its header was read with; with it, the column is that of the token which the driver quotes, without it, that of the
  * statement. Says something for every log that is not empty.
  */
-export function driverDiagnostics(linked: LinkedShader, log: string, sourceOf?: (file: string) => string | undefined): Diagnostic[] {
+export function driverDiagnostics(
+  linked: LinkedShader,
+  log: string,
+  sourceOf?: (file: string) => string | undefined,
+  stage: 'vertex' | 'fragment' | 'link' = 'fragment',
+): Diagnostic[] {
+  const map = stage === 'vertex' ? linked.vertexMap : linked.sourceMap;
   const lines = log
     .replaceAll('\0', '')
     .split('\n')
@@ -40,7 +46,7 @@ export function driverDiagnostics(linked: LinkedShader, log: string, sourceOf?: 
   const [first] = log.replaceAll('\0', '').trim().split('\n');
   if (lines.length === 0 && first) lines.push({ severity: 'error', line: null, quoted: null, message: first });
   const tokens = new Map<string, readonly Token[]>();
-  return uniqueDiagnostics(lines.map((line) => diagnose(linked, line, tokensOf(tokens, sourceOf))));
+  return uniqueDiagnostics(lines.map((line) => diagnose(map, line, tokensOf(tokens, sourceOf))));
 }
 
 /** Passes of one file share most of their text, and so its mistakes: each is to be told once. */
@@ -74,8 +80,7 @@ function readLogLine(text: string): LogLine | null {
   };
 }
 
-function diagnose(linked: LinkedShader, line: LogLine, tokens: (file: string) => readonly Token[]): Diagnostic {
-  const map = linked.sourceMap;
+function diagnose(map: SourceMap | undefined, line: LogLine, tokens: (file: string) => readonly Token[]): Diagnostic {
   const entry = line.line === null ? null : (map?.lines[line.line - 1] ?? null);
   const [source = 0, authorLine, column] = entry ?? [];
   const file = map?.sources[source];

@@ -1,6 +1,8 @@
 import { type CheckedShader, checkShader } from '../check/check-shader.ts';
-import type { VariableSymbol } from '../syntax/ast.ts';
+import type { ParsedShader, VariableSymbol } from '../syntax/ast.ts';
 import { parseShader } from '../syntax/parse.ts';
+import { inFile } from '../syntax/token.ts';
+import { parseTransition } from '../transition/parse-transition.ts';
 import { givenSymbols } from './given-symbols.ts';
 import type { IsfShader } from './isf-shader.ts';
 
@@ -8,6 +10,8 @@ import type { IsfShader } from './isf-shader.ts';
 export interface CheckedIsf {
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly checked: CheckedShader;
+  /** Of the vertex shader beside it; null where there is none. */
+  readonly vertex: { readonly given: ReadonlyMap<string, VariableSymbol>; readonly checked: CheckedShader } | null;
 }
 
 /**
@@ -16,12 +20,22 @@ export interface CheckedIsf {
  */
 const known = new WeakMap<IsfShader, CheckedIsf>();
 
-/** Throws `GlslError`. */
+/** Throws `GlslError`, with the file of what is wrong. */
 export function checkIsf(shader: IsfShader): CheckedIsf {
   const before = known.get(shader);
   if (before !== undefined) return before;
   const given = givenSymbols(shader);
-  const made = { given, checked: checkShader(parseShader(shader.source), given) };
+  const made = { given, checked: checkShader(parse(shader), given), vertex: checkVertex(shader) };
   known.set(shader, made);
   return made;
+}
+
+function parse(shader: IsfShader): ParsedShader {
+  return shader.dialect === 'transition' ? parseTransition(shader) : parseShader(shader.source);
+}
+
+function checkVertex(shader: IsfShader): CheckedIsf['vertex'] {
+  if (shader.vertex === null) return null;
+  const given = givenSymbols(shader, 'vertex');
+  return inFile(shader.vertex.file, () => ({ given, checked: checkShader(parseShader(shader.vertex?.source ?? ''), given) }));
 }

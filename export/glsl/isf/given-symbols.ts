@@ -1,3 +1,4 @@
+import { isImageType } from '../check/glsl-type.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
 import type { IsfInputType, IsfShader } from './isf-shader.ts';
 
@@ -13,6 +14,8 @@ export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   audio: 'sampler2D',
   audioFFT: 'sampler2D',
   depth: 'sampler2D',
+  vector3: 'vec3',
+  vector4: 'vec4',
 };
 
 /** ISF's automatic variables, the names that version 1 and other hosts have for them, and GLSL's own. */
@@ -32,15 +35,28 @@ const BUILTINS: Readonly<Record<string, string>> = {
   gl_FragData: 'vec4[]',
 };
 
+/** The same in a vertex shader. */
+const VERTEX_BUILTINS: Readonly<Record<string, string>> = {
+  TIME: 'float',
+  TIMEDELTA: 'float',
+  FRAMEINDEX: 'int',
+  DATE: 'vec4',
+  RENDERSIZE: 'vec2',
+  PASSINDEX: 'int',
+  isf_FragNormCoord: 'vec2',
+  vv_FragNormCoord: 'vec2',
+  gl_Position: 'vec4',
+};
+
 /** Every variable that a shader may use without declaring it, made anew because the check writes into them. */
-export function givenSymbols(shader: IsfShader): Map<string, VariableSymbol> {
+export function givenSymbols(shader: IsfShader, stage: 'vertex' | 'fragment' = 'fragment'): Map<string, VariableSymbol> {
   const given = new Map<string, VariableSymbol>();
 
   const give = (name: string, type: string, role: VariableSymbol['role']) => given.set(name, variableOf(name, type, role));
-  for (const [name, type] of Object.entries(BUILTINS)) give(name, type, 'builtin');
+  for (const [name, type] of Object.entries(stage === 'vertex' ? VERTEX_BUILTINS : BUILTINS)) give(name, type, 'builtin');
   for (const input of shader.inputs) {
     const type = INPUT_TYPES[input.type];
-    give(input.name, type, type === 'sampler2D' ? 'image' : 'input');
+    give(input.name, type, isImageType(type) ? 'image' : 'input');
   }
   for (const image of shader.imported) give(image.name, image.cube ? 'samplerCube' : 'sampler2D', 'image');
   for (const pass of shader.passes) if (pass.target !== null) give(pass.target, 'sampler2D', 'image');

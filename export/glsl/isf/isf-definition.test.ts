@@ -41,6 +41,7 @@ describe('the node type of a file', () => {
       credit: 'Me',
       inputs: {
         inputImage: { type: 'layer', label: 'Layer', doc: 'A layer.', required: true },
+        flash: { type: 'pulse', label: 'flash', doc: 'True in the frame of a pulse.', required: false, multiple: true },
         room: { type: 'depth', label: 'room', doc: 'Distance to the real world; unknown everywhere where no wire is.', required: false },
       },
       outputs: { layer: { type: 'layer', label: 'Layer', doc: 'The finished picture.', domain: 'same', depth: 'same' } },

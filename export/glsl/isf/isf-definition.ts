@@ -19,8 +19,7 @@ const FIT: ChoiceParam = {
 };
 
 /**
- * The node type that an ISF file is. `name` is the last part of its type: `sepia` gives `filter/sepia`. Inputs that Scrim
- * cannot feed yet (events, audio) have no port; `linkIsf` says so.
+ * The node type that an ISF file is. `name` is the last part of its type: `sepia` gives `filter/sepia`.
  */
 export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
   const access = findAccess(shader);
@@ -70,6 +69,10 @@ function portOf(input: IsfInput): InputPort | null {
       required: !optional,
     };
   }
+  if (input.type === 'event')
+    return { type: 'pulse', label, doc: input.doc || 'True in the frame of a pulse.', required: false, multiple: true };
+  if (input.type === 'audio' || input.type === 'audioFFT')
+    return { type: 'audio', label, doc: input.doc || 'The sound to look at; silence where no wire is.', required: false };
   return null;
 }
 
@@ -110,6 +113,9 @@ function paramOf(input: IsfInput): ParamDefinition | null {
         ...(input.max === null ? {} : { max: input.max }),
         ...unit(input),
       };
+    case 'vector3':
+    case 'vector4':
+      return { ...base, type: input.type, default: input.default };
     case 'color': {
       const [r = 0, g = 0, b = 0, a = 1] = input.default;
       return { ...base, type: 'color', default: [r, g, b, a] };

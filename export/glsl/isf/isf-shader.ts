@@ -10,6 +10,10 @@ export interface IsfShader {
   readonly file: string;
   /** The whole text, header included, so that lines count as the author sees them. */
   readonly source: string;
+  /** The vertex shader beside it, `edge.vs` of `edge.fs`: it sets what the fragment shader declares as `varying`. */
+  readonly vertex: VertexFile | null;
+  /** `transition`: a gl-transitions file, which has `vec4 transition(vec2 uv)` in the place of `main`; see `transition/`. */
+  readonly dialect: 'isf' | 'transition';
   /** 1 where the header has no `ISFVSN`. */
   readonly version: 1 | 2;
   /** `operator` has two or more images, `filter` one, `generator` none. */
@@ -30,7 +34,26 @@ export interface IsfShader {
   readonly depth: 'auto' | 'same' | 'none' | 'over';
 }
 
-export type IsfInputType = 'event' | 'bool' | 'long' | 'float' | 'point2D' | 'color' | 'image' | 'audio' | 'audioFFT' | 'depth';
+export interface VertexFile {
+  /** Name in the library or project: `filters/edge.vs`. */
+  readonly file: string;
+  readonly source: string;
+}
+
+/** `vector3` and `vector4` are no words of headers: only transitions have them. */
+export type IsfInputType =
+  | 'event'
+  | 'bool'
+  | 'long'
+  | 'float'
+  | 'point2D'
+  | 'color'
+  | 'image'
+  | 'audio'
+  | 'audioFFT'
+  | 'depth'
+  | 'vector3'
+  | 'vector4';
 
 export interface IsfInput {
   readonly name: string;
@@ -47,6 +70,8 @@ export interface IsfInput {
   readonly choices: readonly { readonly value: number; readonly label: string }[];
   readonly unit: Unit;
   readonly step: number | null;
+  /** Of sound: how many samples or bins its picture is wide, if the header says (`MAX`). */
+  readonly sampleCount: number | null;
   /** Images and depth: may be left without a wire; reads then give transparent black and 0. */
   readonly optional: boolean;
   /** `WRAP`: an image that repeats beyond its edges, where others continue with their edge. */

@@ -15,7 +15,12 @@ const SIZES: Readonly<Record<IsfInputType, number>> = {
   audio: 0,
   audioFFT: 0,
   depth: 0,
+  vector3: 3,
+  vector4: 4,
 };
+
+/** Types that only transitions have. */
+const NOT_IN_HEADERS: ReadonlySet<string> = new Set(['vector3', 'vector4'] satisfies IsfInputType[]);
 
 const UNITS: ReadonlySet<string> = new Set(['m', 's', 'rad', 'px', 'K', 'Hz', 'cd', 'ratio', 'none'] satisfies Unit[]);
 
@@ -62,7 +67,9 @@ function readInput(header: Header, node: Node): IsfInput | null {
     header.error(
       typeNode ?? node,
       `The input "${name}" has the TYPE "${type}", which does not exist.`,
-      `Use one of ${Object.keys(SIZES).join(', ')}.`,
+      `Use one of ${Object.keys(SIZES)
+        .filter((known) => !NOT_IN_HEADERS.has(known))
+        .join(', ')}.`,
     );
     return null;
   }
@@ -84,6 +91,7 @@ function readInput(header: Header, node: Node): IsfInput | null {
     choices,
     unit: readUnit(header, node, name),
     step: numberOf(property(node, 'STEP')),
+    sampleCount: readSampleCount(node, type),
     optional: flagOf(property(node, 'OPTIONAL')),
     repeat: textOf(property(node, 'WRAP')) === 'repeat',
     line,
@@ -181,6 +189,13 @@ function readUnit(header: Header, node: Node, name: string): Unit {
   return 'none';
 }
 
+/** `MAX` of sound counts samples or bins; what is no number of them leaves it to us. */
+function readSampleCount(node: Node, type: IsfInputType): number | null {
+  if (type !== 'audio' && type !== 'audioFFT') return null;
+  const count = Math.trunc(numberOf(property(node, 'MAX')) ?? 0);
+  return count >= 1 ? count : null;
+}
+
 function isInputType(type: string): type is IsfInputType {
-  return Object.hasOwn(SIZES, type);
+  return Object.hasOwn(SIZES, type) && !NOT_IN_HEADERS.has(type);
 }

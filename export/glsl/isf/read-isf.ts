@@ -7,15 +7,18 @@ import { readImported, readPasses } from './read-passes.ts';
 /**
  * Reads the header of an ISF file, versions 1 and 2, as leniently as hosts do: trailing, doubled and missing commas, control
  * characters and comments are put up with. `file` is its name in the library or project. What is wrong comes as SCR040 with
- * line and column; `output` is null only where nothing can be done with the file.
+ * line and column; `output` is null only where nothing can be done with the file. `vertex` is the text of the vertex shader
+ * beside it, `companionOf(file)`.
  */
-export function readIsf(source: string, file: string): Result<IsfShader> {
+export function readIsf(source: string, file: string, vertex: string | null = null): Result<IsfShader> {
   const { header, diagnostics } = readHeader(source, file);
   if (header === null) return { output: null, diagnostics };
   const inputs = readInputs(header);
   const shader: IsfShader = {
     file,
     source,
+    vertex: vertex === null ? null : { file: companionOf(file), source: vertex },
+    dialect: 'isf',
     version: property(header.root, 'ISFVSN') === undefined ? 1 : 2,
     kind: kindOf(inputs),
     title: textOf(property(header.root, 'SCRIM_TITLE')),
@@ -32,6 +35,11 @@ export function readIsf(source: string, file: string): Result<IsfShader> {
     depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
   };
   return { output: hasErrors(diagnostics) ? null : shader, diagnostics };
+}
+
+/** Name of the vertex shader that may stand beside a file: `edge.vs` of `edge.fs`. */
+export function companionOf(file: string): string {
+  return file.replace(/\.[^./\\]*$/, '.vs');
 }
 
 /** ISF's conventions say the same of files that keep to them: `inputImage` is a filter's only image, a transition has two. */

@@ -7,6 +7,8 @@ import { isSizeProblem, parseSizeExpression } from './size-expression.ts';
 /** No host draws more; each is a draw call per view and frame. */
 const MAX_PASSES = 64;
 
+const SIDES = 6;
+
 const OUTPUT_PASS: IsfPass = { target: null, persistent: false, float: false, width: null, height: null };
 
 /**
@@ -97,7 +99,12 @@ export function readImported(header: Header): IsfImport[] {
     const path = property(value, 'PATH');
     const paths = path?.type === 'array' ? items(path).map(textOf) : [textOf(path)];
     const { line, column } = header.place(name.offset);
-    const cube = textOf(property(value, 'TYPE')) === 'cube' || path?.type === 'array';
-    return { name: String(name.value), paths: paths.filter((p) => p !== null), cube, line, column };
+    const found = paths.filter((p) => p !== null);
+    const cube = textOf(property(value, 'TYPE')) === 'cube' || found.length > 1;
+    if (found.length !== (cube ? SIDES : 1)) {
+      const wanted = cube ? 'a PATH with six files: +x, -x, +y, -y, +z, -z' : 'a PATH';
+      header.error(name, `The imported picture "${String(name.value)}" needs ${wanted}.`);
+    }
+    return { name: String(name.value), paths: found, cube, line, column };
   });
 }

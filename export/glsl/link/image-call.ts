@@ -5,15 +5,16 @@ import { GlslError } from '../syntax/token.ts';
 import type { ImageUse } from './images.ts';
 
 /**
- * How the position is given: `here` is the pixel that is being drawn; `norm` is (0, 0) to (1, 1); `pixel` is in pixels; the
- * others are GLSL's own forms.
+ * How the position is given: `here` is the pixel that is being drawn; `norm` is (0, 0) to (1, 1), or a direction where the image is
+ * a cube; `pixel` is in pixels; `direction` is for cubes alone; the others are GLSL's own forms.
  */
 export type ImageCall =
-  | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' }
+  | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' | 'direction' }
   | { readonly use: 'size'; readonly whole: boolean }
   | { readonly use: 'depth'; readonly room: boolean };
 
 const NORM = /^texture(2D)?(Lod|LodEXT|Grad|GradEXT)?$/;
+const CUBE = /^textureCube(Lod|LodEXT|GradEXT)?$/;
 const PROJECTED = /^texture(2D)?Proj(Lod|LodEXT|Grad|GradEXT)?$/;
 
 /** What a call reads of an image; null for a call that reads none. Throws for reads that have no meaning on a layer. */
@@ -46,6 +47,7 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
     default:
       if (NORM.test(name)) return { use: 'color', position: 'norm' };
       if (PROJECTED.test(name)) return { use: 'color', position: 'projected' };
+      if (CUBE.test(name)) return { use: 'color', position: 'direction' };
       throw new GlslError(call.token, `"${name}" cannot be used on a layer: read it with IMG_NORM_PIXEL or IMG_PIXEL.`, 'SCR043');
   }
 }

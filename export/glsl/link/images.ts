@@ -1,9 +1,9 @@
-import type { LinkedSampler } from './linked-pass.ts';
+import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 
 /** An image that a pass may read, and how. */
 export interface Image {
   readonly name: string;
-  readonly kind: 'input' | 'room' | 'buffer' | 'absent';
+  readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'absent';
   /** Room depth, whether it is there or not. */
   readonly isRoom: boolean;
   /** For buffers: the version of this pass, see `plan-passes.ts`. */
@@ -14,6 +14,8 @@ export interface Image {
   readonly hasDepth: boolean;
   /** Repeats beyond its edges. */
   readonly repeat: boolean;
+  /** Of sounds, whether there or not. */
+  readonly sound: LinkedSound | null;
 }
 
 /** What is read of an image: its colours, how large it is, its depth. */
@@ -54,6 +56,8 @@ export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
     return null;
   }
   if (image.kind === 'buffer') return { name: image.sampler, source: { kind: 'buffer', target: image.buffer } };
+  if (image.sound !== null) return { name: image.sampler, source: { kind: 'sound', input: image.name, ...image.sound } };
+  if (image.kind === 'picture' || image.kind === 'cube') return { name: image.sampler, source: { kind: 'import', import: image.name } };
   return { name: image.sampler, source: { kind: 'input', input: image.name } };
 }
 
@@ -65,20 +69,34 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultipli
   const parts: string[] = [];
   if (image.kind === 'absent') {
     if (uses.has('size')) parts.push(`const vec2 ${sizeUniform(image)} = vec2(1.0);`);
-    if (uses.has('color')) parts.push(`vec4 ${colorFunction(image)}(vec2 uv) { return vec4(0.0); }`);
+    const nothing = image.sound?.analysis === 'waveform' ? 'vec4(0.5, 0.5, 0.5, 1.0)' : 'vec4(0.0)';
+    if (uses.has('color')) parts.push(`vec4 ${colorFunction(image)}(vec2 uv) { return ${nothing}; }`);
     if (uses.has('depth')) parts.push(`float ${depthFunction(image)}(vec2 uv) { return 0.0; }`);
     return parts.join('\n');
   }
-  if (uses.has('color') || uses.has('size')) parts.push(`uniform sampler2D ${image.sampler};`);
+  const type = image.kind === 'cube' ? 'samplerCube' : 'sampler2D';
+  if (uses.has('color') || uses.has('size')) parts.push(`uniform ${type} ${image.sampler};`);
   if (uses.has('size')) parts.push(`uniform vec2 ${sizeUniform(image)};`);
-  if (uses.has('color')) parts.push(image.kind === 'buffer' ? bufferColor(image) : inputColor(image, premultiplied));
+  if (uses.has('color')) parts.push(colorText(image, premultiplied));
   if (uses.has('depth')) parts.push(depthText(image));
   return parts.join('\n');
 }
 
-/** A node's own buffer: as it was written. */
-function bufferColor(image: Image): string {
-  return `vec4 ${colorFunction(image)}(vec2 uv) { return textureLod(${image.sampler}, uv, 0.0); }`;
+function colorText(image: Image, premultiplied: boolean): string {
+  const read = `textureLod(${image.sampler}, uv, 0.0)`;
+  switch (image.kind) {
+    case 'buffer':
+      // A node's own buffer: as it was written.
+      return `vec4 ${colorFunction(image)}(vec2 uv) { return ${read}; }`;
+    case 'sound':
+      return `vec4 ${colorFunction(image)}(vec2 uv) { return vec4(${read}.rrr, 1.0); }`;
+    case 'picture':
+      return `vec4 ${colorFunction(image)}(vec2 uv) { return ${premultiplied ? read : `scrim_straight(${read})`}; }`;
+    case 'cube':
+      return `vec4 ${colorFunction(image)}(vec3 uv) { return ${premultiplied ? read : `scrim_straight(${read})`}; }`;
+    default:
+      return inputColor(image, premultiplied);
+  }
 }
 
 /** A layer: laid on the view, transparent outside of itself, with straight alpha unless the file wants it as it is stored. */
@@ -102,7 +120,7 @@ float ${depthFunction(image)}(vec2 uv) {
   return scrim_inside(at) ? textureLod(${sampler}, at, 0.0).r : 0.0;
 }`;
   }
-  if (image.kind === 'buffer' || !image.hasDepth) return `float ${depthFunction(image)}(vec2 uv) { return 0.0; }`;
+  if (!image.hasDepth) return `float ${depthFunction(image)}(vec2 uv) { return 0.0; }`;
   const sampler = `${image.sampler}_depth`;
   return `uniform sampler2D ${sampler};
 uniform mat3 ${sampler}_uvFromViewUv;

@@ -200,18 +200,6 @@ describe('what a pass is given', () => {
 });
 
 describe('what is refused', () => {
-  test.each([
-    ['an event', { INPUTS: [{ NAME: 'flash', TYPE: 'event' }] }, 'flash'],
-    ['sound', { INPUTS: [{ NAME: 'loud', TYPE: 'audioFFT' }] }, 'loud'],
-    ['an import', { IMPORTED: { sky: { PATH: 'sky.png' } } }, 'sky'],
-  ])('%s, at its name in the header', (_, header, name) => {
-    const { output, diagnostics } = linkIsf(read('void main() { gl_FragColor = vec4(1.0); }', header), { node: 'n' });
-    expect(output).toBeNull();
-    expect(diagnostics).toMatchObject([{ code: 'SCR043', severity: 'error', nodeId: 'n', file: 'test.fs', line: 1 }]);
-    const line = `/*${JSON.stringify({ ISFVSN: '2', ...header })}*/`;
-    expect(line.slice((diagnostics[0]?.column ?? 0) - 1)).toMatch(new RegExp(`^"${name}"`));
-  });
-
   test('a uniform that nothing sets is a warning and stays 0', () => {
     const { output, diagnostics } = linkIsf(read('uniform float speed;\nvoid main() { gl_FragColor = vec4(speed); }'), { node: 'n' });
     expect(output).not.toBeNull();

@@ -1,13 +1,11 @@
 import type { LinkedShader } from '../../program/program.ts';
-import type { CheckedShader } from '../check/check-shader.ts';
-import type { IsfShader } from '../isf/isf-shader.ts';
 import type { FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { hashText } from './hash.ts';
 import { colorFunction, helpersFor, type Image, type ImageUse, imageText, samplerFor } from './images.ts';
 import { createLineWriter, type LineWriter } from './line-writer.ts';
-import type { LinkedPass, LinkedSampler, LinkOptions } from './linked-pass.ts';
-import { createNames, type Names } from './names.ts';
-import { passImages } from './pass-images.ts';
+import { type LinkSource, type LinkUnit, namePass } from './link-unit.ts';
+import { type LinkedVertex, linkVertex, NORM_COORD, nameVaryings, varyingsOf } from './link-vertex.ts';
+import type { LinkedPass, LinkedSampler } from './linked-pass.ts';
 import type { PlannedPass } from './plan-passes.ts';
 import {
   BOUNDED_VERTEX_SHADER,
@@ -19,33 +17,9 @@ import {
   VERTEX_SHADER,
 } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
-import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './print-declaration.ts';
-import { printBlock } from './print-statement.ts';
+import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
 import { builtinUniforms, GLSL_UNIFORM_TYPES, paramUniforms, usesFragCoord } from './uniforms.ts';
-
-/** A file, the variables that it is given, and the node that it is linked for. */
-export interface LinkSource {
-  readonly shader: IsfShader;
-  readonly given: ReadonlyMap<string, VariableSymbol>;
-  readonly options: LinkOptions;
-}
-
-export interface LinkUnit extends LinkSource {
-  readonly checked: CheckedShader;
-}
-
-interface PassNames {
-  readonly names: Names;
-  readonly images: ReadonlyMap<string, Image>;
-}
-
-/** Inputs and images get their names first, so that these do not depend on what else a pass uses. */
-export function namePass(unit: LinkSource, pass: PlannedPass): PassNames {
-  const names = createNames();
-  for (const symbol of unit.given.values()) if (symbol.role === 'input') names.of(symbol);
-  return { names, images: passImages(unit.shader, pass, unit.options, names) };
-}
 
 /** What `main` of this pass uses. */
 export function reachOfPass(unit: LinkUnit, pass: PlannedPass): Reach {
@@ -57,9 +31,11 @@ export function reachOfPass(unit: LinkUnit, pass: PlannedPass): Reach {
  * nothing has to be bound for it.
  */
 export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (FunctionSymbol | VariableSymbol)[]): LinkedPass {
-  const { names, images } = namePass(unit, pass);
+  const passNames = namePass(unit, pass);
+  const { names, images } = passNames;
   if (pass.kind === 'copy') return linkCopy(unit, pass, images);
   const { shader, checked, given, options } = unit;
+  nameVaryings(passNames, checked, checked);
   const needed = reachOfPass(unit, pass);
   const reach = findReach(checked, { passIndex: pass.passIndex, images, names, also });
   const context: PrintContext = {
@@ -70,6 +46,9 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     images,
     structs: checked.structs,
     loopBudget: options.loopBudget === true && reach.hasLoops,
+    stage: 'fragment',
+    varyings: unit.vertex === null ? new Set() : new Set(varyingsOf(unit.vertex.checked).keys()),
+    normCoord: unit.vertex === null ? 'scrim_uv' : NORM_COORD,
     binding: new Map(),
     returnType: '',
     found: { discards: false, projects: false },
@@ -82,6 +61,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader.premultiplied));
   const head = [
     FRAGMENT_HEAD,
+    ...(unit.vertex === null ? [] : [`in vec2 ${NORM_COORD};`]),
     ...(context.loopBudget ? [LOOP_BUDGET_TEXT] : []),
     ...builtins.map((name) => `uniform ${GLSL_UNIFORM_TYPES[name]} ${name};`),
     ...params.map((uniform) => `uniform ${uniform.type} ${uniform.name};`),
@@ -91,14 +71,17 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     ...(context.found.discards ? ['bool scrim_discarded = false;'] : []),
     'vec4 scrim_fragColor;',
   ];
+  const read = [...reach.globals].filter(({ name, role }) => role === 'varying' && context.varyings.has(name));
+  const vertex = linkVertex(unit, pass, new Set(read.map(({ name }) => name)));
+  const reaches = vertex === null ? [needed] : [needed, vertex.needed];
   return {
-    shader: linkedShader(unit, head.join('\n'), context.writer, context.loopBudget ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER),
+    shader: linkedShader(unit, head.join('\n'), context.writer, vertex ?? (context.loopBudget ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER)),
     passIndex: pass.passIndex,
     target: pass.target,
-    samplers: samplersOf(needed.images, images),
+    samplers: samplersOf(reaches, images),
     uniforms: [
-      ...builtinUniforms(needed).map((name) => ({ name, type: GLSL_UNIFORM_TYPES[name], source: { builtin: name } })),
-      ...params.filter(({ source }) => 'param' in source && needed.params.has(source.param)),
+      ...builtinUniforms(...reaches).map((name) => ({ name, type: GLSL_UNIFORM_TYPES[name], source: { builtin: name } })),
+      ...paramUniforms(shader, needed, given, names, vertex?.needed),
     ],
   };
 }
@@ -118,34 +101,9 @@ function linkCopy(unit: LinkUnit, pass: PlannedPass, images: ReadonlyMap<string,
     shader: linkedShader(unit, [FRAGMENT_HEAD, imageText(image, uses, unit.shader.premultiplied)].join('\n'), writer),
     passIndex: pass.passIndex,
     target: pass.target,
-    samplers: samplersOf(new Map([[image, uses]]), images),
+    samplers: samplersOf([{ images: new Map([[image, uses]]) }], images),
     uniforms: [],
   };
-}
-
-/** The author's functions and variables, as far as `context.reach` goes. */
-export function printAuthorsText(checked: CheckedShader, context: PrintContext): void {
-  const { writer, reach } = context;
-  for (const declaration of checked.declarations) {
-    if (declaration.kind === 'variables') {
-      printGlobals(declaration, context);
-      continue;
-    }
-    const { symbol } = declaration;
-    for (const instance of symbol === null ? [] : (reach.instances.get(symbol) ?? [])) {
-      context.binding = instance.binding;
-      context.returnType = declaration.returnType.type;
-      printFunctionHead(declaration, instance, context);
-      if (declaration.body === null) {
-        writer.write(';');
-        writer.endLine();
-      } else {
-        writer.write(' ');
-        printBlock(declaration.body, context);
-      }
-    }
-    context.binding = new Map();
-  }
 }
 
 function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): void {
@@ -157,13 +115,7 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
   // The viewport may lie anywhere in the target, so GLSL's own position will not do; this one is exact at pixel centres.
   if (usesFragCoord(reach)) writer.own('scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);');
   writer.own('scrim_fragColor = vec4(0.0);');
-  for (const declaration of unit.checked.declarations) {
-    if (declaration.kind !== 'variables') continue;
-    for (const declarator of declaration.declarators) {
-      const isReached = declarator.symbol !== null && reach.globals.has(declarator.symbol);
-      if (isReached && needsHoisting(declarator)) printHoisted(declarator, context);
-    }
-  }
+  printHoistedGlobals(unit.checked, context);
   if (main !== null) writer.own(`${reach.instances.get(main)?.[0]?.name}();`);
   if (context.found.discards) writer.own('if (scrim_discarded) scrim_fragColor = vec4(0.0);');
   writer.own(outputText(unit.shader.premultiplied, pass.target));
@@ -172,26 +124,36 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
   writer.own('}');
 }
 
-function samplersOf(used: ReadonlyMap<Image, ReadonlySet<ImageUse>>, images: ReadonlyMap<string, Image>): LinkedSampler[] {
+function samplersOf(reaches: readonly Pick<Reach, 'images'>[], images: ReadonlyMap<string, Image>): LinkedSampler[] {
   const samplers = new Map<string, LinkedSampler>();
-  // The sets may come from another walk, so images are found by name; the order is the header's.
-  const usesByName = new Map([...used].map(([image, uses]) => [image.name, uses]));
+  // The sets may come from other walks, so images are found by name; the order is the header's.
+  const used = reaches.flatMap((reach) => [...reach.images].map(([image, uses]) => ({ name: image.name, uses })));
   for (const image of images.values()) {
-    for (const use of usesByName.get(image.name) ?? []) {
-      const sampler = samplerFor(image, use);
-      if (sampler !== null) samplers.set(sampler.name, sampler);
+    for (const { uses } of used.filter(({ name }) => name === image.name)) {
+      for (const use of uses) {
+        const sampler = samplerFor(image, use);
+        if (sampler !== null) samplers.set(sampler.name, sampler);
+      }
     }
   }
   return [...samplers.values()];
 }
 
-export function linkedShader(unit: Omit<LinkSource, 'given'>, head: string, writer: LineWriter, vertex = VERTEX_SHADER): LinkedShader {
+/** `vertex`: the author's, or one of ours. */
+export function linkedShader(
+  unit: Omit<LinkSource, 'given'>,
+  head: string,
+  writer: LineWriter,
+  vertex: string | LinkedVertex = VERTEX_SHADER,
+): LinkedShader {
   const headLines = head.split('\n');
   const fragment = `${[...headLines, ...writer.lines].join('\n')}\n`;
+  const vertexText = typeof vertex === 'string' ? vertex : vertex.text;
   return {
-    id: hashText(`${vertex}\0${fragment}`),
-    vertex,
+    id: hashText(`${vertexText}\0${fragment}`),
+    vertex: vertexText,
     fragment,
+    ...(typeof vertex === 'string' ? {} : { geometry: vertex.geometry, vertexMap: vertex.map }),
     sourceMap: { sources: [unit.shader.file], nodes: [unit.options.node], lines: [...headLines.map(() => null), ...writer.map] },
   };
 }

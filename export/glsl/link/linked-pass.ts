@@ -38,15 +38,29 @@ export interface LinkedSampler {
     | { readonly kind: 'input-depth'; readonly input: string }
     /** Room depth at input port `input`. */
     | { readonly kind: 'room-depth'; readonly input: string }
+    /** What was heard last at the sound input `input`, as a picture: one row per channel. */
+    | ({ readonly kind: 'sound'; readonly input: string } & LinkedSound)
+    /** A picture of the shader's own, `IMPORTED` under this name. */
+    | { readonly kind: 'import'; readonly import: string }
     /** Buffer `target` of this node: this frame's picture if an earlier pass has drawn it, else the last frame's. */
     | { readonly kind: 'buffer'; readonly target: string };
+}
+
+export interface LinkedSound {
+  readonly analysis: 'waveform' | 'spectrum';
+  /** How many samples or bins the picture is wide. */
+  readonly count: number;
 }
 
 export interface LinkedUniform {
   /** Uniform name in the shader: `PassUniform.name`. */
   readonly name: string;
   readonly type: PassUniform['type'];
-  readonly source: { readonly param: string } | { readonly builtin: BuiltinUniform };
+  readonly source:
+    | { readonly param: string }
+    /** Whether there is a pulse at this input in this frame. */
+    | { readonly event: string }
+    | { readonly builtin: BuiltinUniform };
 }
 
 export interface LinkOptions {
@@ -54,7 +68,7 @@ export interface LinkOptions {
   readonly node: string;
   /** Bound every invocation's loops, for previews and checks; see `export/program/loop-budget.ts`. */
   readonly loopBudget?: boolean;
-  /** Optional image and depth inputs without a wire: reads give transparent black and 0. */
+  /** Optional image, depth and sound inputs without a wire: reads give transparent black, 0 and silence. */
   readonly absent?: readonly string[];
   /** Image inputs whose layer has no depth: `LAYER_DEPTH` gives 0. */
   readonly withoutDepth?: readonly string[];

@@ -22,6 +22,8 @@ const OURS = /^(?:[a-z]\d*|scrim|gl|webgl|_webgl)_/;
 /** Names that the linker itself uses without a prefix. */
 const GLOBALS: ReadonlySet<string> = new Set(['TIME', 'TIMEDELTA', 'FRAMEINDEX', 'DATE', 'RENDERSIZE', 'PASSINDEX', 'main']);
 
+const GLOBAL_ROLES: ReadonlySet<string> = new Set(['global', 'varying', 'input', 'image']);
+
 const PREFIX = 'a';
 
 export function createNames(): Names {
@@ -46,8 +48,7 @@ export function createNames(): Names {
       functionNames.set(symbol.name, known);
       return known;
     }
-    const isGlobal =
-      symbol.kind === 'struct' ? symbol.global : symbol.role === 'global' || symbol.role === 'input' || symbol.role === 'image';
+    const isGlobal = symbol.kind === 'struct' ? symbol.global : GLOBAL_ROLES.has(symbol.role);
     if (isGlobal || (symbol.kind === 'variable' && symbol.rename)) return fresh(symbol.name);
     return isPlain(symbol.name) ? symbol.name : apart(`${PREFIX}_${symbol.name}`);
   }

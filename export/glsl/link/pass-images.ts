@@ -1,8 +1,9 @@
-import type { IsfShader } from '../isf/isf-shader.ts';
+import { MAX_SOUND_COUNT } from '../../program/sound.ts';
+import type { IsfInput, IsfShader } from '../isf/isf-shader.ts';
 import type { Expression, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { IMAGE_SUFFIXES, type Image } from './images.ts';
-import type { LinkOptions } from './linked-pass.ts';
+import type { LinkedSound, LinkOptions } from './linked-pass.ts';
 import type { Names } from './names.ts';
 import type { PlannedPass } from './plan-passes.ts';
 
@@ -12,22 +13,34 @@ export function passImages(shader: IsfShader, pass: PlannedPass, options: LinkOp
   const absent = new Set(options.absent ?? []);
   const withoutDepth = new Set(options.withoutDepth ?? []);
 
-  function add(name: string, kind: Image['kind'], isRoom: boolean, buffer = '', repeat = false): void {
+  function add(name: string, kind: Image['kind'], more: Partial<Pick<Image, 'isRoom' | 'buffer' | 'sound' | 'repeat'>> = {}): void {
     const sampler = names.fresh(name, IMAGE_SUFFIXES);
-    images.set(name, { name, kind, isRoom, buffer, sampler, hasDepth: kind === 'input' && !withoutDepth.has(name), repeat });
+    const hasDepth = kind === 'input' && !withoutDepth.has(name);
+    images.set(name, { name, kind, sampler, hasDepth, isRoom: false, buffer: '', sound: null, repeat: false, ...more });
   }
 
   for (const input of shader.inputs) {
-    if (input.type === 'image') add(input.name, absent.has(input.name) ? 'absent' : 'input', false, '', input.repeat);
-    if (input.type === 'depth') add(input.name, absent.has(input.name) ? 'absent' : 'room', true);
+    const { name, type, repeat } = input;
+    if (type === 'image') add(name, absent.has(name) ? 'absent' : 'input', { repeat });
+    if (type === 'depth') add(name, absent.has(name) ? 'absent' : 'room', { isRoom: true });
+    if (type === 'audio' || type === 'audioFFT') add(name, absent.has(name) ? 'absent' : 'sound', { sound: soundOf(input) });
   }
+  for (const { name, cube } of shader.imported) if (!images.has(name)) add(name, cube ? 'cube' : 'picture');
   const targets = new Set([...shader.passes.map((other) => other.target), ...pass.readable.keys()]);
   for (const target of targets) {
     if (target === null || images.has(target)) continue;
     const buffer = pass.readable.get(target);
-    add(target, buffer === undefined ? 'absent' : 'buffer', false, buffer);
+    add(target, buffer === undefined ? 'absent' : 'buffer', { buffer: buffer ?? '' });
   }
   return images;
+}
+
+/** As wide as most shaders expect it where they do not say. */
+const DEFAULT_COUNTS = { waveform: 1024, spectrum: 512 } as const;
+
+function soundOf({ type, sampleCount }: IsfInput): LinkedSound {
+  const analysis = type === 'audio' ? 'waveform' : 'spectrum';
+  return { analysis, count: Math.min(sampleCount ?? DEFAULT_COUNTS[analysis], MAX_SOUND_COUNT) };
 }
 
 /** Which images the sampler parameters of a function stand for; empty for a function without. */

@@ -24,6 +24,33 @@ ${declarations}void main() {
 `;
 }
 
+/**
+ * Before the text of an author's vertex shader. `scrim_uv` is as above, and `normCoord` holds `isf_FragNormCoord`. What authors
+ * call first has been done already.
+ */
+export function vertexHead(normCoord: string): string {
+  return `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+out vec2 scrim_uv;
+out vec2 ${normCoord};
+void isf_vertShaderInit() {}
+void vv_vertShaderInit() {}`;
+}
+
+/** Calls the author's `main` for the corners 0, 1, 2 and 3, 2, 1: from the bottom left along x, then up. */
+export function vertexMain(author: string, normCoord: string, isBounded: boolean): string {
+  return `void main() {
+  int corner = gl_VertexID < 3 ? gl_VertexID : 6 - gl_VertexID;
+  ${normCoord} = vec2(corner & 1, corner >> 1);
+  gl_Position = vec4(${normCoord} * 2.0 - 1.0, 0.0, 1.0);
+  scrim_start();
+  ${author}();
+  scrim_uv = gl_Position.xy / gl_Position.w * 0.5 + 0.5;${isBounded ? '\n  if (scrim_isShut()) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);' : ''}
+}`;
+}
+
 export const FRAGMENT_HEAD = `#version 300 es
 precision highp float;
 precision highp int;

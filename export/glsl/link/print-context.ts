@@ -14,6 +14,11 @@ export interface PrintContext {
   readonly images: ReadonlyMap<string, Image>;
   readonly structs: ReadonlyMap<GlslType, StructSymbol>;
   readonly loopBudget: boolean;
+  readonly stage: 'vertex' | 'fragment';
+  /** Names of the varyings that the vertex shader hands on to the fragment shader; any other is a variable that nobody sets. */
+  readonly varyings: ReadonlySet<string>;
+  /** What the place of this pixel, from (0, 0) to (1, 1), is called here. */
+  readonly normCoord: string;
   /** Of the function that is being printed. */
   binding: ImageBinding;
   returnType: GlslType;

@@ -1,5 +1,14 @@
 import { isConstant } from '../check/constant.ts';
-import type { Declarator, FunctionDeclaration, Parameter, StructDeclaration, TypeSpecifier, VariableDeclaration } from '../syntax/ast.ts';
+import { isImageType, numericOf } from '../check/glsl-type.ts';
+import type {
+  Declarator,
+  FunctionDeclaration,
+  Parameter,
+  StructDeclaration,
+  TypeSpecifier,
+  VariableDeclaration,
+  VariableSymbol,
+} from '../syntax/ast.ts';
 import type { PrintContext } from './print-context.ts';
 import { printDimensions, printExpression, printTypeName } from './print-expression.ts';
 import type { Instance } from './reach.ts';
@@ -32,12 +41,9 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
   }
   for (const declarator of declaration.declarators) {
     const { symbol } = declarator;
-    if (symbol?.role !== 'global' || !context.reach.globals.has(symbol)) continue;
-    for (const qualifier of declaration.qualifiers) {
-      // A `uniform` that is given a value, as desktop GLSL allows, is a variable.
-      const stays = qualifier.text === 'uniform' ? declarator.initializer === null : qualifier.text !== 'const' || symbol.constant;
-      if (stays) writer.write(`${qualifier.text} `, qualifier);
-    }
+    if (symbol === null || !context.reach.globals.has(symbol)) continue;
+    if (symbol.role === 'varying') printVaryingQualifiers(symbol, context);
+    else printGlobalQualifiers(declaration, declarator, symbol, context);
     if (needsHoisting(declarator)) {
       const length = declarator.initializer?.kind === 'array' ? declarator.initializer.args.length : null;
       printTypeName(declaration.type, context, length);
@@ -52,6 +58,26 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
     writer.write(';');
     writer.endLine();
   }
+}
+
+function printGlobalQualifiers(
+  { qualifiers }: VariableDeclaration,
+  { initializer }: Declarator,
+  { constant }: VariableSymbol,
+  { writer }: PrintContext,
+): void {
+  for (const qualifier of qualifiers) {
+    // A `uniform` that is given a value, as desktop GLSL allows, is a variable.
+    const stays = qualifier.text === 'uniform' ? initializer === null : qualifier.text !== 'const' || constant;
+    if (stays) writer.write(`${qualifier.text} `, qualifier);
+  }
+}
+
+/** Whole numbers are not interpolated (GLSL ES 3.00 §4.3.6). */
+function printVaryingQualifiers({ name, type }: VariableSymbol, { writer, stage, varyings }: PrintContext): void {
+  if (!varyings.has(name)) return;
+  const { base } = numericOf(type.replaceAll('[]', '')) ?? { base: 'float' };
+  writer.write(`${base === 'int' || base === 'uint' ? 'flat ' : ''}${stage === 'vertex' ? 'out' : 'in'} `);
 }
 
 /** ES 3.00 allows only constants as initialisers of globals; the others are assigned when `main` begins. */
@@ -75,7 +101,7 @@ export function printFunctionHead(declaration: FunctionDeclaration, instance: In
   writer.write(' ');
   writer.write(`${instance.name}(`, declaration.name);
   // A prototype's parameters have no symbols of their own: those that are images show by their type.
-  const values = declaration.parameters.filter((parameter) => parameter.type.type !== 'sampler2D');
+  const values = declaration.parameters.filter((parameter) => !isImageType(parameter.type.type));
   values.forEach((parameter, i) => {
     if (i > 0) writer.write(', ');
     printParameter(parameter, context);

@@ -8,8 +8,6 @@ import type { PrintContext } from './print-context.ts';
 
 /** What the host's variables are in the printed text; `prelude.ts` declares them. */
 const BUILTIN_NAMES: Readonly<Record<string, string>> = {
-  isf_FragNormCoord: 'scrim_uv',
-  vv_FragNormCoord: 'scrim_uv',
   isf_FragCoord: 'scrim_fragCoord.xy',
   vv_FragCoord: 'scrim_fragCoord.xy',
   gl_FragCoord: 'scrim_fragCoord',
@@ -104,6 +102,8 @@ function printPlain(expression: Expression, context: PrintContext): void {
   }
 }
 
+const NORM_COORDS: ReadonlySet<string> = new Set(['isf_FragNormCoord', 'vv_FragNormCoord']);
+
 function printName(expression: Extract<Expression, { kind: 'name' }>, context: PrintContext): void {
   const { symbol, token } = expression;
   if (imageOf(expression, context.images, context.binding) !== null) {
@@ -113,6 +113,7 @@ function printName(expression: Extract<Expression, { kind: 'name' }>, context: P
     );
   }
   if (symbol === null) context.writer.write(token.text, token);
+  else if (NORM_COORDS.has(symbol.name) && symbol.role === 'builtin') context.writer.write(context.normCoord, token);
   else if (symbol.role === 'builtin') context.writer.write(BUILTIN_NAMES[symbol.name] ?? symbol.name, token);
   else context.writer.write(context.names.of(symbol), token);
 }
@@ -192,7 +193,7 @@ function printImageCall(call: CallExpression, read: ImageCall, context: PrintCon
   }
   writer.write(`${read.use === 'depth' ? depthFunction(image) : colorFunction(image)}(`, call.token);
   if (position === undefined || (read.use === 'color' && read.position === 'here')) {
-    writer.write('scrim_uv)');
+    writer.write(`${context.normCoord})`);
     return;
   }
   switch (read.use === 'color' ? read.position : 'norm') {

@@ -1,4 +1,5 @@
 import type { CheckedShader } from '../check/check-shader.ts';
+import { isImageType } from '../check/glsl-type.ts';
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { type Walk, walkExpression, walkStatement } from '../syntax/walk.ts';
@@ -68,7 +69,8 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
   function instanceFor(call: CallExpression, symbol: FunctionSymbol, binding: ImageBinding): Instance {
     const bound = new Map<VariableSymbol, Image>();
     symbol.declaration.parameters.forEach((parameter, i) => {
-      if (parameter.symbol?.type === 'sampler2D') bound.set(parameter.symbol, needImage(call.args[i], call, images, binding));
+      if (parameter.symbol !== null && isImageType(parameter.symbol.type))
+        bound.set(parameter.symbol, needImage(call.args[i], call, images, binding));
     });
     return instanceOf(symbol, bound);
   }
@@ -76,7 +78,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
   function visitName(symbol: VariableSymbol): void {
     if (symbol.role === 'input') params.add(symbol.name);
     if (symbol.role === 'builtin') builtins.add(symbol.name);
-    if (symbol.role !== 'global' || globals.has(symbol)) return;
+    if ((symbol.role !== 'global' && symbol.role !== 'varying') || globals.has(symbol)) return;
     globals.add(symbol);
     const declaration = symbol.declaration;
     for (const dimension of declaration?.dimensions ?? []) if (dimension !== null) walkExpression(dimension, walkIn(NO_IMAGES));
@@ -141,6 +143,11 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
 }
 
 function checkKind(call: CallExpression, read: ImageCall, image: Image): void {
+  const takesDirection = read.use === 'color' && (read.position === 'direction' || read.position === 'norm');
+  if (image.kind === 'cube' ? !takesDirection : read.use === 'color' && read.position === 'direction') {
+    const [what, instead] = image.kind === 'cube' ? ['a cube', 'textureCube and a direction'] : ['no cube', 'IMG_NORM_PIXEL or IMG_PIXEL'];
+    throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`);
+  }
   if (image.isRoom === (read.use === 'depth' && read.room)) return;
   const instead = image.isRoom ? 'ROOM_DEPTH' : read.use === 'depth' ? 'LAYER_DEPTH' : 'an image';
   throw new GlslError(

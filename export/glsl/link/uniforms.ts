@@ -16,9 +16,9 @@ export const GLSL_UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['ty
 };
 
 /** Automatic uniforms that a pass uses, in the table's order; a position in pixels needs the size. */
-export function builtinUniforms(reach: Reach): BuiltinUniform[] {
-  const used = new Set(reach.builtins);
-  if (usesFragCoord(reach)) used.add('RENDERSIZE');
+export function builtinUniforms(...reaches: readonly Reach[]): BuiltinUniform[] {
+  const used = new Set(reaches.flatMap(({ builtins }) => [...builtins]));
+  if (reaches.some(usesFragCoord)) used.add('RENDERSIZE');
   return (Object.keys(GLSL_UNIFORM_TYPES) as BuiltinUniform[]).filter((name) => used.has(name));
 }
 
@@ -26,13 +26,23 @@ export function usesFragCoord(reach: Reach): boolean {
   return ['gl_FragCoord', 'isf_FragCoord', 'vv_FragCoord'].some((name) => reach.builtins.has(name));
 }
 
-/** Inputs that are values, in the header's order. */
-export function paramUniforms(shader: IsfShader, reach: Reach, given: ReadonlyMap<string, VariableSymbol>, names: Names): LinkedUniform[] {
+/** Inputs that are values, in the header's order: those that one reach or the other uses. */
+export function paramUniforms(
+  shader: IsfShader,
+  reach: Reach,
+  given: ReadonlyMap<string, VariableSymbol>,
+  names: Names,
+  also?: Reach,
+): LinkedUniform[] {
   const uniforms: LinkedUniform[] = [];
   for (const { name, type } of shader.inputs) {
     const symbol = given.get(name);
-    if (symbol === undefined || !reach.params.has(name)) continue;
-    uniforms.push({ name: names.of(symbol), type: INPUT_TYPES[type] as PassUniform['type'], source: { param: name } });
+    if (symbol === undefined || !(reach.params.has(name) || also?.params.has(name))) continue;
+    uniforms.push({
+      name: names.of(symbol),
+      type: INPUT_TYPES[type] as PassUniform['type'],
+      source: type === 'event' ? { event: name } : { param: name },
+    });
   }
   return uniforms;
 }

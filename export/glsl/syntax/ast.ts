@@ -167,7 +167,8 @@ export interface VariableSymbol {
   readonly kind: 'variable';
   readonly name: string;
   readonly type: GlslType;
-  readonly role: 'global' | 'local' | 'parameter' | 'input' | 'image' | 'builtin';
+  /** `varying`: handed from the vertex shader to the fragment shader. */
+  readonly role: 'global' | 'varying' | 'local' | 'parameter' | 'input' | 'image' | 'builtin';
   readonly token: Token | null;
   /** Value known at compile time, as GLSL ES 3.00 §4.3.3 demands of `const` and of global initialisers. */
   constant: boolean;

@@ -27,11 +27,24 @@ export class GlslError extends Error {
   readonly place: Place;
   /** Bad GLSL, or good GLSL that cannot run here. */
   readonly code: 'SCR041' | 'SCR043';
+  /** Where it is not the file that was asked for, but one beside it. */
+  readonly file: string | null;
 
-  constructor(place: Place, message: string, code: 'SCR041' | 'SCR043' = 'SCR041') {
+  constructor(place: Place, message: string, code: 'SCR041' | 'SCR043' = 'SCR041', file: string | null = null) {
     super(message);
     this.name = 'GlslError';
     this.place = { line: place.line, column: place.column };
     this.code = code;
+    this.file = file;
+  }
+}
+
+/** Runs `read`, and names the file in what goes wrong. */
+export function inFile<T>(file: string, read: () => T): T {
+  try {
+    return read();
+  } catch (error) {
+    if (!(error instanceof GlslError)) throw error;
+    throw new GlslError(error.place, error.message, error.code, file);
   }
 }

@@ -6,11 +6,11 @@ import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
 import { hashText } from '../link/hash.ts';
 import type { Image } from '../link/images.ts';
 import { createLineWriter } from '../link/line-writer.ts';
-import { printAuthorsText } from '../link/link-pass.ts';
 import { createNames, type Names } from '../link/names.ts';
 import { FRAGMENT_HEAD, VERTEX_SHADER } from '../link/prelude.ts';
 import type { PrintContext } from '../link/print-context.ts';
 import { needsHoisting } from '../link/print-declaration.ts';
+import { printAuthorsText } from '../link/print-shader.ts';
 import { findReach, type Reach } from '../link/reach.ts';
 import type { FunctionDeclaration, ParsedShader, VariableSymbol } from '../syntax/ast.ts';
 import { parseShader } from '../syntax/parse.ts';
@@ -188,6 +188,9 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
     images,
     structs: unit.checked.structs,
     loopBudget: unit.loopBudget && reach.hasLoops,
+    stage: 'fragment',
+    varyings: new Set(),
+    normCoord: 'scrim_uv',
     binding: new Map(),
     returnType: '',
     found: { discards: false, projects: false },

@@ -1,5 +1,6 @@
 import type { TechniquePass } from '../../program/program.ts';
 import type { IsfInput } from '../isf/isf-shader.ts';
+import { isTransition } from '../transition/is-transition.ts';
 
 /** A technique file as its header describes it. The GLSL below the header is not read yet: `linkTechnique` does that. */
 export interface TechniqueShader {
@@ -22,7 +23,7 @@ export interface TechniqueShader {
   readonly passes: readonly TechniquePass[];
 }
 
-/** Techniques are told from ISF files by their ending. */
-export function isTechniqueFile(file: string): boolean {
-  return file.endsWith('.glsl');
+/** Techniques are told from ISF files by their ending, and from transitions, which share it, by what they hold. */
+export function isTechnique(source: string, file: string): boolean {
+  return file.endsWith('.glsl') && !isTransition(source, file);
 }

@@ -2,15 +2,21 @@ import type { GlObjects } from './gl-objects.ts';
 import { setPassState, setSampler } from './pass-state.ts';
 import type { GlProgram } from './program-cache.ts';
 
+/** As `LinkedShader.geometry` says. */
+const TRIANGLE_VERTICES = 3;
+const QUAD_VERTICES = 6;
+
 export type PassBlend = 'replace' | 'over';
 
-/** Draws full-screen triangles, whatever state the context is in. */
+/** Draws full-screen triangles and quads, whatever state the context is in. */
 export interface PassDrawer {
   /** Everything drawn until `end` goes here. */
   begin(framebuffer: WebGLFramebuffer | null, x: number, y: number, widthPx: number, heightPx: number, blend: PassBlend): void;
   use(program: GlProgram): void;
   /** A null texture stands for transparent, or for unknown depth. `nearest` for anything that is not colour. */
   texture(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
+  /** The six sides of a cube; null stands for transparent. */
+  cube(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null): void;
   draw(): void;
   /** Takes its samplers off the units again: three.js sets texture parameters and knows no samplers. */
   end(): void;
@@ -26,6 +32,8 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
   setSampler(gl, linear, gl.LINEAR);
   setSampler(gl, nearest, gl.NEAREST);
   const empty = createEmptyTexture(objects);
+  let emptyCube: WebGLTexture | null = null;
+  let vertices = TRIANGLE_VERTICES;
   let unitsUsed = 0;
   return {
     begin: (framebuffer, x, y, widthPx, heightPx, blend) => {
@@ -35,7 +43,10 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
       gl.blendEquation(gl.FUNC_ADD);
       gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     },
-    use: (program) => gl.useProgram(program.program),
+    use: ({ program, shader }) => {
+      gl.useProgram(program);
+      vertices = shader.geometry === undefined ? TRIANGLE_VERTICES : QUAD_VERTICES;
+    },
     texture: (unit, location, texture, filter) => {
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, texture ?? empty);
@@ -43,7 +54,15 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
       gl.uniform1i(location, unit);
       if (unit >= unitsUsed) unitsUsed = unit + 1;
     },
-    draw: () => gl.drawArrays(gl.TRIANGLES, 0, 3),
+    cube: (unit, location, texture) => {
+      emptyCube ??= texture === null ? createEmptyCube(objects) : null;
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture ?? emptyCube);
+      gl.bindSampler(unit, linear);
+      gl.uniform1i(location, unit);
+      if (unit >= unitsUsed) unitsUsed = unit + 1;
+    },
+    draw: () => gl.drawArrays(gl.TRIANGLES, 0, vertices),
     end: () => {
       for (let unit = 0; unit < unitsUsed; unit++) gl.bindSampler(unit, null);
       unitsUsed = 0;
@@ -54,6 +73,7 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
       objects.deleteSampler(linear);
       objects.deleteSampler(nearest);
       objects.deleteTexture(empty);
+      if (emptyCube) objects.deleteTexture(emptyCube);
     },
   };
 }
@@ -65,5 +85,14 @@ function createEmptyTexture(objects: GlObjects): WebGLTexture {
   gl.activeTexture(gl.TEXTURE0);
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, 1, 1);
+  return texture;
+}
+
+function createEmptyCube(objects: GlObjects): WebGLTexture {
+  const { gl } = objects;
+  const texture = objects.createTexture();
+  gl.activeTexture(gl.TEXTURE0);
+  gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
+  gl.texStorage2D(gl.TEXTURE_CUBE_MAP, 1, gl.RGBA8, 1, 1);
   return texture;
 }

@@ -11,6 +11,8 @@ export interface ShaderError {
 /** A GL program on its way; shared by all passes with equal source. */
 export interface GlProgram {
   readonly state: 'linking' | 'linked' | 'broken';
+  /** What it was made of. */
+  readonly shader: LinkedShader;
   readonly program: WebGLProgram;
   /** Not empty when broken. */
   readonly errors: readonly ShaderError[];

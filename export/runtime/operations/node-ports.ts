@@ -80,6 +80,8 @@ function listOf(id: string, resources: LiveResources): unknown {
       return resource.environment;
     case 'external':
       return resource.layer;
+    case 'sound':
+      return resource.live.sound;
     case 'pulses':
       return resource.queue;
     case 'technique':

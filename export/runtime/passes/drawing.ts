@@ -5,6 +5,7 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 import type { LiveResources } from '../resources/resources.ts';
+import type { Imports } from './imports.ts';
 import { createSamplers, type Sampler } from './samplers.ts';
 import type { SetUniform } from './uniforms.ts';
 
@@ -54,11 +55,12 @@ export function createHandOn(
   copy: GlProgram,
   operation: PassOperation,
   resources: LiveResources,
+  imports: Imports,
   probe: WebGLTexture | null,
 ): Drawing {
   const first = operation.samplers.find((sampler) => sampler.source.kind === 'color');
   const handedOn = { ...operation, samplers: first ? [{ ...first, name: COPY_SAMPLER }] : [] };
-  const samplers = first ? createSamplers(gl, drawer, copy, handedOn, resources) : [transparent(drawer, copy)];
+  const samplers = first ? createSamplers(gl, drawer, copy, handedOn, resources, imports) : [transparent(drawer, copy)];
   return createDrawing(gl, drawer, copy, samplers, [], probe);
 }
 

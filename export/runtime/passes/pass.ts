@@ -8,6 +8,7 @@ import type { PlayState } from '../play-state.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Slots } from '../values/slots.ts';
 import { createDrawing, createHandOn, type Drawing, GATE } from './drawing.ts';
+import type { Imports } from './imports.ts';
 import { createSamplers } from './samplers.ts';
 import { createUniforms } from './uniforms.ts';
 
@@ -22,9 +23,12 @@ export interface PassParts {
   readonly clock: FrameClock;
   readonly resources: LiveResources;
   readonly slots: Slots;
+  readonly imports: Imports;
   /** Linked. */
   readonly copy: GlProgram;
 }
+
+const TRANSPARENT = new Float32Array(4);
 
 /** Stands over a pass of a node whose loops are bounded (`export/program/loop-budget.ts`). */
 export interface PassGuard {
@@ -46,7 +50,7 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
   const { gl, drawer, resources } = parts;
   const loops = guard?.loops ?? null;
   const probeTexture = loops?.probe.texture ?? null;
-  const handOn = createHandOn(gl, drawer, loops?.gatedCopy ?? parts.copy, operation, resources, probeTexture);
+  const handOn = createHandOn(gl, drawer, loops?.gatedCopy ?? parts.copy, operation, resources, parts.imports, probeTexture);
   const own = program.state === 'broken' ? handOn : createOwn(operation, program, parts, probeTexture);
   const destination = operation.target === 'screen' ? null : liveResource(resources, operation.target, 'target');
 
@@ -76,6 +80,8 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
         const { framebuffer, widthPx, heightPx } = destination.target.back(viewIndex);
         drawProbe(state, widthPx, heightPx);
         drawer.begin(framebuffer, 0, 0, widthPx, heightPx, operation.blend);
+        // What an author's vertex shader leaves out is transparent.
+        if (program.shader.geometry === 'moved-quad') gl.clearBufferfv(gl.COLOR, 0, TRANSPARENT);
         drawPicture(state, widthPx, heightPx);
         destination.target.finish(viewIndex);
       } else if (state.view) {
@@ -90,6 +96,7 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
 
 function createOwn(operation: PassOperation, program: GlProgram, parts: PassParts, probe: WebGLTexture | null): Drawing {
   const { gl, drawer } = parts;
-  const samplers = createSamplers(gl, drawer, program, operation, parts.resources);
-  return createDrawing(gl, drawer, program, samplers, createUniforms(gl, program, operation, parts.slots, parts.clock), probe);
+  const samplers = createSamplers(gl, drawer, program, operation, parts.resources, parts.imports);
+  const uniforms = createUniforms(gl, program, operation, parts.slots, parts.clock, parts.resources);
+  return createDrawing(gl, drawer, program, samplers, uniforms, probe);
 }

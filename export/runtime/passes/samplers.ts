@@ -5,6 +5,8 @@ import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 import { IDENTITY, type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Target } from '../targets/target.ts';
+import type { SoundPicture } from '../sound/sound-picture.ts';
+import type { ImportedPicture, Imports } from './imports.ts';
 import { setDecode } from './depth-decode.ts';
 import { fitted } from './fit.ts';
 
@@ -33,6 +35,7 @@ export function createSamplers(
   program: GlProgram,
   operation: PassOperation,
   resources: LiveResources,
+  imports: Imports,
 ): Sampler[] {
   const samplers: Sampler[] = [];
   for (const spec of operation.samplers) {
@@ -43,7 +46,7 @@ export function createSamplers(
       decode: program.uniform(`${spec.name}_decode`),
     };
     if (Object.values(locations).every((location) => location === null)) continue;
-    samplers.push(createSampler(gl, drawer, samplers.length, locations, spec, resources));
+    samplers.push(createSampler(gl, drawer, samplers.length, locations, spec, resources, imports));
   }
   return samplers;
 }
@@ -55,8 +58,14 @@ function createSampler(
   locations: Locations,
   spec: PassSampler,
   resources: LiveResources,
+  imports: Imports,
 ): Sampler {
   const { source, fit } = spec;
+  if (source.kind === 'import') return imported(gl, drawer, unit, locations, imports.find(source.assets, source.cube));
+  if (source.kind === 'sound') {
+    const { live } = liveResource(resources, source.resource, 'sound');
+    return heard(gl, drawer, unit, locations, live.picture(source.analysis, source.count));
+  }
   if (source.kind === 'room-depth') {
     return roomDepth(gl, drawer, unit, locations, liveResource(resources, source.resource, 'room-depth').depth);
   }
@@ -146,6 +155,28 @@ function roomDepth(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number,
   };
 }
 
+function heard(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, picture: SoundPicture): Sampler {
+  return {
+    prepare: picture.update,
+    bind: () => {
+      if (locations.texture) drawer.texture(unit, locations.texture, picture.texture, 'linear');
+      setSize(gl, locations, picture.widthPx, picture.heightPx);
+    },
+  };
+}
+
+function imported(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, picture: ImportedPicture): Sampler {
+  return {
+    // A cube is put together when it is first asked for.
+    prepare: () => picture.texture,
+    bind: () => {
+      if (locations.texture && picture.cube) drawer.cube(unit, locations.texture, picture.texture);
+      else if (locations.texture) drawer.texture(unit, locations.texture, picture.texture, 'linear');
+      setSize(gl, locations, picture.widthPx, picture.heightPx);
+    },
+  };
+}
+
 /** A fitted picture is a layer of the view from here on, and has its size. */
 function setPlacement(
   gl: WebGL2RenderingContext,
@@ -157,8 +188,13 @@ function setPlacement(
   state: PlayState,
 ): void {
   if (locations.uv) gl.uniformMatrix3fv(locations.uv, false, fitted(uv, fit, widthPx, heightPx, state.widthPx, state.heightPx));
-  if (!locations.size) return;
-  scratchSize[0] = fit === 'none' ? widthPx : state.widthPx;
-  scratchSize[1] = fit === 'none' ? heightPx : state.heightPx;
-  gl.uniform2fv(locations.size, scratchSize);
+  if (fit === 'none') setSize(gl, locations, widthPx, heightPx);
+  else setSize(gl, locations, state.widthPx, state.heightPx);
+}
+
+function setSize(gl: WebGL2RenderingContext, { size }: Locations, widthPx: number, heightPx: number): void {
+  if (!size) return;
+  scratchSize[0] = widthPx;
+  scratchSize[1] = heightPx;
+  gl.uniform2fv(size, scratchSize);
 }

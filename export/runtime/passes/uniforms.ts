@@ -1,7 +1,8 @@
-import type { BuiltinUniform, PassOperation, PassUniform } from '../../program/program.ts';
+import type { BuiltinUniform, PassOperation, PassUniform, ResourceId } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
+import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Slots } from '../values/slots.ts';
 
 /** Sets one uniform of the program in use. `widthPx` and `heightPx` are what the pass draws into. */
@@ -17,16 +18,16 @@ export function createUniforms(
   operation: PassOperation,
   slots: Slots,
   clock: FrameClock,
+  resources: LiveResources,
 ): SetUniform[] {
   const setters: SetUniform[] = [];
   for (const uniform of operation.uniforms) {
     const location = program.uniform(uniform.name);
     if (!location) continue;
-    setters.push(
-      'slot' in uniform.source
-        ? fromSlot(gl, location, uniform.type, slots, uniform.source.slot)
-        : fromBuiltin(gl, location, uniform.source.builtin, operation.passIndex, clock),
-    );
+    const { source, type } = uniform;
+    if ('slot' in source) setters.push(fromSlot(gl, location, type, slots, source.slot));
+    else if ('pulses' in source) setters.push(fromPulses(gl, location, source.pulses, resources));
+    else setters.push(fromBuiltin(gl, location, source.builtin, operation.passIndex, clock));
   }
   return setters;
 }
@@ -68,6 +69,21 @@ function sender(gl: WebGL2RenderingContext, location: WebGLUniformLocation, valu
     default:
       return () => gl.uniform4fv(location, values);
   }
+}
+
+/** True in the frames in which something happened. */
+function fromPulses(
+  gl: WebGL2RenderingContext,
+  location: WebGLUniformLocation,
+  pulses: readonly ResourceId[],
+  resources: LiveResources,
+): SetUniform {
+  const queues = pulses.map((id) => liveResource(resources, id, 'pulses').queue);
+  return () => {
+    let happened = 0;
+    for (let i = 0; i < queues.length; i++) if ((queues[i]?.count ?? 0) > 0) happened = 1;
+    gl.uniform1i(location, happened);
+  };
 }
 
 function fromBuiltin(

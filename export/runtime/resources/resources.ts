@@ -2,6 +2,7 @@ import type { EnvironmentOutput, LayerOutput, LightList, ObjectList, RoomDepthOu
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
+import { createLiveSound, type LiveSound } from '../sound/live-sound.ts';
 import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
@@ -15,6 +16,7 @@ export type LiveResource =
   | { readonly kind: 'objects'; readonly list: ObjectList }
   | { readonly kind: 'lights'; readonly list: LightList }
   | { readonly kind: 'environment'; readonly environment: EnvironmentOutput }
+  | { readonly kind: 'sound'; readonly live: LiveSound }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Made by its operation. */
@@ -57,7 +59,9 @@ export function pointTechniques(program: Program, live: LiveResources, engine: P
 export function disposeUnused(before: LiveResources, after: LiveResources | null): void {
   const kept = new Set(after?.values());
   for (const resource of new Set(before.values())) {
-    if (resource.kind === 'target' && !kept.has(resource)) resource.target.dispose();
+    if (kept.has(resource)) continue;
+    if (resource.kind === 'target') resource.target.dispose();
+    if (resource.kind === 'sound') resource.live.dispose();
   }
 }
 
@@ -82,6 +86,10 @@ export function clearOutput(resource: LiveResource): void {
       break;
     case 'environment':
       resource.environment.asset = null;
+      break;
+    case 'sound':
+      resource.live.sound.channelCount = 0;
+      resource.live.sound.version++;
       break;
     case 'pulses':
       resource.queue.clear();
@@ -109,6 +117,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'lights', list: { version: 0, items: [] } };
     case 'environment':
       return { kind: 'environment', environment: { asset: null, intensity: 1, rotationRad: 0 } };
+    case 'sound':
+      return { kind: 'sound', live: createLiveSound(objects) };
     case 'pulses':
       return { kind: 'pulses', queue: createPulseQueue() };
     case 'technique':

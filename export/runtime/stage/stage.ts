@@ -4,6 +4,7 @@ import type { Program } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import type { LoadedProgram } from '../loading.ts';
 import { isDraw } from '../operations/node-key.ts';
+import { createImports, type Imports } from '../passes/imports.ts';
 import { createPass, type PassParts } from '../passes/pass.ts';
 import { EMPTY_FRAME, enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
@@ -59,8 +60,9 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
   const delays = runtimes.filter((runtime) => runtime.remember !== undefined);
   const pulses = [...resources.values()].flatMap((resource) => (resource.kind === 'pulses' ? [resource.queue] : []));
   const loops = createLoopWatch(engine, loaded, before?.loops ?? null);
-  const once = createSteps(engine, loaded, slots, cast, loops, 'once');
-  const each = createSteps(engine, loaded, slots, cast, loops, 'each');
+  const imports = createImports(engine, program);
+  const once = createSteps(engine, loaded, slots, imports, cast, loops, 'once');
+  const each = createSteps(engine, loaded, slots, imports, cast, loops, 'each');
   const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
   const background = createBackground(engine.objects.gl, engine.drawer, engine.copy, program.presentation.background);
   let viewCount = 0;
@@ -124,6 +126,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
       if (!next) releaseCast(cast);
       loops?.release(next?.loops ?? null);
       disposeUnused(resources, next?.resources ?? null);
+      imports.release();
       loaded.release();
     },
     outlive: () => {
@@ -132,6 +135,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
       releaseCast(cast, left);
       loops?.release(null);
       disposeUnused(resources, null);
+      imports.release();
       loaded.release();
       return { resources: left.resources, cast: left, loops: null };
     },
@@ -162,12 +166,14 @@ function createSteps(
   engine: Engine,
   loaded: LoadedProgram,
   slots: Slots,
+  imports: Imports,
   cast: Cast,
   loops: LoopWatch | null,
   view: 'once' | 'each',
 ): Step[] {
   const { resources } = cast;
-  const parts: PassParts = { gl: engine.objects.gl, drawer: engine.drawer, clock: engine.clock, resources, slots, copy: engine.copy };
+  const { objects, drawer, clock, copy } = engine;
+  const parts: PassParts = { gl: objects.gl, drawer, clock, resources, slots, imports, copy };
   const steps: Step[] = [];
   for (const operation of loaded.program.operations) {
     if (operation.view !== view) continue;

@@ -6,7 +6,7 @@ import { addStep, type Lowering, resourceAt } from './lowering.ts';
 /** Lays a picture over what is on the screen; `id` names the operation. */
 export function lowerCopyToScreen(lowering: Lowering, id: string, layer: Source, fit: Fit): void {
   const variant = { loopBudget: false, absent: [], withoutDepth: [] };
-  const [pass] = lowering.shaders.link(COPY_FILE, COPY_SOURCE, variant).output ?? [];
+  const [pass] = lowering.shaders.link(COPY_FILE, COPY_SOURCE, null, variant).output ?? [];
   const [sampler] = pass?.samplers ?? [];
   if (!pass || !sampler) throw new Error('The shader that copies cannot be linked.');
   const resource = resourceAt(lowering, layer);

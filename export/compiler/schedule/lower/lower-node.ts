@@ -181,6 +181,8 @@ function outputResource({ layers }: Lowering, source: Source, type: WireType): R
       return { id, kind: type };
     case 'pulse':
       return { id, kind: 'pulses' };
+    case 'audio':
+      return { id, kind: 'sound' };
     default:
       throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);
   }

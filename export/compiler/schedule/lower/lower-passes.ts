@@ -55,14 +55,14 @@ export function lowerLastPassAgain(lowering: Lowering, node: FlatNode, lowered: 
 /** Whether the shader of a node can be linked; it is linked only once. */
 export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
   if (node.definition.lowering.kind !== 'image') return true;
-  const { file, source, variant } = shaderOf(lowering, node, () => true);
-  return lowering.shaders.link(file, source, variant).output !== null;
+  const { file, source, vertex, variant } = shaderOf(lowering, node, () => true);
+  return lowering.shaders.link(file, source, vertex, variant).output !== null;
 }
 
 export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
   // Linked as if every layer had depth, so that the samplers say whether the shader asks for it.
   const asking = shaderOf(lowering, node, () => true);
-  const { output, diagnostics } = lowering.shaders.link(asking.file, asking.source, asking.variant);
+  const { output, diagnostics } = lowering.shaders.link(asking.file, asking.source, asking.vertex, asking.variant);
   lowering.diagnostics.push(...diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
   if (output === null) {
     const broken = layerOutput(node);
@@ -75,7 +75,7 @@ export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedP
   const missing = [...asked].filter((port) => !hasDepth(lowering, node, port));
   if (missing.length === 0) return output;
   for (const port of missing) warnOfMissingDepth(lowering, node, port);
-  return lowering.shaders.link(asking.file, asking.source, { ...asking.variant, withoutDepth: missing }).output ?? [];
+  return lowering.shaders.link(asking.file, asking.source, asking.vertex, { ...asking.variant, withoutDepth: missing }).output ?? [];
 }
 
 function warnOfMissingDepth({ diagnostics }: Lowering, node: FlatNode, port: string): void {
@@ -147,19 +147,21 @@ interface PassRequest {
 
 function addPass(lowering: Lowering, node: FlatNode, { buffers }: LoweredPasses, { pass, id, target, after }: PassRequest): void {
   const { samplers, reads } = passSamplers(lowering, node, pass, buffers, (layer) => depthAt(lowering, layer));
+  const uniforms = passUniforms(lowering, node, pass);
+  const pulses = uniforms.flatMap(({ source }) => ('pulses' in source ? source.pulses : []));
   const { lowering: kind } = node.definition;
   const operation: ScheduledPass = {
     id,
     node: node.id,
     kind: 'pass',
     view: domainOf(lowering, node) === 'image' ? 'once' : 'each',
-    reads,
+    reads: [...reads, ...pulses],
     writes: target === 'screen' ? [] : [target],
     shader: pass.shader,
     target,
     blend: target === 'screen' ? 'over' : 'replace',
     samplers,
-    uniforms: passUniforms(lowering, node, pass),
+    uniforms,
     passIndex: pass.passIndex,
     ...(kind.kind === 'image' && { access: kind.access }),
   };

@@ -1,31 +1,39 @@
 import type { NamedSize } from '../../../glsl/isf/isf-shader.ts';
-import type { LinkedPass, LinkedSampler, PassTarget } from '../../../glsl/link/linked-pass.ts';
+import { companionOf } from '../../../glsl/isf/read-isf.ts';
+import type { LinkedPass, LinkedSampler, LinkedUniform, PassTarget } from '../../../glsl/link/linked-pass.ts';
 import type { LayerDepthRef, PassSampler, PassUniform, ResourceId, SizeExpression, TargetSize } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import type { LinkVariant } from '../../shaders/shader-store.ts';
 import { fitOf } from '../fit.ts';
 import { layerInputs, layerOutput } from '../layers.ts';
+import { importedAssetId } from '../../imported-assets.ts';
 import { type Lowering, resourceAt } from './lowering.ts';
 
 /** The text behind an image node and how it is to be linked there. */
 export interface NodeShader {
   readonly file: string;
   readonly source: string;
+  /** Of the vertex shader beside it, where there is one. */
+  readonly vertex: string | null;
   readonly variant: LinkVariant;
 }
+
+/** What an image node reads as a picture. */
+const PICTURES: ReadonlySet<string> = new Set(['layer', 'depth', 'audio']);
 
 export function shaderOf(lowering: Lowering, node: FlatNode, hasDepth: (layer: Source) => boolean): NodeShader {
   const { lowering: kind, inputs, type } = node.definition;
   if (kind.kind !== 'image') throw new Error(`${node.id} has no shader.`);
   const source = lowering.library.shader(kind.shader);
   if (source === undefined) throw new Error(`The library has no shader ${kind.shader} for ${type}.`);
-  const ports = Object.keys(inputs).filter((port) => inputs[port]?.type === 'layer' || inputs[port]?.type === 'depth');
+  const ports = Object.keys(inputs).filter((port) => PICTURES.has(inputs[port]?.type ?? ''));
+  const vertex = lowering.library.shader(companionOf(kind.shader)) ?? null;
   const absent = ports.filter((port) => !node.inputs.has(port));
   const withoutDepth = ports.filter((port) => {
     const [layer] = inputs[port]?.type === 'layer' ? sourcesAt(node, port) : [];
     return layer !== undefined && !hasDepth(layer);
   });
-  return { file: kind.shader, source, variant: { loopBudget: lowering.loopBudget, absent, withoutDepth } };
+  return { file: kind.shader, source, vertex, variant: { loopBudget: lowering.loopBudget, absent, withoutDepth } };
 }
 
 export interface PassSamplers {
@@ -44,8 +52,21 @@ export function passSamplers(
   const samplers = pass.samplers.map(({ name, source }) => ({ name, ...sampled(lowering, node, source, buffers, depthOf) }));
   return {
     samplers,
-    reads: [...new Set(samplers.map(({ source }) => (source.kind === 'depth' ? source.depth.resource : source.resource)))],
+    reads: [...new Set(samplers.flatMap(({ source }) => resourcesOf(source)))],
   };
+}
+
+function resourcesOf(source: PassSampler['source']): ResourceId[] {
+  if (source.kind === 'import') return [];
+  return [source.kind === 'depth' ? source.depth.resource : source.resource];
+}
+
+/** The pictures that a shader brings along, by their paths in the project. */
+function importedAt(lowering: Lowering, node: FlatNode, name: string): PassSampler['source'] {
+  const { file, source } = shaderOf(lowering, node, () => true);
+  const imported = lowering.shaders.read(file, source).output?.imported.find((image) => image.name === name);
+  if (!imported) throw new Error(`${file} imports no ${name}.`);
+  return { kind: 'import', assets: imported.paths.map((path) => importedAssetId(file, path)), cube: imported.cube };
 }
 
 function sampled(
@@ -60,6 +81,7 @@ function sampled(
     if (resource === undefined) throw new Error(`The shader of ${node.id} reads the buffer ${from.target}, which nobody makes.`);
     return { source: { kind: 'color', resource }, fit: 'none' };
   }
+  if (from.kind === 'import') return { source: importedAt(lowering, node, from.import), fit: 'none' };
   const [input] = sourcesAt(node, from.input);
   if (!input) throw new Error(`The shader of ${node.id} reads ${from.input}, which has no wire.`);
   if (from.kind === 'input-depth') {
@@ -68,6 +90,7 @@ function sampled(
     return { source: { kind: 'depth', depth }, fit: 'none' };
   }
   const resource = resourceAt(lowering, input);
+  if (from.kind === 'sound') return { source: { kind: 'sound', resource, analysis: from.analysis, count: from.count }, fit: 'none' };
   if (from.kind === 'room-depth') return { source: { kind: 'room-depth', resource }, fit: 'none' };
   return { source: { kind: 'color', resource }, fit: fitAt(lowering, node, input) };
 }
@@ -77,8 +100,13 @@ export function passUniforms({ slots }: Lowering, node: FlatNode, pass: LinkedPa
   return pass.uniforms.map(({ name, type, source }) => ({
     name,
     type,
-    source: 'param' in source ? { slot: slots.ofParam(node, source.param) } : source,
+    source: uniformSource(source),
   }));
+
+  function uniformSource(source: LinkedUniform['source']): PassUniform['source'] {
+    if ('param' in source) return { slot: slots.ofParam(node, source.param) };
+    return 'event' in source ? { pulses: sourcesAt(node, source.event).map(portKey) } : source;
+  }
 }
 
 /** A picture of its own size is laid onto the view where a node of the view reads it. */

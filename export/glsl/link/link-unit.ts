@@ -1,0 +1,46 @@
+import type { CheckedShader } from '../check/check-shader.ts';
+import { isImageType } from '../check/glsl-type.ts';
+import type { CheckedIsf } from '../isf/checked-isf.ts';
+import type { IsfShader } from '../isf/isf-shader.ts';
+import type { FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
+import type { Image } from './images.ts';
+import type { LinkOptions } from './linked-pass.ts';
+import { createNames, type Names } from './names.ts';
+import { passImages } from './pass-images.ts';
+import type { PlannedPass } from './plan-passes.ts';
+
+/** A file, the variables that it is given, and the node that it is linked for. */
+export interface LinkSource {
+  readonly shader: IsfShader;
+  readonly given: ReadonlyMap<string, VariableSymbol>;
+  readonly options: LinkOptions;
+}
+
+export interface LinkUnit extends LinkSource, CheckedIsf {}
+
+export interface PassNames {
+  readonly names: Names;
+  readonly images: ReadonlyMap<string, Image>;
+}
+
+/** Inputs and images get their names first, so that these do not depend on what else a pass uses. */
+export function namePass(unit: LinkSource, pass: PlannedPass): PassNames {
+  const names = createNames();
+  for (const symbol of unit.given.values()) if (symbol.role === 'input') names.of(symbol);
+  const images = passImages(unit.shader, pass, unit.options, names);
+  return { names, images };
+}
+
+/** Functions and variables that can be printed without being called: those that take no image. */
+export function usable({ declarations }: CheckedShader): (FunctionSymbol | VariableSymbol)[] {
+  const symbols = new Set<FunctionSymbol | VariableSymbol>();
+  for (const declaration of declarations) {
+    if (declaration.kind === 'function') {
+      const { symbol } = declaration;
+      if (symbol !== null && !symbol.parameterTypes.some(isImageType)) symbols.add(symbol);
+      continue;
+    }
+    for (const { symbol } of declaration.declarators) if (symbol?.role === 'global') symbols.add(symbol);
+  }
+  return [...symbols];
+}

@@ -1,0 +1,142 @@
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import type { IsfInput, IsfShader } from '../isf/isf-shader.ts';
+import type { Declarator, VariableDeclaration } from '../syntax/ast.ts';
+import { parseShader } from '../syntax/parse.ts';
+import { GlslError } from '../syntax/token.ts';
+import { readDefault } from './read-default.ts';
+
+/** Ports and param of every transition, called as ISF's conventions have them. */
+export const FROM_IMAGE = 'startImage';
+export const TO_IMAGE = 'endImage';
+const PROGRESS = 'progress';
+
+/** What the host of a transition declares: files may declare it once more. */
+const GIVEN: ReadonlySet<string> = new Set([PROGRESS, 'ratio', 'from', 'to', '_fromR', '_toR']);
+
+/** The param that stands for a uniform, by its GLSL type. */
+const TYPES: Readonly<Record<string, IsfInput['type']>> = {
+  float: 'float',
+  int: 'long',
+  bool: 'bool',
+  vec2: 'point2D',
+  ivec2: 'point2D',
+  vec3: 'vector3',
+  vec4: 'vector4',
+  sampler2D: 'image',
+};
+
+/** There is no type for colours: their names tell. */
+const COLOR = /colou?r|clr/i;
+
+const SIZES: Readonly<Partial<Record<IsfInput['type'], number>>> = {
+  float: 1,
+  long: 1,
+  bool: 1,
+  point2D: 2,
+  vector3: 3,
+  vector4: 4,
+  color: 4,
+};
+
+/**
+ * Reads a transition in the form of gl-transitions.com: `vec4 transition(vec2 uv)` over `getFromColor`, `getToColor`, `progress` and
+ * `ratio`, with params as uniforms, whose first values stand in a comment (`// = 0.5`). It becomes an operator of two layers and
+ * `progress`, from 0 to 1. Comments `Author:` and `License:` are its credit. SCR041 where the GLSL cannot be read.
+ */
+export function readTransition(source: string, file: string): Result<IsfShader> {
+  try {
+    const { declarations } = parseShader(source);
+    const diagnostics: Diagnostic[] = [];
+    const inputs = declarations.flatMap((declaration) =>
+      declaration.kind === 'variables' && isUniform(declaration) ? readUniforms(declaration, source, file, diagnostics) : [],
+    );
+    return { output: shaderOf(source, file, inputs), diagnostics };
+  } catch (error) {
+    if (!(error instanceof GlslError)) throw error;
+    const { code, message, place } = error;
+    return { output: null, diagnostics: [{ code, severity: 'error', message, file, ...place }] };
+  }
+}
+
+export function isUniform({ qualifiers }: VariableDeclaration): boolean {
+  return qualifiers.some(({ text }) => text === 'uniform');
+}
+
+function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): IsfShader {
+  const author = commentValue(source, 'author');
+  const licence = commentValue(source, 'licen[sc]e');
+  return {
+    file,
+    source,
+    vertex: null,
+    dialect: 'transition',
+    version: 2,
+    kind: 'operator',
+    title: null,
+    description: 'Goes from one layer to the other as its progress goes from 0 to 1.',
+    credit: [author, licence].filter((part) => part !== null).join(', '),
+    categories: ['Transition'],
+    inputs: [
+      inputOf(FROM_IMAGE, 'image', { label: 'From', doc: 'The layer that is left: all of it at progress 0.' }),
+      inputOf(TO_IMAGE, 'image', { label: 'To', doc: 'The layer that comes: all of it at progress 1.' }),
+      inputOf(PROGRESS, 'float', { label: 'Progress', doc: 'How far it has gone.', default: [0], min: [0], max: [1] }),
+      ...inputs,
+    ],
+    passes: [{ target: null, persistent: false, float: false, width: null, height: null }],
+    imported: [],
+    premultiplied: false,
+    depth: 'none',
+  };
+}
+
+function readUniforms(declaration: VariableDeclaration, source: string, file: string, diagnostics: Diagnostic[]): IsfInput[] {
+  return declaration.declarators.flatMap((declarator): IsfInput[] => {
+    const { text, line, column } = declarator.name;
+    if (GIVEN.has(text)) return [];
+    const type = typeOf(declaration, declarator);
+    if (type === null) {
+      const message = `The uniform "${text}" is of a type that no param has.`;
+      const fix = `Use one of ${Object.keys(TYPES).join(', ')}.`;
+      diagnostics.push({ code: 'SCR043', severity: 'warning', message, fix, file, line, column });
+      return [];
+    }
+    const size = SIZES[type] ?? 0;
+    const written = size === 0 ? null : readDefault(source, declarator.name, size);
+    const start = written ?? new Array<number>(size).fill(0);
+    return [{ ...inputOf(text, type, { default: type === 'color' && start.length === 3 ? [...start, 1] : start }), line, column }];
+  });
+}
+
+function typeOf({ type }: VariableDeclaration, { name, dimensions }: Declarator): IsfInput['type'] | null {
+  if (dimensions.length > 0 || type.dimensions.length > 0) return null;
+  const known = Object.hasOwn(TYPES, type.name.text) ? TYPES[type.name.text] : undefined;
+  if (known === 'vector3' || known === 'vector4') return COLOR.test(name.text) ? 'color' : known;
+  return known ?? null;
+}
+
+function inputOf(name: string, type: IsfInput['type'], more: Partial<IsfInput> = {}): IsfInput {
+  return {
+    name,
+    type,
+    label: name,
+    doc: '',
+    default: [],
+    min: null,
+    max: null,
+    identity: null,
+    choices: [],
+    unit: 'none',
+    step: null,
+    sampleCount: null,
+    optional: false,
+    line: 1,
+    column: 1,
+    ...more,
+  };
+}
+
+/** `// Author: name`, to the end of the line. */
+function commentValue(source: string, key: string): string | null {
+  const found = new RegExp(`^[\\s/*]*${key}\\s*:\\s*(.+?)\\s*(?:\\*/)?\\s*$`, 'im').exec(source);
+  return found?.[1]?.trim() || null;
+}
