@@ -34,8 +34,9 @@ export function addNode(project: Project, { library, graph, id, type, x, y, para
   }
   const add = (before: Project) =>
     change(before, (draft) => {
+      // Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero.
       draftGraph(draft, graph).nodes[id] = { type, version: face.version, params: {} };
-      draftLayout(draft, graph).nodes[id] = { x: Math.round(x), y: Math.round(y) };
+      draftLayout(draft, graph).nodes[id] = { x: Math.round(x) + 0, y: Math.round(y) + 0 };
     });
   const set = Object.entries(params).map(
     ([param, value]) =>

@@ -21,7 +21,9 @@ import { moveNodes, putFrame, putNote, removeFromLayout, setCollapsed } from './
 import { addNode, removeNodes, setMuted } from './nodes.ts';
 import { bindParam, setParam } from './params.ts';
 import { setPage, setTitle } from './project-info.ts';
+import { putIntoSubgraph } from './put-into-subgraph.ts';
 import { forkShader, removeSource, setSource } from './sources.ts';
+import { duplicateSubgraph, unpackSubgraph } from './unpack-subgraph.ts';
 import { connect, disconnect, reorderWires } from './wires.ts';
 
 /** Random numbers that pick from whatever the project has at the time, so that most commands do something. */
@@ -147,6 +149,18 @@ const LOGIC_COMMANDS: Readonly<Record<string, Command>> = {
     const graph = anyGraph(p, pick);
     return changeType(p, { library: library(p), graph, node: anyNode(p, graph, pick), type: pick.of([...library(p).types()]) ?? '' });
   },
+  pack: (p, pick) => {
+    const graph = anyGraph(p, pick);
+    const nodes = [anyNode(p, graph, pick), anyNode(p, graph, pick), anyNode(p, graph, pick)];
+    const id = makeNodeId(p, 'graph/pack', pick.next);
+    return putIntoSubgraph(p, { library: library(p), graph, nodes, name: `g${Math.floor(8 * pick.next())}`, id, x: pick.next(), y: -0.2 });
+  },
+  unpack: (p, pick) => {
+    const graph = anyGraph(p, pick);
+    const subgraphs = Object.entries(own(p.graphs, graph)?.nodes ?? {}).filter(([, { type }]) => type.startsWith('graph/'));
+    return unpackSubgraph(p, { library: library(p), graph, node: pick.of(subgraphs)?.[0] ?? 'nothing-aaaa', random: pick.next });
+  },
+  copy: (p, pick) => duplicateSubgraph(p, { from: anyGraph(p, pick), to: `g${Math.floor(8 * pick.next())}`, random: pick.next }),
   graph: (p, pick) => addGraph(p, { name: `g${Math.floor(4 * pick.next())}` }),
   rename: (p, pick) => renameGraph(p, { from: anyGraph(p, pick), to: `g${Math.floor(8 * pick.next())}` }),
   ungraph: (p, pick) => removeGraph(p, { name: anyGraph(p, pick) }),
@@ -209,7 +223,7 @@ function start(): Project {
 
 /** What commands are made of, and no commands themselves. */
 const PARTS = ['change.ts', 'settle.ts'];
-const HELPERS = ['draftLayout', 'usesGraph'];
+const HELPERS = ['draftLayout', 'usesGraph', 'copyOfGraph'];
 
 test('every command there is takes part', async () => {
   const folder = import.meta.dirname;

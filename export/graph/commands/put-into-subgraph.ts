@@ -1,0 +1,135 @@
+import { castDraft } from 'immer';
+import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { createFaceLookup } from '../library/faces.ts';
+import { subgraphType } from '../names.ts';
+import { own } from '../own.ts';
+import type { ExposedPort, ExposedPorts, Graph, GraphLayout, PortAddress, Project, Wire } from '../project.ts';
+import { sameAddress, sortWires } from '../wires.ts';
+import { type Change, change, draftGraph, graphOf, inTurn, refuse } from './change.ts';
+import { addGraph } from './graphs.ts';
+import { addNode, draftLayout } from './nodes.ts';
+
+export interface PutIntoSubgraph {
+  readonly library: NodeLibrary;
+  readonly graph: string;
+  readonly nodes: readonly string[];
+  /** Of the new subgraph. */
+  readonly name: string;
+  /** Of the node that stands for it, from `makeNodeId`. */
+  readonly id: string;
+  /** Where it stands, canvas units. */
+  readonly x: number;
+  readonly y: number;
+}
+
+/**
+ * Makes a subgraph of nodes, and puts one node in their place that is wired as they were: each port with a wire from or to the
+ * outside is shown outside. The nodes keep their ids, and the picture stays the same.
+ */
+export function putIntoSubgraph(project: Project, { library, graph: outer, nodes, name, id, x, y }: PutIntoSubgraph): Change {
+  const graph = graphOf(project, outer);
+  const chosen = new Set(nodes.filter((node) => own(graph.nodes, node)));
+  if (chosen.size === 0) return refuse(project, 'SCR020', 'Select the nodes that the subgraph is to be made of.');
+  const screen = [...chosen].find((node) => library.definition(own(graph.nodes, node)?.type ?? '')?.lowering.kind === 'present');
+  if (screen !== undefined) {
+    return refuse(project, 'SCR020', `${screen} stays in the main graph: leave it out of the subgraph.`, { nodeId: screen });
+  }
+  const between = nodeBetween(graph, chosen);
+  if (between !== null) {
+    const message = `${between} lies between the nodes of the subgraph: put it in, too, or wire around it.`;
+    return refuse(project, 'SCR014', message, { nodeId: between });
+  }
+  const shown = portsShown(graph, chosen);
+  /** The new node's port that stands for one inside. */
+  const outside = (side: keyof ExposedPorts, address: PortAddress): PortAddress => {
+    const port = shown[side].find((candidate) => sameAddress(candidate, address));
+    return port ? { node: id, port: port.name } : address;
+  };
+  const wires = graph.wires.flatMap((wire): Wire[] => {
+    if (chosen.has(wire.from.node) && chosen.has(wire.to.node)) return [];
+    return [{ from: outside('outputs', wire.from), to: outside('inputs', wire.to) }];
+  });
+  const showOn = (side: keyof ExposedPorts) => graph.exposed[side].map((port) => ({ name: port.name, ...outside(side, port) }));
+  const exposed = { inputs: showOn('inputs'), outputs: showOn('outputs') };
+
+  return inTurn(
+    project,
+    (before) => addGraph(before, { name }),
+    (before) =>
+      change(before, (draft) => {
+        const old = draftGraph(draft, outer);
+        const places = draftLayout(draft, outer).nodes;
+        draft.graphs[name] = castDraft(graphWithin(graph, chosen, shown));
+        draft.layout[name] = castDraft(layoutWithin(own(project.layout, outer), chosen));
+        for (const node of chosen) {
+          delete old.nodes[node];
+          delete places[node];
+        }
+        // Until the node is there, nothing may hang on it.
+        old.wires = castDraft(wires.filter(({ from, to }) => from.node !== id && to.node !== id));
+      }),
+    (before) => addNode(before, { library, graph: outer, id, type: subgraphType(name), x, y }),
+    (before) =>
+      change(before, (draft) => {
+        const face = createFaceLookup(before, library)(subgraphType(name));
+        const now = draftGraph(draft, outer);
+        now.wires = castDraft(sortWires(wires));
+        if (exposed.inputs.length + exposed.outputs.length > 0) now.exposed = castDraft(exposed);
+        const params = now.nodes[id]?.params;
+        for (const { to } of wires) {
+          const param = to.node === id ? own(face?.params ?? {}, to.port) : undefined;
+          if (params && param) params[to.port] = castDraft({ port: param.default });
+        }
+      }),
+  );
+}
+
+/** What a wire from or to the outside hangs on, and what was shown outside before; each under the name of its port. */
+function portsShown({ wires, exposed }: Graph, chosen: ReadonlySet<string>): ExposedPorts {
+  const isIn = ({ node }: PortAddress) => chosen.has(node);
+  const inputs = wires.filter(({ from, to }) => !isIn(from) && isIn(to)).map(({ to }) => to);
+  const outputs = wires.filter(({ from, to }) => isIn(from) && !isIn(to)).map(({ from }) => from);
+  const taken = new Set<string>();
+  const named = (addresses: readonly PortAddress[]): ExposedPort[] => {
+    const ports: ExposedPort[] = [];
+    for (const { node, port } of addresses) {
+      if (ports.some((known) => sameAddress(known, { node, port }))) continue;
+      let name = port;
+      for (let number = 2; taken.has(name); number++) name = `${port}${number}`;
+      taken.add(name);
+      ports.push({ name, node, port });
+    }
+    return ports;
+  };
+  return { inputs: named([...inputs, ...exposed.inputs.filter(isIn)]), outputs: named([...outputs, ...exposed.outputs.filter(isIn)]) };
+}
+
+function graphWithin(graph: Graph, chosen: ReadonlySet<string>, exposed: ExposedPorts): Graph {
+  return {
+    nodes: Object.fromEntries(Object.entries(graph.nodes).filter(([id]) => chosen.has(id))),
+    wires: graph.wires.filter(({ from, to }) => chosen.has(from.node) && chosen.has(to.node)),
+    exposed,
+  };
+}
+
+function layoutWithin(layout: GraphLayout | undefined, chosen: ReadonlySet<string>): GraphLayout {
+  const nodes = Object.fromEntries(Object.entries(layout?.nodes ?? {}).filter(([id]) => chosen.has(id)));
+  return { nodes, frames: {}, notes: {} };
+}
+
+/** A node that is not chosen on a way from one that is to another: outside, the way would be a loop. Null where there is none. */
+function nodeBetween({ wires }: Graph, chosen: ReadonlySet<string>): string | null {
+  const reached = (ends: (wire: Wire) => readonly [from: string, to: string]): Set<string> => {
+    const followers = new Map<string, string[]>();
+    for (const [from, to] of wires.map(ends)) followers.set(from, [...(followers.get(from) ?? []), to]);
+    const found = new Set<string>();
+    const spread = (node: string) => followers.get(node)?.forEach((next) => void (chosen.has(next) || found.add(next)));
+    for (const node of chosen) spread(node);
+    // The set grows while it is walked.
+    for (const node of found) spread(node);
+    return found;
+  };
+  const after = reached(({ from, to }) => [from.node, to.node]);
+  const before = reached(({ from, to }) => [to.node, from.node]);
+  return [...after].find((node) => before.has(node)) ?? null;
+}
