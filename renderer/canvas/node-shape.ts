@@ -33,6 +33,8 @@ export interface NodeShape {
   readonly ports: readonly PortView[];
   /** Params that could be wired and are not shown. */
   readonly hiddenParams: number;
+  /** Nothing of it is shown but its head. */
+  readonly collapsed?: true;
 }
 
 export interface ShapeOptions {
@@ -40,9 +42,11 @@ export interface ShapeOptions {
   readonly wired: ReadonlySet<string>;
   /** Shows every param that can be wired. */
   readonly expanded: boolean;
+  /** Shows the head alone; all wires end at its sides. */
+  readonly collapsed?: boolean;
 }
 
-export function nodeShape(definition: NodeDefinition, node: GraphNode, { wired, expanded }: ShapeOptions): NodeShape {
+export function nodeShape(definition: NodeDefinition, node: GraphNode, { wired, expanded, collapsed = false }: ShapeOptions): NodeShape {
   const inputs = Object.entries(definition.inputs);
   const outputs = Object.entries(definition.outputs);
   const ports: PortView[] = [];
@@ -90,6 +94,7 @@ export function nodeShape(definition: NodeDefinition, node: GraphNode, { wired, 
     ports.push({ name, label: param.label, doc: param.doc, type, side: 'input', row, multiple: false, required: false, param });
     row++;
   }
+  if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed };
   const rows = Math.max(row, 1);
   return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams };
 }
@@ -119,6 +124,6 @@ export function unknownShape(wiredInputs: readonly string[], wiredOutputs: reado
 export function portCentre(shape: NodeShape, port: PortView): { readonly x: number; readonly y: number } {
   return {
     x: port.side === 'input' ? 0 : shape.width,
-    y: HEADER_HEIGHT + BODY_PADDING + (port.row + 0.5) * ROW_HEIGHT,
+    y: shape.collapsed ? HEADER_HEIGHT / 2 : HEADER_HEIGHT + BODY_PADDING + (port.row + 0.5) * ROW_HEIGHT,
   };
 }

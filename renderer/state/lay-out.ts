@@ -1,0 +1,30 @@
+import ELK from 'elkjs/lib/elk.bundled.js';
+import type { Wire } from '../../export/graph/project.ts';
+import type { NodeBox } from './arrange.ts';
+import type { Place } from './canvas.ts';
+
+/** Layers from left to right, as wires run; gaps in canvas units, on the canvas's grid of 8. */
+const OPTIONS = {
+  'elk.algorithm': 'layered',
+  'elk.direction': 'RIGHT',
+  'elk.layered.spacing.nodeNodeBetweenLayers': '80',
+  'elk.spacing.nodeNode': '32',
+  'elk.spacing.componentComponent': '64',
+  'elk.layered.nodePlacement.strategy': 'NETWORK_SIMPLEX',
+};
+const GRID = 8;
+
+/** New places of nodes, about where they stood. Wires to other nodes count for nothing. */
+export async function layOut(boxes: readonly NodeBox[], wires: readonly Wire[]): Promise<ReadonlyMap<string, Place>> {
+  const ids = new Set(boxes.map(({ id }) => id));
+  const edges = wires
+    .filter(({ from, to }) => ids.has(from.node) && ids.has(to.node))
+    .map(({ from, to }, index) => ({ id: String(index), sources: [from.node], targets: [to.node] }));
+  const children = boxes.map(({ id, width, height, x, y }) => ({ id, width, height, x, y }));
+  const { children: placed = [] } = await new ELK().layout({ id: 'graph', layoutOptions: OPTIONS, children, edges });
+  const corner = (of: 'x' | 'y', list: readonly { readonly x?: number; readonly y?: number }[]) =>
+    Math.min(...list.map((box) => box[of] ?? 0));
+  const by = { x: corner('x', boxes) - corner('x', placed), y: corner('y', boxes) - corner('y', placed) };
+  const onGrid = (value: number) => Math.round(value / GRID) * GRID;
+  return new Map(placed.map(({ id, x = 0, y = 0 }) => [id, { x: onGrid(x + by.x), y: onGrid(y + by.y) }]));
+}
