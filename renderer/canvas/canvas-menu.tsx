@@ -3,6 +3,7 @@ import { showChord } from '../shell/chord.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
 import { selectOnly } from '../state/selection.ts';
+import { selectedSubgraph } from '../state/subgraphs.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
 import type { CanvasNode, CanvasWire } from './project-canvas.ts';
@@ -19,8 +20,23 @@ interface PointerPlace {
   preventDefault(): void;
 }
 
-const ON_NODE = ['edit.duplicate', 'edit.copy', 'edit.mute', 'line', 'view.code', 'view.fit-selection', 'line', 'edit.delete'] as const;
-const ON_WIRE = ['edit.delete'] as const;
+const ON_NODE = [
+  'edit.duplicate',
+  'edit.duplicate-wired',
+  'edit.copy',
+  'edit.mute',
+  'line',
+  'graph.swap',
+  'graph.collapse',
+  'graph.subgraph',
+  'line',
+  'view.code',
+  'view.fit-selection',
+  'line',
+  'edit.delete',
+] as const;
+const ON_SUBGRAPH = ['graph.enter', 'graph.independent', 'graph.unpack', 'line', ...ON_NODE] as const;
+const ON_WIRE = ['graph.add', 'line', 'edit.delete'] as const;
 const ON_PANE = ['graph.add', 'graph.import-shadertoy', 'edit.paste', 'line', 'edit.select-all', 'view.fit'] as const;
 
 /** Which menu the secondary button opened, and for what. */
@@ -37,7 +53,7 @@ export function useCanvasMenu() {
       close: () => setOpen(null),
       onNode: (event: PointerPlace, node: CanvasNode) => {
         if (!editor.selection.getState().nodes.has(node.id)) selectOnly(editor.selection, [node.id]);
-        show(event, ON_NODE);
+        show(event, selectedSubgraph(editor) === null ? ON_NODE : ON_SUBGRAPH);
       },
       onWire: (event: PointerPlace, wire: CanvasWire) => {
         selectOnly(editor.selection, [], [wire.id]);

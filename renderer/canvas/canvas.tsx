@@ -11,6 +11,7 @@ import {
 import '@xyflow/react/dist/base.css';
 import { useRef } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
+import { Breadcrumb } from './breadcrumb.tsx';
 import { CanvasControls } from './canvas-controls.tsx';
 import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
 import './canvas.css';
@@ -52,7 +53,7 @@ function CanvasInside() {
   const menu = useCanvasMenu();
   const panOnScroll = useWheel(root);
   const drop = useFileDrop(flow.screenToFlowPosition);
-  const handlers = useGestures(flow.screenToFlowPosition);
+  const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
 
@@ -78,6 +79,8 @@ function CanvasInside() {
         onNodeContextMenu={menu.onNode}
         onEdgeContextMenu={menu.onWire}
         onPaneContextMenu={menu.onPane}
+        onNodeDoubleClick={handlers.onNodeDoubleClick}
+        onEdgeDoubleClick={handlers.onWireDoubleClick}
         onDoubleClick={handlers.onDoubleClick}
         connectionRadius={24}
         reconnectRadius={14}
@@ -114,6 +117,7 @@ function CanvasInside() {
         />
         <CanvasControls />
         <ConnectionHint />
+        <Breadcrumb />
       </ReactFlow>
       {nodes.length === 0 && <EmptyCanvas />}
       {drop.over && <div className="canvas-drop">Drop models, pictures or ISF shaders here</div>}

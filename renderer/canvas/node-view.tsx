@@ -29,6 +29,7 @@ export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps
           key={`${port.side} ${port.name}`}
           port={port}
           value={data.values[port.name]}
+          collapsed={data.shape.collapsed === true}
           dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
         />
       ))}
@@ -41,12 +42,13 @@ interface PortProps {
   readonly port: PortView;
   readonly value: string | undefined;
   readonly dimmed: boolean;
+  readonly collapsed: boolean;
 }
 
-function Port({ port, value, dimmed }: PortProps) {
+function Port({ port, value, dimmed, collapsed }: PortProps) {
   const { color, shape, label } = WIRE_TYPES[port.type];
   const input = port.side === 'input';
-  const top = HEADER_HEIGHT + BODY_PADDING + port.row * ROW_HEIGHT;
+  const top = collapsed ? (HEADER_HEIGHT - ROW_HEIGHT) / 2 : HEADER_HEIGHT + BODY_PADDING + port.row * ROW_HEIGHT;
   return (
     <>
       <Handle
@@ -59,10 +61,12 @@ function Port({ port, value, dimmed }: PortProps) {
         data-tip={`${port.label} · ${label}${input && port.required ? ', needed' : ''}\n${port.doc}`}
         style={{ ['--port' as string]: color, top: top + ROW_HEIGHT / 2 }}
       />
-      <span className={`port-label port-label-${port.side}`} style={{ top, height: ROW_HEIGHT }}>
-        <span>{port.label}</span>
-        {value !== undefined && <span className="port-value">{value}</span>}
-      </span>
+      {!collapsed && (
+        <span className={`port-label port-label-${port.side}`} style={{ top, height: ROW_HEIGHT }}>
+          <span>{port.label}</span>
+          {value !== undefined && <span className="port-value">{value}</span>}
+        </span>
+      )}
     </>
   );
 }
@@ -70,7 +74,7 @@ function Port({ port, value, dimmed }: PortProps) {
 /** Shows the params that could be wired, for wiring them; seen while the pointer or the focus is at the node. */
 function Expander({ id, data }: { readonly id: string; readonly data: NodeData }) {
   const { canvas } = useEditor();
-  if (data.shape.hiddenParams === 0 && !data.expanded) return null;
+  if (data.shape.collapsed || (data.shape.hiddenParams === 0 && !data.expanded)) return null;
   const count = data.shape.hiddenParams;
   return (
     <button
@@ -93,6 +97,8 @@ function classOf(data: NodeData, selected: boolean, dimmed: boolean): string {
     'node',
     selected ? 'node-selected' : '',
     data.muted ? 'node-muted' : '',
+    data.subgraph ? 'node-subgraph' : '',
+    data.shape.collapsed ? 'node-collapsed' : '',
     data.known ? '' : 'node-unknown',
     dimmed ? 'node-dimmed' : '',
     data.problem?.severity === 'error' ? 'node-error' : '',

@@ -48,9 +48,10 @@ export function fittingPort(definition: NodeDefinition, end: OpenEnd): string | 
   return (kinds.find(([, kind]) => kind === 'same') ?? kinds.find(([, kind]) => kind === 'lossless'))?.[0] ?? null;
 }
 
-/** `filter/sepia` → `filter`. */
+/** `filter/sepia` → `filter`; a project's own `graph/soft-look` is what the canvas calls a subgraph. */
 export function categoryOf(definition: NodeDefinition): string {
-  return definition.type.split('/')[0] ?? '';
+  const category = definition.type.split('/')[0] ?? '';
+  return category === 'graph' ? 'subgraph' : category;
 }
 
 function inputsOf(definition: NodeDefinition): [string, WireType][] {

@@ -13,6 +13,8 @@ interface PaletteProps {
   readonly end: OpenEnd | null;
   /** Where it opens, client pixels; moved inside the window as far as needed. */
   readonly at: { readonly x: number; readonly y: number };
+  /** Said in the search field, where it is not simply a node that is wanted. */
+  readonly purpose?: string | null;
   readonly onChoose: (entry: PaletteEntry) => void;
   readonly onClose: () => void;
 }
@@ -22,7 +24,7 @@ const HEIGHT_PX = 372;
 const EDGE_PX = 12;
 
 /** Adds nodes by name: type, arrows, Enter. The chosen type's doc and ports are shown beside the list. */
-export function Palette({ definitions, end, at, onChoose, onClose }: PaletteProps) {
+export function Palette({ definitions, end, at, purpose = null, onChoose, onClose }: PaletteProps) {
   const [query, setQuery] = useState('');
   const [chosen, setChosen] = useState(0);
   const root = useRef<HTMLDivElement>(null);
@@ -69,7 +71,7 @@ export function Palette({ definitions, end, at, onChoose, onClose }: PaletteProp
           aria-controls={listId}
           aria-activedescendant={current ? `${listId}-${current.definition.type}` : undefined}
           aria-label="Search nodes"
-          placeholder={end ? `Nodes for this ${WIRE_TYPES[end.type].label.toLowerCase()} wire` : 'Search nodes'}
+          placeholder={purpose ?? (end ? `Nodes for this ${WIRE_TYPES[end.type].label.toLowerCase()} wire` : 'Search nodes')}
           autoComplete="off"
           spellCheck={false}
           value={query}

@@ -1,4 +1,5 @@
 import type { Edge, Node, NodeHandle } from '@xyflow/react';
+import { subgraphName } from '../../export/graph/names.ts';
 import type { Graph, GraphLayout, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
@@ -15,6 +16,8 @@ export interface NodeData extends Record<string, unknown> {
   /** Current values of the params shown as ports, as text; none for wired ones. */
   readonly values: Readonly<Record<string, string>>;
   readonly muted: boolean;
+  /** Stands for a subgraph, which can be opened. */
+  readonly subgraph: boolean;
   readonly known: boolean;
   readonly expanded: boolean;
   readonly problem: NodeProblem | null;
@@ -31,6 +34,8 @@ export interface WireData extends Record<string, unknown> {
   readonly to: WireType;
   /** From 1, where the port takes several wires and has more than one. */
   readonly order: number | null;
+  /** What is let go now goes into it. */
+  readonly under: boolean;
 }
 
 export type CanvasNode = Node<NodeData, 'scrim'>;
@@ -46,6 +51,8 @@ export interface CanvasInput {
   /** Where nodes are while they are dragged. */
   readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
   readonly problems: ReadonlyMap<string, NodeProblem>;
+  /** The wire that the dragged node would go into. */
+  readonly wireUnder?: string | null;
 }
 
 export interface CanvasView {
@@ -95,7 +102,7 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
       const from = typeOf(wire.from.node, wire.from.port, 'output');
       const to = typeOf(wire.to.node, wire.to.port, 'input');
       const label = wireLabel(input, wire);
-      const key = [from ?? to, to ?? from, order, input.selectedWires.has(id), label];
+      const key = [from ?? to, to ?? from, order, input.selectedWires.has(id), label, input.wireUnder === id];
       const known = wires.get(id);
       nextWires.set(id, known && same(known.key, key) ? known : { key, wire: canvasWire(wire, key) });
     }
@@ -143,7 +150,7 @@ function canvasNode(
 ): CanvasNode {
   const expanded = input.expanded.has(id);
   const shape = definition
-    ? nodeShape(definition, node, { wired: wired.inputs, expanded })
+    ? nodeShape(definition, node, { wired: wired.inputs, expanded, collapsed: input.layout.nodes[id]?.collapsed === true })
     : unknownShape([...wired.inputs], [...wired.outputs]);
   const values: Record<string, string> = {};
   for (const port of shape.ports) {
@@ -155,6 +162,7 @@ function canvasNode(
     shape,
     values,
     muted: node.muted ?? false,
+    subgraph: subgraphName(node.type) !== null,
     known: definition !== undefined,
     expanded,
     problem: input.problems.get(id) ?? null,
@@ -175,8 +183,10 @@ function canvasNode(
   };
 }
 
-function ariaLabel({ title, muted, problem }: NodeData): string {
-  return [title, muted ? 'muted' : '', problem ? `${problem.severity}: ${problem.text}` : ''].filter(Boolean).join(', ');
+function ariaLabel({ title, subgraph, muted, problem }: NodeData): string {
+  return [title, subgraph ? 'subgraph' : '', muted ? 'muted' : '', problem ? `${problem.severity}: ${problem.text}` : '']
+    .filter(Boolean)
+    .join(', ');
 }
 
 function handleOf(shape: NodeShape, port: NodeShape['ports'][number]): NodeHandle {
@@ -193,7 +203,14 @@ function handleOf(shape: NodeShape, port: NodeShape['ports'][number]): NodeHandl
 }
 
 function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
-  const [from, to, order, selected, ariaLabel] = key as [WireType | undefined, WireType | undefined, number | null, boolean, string];
+  const [from, to, order, selected, ariaLabel, under] = key as [
+    WireType | undefined,
+    WireType | undefined,
+    number | null,
+    boolean,
+    string,
+    boolean,
+  ];
   return {
     id: wireId(wire),
     type: 'scrim',
@@ -202,7 +219,7 @@ function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
     target: wire.to.node,
     targetHandle: wire.to.port,
     selected,
-    data: { from: from ?? 'number', to: to ?? 'number', order },
+    data: { from: from ?? 'number', to: to ?? 'number', order, under },
     ariaLabel,
   };
 }

@@ -13,7 +13,7 @@ export function useCanvasView(): CanvasView {
   const layout = useDocument(layoutOf);
   const library = useDocument((state) => state.library);
   const selection = useStore(editor.selection);
-  const { expanded, offered, dragged } = useStore(editor.canvas);
+  const { expanded, offered, dragged, wireUnder } = useStore(editor.canvas);
   const problems = useNodeProblems();
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
   return useMemo(
@@ -27,7 +27,8 @@ export function useCanvasView(): CanvasView {
         expanded: shown,
         dragged,
         problems,
+        wireUnder,
       }),
-    [project, graph, layout, library, selection, shown, dragged, problems],
+    [project, graph, layout, library, selection, shown, dragged, problems, wireUnder],
   );
 }

@@ -1,13 +1,18 @@
 import type { Connection, Edge, EdgeChange, FinalConnectionState, HandleType, NodeChange } from '@xyflow/react';
 import { type MouseEvent as ReactMouseEvent, useCallback, useRef } from 'react';
+import { subgraphName } from '../../export/graph/names.ts';
 import { useEditor } from '../shell/editor-context.ts';
-import { dragTo, dropWire, endDrag, offerParams, type Place } from '../state/canvas.ts';
+import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '../state/canvas.ts';
+import { nodeOf } from '../state/document.ts';
 import { connect, explainRefusal, moveNodes, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
+import { dropOnWire } from '../state/insert-on-wire.ts';
 import { changeSelection, type SelectionChange } from '../state/selection.ts';
+import { openSubgraph } from '../state/subgraphs.ts';
 import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import { wireBehind } from './wire-behind.ts';
 
 /** What pointer and keys on the canvas do: selection, wires, places. */
-export function useGestures(toCanvas: (client: Place) => Place) {
+export function useGestures(toCanvas: (client: Place) => Place, toClient: (canvas: Place) => Place) {
   const editor = useEditor();
   const onNodesChange = useCallback(
     (changes: NodeChange<CanvasNode>[]) => {
@@ -17,10 +22,19 @@ export function useGestures(toCanvas: (client: Place) => Place) {
       for (const { id, position } of moved) if (position) places[id] = position;
       if (moved.length === 0) return;
       dragTo(editor.canvas, places);
+      const [only] = moved.length === 1 ? moved : [];
       // React Flow's arrow keys move without dragging; a drag's last change has none either.
-      if (moved.every((change) => change.dragging !== true)) moveNodes(editor, endDrag(editor.canvas));
+      if (moved.some((change) => change.dragging === true)) {
+        hoverWire(editor.canvas, only?.position ? wireBehind(editor, only.id, toClient(only.position)) : null);
+        return;
+      }
+      const { wireUnder } = editor.canvas.getState();
+      const dragged = endDrag(editor.canvas);
+      const place = only && dragged[only.id];
+      if (only && place && wireUnder !== null) dropOnWire(editor, only.id, place, wireUnder);
+      else moveNodes(editor, dragged);
     },
-    [editor],
+    [editor, toClient],
   );
   const onWiresChange = useCallback(
     (changes: EdgeChange<CanvasWire>[]) => changeSelection(editor.selection, selectionChanges('wire', changes)),
@@ -85,6 +99,21 @@ export function useGestures(toCanvas: (client: Place) => Place) {
     [editor],
   );
   const onNodeLeave = useCallback(() => offerParams(editor.canvas, null), [editor]);
+  const onNodeDoubleClick = useCallback(
+    (_event: unknown, { id }: CanvasNode) => {
+      const name = subgraphName(nodeOf(editor.document.getState(), id)?.type ?? '');
+      if (name !== null) openSubgraph(editor, name);
+    },
+    [editor],
+  );
+  /** Double-clicked, a wire asks for a node to go through. */
+  const onWireDoubleClick = useCallback(
+    (event: ReactMouseEvent, { id }: CanvasWire) => {
+      const client = { x: event.clientX, y: event.clientY };
+      editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: null, wire: id } });
+    },
+    [editor, toCanvas],
+  );
   const onDoubleClick = useCallback(
     (event: ReactMouseEvent) => {
       if (!onPane(event.nativeEvent)) return;
@@ -105,6 +134,8 @@ export function useGestures(toCanvas: (client: Place) => Place) {
     onReconnectEnd,
     onNodeEnter,
     onNodeLeave,
+    onNodeDoubleClick,
+    onWireDoubleClick,
     onDoubleClick,
   };
 }

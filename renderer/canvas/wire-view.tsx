@@ -24,7 +24,12 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
           <stop offset="0.75" stopColor={WIRE_TYPES[to].color} />
         </linearGradient>
       )}
-      <BaseEdge path={path} className={selected ? 'wire wire-selected' : 'wire'} style={{ stroke }} interactionWidth={18} />
+      <BaseEdge
+        path={path}
+        className={`wire${selected ? ' wire-selected' : ''}${data?.under ? ' wire-under' : ''}`}
+        style={{ stroke }}
+        interactionWidth={18}
+      />
       {data?.order !== null && data?.order !== undefined && (
         <text className="wire-order" x={targetX - 16} y={targetY - 5} textAnchor="middle">
           {data.order}

@@ -15,7 +15,7 @@ const libraries = createLibraries({ definitions: DEFINITIONS, shaders: SHADERS }
 scope.onmessage = ({ data: { revision, project } }) => {
   const startMs = workerClock.nowMs();
   // A type whose header is broken at the moment is the one it was: its header's mistake is said, not that nothing is known of it.
-  const library = libraries.of(project);
+  const library = libraries.withoutSubgraphs(project);
   // No loop may hold up the GPU that the editor itself is drawn with.
   const { output, diagnostics } = compiler.compile({ project, library, options: { loopBudget: true } });
   scope.postMessage({ revision, program: output, diagnostics, tookMs: workerClock.nowMs() - startMs });

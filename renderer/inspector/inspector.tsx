@@ -1,6 +1,7 @@
 import { useStore } from 'zustand';
-import { useEditor } from '../shell/editor-context.ts';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { soleNode } from '../state/selection.ts';
+import { GraphInspector } from './graph-inspector.tsx';
 import './inspector.css';
 import { NodeInspector } from './node-inspector.tsx';
 import { ProjectInspector } from './project-inspector.tsx';
@@ -11,9 +12,18 @@ export function Inspector() {
   const { selection } = useEditor();
   const node = useStore(selection, soleNode);
   const count = useStore(selection, ({ nodes, wires }) => nodes.size + wires.size);
+  const isInside = useDocument((state) => state.trail.length > 0);
   return (
     <aside className="inspector scroll" aria-label="Inspector">
-      {node !== null ? <NodeInspector key={node} id={node} /> : count > 0 ? <SelectionInspector /> : <ProjectInspector />}
+      {node !== null ? (
+        <NodeInspector key={node} id={node} />
+      ) : count > 0 ? (
+        <SelectionInspector />
+      ) : isInside ? (
+        <GraphInspector />
+      ) : (
+        <ProjectInspector />
+      )}
     </aside>
   );
 }

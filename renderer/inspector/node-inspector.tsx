@@ -1,5 +1,6 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
+import { subgraphName } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
 import type { Binding } from '../../export/graph/project.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
@@ -15,7 +16,9 @@ import { Button, IconButton } from '../ui/button.tsx';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { InputsSection } from './inputs-section.tsx';
+import { OutsideSection } from './outside-section.tsx';
 import { ParamRow } from './param-row.tsx';
+import { SubgraphSection } from './subgraph-section.tsx';
 
 export function NodeInspector({ id }: { readonly id: string }) {
   const node = useDocument((state) => nodeOf(state, id));
@@ -31,12 +34,15 @@ export function NodeInspector({ id }: { readonly id: string }) {
       </div>
     );
   }
+  const subgraph = subgraphName(node.type);
   return (
     <>
       <Head id={id} definition={definition} muted={node.muted ?? false} />
       <Problems id={id} />
+      {subgraph !== null && <SubgraphSection name={subgraph} />}
       <InputsSection node={id} definition={definition} wires={wires} />
       <Params id={id} definition={definition} params={node.params} sourceOf={(name) => wires.find(({ to }) => to.port === name)?.from} />
+      <OutsideSection node={id} definition={definition} />
       <Facts definition={definition} />
     </>
   );

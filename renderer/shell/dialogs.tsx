@@ -4,6 +4,7 @@ import type { DialogRequest } from '../state/ui.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { useEditor } from './editor-context.ts';
+import { FindDialog } from './find-dialog.tsx';
 import { FolderDialog } from './folder-dialog.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
@@ -34,6 +35,8 @@ export function Dialogs() {
       return <ShadertoyDialog onClose={close} />;
     case 'shortcuts':
       return <ShortcutsDialog onClose={close} />;
+    case 'find':
+      return <FindDialog onClose={close} />;
   }
 }
 

@@ -9,6 +9,8 @@ const POINTER: readonly (readonly [string, string])[] = [
   ['Move the canvas', 'Middle button, Space-drag, or two fingers'],
   ['Zoom', 'Wheel or pinch'],
   ['Add a node', 'Double-click, or let go of a wire over the canvas'],
+  ['Put a node into a wire', 'Drag it onto the wire, or double-click the wire'],
+  ['Open a subgraph', 'Double-click it'],
   ['Take a wire off', 'Pull its end away'],
   ['Change a number', 'Drag it sideways; Shift for large, Alt for fine steps'],
   ['Let a number follow an expression', 'Type = and the expression: =sin(time) * 2'],
@@ -22,6 +24,7 @@ export function ShortcutsDialog({ onClose }: { readonly onClose: () => void }) {
         <dl>
           {appCommandIds().map((id) => {
             const { label, chords } = appCommand(id);
+            if (chords.length === 0) return null;
             return (
               <div key={id}>
                 <dt>{label.replace('…', '')}</dt>

@@ -1,9 +1,12 @@
 import { redo, undo } from './apply.ts';
+import { align, distribute, tidy } from './arrange.ts';
 import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from './clipboard.ts';
-import { deleteSelection, selectAll, toggleMuted } from './edit-graph.ts';
+import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from './edit-graph.ts';
 import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { exportPage, newProject, openProject, save, saveAs } from './files.ts';
+import { soleNode } from './selection.ts';
+import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
 import { type BottomTab, revealNodes } from './ui.ts';
 
 /** Something that a menu, a key or the window's own menu can ask for. */
@@ -24,6 +27,11 @@ const isOpen = ({ document }: Editor) => document.getState().open !== null;
 const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
 const hasSelection = ({ selection }: Editor) => selection.getState().nodes.size + selection.getState().wires.size > 0;
 
+const hasSeveral = ({ selection }: Editor) => selection.getState().nodes.size > 1;
+const hasOneNode = ({ selection }: Editor) => soleNode(selection.getState()) !== null;
+const hasSubgraph = (editor: Editor) => selectedSubgraph(editor) !== null;
+const isInside = ({ document }: Editor) => document.getState().trail.length > 0;
+
 const COMMANDS = {
   // Browsers keep Ctrl+N for themselves; with Alt it is free everywhere.
   'file.new': { label: 'New…', chords: ['Mod+Alt+N'], enabled: always, run: newProject, whileTyping: true },
@@ -42,6 +50,12 @@ const COMMANDS = {
   'edit.copy': { label: 'Copy', chords: ['Mod+C'], enabled: hasNodes, run: (editor) => void copySelection(editor), byEvent: true },
   'edit.paste': { label: 'Paste', chords: ['Mod+V'], enabled: isOpen, run: (editor) => void pasteFromClipboard(editor), byEvent: true },
   'edit.duplicate': { label: 'Duplicate', chords: ['Mod+D'], enabled: hasNodes, run: (editor) => void duplicateSelection(editor) },
+  'edit.duplicate-wired': {
+    label: 'Duplicate with wires',
+    chords: ['Mod+Shift+D'],
+    enabled: hasNodes,
+    run: (editor) => void duplicateSelection(editor, { wired: true }),
+  },
   'edit.delete': { label: 'Delete', chords: ['Delete', 'Backspace'], enabled: hasSelection, run: (editor) => void deleteSelection(editor) },
   'edit.select-all': { label: 'Select all', chords: ['Mod+A'], enabled: isOpen, run: selectAll },
   'edit.mute': { label: 'Mute', chords: ['M'], enabled: hasNodes, run: (editor) => void toggleMuted(editor) },
@@ -51,6 +65,43 @@ const COMMANDS = {
     chords: [],
     enabled: isOpen,
     run: ({ ui }) => ui.setState({ dialog: { kind: 'shadertoy' } }),
+  },
+  'graph.swap': { label: 'Change type…', chords: ['Shift+S'], enabled: hasOneNode, run: openSwapPalette },
+  'graph.collapse': { label: 'Collapse', chords: ['H'], enabled: hasNodes, run: (editor) => void toggleCollapsed(editor) },
+  'graph.subgraph': { label: 'Make a subgraph', chords: ['Mod+G'], enabled: hasNodes, run: (editor) => void makeSubgraph(editor) },
+  'graph.unpack': {
+    label: 'Unpack the subgraph',
+    chords: ['Mod+Shift+G'],
+    enabled: hasSubgraph,
+    run: (editor) => void unpackSelected(editor),
+  },
+  'graph.independent': {
+    label: 'Make the subgraph independent',
+    chords: [],
+    enabled: hasSubgraph,
+    run: (editor) => void makeIndependent(editor),
+  },
+  'graph.enter': {
+    label: 'Open the subgraph',
+    chords: ['I'],
+    enabled: hasSubgraph,
+    run: (editor) => openSubgraph(editor, selectedSubgraph(editor) ?? ''),
+  },
+  'graph.leave': { label: 'Leave the subgraph', chords: ['U'], enabled: isInside, run: leaveSubgraph },
+  'arrange.tidy': { label: 'Tidy up', chords: ['L'], enabled: isOpen, run: (editor) => void tidy(editor) },
+  'arrange.left': { label: 'Align left', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'left') },
+  'arrange.centre': { label: 'Align centres', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'centre') },
+  'arrange.right': { label: 'Align right', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'right') },
+  'arrange.top': { label: 'Align top', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'top') },
+  'arrange.middle': { label: 'Align middles', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'middle') },
+  'arrange.bottom': { label: 'Align bottom', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'bottom') },
+  'arrange.across': { label: 'Distribute across', chords: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
+  'arrange.down': { label: 'Distribute down', chords: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
+  'view.find': {
+    label: 'Find in the graph…',
+    chords: ['Mod+F'],
+    enabled: isOpen,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'find' } }),
   },
   'view.fit': { label: 'Show the whole graph', chords: ['F'], enabled: isOpen, run: ({ ui }) => revealNodes(ui, [], 'fit') },
   'view.fit-selection': {
@@ -106,10 +157,21 @@ export function commandOfChord(chord: string, typing: boolean): AppCommandId | n
   return found ?? null;
 }
 
+function openSwapPalette({ ui, selection }: Editor): void {
+  const node = soleNode(selection.getState());
+  if (node !== null) ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, swap: node } });
+}
+
 /** In the middle of the window, which is the middle of the canvas within a few pixels. */
-function openPalette({ ui }: Editor): void {
-  const place = { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
-  ui.setState({ palette: { at: place, place: null, end: null } });
+function middleOfWindow() {
+  return { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
+}
+
+/** With one wire selected and nothing else, the new node goes into it. */
+function openPalette({ ui, selection }: Editor): void {
+  const { nodes, wires } = selection.getState();
+  const [wire] = nodes.size === 0 && wires.size === 1 ? wires : [];
+  ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, ...(wire === undefined ? {} : { wire }) } });
 }
 
 function toggleBottom({ ui }: Editor, tab: BottomTab): void {

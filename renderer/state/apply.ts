@@ -1,7 +1,7 @@
 import type { Change } from '../../export/graph/commands/change.ts';
 import * as history from '../../export/graph/history.ts';
 import { own } from '../../export/graph/own.ts';
-import type { Project } from '../../export/graph/project.ts';
+import { MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { graphOf } from './document.ts';
@@ -45,8 +45,21 @@ function move(editor: Editor, step: typeof history.undo): void {
 }
 
 function takeOver(editor: Editor, project: Project, next: history.History): void {
-  editor.document.setState(({ revision }) => ({ project, history: next, library: editor.libraries.of(project), revision: revision + 1 }));
+  editor.document.setState(({ revision, graph, trail }) => ({
+    project,
+    history: next,
+    library: editor.libraries.of(project),
+    revision: revision + 1,
+    ...stillThere(project, [...trail, graph]),
+  }));
   const { nodes, wires } = graphOf(editor.document.getState());
   const ids = new Set(wires.map(printWire));
   keepInSelection(editor.selection, (kind, id) => (kind === 'node' ? own(nodes, id) !== undefined : ids.has(id)));
+}
+
+/** The open graph may be one that an undo takes away: then the nearest on the way to it that is left. */
+function stillThere({ graphs }: Project, way: readonly string[]): { readonly graph: string; readonly trail: readonly string[] } {
+  const gone = way.findIndex((name) => own(graphs, name) === undefined);
+  const left = gone === -1 ? way : way.slice(0, gone);
+  return { graph: left.at(-1) ?? MAIN_GRAPH, trail: left.slice(0, -1) };
 }

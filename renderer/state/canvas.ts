@@ -10,6 +10,8 @@ export interface CanvasState {
   /** Where nodes are while they are dragged, canvas units. */
   readonly dragged: Readonly<Record<string, Place>>;
   readonly inHand: WireInHand | null;
+  /** The wire that a dragged node would go into. */
+  readonly wireUnder: string | null;
 }
 
 export interface Place {
@@ -27,7 +29,7 @@ export type CanvasStore = StoreApi<CanvasState>;
 const NOWHERE: CanvasState['dragged'] = {};
 
 export function createCanvasState(): CanvasStore {
-  return createStore<CanvasState>(() => ({ expanded: new Set(), offered: null, dragged: NOWHERE, inHand: null }));
+  return createStore<CanvasState>(() => ({ expanded: new Set(), offered: null, dragged: NOWHERE, inHand: null, wireUnder: null }));
 }
 
 export function toggleExpanded(store: CanvasStore, node: string): void {
@@ -50,6 +52,10 @@ export function offerParams(store: CanvasStore, node: string | null): void {
   if (store.getState().offered !== node) store.setState({ offered: node });
 }
 
+export function hoverWire(store: CanvasStore, wireUnder: string | null): void {
+  if (store.getState().wireUnder !== wireUnder) store.setState({ wireUnder });
+}
+
 export function dragTo(store: CanvasStore, places: Readonly<Record<string, Place>>): void {
   store.setState(({ dragged }) => ({ dragged: { ...dragged, ...places } }));
 }
@@ -57,6 +63,6 @@ export function dragTo(store: CanvasStore, places: Readonly<Record<string, Place
 /** Ends a drag: what was dragged, and nothing is any more. */
 export function endDrag(store: CanvasStore): CanvasState['dragged'] {
   const { dragged } = store.getState();
-  store.setState({ dragged: NOWHERE });
+  store.setState({ dragged: NOWHERE, wireUnder: null });
   return dragged;
 }

@@ -1,12 +1,14 @@
 import { isShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { type Change, inTurn, unchanged } from '../../export/graph/commands/change.ts';
-import { addNode, removeNodes } from '../../export/graph/commands/nodes.ts';
+import { setCollapsed } from '../../export/graph/commands/layout.ts';
+import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
 import { bindParam } from '../../export/graph/commands/params.ts';
 import { connect } from '../../export/graph/commands/wires.ts';
 import { makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import type { GraphNode, Project, Wire } from '../../export/graph/project.ts';
+import type { GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
 import { apply } from './apply.ts';
+import { type Brought, bring, broughtBy, isBrought, mapTypes } from './brought.ts';
 import type { Place } from './canvas.ts';
 import { graphOf, layoutOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
@@ -14,12 +16,14 @@ import { importShadertoy } from './import-shadertoy.ts';
 import { selectOnly } from './selection.ts';
 import { addToast } from './ui.ts';
 
-/** Nodes and the wires among them, as text that another window can take. */
+/** Nodes and the wires among them, with the subgraphs and shaders that they are made of, as text that another window can take. */
 export interface Clipping {
   readonly format: 'scrim-nodes';
   readonly version: 1;
-  readonly nodes: Readonly<Record<string, GraphNode & Place>>;
+  readonly nodes: Readonly<Record<string, GraphNode & NodeLayout>>;
   readonly wires: readonly Wire[];
+  /** Absent where they use none. */
+  readonly brought?: Brought;
 }
 
 const OFFSET_PX = 32;
@@ -31,13 +35,15 @@ export function clipSelection(editor: Editor): Clipping | null {
   const layout = layoutOf(state);
   const ids = [...editor.selection.getState().nodes].sort();
   if (ids.length === 0) return null;
-  const nodes: Record<string, GraphNode & Place> = {};
+  const nodes: Record<string, GraphNode & NodeLayout> = {};
   for (const id of ids) {
     const node = own(graph.nodes, id);
     const place = own(layout.nodes, id);
-    if (node) nodes[id] = { ...node, x: place?.x ?? 0, y: place?.y ?? 0 };
+    if (node) nodes[id] = { ...node, x: 0, y: 0, ...place };
   }
-  return { format: 'scrim-nodes', version: 1, nodes, wires: graph.wires.filter(({ from, to }) => nodes[from.node] && nodes[to.node]) };
+  const brought = broughtBy(state.project, Object.values(nodes));
+  const wires = graph.wires.filter(({ from, to }) => nodes[from.node] && nodes[to.node]);
+  return { format: 'scrim-nodes', version: 1, nodes, wires, ...(brought === null ? {} : { brought }) };
 }
 
 /** Null where the text is no clipping. What is in it is judged by the commands that add it. */
@@ -45,18 +51,31 @@ export function parseClipping(text: string): Clipping | null {
   try {
     const clipping = JSON.parse(text) as Partial<Clipping> | null;
     const whole = clipping?.format === 'scrim-nodes' && clipping.version === 1 && Array.isArray(clipping.wires);
-    return whole && typeof clipping.nodes === 'object' && clipping.nodes !== null ? (clipping as Clipping) : null;
+    const hasNodes = whole && typeof clipping.nodes === 'object' && clipping.nodes !== null;
+    return hasNodes && isBrought(clipping.brought) ? (clipping as Clipping) : null;
   } catch {
     return null;
   }
 }
 
-/** Adds copies under new ids, wired as the originals are among themselves, and selects them. One step. */
-export function pasteClipping(editor: Editor, { nodes, wires }: Clipping, label: string, offset: Place): boolean {
-  const { project, library, graph } = editor.document.getState();
+/**
+ * Adds copies under new ids, wired as the originals are among themselves, and selects them. One step. Wires of `entering` come from
+ * nodes that are there, and go to copies.
+ */
+export function pasteClipping(editor: Editor, clipping: Clipping, label: string, offset: Place, entering: readonly Wire[] = []): boolean {
+  const { project, graph } = editor.document.getState();
+  const { nodes: copied, wires, brought } = clipping;
+  const welcome = brought === undefined ? null : bring(editor, brought);
+  const nodes = welcome === null ? copied : mapTypes(copied, welcome.types);
   const ids = new Map<string, string>();
+  let library = editor.document.getState().library;
   const made = inTurn(
     project,
+    (before) => {
+      const change = welcome === null ? unchanged(before) : welcome.change(before);
+      library = editor.libraries.of(change.project);
+      return change;
+    },
     ...Object.entries(nodes).map(([old, node]) => (before: Project): Change => {
       const id = makeNodeId(before, node.type, editor.random);
       ids.set(old, id);
@@ -68,7 +87,13 @@ export function pasteClipping(editor: Editor, { nodes, wires }: Clipping, label:
             (p: Project) =>
               bindParam(p, { library, graph, node: id, param, binding }),
         ),
+        (p) => (node.muted ? setMuted(p, { graph, nodes: [id], muted: true }) : unchanged(p)),
+        (p) => (node.collapsed ? setCollapsed(p, { graph, nodes: [id], collapsed: true }) : unchanged(p)),
       );
+    }),
+    ...entering.map(({ from, to }) => (before: Project): Change => {
+      const node = ids.get(to.node);
+      return node === undefined ? unchanged(before) : connect(before, { library, graph, from, to: { node, port: to.port } });
     }),
     ...wires.map(({ from, to }) => (before: Project): Change => {
       const fromId = ids.get(from.node);
@@ -82,12 +107,16 @@ export function pasteClipping(editor: Editor, { nodes, wires }: Clipping, label:
   return true;
 }
 
-export function duplicateSelection(editor: Editor): boolean {
+/** `wired`: what comes into the originals from other nodes comes into the copies, too. */
+export function duplicateSelection(editor: Editor, { wired = false } = {}): boolean {
   const clipping = clipSelection(editor);
   if (clipping === null) return false;
+  const isCopied = (id: string) => own(clipping.nodes, id) !== undefined;
+  const { wires } = graphOf(editor.document.getState());
+  const entering = wired ? wires.filter(({ from, to }) => isCopied(to.node) && !isCopied(from.node)) : [];
   const [only] = Object.keys(clipping.nodes).length === 1 ? Object.keys(clipping.nodes) : [];
   const what = only === undefined ? `${Object.keys(clipping.nodes).length} nodes` : titleOf(editor.document.getState(), only);
-  return pasteClipping(editor, clipping, `Duplicate ${what}`, { x: OFFSET_PX, y: OFFSET_PX });
+  return pasteClipping(editor, clipping, `Duplicate ${what}`, { x: OFFSET_PX, y: OFFSET_PX }, entering);
 }
 
 export async function copySelection(editor: Editor): Promise<boolean> {

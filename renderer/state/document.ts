@@ -16,6 +16,8 @@ export interface DocumentState {
   readonly project: Project;
   /** Name of the graph on the canvas. */
   readonly graph: string;
+  /** The graphs that it was reached through, from the main one on; empty for the main one. */
+  readonly trail: readonly string[];
   /** The node types and shaders there are for this project, its own included. */
   readonly library: ProjectLibrary;
   readonly history: History;
@@ -42,6 +44,7 @@ export function createDocument(library: ProjectLibrary): DocumentStore {
     open: null,
     project,
     graph: MAIN_GRAPH,
+    trail: [],
     library,
     history: emptyHistory(),
     savedState: 0,

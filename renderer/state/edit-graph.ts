@@ -1,5 +1,6 @@
 import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
-import { moveNodes as moveNodesCommand } from '../../export/graph/commands/layout.ts';
+import { changeType } from '../../export/graph/commands/change-type.ts';
+import { moveNodes as moveNodesCommand, setCollapsed } from '../../export/graph/commands/layout.ts';
 import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
 import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../export/graph/commands/wires.ts';
 import { canConnect } from '../../export/graph/connect.ts';
@@ -14,8 +15,9 @@ import type { PaletteEntry } from '../canvas/palette-search.ts';
 import { apply } from './apply.ts';
 import type { Place, WireInHand } from './canvas.ts';
 import { takeWire } from './canvas.ts';
-import { graphOf, nodeOf } from './document.ts';
+import { graphOf, layoutOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { leadThrough } from './insert-on-wire.ts';
 import { inPlainWords } from './plain-words.ts';
 import { selectOnly } from './selection.ts';
 import { toastDiagnostic } from './ui.ts';
@@ -73,12 +75,13 @@ export function moveNodes(editor: Editor, positions: Readonly<Record<string, Pla
   return apply(editor, 'Move', moveNodesCommand(project, { graph, positions }), `move ${Object.keys(positions).sort().join(' ')}`);
 }
 
-/** Adds the chosen type at a place, wires what was in hand, and selects it; all one step. */
+/** Adds the chosen type at a place, wires what was in hand or leads a wire through it, and selects it; all one step. */
 export function addNodeFromPalette(
   editor: Editor,
   { definition, port }: PaletteEntry,
   place: Place,
   inHand: WireInHand | null,
+  throughWire: string | null = null,
 ): string | null {
   const { project, library, graph } = editor.document.getState();
   const id = makeNodeId(project, definition.type, editor.random);
@@ -86,6 +89,7 @@ export function addNodeFromPalette(
     project,
     (before) => addNode(before, { library, graph, id, type: definition.type, ...place }),
     (before) => {
+      if (throughWire !== null) return leadThrough(editor, id, throughWire)(before);
       if (inHand === null || port === null) return unchanged(before);
       const here = { node: id, port };
       const there = { node: inHand.node, port: inHand.port };
@@ -121,6 +125,24 @@ export function toggleMuted(editor: Editor): boolean {
   if (ids.length === 0) return false;
   const muted = !ids.every((id) => graphOf(state).nodes[id]?.muted === true);
   return apply(editor, muted ? 'Mute' : 'Unmute', setMuted(state.project, { graph: state.graph, nodes: ids, muted }));
+}
+
+/** Makes another kind of node of one; its wires stay where they fit. */
+export function swapType(editor: Editor, node: string, type: string): boolean {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const title = library.definition(type)?.title ?? type;
+  return apply(editor, `Change ${titleOf(state, node)} to ${title}`, changeType(project, { library, graph, node, type }));
+}
+
+/** Shows the heads of the selected nodes alone, or all of them again where all are so. */
+export function toggleCollapsed(editor: Editor): boolean {
+  const state = editor.document.getState();
+  const nodes = [...editor.selection.getState().nodes];
+  if (nodes.length === 0) return false;
+  const places = layoutOf(state).nodes;
+  const collapsed = !nodes.every((id) => own(places, id)?.collapsed === true);
+  return apply(editor, collapsed ? 'Collapse' : 'Expand', setCollapsed(state.project, { graph: state.graph, nodes, collapsed }));
 }
 
 export function selectAll(editor: Editor): void {

@@ -55,7 +55,7 @@ export function createEditor({ host, clock, random, library, mac, clipboard, siz
     clipboard,
     libraries,
     unfinished: new Set(),
-    document: createDocument(libraries.of({ sources: {} })),
+    document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),
     ui: createUi(sizes),

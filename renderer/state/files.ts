@@ -128,6 +128,7 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
     open: { handle, displayPath, revision, assetBaseUrl, assetFiles },
     project: withPlaces(project),
     graph: MAIN_GRAPH,
+    trail: [],
     library,
     history: emptyHistory(),
     // Recovered work is unsaved by definition.

@@ -40,6 +40,12 @@ describe('messages call nodes and ports as the canvas does', () => {
     expect(editor.ui.getState().toasts[0]?.text).toMatch(/^“Radius” of Gaussian blur goes /);
   });
 
+  test('and subgraphs by their names', async () => {
+    const { editor } = await openTestEditor();
+    const said = plainWords(editor.document.getState(), 'Wire it (in the subgraph “soft-look”).');
+    expect(said).toBe('Wire it (in the subgraph “Soft look”).');
+  });
+
   test('and leave words alone that only look like ids', async () => {
     const { editor } = await openTestEditor();
     const text = 'A view-aligned layer, half-float.rgba, of soft-look-99.x/y.';

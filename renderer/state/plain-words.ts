@@ -3,16 +3,20 @@ import { own } from '../../export/graph/own.ts';
 import type { GraphNode } from '../../export/graph/project.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { OpenGraph } from './document.ts';
+import { titleOfName } from './library.ts';
 
 /** `sepia-k7q2`, within subgraphs `look-a2b3/sepia-k7q2`, with or without `.port`. */
 const ADDRESS = /\b([a-z][a-z0-9]*(?:-[a-z0-9]+)+(?:\/[a-z][a-z0-9]*(?:-[a-z0-9]+)+)*)(?:\.([A-Za-z_][A-Za-z0-9_]*))?/g;
+
+const SUBGRAPH = /subgraph “([a-z0-9-]+)”/g;
 
 /**
  * A message with nodes and ports called as the canvas calls them: “Sepia” for `sepia-k7q2`, “Sepia (Amount)” for
  * `sepia-k7q2.amount`. The command line, which shows no canvas, keeps the ids. What is no node of the project stays as it is.
  */
 export function plainWords(state: OpenGraph, message: string): string {
-  return message.replaceAll(ADDRESS, (whole, path: string, port: string | undefined) => {
+  const named = message.replaceAll(SUBGRAPH, (_, name: string) => `subgraph “${titleOfName(name)}”`);
+  return named.replaceAll(ADDRESS, (whole, path: string, port: string | undefined) => {
     const node = nodeAt(state, path.slice(path.lastIndexOf('/') + 1));
     if (node === undefined) return whole;
     const face = createFaceLookup(state.project, state.library)(node.type);

@@ -24,14 +24,16 @@ export function problemKey({ code, nodeId, port, file, line, column, message }: 
 
 /** Whether a problem is a node's: it names the node, or only the file that the node's shader is in. */
 export function isAboutNode({ nodeId, file }: Diagnostic, state: OpenGraph, id: string): boolean {
-  return nodeId === undefined ? file !== undefined && shaderOf(state, id)?.name === file : nodeId === id;
+  return nodeId === undefined ? file !== undefined && shaderOf(state, id)?.name === file : nodeHere(state, nodeId) === id;
 }
 
 export function problemsByNode(problems: readonly Diagnostic[], state: OpenGraph): ReadonlyMap<string, NodeProblem> {
   const byNode = new Map<string, NodeProblem>();
   for (const problem of problems) {
     const ids =
-      problem.nodeId === undefined ? Object.keys(graphOf(state).nodes).filter((id) => isAboutNode(problem, state, id)) : [problem.nodeId];
+      problem.nodeId === undefined
+        ? Object.keys(graphOf(state).nodes).filter((id) => isAboutNode(problem, state, id))
+        : [nodeHere(state, problem.nodeId) ?? problem.nodeId];
     for (const id of ids) {
       const known = byNode.get(id);
       // The list is sorted, so the first is the worst.
@@ -58,10 +60,15 @@ export function goToProblem(editor: Editor, problem: Diagnostic): void {
   if (problem.line !== undefined && shaderOf(state, node) !== null) revealCode(editor.ui, problem.line, problem.column ?? 1);
 }
 
+/** The node of the open graph that `look-a2b3/sepia-k7q2` is, or is in. */
+function nodeHere(state: OpenGraph, path: string): string | undefined {
+  return path.split('/').find((id) => nodeOf(state, id) !== undefined);
+}
+
 /** The node it names, or the subgraph's node that holds it; else the first that uses the file it names. */
 function nodeOfProblem(editor: Editor, { nodeId, file }: Diagnostic): string | null {
   const state = editor.document.getState();
-  const named = [nodeId, nodeId?.split('/')[0]].find((id) => id !== undefined && nodeOf(state, id) !== undefined);
+  const named = nodeId === undefined ? undefined : nodeHere(state, nodeId);
   if (named !== undefined || file === undefined) return named ?? null;
   return Object.keys(graphOf(state).nodes).find((id) => shaderOf(state, id)?.name === file) ?? null;
 }

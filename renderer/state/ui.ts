@@ -21,6 +21,10 @@ export interface PaletteRequest {
   /** Canvas units; null: the middle of what is seen. */
   readonly place: { readonly x: number; readonly y: number } | null;
   readonly end: WireInHand | null;
+  /** The wire that the new node goes into. */
+  readonly wire?: string;
+  /** The node that becomes another one. */
+  readonly swap?: string;
 }
 
 export type DialogRequest =
@@ -33,7 +37,8 @@ export type DialogRequest =
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }
   | { readonly kind: 'shadertoy' }
-  | { readonly kind: 'shortcuts' };
+  | { readonly kind: 'shortcuts' }
+  | { readonly kind: 'find' };
 
 export interface Toast {
   readonly id: number;

@@ -1,0 +1,33 @@
+import { Panel } from '@xyflow/react';
+import { MAIN_GRAPH } from '../../export/graph/project.ts';
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { titleOfName } from '../state/library.ts';
+import { openOnTrail } from '../state/subgraphs.ts';
+import { Icon } from '../ui/icon.tsx';
+import './breadcrumb.css';
+
+/** The way from the main graph to the subgraph that is open; nothing in the main graph. */
+export function Breadcrumb() {
+  const editor = useEditor();
+  const graph = useDocument((state) => state.graph);
+  const trail = useDocument((state) => state.trail);
+  if (trail.length === 0) return null;
+  return (
+    <Panel position="top-left" className="breadcrumb">
+      <nav aria-label="Subgraphs">
+        <ol>
+          {trail.map((name, depth) => (
+            // A subgraph never contains itself, so no name comes twice.
+            <li key={name}>
+              <button type="button" onClick={() => openOnTrail(editor, depth)}>
+                {name === MAIN_GRAPH ? 'Main graph' : titleOfName(name)}
+              </button>
+              <Icon name="chevron" size={12} />
+            </li>
+          ))}
+          <li aria-current="page">{titleOfName(graph)}</li>
+        </ol>
+      </nav>
+    </Panel>
+  );
+}

@@ -1,0 +1,115 @@
+import { putAsset } from '../../export/graph/commands/assets.ts';
+import { type Change, change, inTurn, unchanged } from '../../export/graph/commands/change.ts';
+import { setSource } from '../../export/graph/commands/sources.ts';
+import { copyOfGraph } from '../../export/graph/commands/unpack-subgraph.ts';
+import { loadProject, type ProjectTexts } from '../../export/graph/load.ts';
+import { shaderFileOf, subgraphName, subgraphType } from '../../export/graph/names.ts';
+import { newProject } from '../../export/graph/new-project.ts';
+import { own } from '../../export/graph/own.ts';
+import { type Graph, type GraphNode, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
+import { saveProject } from '../../export/graph/save.ts';
+import type { Editor } from './editor.ts';
+
+/** The subgraphs, shaders and assets that copied nodes are made of, as the files of a project that has nothing else. */
+export type Brought = ProjectTexts;
+
+/** What nodes of a project need with them in another one; null where that is nothing. */
+export function broughtBy(project: Project, nodes: readonly GraphNode[]): Brought | null {
+  const graphs: Record<string, Graph> = {};
+  const all = [...nodes];
+  // The list grows while it is walked: there are subgraphs in subgraphs.
+  for (const { type } of all) {
+    const name = subgraphName(type);
+    const graph = name === null ? undefined : own(project.graphs, name);
+    if (name === null || !graph || graphs[name]) continue;
+    graphs[name] = graph;
+    all.push(...Object.values(graph.nodes));
+  }
+  const stems = new Set(all.map(({ type }) => shaderFileOf(type).replace(/\.\w+$/, '')));
+  const sources = pick(project.sources, (file) => stems.has(file.replace(/\.\w+$/, '')));
+  const values = new Set(
+    all.flatMap(({ params }) => Object.values(params).flatMap((binding) => ('value' in binding ? [binding.value] : []))),
+  );
+  const assets = pick(project.assets, (id) => values.has(id));
+  if ([graphs, sources, assets].every((table) => Object.keys(table).length === 0)) return null;
+  const empty = newProject('Copied');
+  const layout = pick(project.layout, (name) => own(graphs, name) !== undefined);
+  return saveProject({ ...empty, graphs: { ...empty.graphs, ...graphs }, layout: { ...empty.layout, ...layout }, sources, assets });
+}
+
+/** Whether it is made as `broughtBy` makes it; what the texts say is judged when they are read. */
+export function isBrought(value: unknown): value is Brought | undefined {
+  if (value === undefined) return true;
+  const { project, layout, sources } = (value ?? {}) as Partial<Record<keyof Brought, unknown>>;
+  const isTable = typeof sources === 'object' && sources !== null && Object.values(sources).every((text) => typeof text === 'string');
+  return typeof project === 'string' && typeof layout === 'string' && isTable;
+}
+
+export interface Welcome {
+  /** Names that were taken by something else are new. */
+  readonly types: ReadonlyMap<string, string>;
+  readonly change: (project: Project) => Change;
+}
+
+/** Adds what is brought to the open project. What is there already, word for word, is not added again. Files that no project could have are left out. */
+export function bring(editor: Editor, brought: Brought): Welcome {
+  const { project, open } = editor.document.getState();
+  const { base, readShader } = editor.libraries;
+  const guest = loadProject(brought).output;
+  const types = new Map<string, string>();
+  if (guest === null || open === null) return { types, change: unchanged };
+  const steps: ((project: Project) => Change)[] = [];
+  for (const [file, text] of Object.entries(guest.sources)) {
+    const name = freeKey(project.sources, file, (known) => known === text);
+    if (name !== file)
+      for (const kind of ['filter', 'operator', 'generator', 'technique']) types.set(`${kind}/${stem(file)}`, `${kind}/${stem(name)}`);
+    steps.push((before) => setSource(before, { base, readShader, file: name, text }));
+  }
+  for (const [id, asset] of Object.entries(guest.assets)) {
+    if (own(project.assets, id) === undefined) steps.push((before) => putAsset(before, { id, asset }));
+  }
+  const names = Object.keys(guest.graphs).filter((name) => name !== MAIN_GRAPH);
+  const isHere = (name: string) => JSON.stringify(own(project.graphs, name)) === JSON.stringify(guest.graphs[name]);
+  for (const name of names) {
+    if (!isHere(name)) types.set(subgraphType(name), subgraphType(freeKey(project.graphs, name, () => false)));
+  }
+  for (const name of names.filter((candidate) => !isHere(candidate))) {
+    const graph = guest.graphs[name];
+    const to = subgraphName(types.get(subgraphType(name)) ?? '');
+    if (!graph || to === null) continue;
+    steps.push((before) => {
+      const copy = copyOfGraph(before, { ...graph, nodes: mapTypes(graph.nodes, types) }, guest.layout[name], editor.random);
+      return change(before, (draft) => {
+        Object.assign(draft.graphs, { [to]: copy.graph });
+        Object.assign(draft.layout, { [to]: copy.layout });
+      });
+    });
+  }
+  return { types, change: (before) => inTurn(before, ...steps) };
+}
+
+export function mapTypes<N extends { readonly type: string }>(
+  nodes: Readonly<Record<string, N>>,
+  types: ReadonlyMap<string, string>,
+): Readonly<Record<string, N>> {
+  return Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { ...node, type: types.get(node.type) ?? node.type }]));
+}
+
+/** `edge.fs`, or `edge-2.fs` where that is something else. */
+function freeKey<T>(table: Readonly<Record<string, T>>, wanted: string, isSame: (known: T) => boolean): string {
+  const ending = /\.\w+$/.exec(wanted)?.[0] ?? '';
+  let key = wanted;
+  for (let number = 2; ; number++) {
+    const known = own(table, key);
+    if (known === undefined || isSame(known)) return key;
+    key = `${stem(wanted)}-${number}${ending}`;
+  }
+}
+
+function stem(file: string): string {
+  return file.replace(/\.\w+$/, '');
+}
+
+function pick<T>(table: Readonly<Record<string, T>>, isWanted: (key: string) => boolean): Record<string, T> {
+  return Object.fromEntries(Object.entries(table).filter(([key]) => isWanted(key)));
+}

@@ -1,0 +1,55 @@
+import { own } from '../../export/graph/own.ts';
+import { MAIN_GRAPH } from '../../export/graph/project.ts';
+import { valueText } from '../canvas/value-text.ts';
+import type { DocumentState } from './document.ts';
+import type { Editor } from './editor.ts';
+import { titleOfName } from './library.ts';
+import { selectOnly } from './selection.ts';
+import { revealNodes } from './ui.ts';
+
+export interface Found {
+  readonly graph: string;
+  readonly node: string;
+  readonly title: string;
+  /** The value that matched, or else the id: titles repeat. */
+  readonly detail: string;
+}
+
+const MOST = 200;
+
+/** Nodes of all graphs by title, id, or a value as the node shows it; the open graph's first. */
+export function findNodes({ project, library, graph }: DocumentState, query: string): readonly Found[] {
+  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  const names = [graph, ...Object.keys(project.graphs).filter((name) => name !== graph)];
+  const found: Found[] = [];
+  for (const name of names) {
+    for (const [id, node] of Object.entries(own(project.graphs, name)?.nodes ?? {})) {
+      const definition = library.definition(node.type);
+      const title = definition?.title ?? node.type;
+      const values = Object.entries(node.params).flatMap(([param, binding]) => {
+        const known = definition && own(definition.params, param);
+        return known ? [`${known.label} ${valueText(known, binding)}`] : [];
+      });
+      const text = [title, id, ...values].join('\n').toLowerCase();
+      if (!words.every((word) => text.includes(word))) continue;
+      const inTitle = words.every((word) => title.toLowerCase().includes(word));
+      const value = inTitle ? undefined : values.find((line) => words.some((word) => line.toLowerCase().includes(word)));
+      found.push({ graph: name, node: id, title, detail: value ?? id });
+      if (found.length === MOST) return found;
+    }
+  }
+  return found;
+}
+
+export function titleOfGraph(name: string): string {
+  return name === MAIN_GRAPH ? 'Main graph' : titleOfName(name);
+}
+
+/** Opens the graph that it is in, selects it and shows it. */
+export function goToFound(editor: Editor, { graph, node }: Found): void {
+  const { graph: open } = editor.document.getState();
+  if (graph !== open) editor.document.setState({ graph, trail: graph === MAIN_GRAPH ? [] : [MAIN_GRAPH] });
+  selectOnly(editor.selection, [node]);
+  // The nodes of another graph have to be on the canvas before they can be shown.
+  editor.clock.nextFrame(() => revealNodes(editor.ui, [node], graph === open ? 'show' : 'fit'));
+}

@@ -1,0 +1,197 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import type { AxeResults } from 'axe-core';
+import { useBrowser } from '../support/browser.ts';
+import { centreOf } from '../support/editor-driver.ts';
+import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+
+/** The camera's picture, blurred, goes to the screen; a sepia stands by. */
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'gaussian-blur-aaaa': { type: 'filter/gaussian-blur' },
+    'sepia-aaaa': { type: 'filter/sepia' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> gaussian-blur-aaaa.inputImage', 'gaussian-blur-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'gaussian-blur-aaaa': [260, 0], 'sepia-aaaa': [0, 220], 'screen-aaaa': [760, 0] },
+};
+const TO_SCREEN = 'gaussian-blur-aaaa.layer -> screen-aaaa.layer';
+
+const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
+const browser = useBrowser();
+let open: OpenEditor;
+beforeAll(async () => {
+  open = await openEditor(browser.browser, GRAPH);
+  await open.editor.press('Pause');
+});
+afterAll(async () => {
+  expect(open.errors).toEqual([]);
+  await open.close();
+});
+
+function title(node: string) {
+  return open.editor.node(node).locator('.node-title');
+}
+
+/** The graphs as the project's file has them. */
+async function saved(): Promise<
+  Record<
+    string,
+    { readonly nodes: Record<string, { readonly type: string; readonly params?: unknown }>; readonly wires: readonly string[] }
+  >
+> {
+  await open.page.keyboard.press('Control+s');
+  await open.page.locator('.unsaved').waitFor({ state: 'detached' });
+  return JSON.parse(await readFile(join(open.project, 'project.scrim.json'), 'utf8')).graphs;
+}
+
+/** The middle of a wire, where the pointer hits it. */
+async function middleOf(wire: string): Promise<{ readonly x: number; readonly y: number }> {
+  return open.page.locator(`.react-flow__edge[data-id="${wire}"] .react-flow__edge-path`).evaluate((element) => {
+    const path = element as SVGPathElement;
+    const at = path.getPointAtLength(path.getTotalLength() / 2);
+    const { x, y } = at.matrixTransform(path.getScreenCTM() ?? undefined);
+    return { x, y };
+  });
+}
+
+test('a node that is dropped on a wire goes into it, in one step with its move', async () => {
+  const { page, editor } = open;
+  const from = await centreOf(title('sepia'));
+  const to = await middleOf(TO_SCREEN);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  // A hand starts slowly; the node hangs on where the pointer is after its first step.
+  await page.mouse.move(from.x + 4, from.y, { steps: 4 });
+  await page.mouse.move(to.x, to.y + 60, { steps: 4 });
+  await page.mouse.move(to.x, to.y - 8, { steps: 4 });
+  await page.locator('.wire-under').waitFor({ state: 'attached' });
+  await page.mouse.up();
+  await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
+  expect((await saved()).main?.wires).toEqual([
+    'video-aaaa.layer -> gaussian-blur-aaaa.inputImage',
+    'sepia-aaaa.layer -> screen-aaaa.layer',
+    'gaussian-blur-aaaa.layer -> sepia-aaaa.inputImage',
+  ]);
+  await page.keyboard.press('Control+z');
+  expect((await saved()).main?.wires).toHaveLength(2);
+  expect((await centreOf(title('sepia'))).y).toBeCloseTo(from.y, 0);
+  await page.keyboard.press('Control+Shift+z');
+  await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
+  await editor.node('sepia-aaaa').waitFor();
+});
+
+test('a double-click on a wire asks for a node to go through, and offers no other', async () => {
+  const { page, editor } = open;
+  const { x, y } = await middleOf('video-aaaa.layer -> gaussian-blur-aaaa.inputImage');
+  await page.mouse.dblclick(x, y);
+  const list = page.getByRole('listbox', { name: 'Node types' });
+  await list.waitFor();
+  const offered = await list.getByRole('option').allTextContents();
+  expect(offered.some((text) => text.startsWith('Scene') || text.startsWith('Camera video'))).toBe(false);
+  await page.keyboard.type('pixelate');
+  await page.keyboard.press('Enter');
+  await editor.node('pixelate').waitFor();
+  await page.getByRole('group', { name: 'Wire from Camera video to Pixelate' }).waitFor();
+  await page.keyboard.press('Control+z');
+  await editor.node('pixelate').waitFor({ state: 'detached' });
+});
+
+test('selected nodes become a subgraph, with a name, opened by a double-click, whose value shows outside', async () => {
+  const { page, editor } = open;
+  await title('gaussian-blur').click();
+  await title('sepia').click({ modifiers: ['Shift'] });
+  await page.keyboard.press('Control+g');
+  const name = editor.inspector.getByRole('textbox', { name: 'Name' });
+  await name.fill('Old film');
+  await page.keyboard.press('Enter');
+  await title('subgraph').getByText('Old film').waitFor();
+  await title('subgraph').dblclick();
+  const way = page.getByRole('navigation', { name: 'Subgraphs' });
+  await way.waitFor();
+  await title('sepia').click();
+  await editor.inspector.getByRole('switch', { name: 'Amount, value' }).click();
+  await way.getByRole('button', { name: 'Main graph' }).click();
+  await way.waitFor({ state: 'detached' });
+  await title('subgraph').click();
+  const amount = editor.inspector.getByRole('textbox', { name: 'Amount' });
+  await amount.fill('0.25');
+  await page.keyboard.press('Enter');
+  const graphs = await saved();
+  expect(Object.keys(graphs)).toEqual(['main', 'old-film']);
+  expect(Object.values(graphs.main?.nodes ?? {})).toContainEqual({ type: 'graph/old-film', version: 1, params: { amount: 0.25 } });
+  expect(Object.keys(graphs['old-film']?.nodes ?? {})).toEqual(['gaussian-blur-aaaa', 'sepia-aaaa']);
+  await editor.settled();
+  await page.locator('.status-bar').getByText(/error/).waitFor({ state: 'detached' });
+});
+
+test('a subgraph is shared by copies, made independent, unpacked; undo goes through all of it', async () => {
+  const { page, editor } = open;
+  const before = JSON.stringify(await saved());
+  await title('subgraph').click();
+  await page.keyboard.press('Control+Shift+d');
+  await editor.inspector.getByText('2 nodes stand for it').waitFor();
+  await editor.inspector.getByRole('button', { name: 'Make independent' }).click();
+  await editor.inspector.getByText('2 nodes stand for it').waitFor({ state: 'detached' });
+  expect(Object.keys(await saved())).toEqual(['main', 'old-film', 'old-film-2']);
+  await editor.inspector.getByRole('button', { name: 'Unpack' }).click();
+  await page.getByRole('heading', { name: '2 nodes' }).waitFor();
+  expect(await editor.node('sepia').count()).toBe(1);
+  for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
+  expect(JSON.stringify(await saved())).toBe(before);
+});
+
+test('another type keeps the wires; nodes collapse, are tidied up, and found', async () => {
+  const { page, editor } = open;
+  await title('video').click();
+  await page.keyboard.press('Shift+S');
+  await page.getByRole('combobox', { name: 'Search nodes' }).fill('image file');
+  await page.keyboard.press('Enter');
+  await title('video').getByText('Image file').waitFor();
+  await page.getByRole('group', { name: 'Wire from Image file to Old film' }).waitFor();
+  await page.keyboard.press('h');
+  await page.locator('[data-node="video-aaaa"].node-collapsed').waitFor();
+  await page.mouse.click(500, 700);
+  await page.keyboard.press('l');
+  await page.waitForFunction(() => {
+    const box = (node: string) => document.querySelector(`[data-node^="${node}"]`)?.getBoundingClientRect();
+    return (box('video')?.right ?? 0) + 40 < (box('subgraph')?.left ?? 0);
+  });
+  await page.keyboard.press('Control+f');
+  await page.getByRole('combobox', { name: 'Name or value' }).fill('sepia');
+  await page.keyboard.press('Enter');
+  await page.getByRole('navigation', { name: 'Subgraphs' }).getByText('Old film').waitFor();
+  await editor.inspector.getByRole('heading', { name: 'Sepia' }).waitFor();
+  await page.keyboard.press('Control+z');
+});
+
+test('nothing that axe-core knows is wrong, in both themes, with a node, a subgraph, a menu or a dialog open', async () => {
+  const { page, editor } = open;
+  const findings = async () => {
+    await page.evaluate(AXE);
+    const { violations } = await page.evaluate(() => {
+      const { axe } = window as unknown as { axe: { run: (context: object) => Promise<AxeResults> } };
+      // The preview is a page of its own.
+      return axe.run({ exclude: [['iframe']] });
+    });
+    return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
+  };
+  for (const colorScheme of ['dark', 'light'] as const) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await title('sepia').click();
+    expect(await findings()).toEqual([]);
+    await editor.inspector.getByRole('button', { name: 'More for Amount' }).click();
+    expect(await findings()).toEqual([]);
+    await page.keyboard.press('Escape');
+    for (const keys of ['?', 'Control+f']) {
+      await title('sepia').click();
+      await page.keyboard.press(keys);
+      await page.getByRole('dialog').waitFor();
+      expect(await findings()).toEqual([]);
+      await page.keyboard.press('Escape');
+      await page.getByRole('dialog').waitFor({ state: 'detached' });
+    }
+  }
+});
