@@ -51,10 +51,14 @@ export function makeShaderFile(title: string): string {
   return `${words.join('-').slice(0, MAX_STEM).replace(/-$/, '') || 'shader'}.fs`;
 }
 
-/** The file in `shaders/` that gives a type, if one does: `edge.fs` of `filter/edge`, `ink.glsl` of `technique/ink`. */
-export function shaderFileOf(type: string): string {
+/**
+ * The files in `shaders/` that may give a type, likeliest first: `edge.fs` of `filter/edge`, `ink.glsl` of `technique/ink`, and
+ * `wipe.fs` or the transition `wipe.glsl` of `operator/wipe`.
+ */
+export function shaderFilesOf(type: string): readonly string[] {
   const [kind = '', name = ''] = type.split('/');
-  return `${name}.${kind === 'technique' ? 'glsl' : 'fs'}`;
+  if (kind === 'technique') return [`${name}.glsl`];
+  return kind === 'operator' ? [`${name}.fs`, `${name}.glsl`] : [`${name}.fs`];
 }
 
 const GRAPH_PREFIX = 'graph/';

@@ -131,6 +131,41 @@ describe('older and looser GLSL runs as its author meant it', () => {
       'V',
       0.5,
     ],
+    ['a list in braces, for an array', 'float k[3] = {0, 0.5, 1.0,};\nvec2 v = {1, 2};', 'k[1] * v.x', 0.5],
+    ['a list of lists', 'vec2 p[] = {vec2(1), {0.5, 2}};', 'p[1].x', 0.5],
+    [
+      'a float loop over whole numbers',
+      'float f() { float s = 0; for (float i = 0; i < 3; i++) { s += i; i += 1; } return s / 4; }',
+      'f()',
+      0.5,
+    ],
+    [
+      'functions of their own for what ES 3.00 brought',
+      'mat2 inverse(mat2 m) { return m; } float tanh(float x) { return x; } vec3 tanh(vec3 v) { return vec3(tanh(v.x), tanh(v.y), tanh(v.z)); } int round(float x) { return int(floor(x + 0.5)); } float mod(int a, int b) { return float(a - a / b * b); }',
+      'tanh(tanh(vec3(0.25))).x + (inverse(mat2(1)) * vec2(0.25)).x + mod(4, 2) + round(0.2)',
+      0.5,
+    ],
+    [
+      'switch, fall-through and no value at first',
+      'float f(int n) { float r; switch (n) { case 0: case 1: r = 0.5; break; default: r = 2; } return r; }',
+      'f(1)',
+      0.5,
+    ],
+    ['whole-number operators', 'int f(int n) { return ((n << 2) | 1) & 0x7 ^ ~n >> 1; }', 'float(f(1) + 7) / 4 * (5 % 3)', 0.5],
+    ['a position of whole numbers', 'vec2 f(ivec2 at) { vec2 p = at; p += ivec2(1); p.x = 1; return p / 2; }', 'f(ivec2(3, 4)).x', 0.5],
+    [
+      'an extension and a version of desktop GLSL',
+      '#version 120\n#extension GL_EXT_gpu_shader4 : require\n#extension GL_ARB_gpu_shader5 : enable\n#pragma optimize(on)',
+      '0.5',
+      0.5,
+    ],
+    [
+      'macros for Shadertoy names',
+      '#define iResolution vec3(RENDERSIZE, 1)\n#define sat(x) clamp(x, 0, 1)',
+      'sat(iResolution.x / 16)',
+      0.5,
+    ],
+    ['an array that a function gives', 'float[2] f() { float r[2]; r[1] = 0.5; return r; }', 'f()[1]', 0.5],
     ['a macro that is taken back', '#define V 0.5\nfloat a = V;\n#undef V\nfloat V = 0.0;', 'a + V', 0.5],
   ])('%s', async (_, declarations, expression, wanted) => {
     expect(await evaluate(declarations, expression)).toBeCloseTo(wanted, 2);

@@ -1,6 +1,6 @@
-import { readImageShader } from '../../export/glsl/read-definition.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { LinkedPass, LinkOptions } from '../../export/glsl/link/linked-pass.ts';
+import { readImageShader } from '../../export/glsl/read-definition.ts';
 import type { Result } from '../../nodes/kit/diagnostics.ts';
 import type { PageModule } from '../support/browser.ts';
 import { fromGl, type Picture } from '../support/picture.ts';

@@ -63,7 +63,10 @@ void main() { gl_FragColor = vec4(left.x, places[1].x - places[0].x, (turn * vec
       pictures,
     });
     expect(turned).toEqual(paint(8, 8, (x, y) => [(7 - x) * 30, y * 30, 0, 255]));
-    const half = await render(source, { vertex: 'void main() { isf_vertShaderInit(); gl_Position.x = gl_Position.x * 0.5 - 0.5; }', pictures });
+    const half = await render(source, {
+      vertex: 'void main() { isf_vertShaderInit(); gl_Position.x = gl_Position.x * 0.5 - 0.5; }',
+      pictures,
+    });
     expect([pixelAt(half, 5, 3), pixelAt(half, 7, 3)]).toEqual([
       [0, 0, 0, 0],
       [0, 0, 0, 0],
@@ -131,4 +134,11 @@ describe('imported pictures', () => {
 void main() { gl_FragColor = vec4(look(sky, vec3(0, -1, 0)).r, texture(sky, vec3(0.0, 0.0, 3.0)).r, IMG_NORM_PIXEL(sky, vec3(-1, 0, 0)).r, 1.0); }`;
     expect(pixelAt(await render(source, { cubes: { sky: sides } }), 0, 0)).toEqual([120, 160, 40, 255]);
   });
+});
+
+test('what hosts tell of an image beside its pixels', async () => {
+  const source = `${header({ INPUTS: [IMAGE] })}uniform vec2 _inputImage_imgSize;
+void main() { gl_FragColor = vec4(_inputImage_imgSize / 16.0, _inputImage_flip ? 1.0 : _inputImage_imgRect.z, 1.0); }`;
+  const picture = await render(source, { pictures: { inputImage: toPage(paint(8, 8, () => [0, 0, 0, 255])) } });
+  expect(pixelAt(picture, 0, 0)).toEqual([128, 128, 255, 255]);
 });

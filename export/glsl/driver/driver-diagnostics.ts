@@ -19,12 +19,13 @@ const ANGLE = /^(ERROR|WARNING):\s*(?:\d+:(\d+):\s*)?(?:'([^']*)'\s*:\s*)?(.*)$/
 const MESA = /^\d+:(\d+)\(\d+\):\s*(error|warning):\s*(.*)$/;
 
 /** What authors wrote for the names that the linker gave. */
-const AUTHORS_NAMES: Readonly<Record<string, string>> = {
-  scrim_uv: 'isf_FragNormCoord',
-  scrim_fragCoord: 'gl_FragCoord',
-  scrim_fragColor: 'gl_FragColor',
-  assign: '=',
-};
+const AUTHORS_NAMES: ReadonlyMap<string, string> = new Map([
+  ['scrim_uv', 'isf_FragNormCoord'],
+  ['scrim_normCoord', 'isf_FragNormCoord'],
+  ['scrim_fragCoord', 'gl_FragCoord'],
+  ['scrim_fragColor', 'gl_FragColor'],
+  ['assign', '='],
+]);
 
 /**
  * Turns a driver's log into diagnostics on the author's lines (SCR042). `sourceOf` gives the text of a file by the name that
@@ -107,7 +108,7 @@ function findQuoted(tokens: readonly Token[], place: Place, quoted: string): Tok
 }
 
 function authorsWord(printed: string): string {
-  return AUTHORS_NAMES[printed] ?? authorsNames(printed)[0] ?? printed;
+  return AUTHORS_NAMES.get(printed) ?? authorsNames(printed)[0] ?? printed;
 }
 
 /** Everything is highp, so drivers' talk of it says nothing. */

@@ -1,5 +1,6 @@
 import { isImageType } from '../check/glsl-type.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
+import { IMAGE_PROPERTY_TYPES } from './image-properties.ts';
 import type { IsfInputType, IsfShader } from './isf-shader.ts';
 
 /** Type under which the GLSL sees an input; images and depth stand only in functions that read them. */
@@ -60,6 +61,10 @@ export function givenSymbols(shader: IsfShader, stage: 'vertex' | 'fragment' = '
   }
   for (const image of shader.imported) give(image.name, image.cube ? 'samplerCube' : 'sampler2D', 'image');
   for (const pass of shader.passes) if (pass.target !== null) give(pass.target, 'sampler2D', 'image');
+  for (const { name, type, role } of [...given.values()]) {
+    if (role !== 'image' || type !== 'sampler2D') continue;
+    for (const [property, propertyType] of Object.entries(IMAGE_PROPERTY_TYPES)) give(`_${name}_${property}`, propertyType, 'builtin');
+  }
   return given;
 }
 

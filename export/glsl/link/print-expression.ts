@@ -1,3 +1,4 @@
+import { imageProperty } from '../isf/image-properties.ts';
 import type { CallExpression, Expression, TypeSpecifier } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { classifyImageCall, type ImageCall, positionCount } from './image-call.ts';
@@ -114,8 +115,16 @@ function printName(expression: Extract<Expression, { kind: 'name' }>, context: P
   }
   if (symbol === null) context.writer.write(token.text, token);
   else if (NORM_COORDS.has(symbol.name) && symbol.role === 'builtin') context.writer.write(context.normCoord, token);
-  else if (symbol.role === 'builtin') context.writer.write(BUILTIN_NAMES[symbol.name] ?? symbol.name, token);
+  else if (symbol.role === 'builtin') context.writer.write(builtinText(symbol.name, context), token);
   else context.writer.write(context.names.of(symbol), token);
+}
+
+function builtinText(name: string, { images }: PrintContext): string {
+  const asked = imageProperty(name);
+  if (asked === null) return BUILTIN_NAMES[name] ?? name;
+  if (asked.property === 'flip') return 'false';
+  const image = images.get(asked.image);
+  return asked.property === 'imgRect' || image === undefined ? 'vec4(0.0, 0.0, 1.0, 1.0)' : sizeUniform(image);
 }
 
 /** `- -a` must not become `--a`. */

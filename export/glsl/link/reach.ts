@@ -1,5 +1,6 @@
 import type { CheckedShader } from '../check/check-shader.ts';
 import { isImageType } from '../check/glsl-type.ts';
+import { imageProperty } from '../isf/image-properties.ts';
 import type { CallExpression, Expression, FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { type Walk, walkExpression, walkStatement } from '../syntax/walk.ts';
@@ -77,12 +78,19 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
 
   function visitName(symbol: VariableSymbol): void {
     if (symbol.role === 'input') params.add(symbol.name);
-    if (symbol.role === 'builtin') builtins.add(symbol.name);
+    if (symbol.role === 'builtin') visitBuiltin(symbol.name);
     if ((symbol.role !== 'global' && symbol.role !== 'varying') || globals.has(symbol)) return;
     globals.add(symbol);
     const declaration = symbol.declaration;
     for (const dimension of declaration?.dimensions ?? []) if (dimension !== null) walkExpression(dimension, walkIn(NO_IMAGES));
     if (declaration?.initializer) walkExpression(declaration.initializer, walkIn(NO_IMAGES));
+  }
+
+  function visitBuiltin(name: string): void {
+    builtins.add(name);
+    const asked = imageProperty(name);
+    const image = asked?.property === 'imgSize' ? images.get(asked.image) : undefined;
+    if (image !== undefined) used.set(image, new Set([...(used.get(image) ?? []), 'size' as const]));
   }
 
   function visitCall(call: CallExpression, binding: ImageBinding): void {

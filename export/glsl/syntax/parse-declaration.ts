@@ -1,6 +1,6 @@
-import type { Declarator, VariableDeclaration } from './ast.ts';
+import type { Declarator, Dimension, Expression, TypeSpecifier, VariableDeclaration } from './ast.ts';
 import type { Cursor } from './cursor.ts';
-import { parseAssignment, parseDimensions } from './parse-expression.ts';
+import { constructorOf, parseAssignment, parseDimensions } from './parse-expression.ts';
 import { parseType } from './parse-type.ts';
 import type { Token } from './token.ts';
 import { DROPPED_QUALIFIERS, KEYWORDS, QUALIFIERS, TYPES } from './words.ts';
@@ -39,20 +39,34 @@ export function parseVariables(cursor: Cursor): VariableDeclaration {
   const start = cursor.peek();
   const qualifiers = parseQualifiers(cursor);
   const type = parseType(cursor);
-  return { kind: 'variables', start, qualifiers, type, declarators: parseDeclarators(cursor, type.struct !== null) };
+  return { kind: 'variables', start, qualifiers, type, declarators: parseDeclarators(cursor, type) };
 }
 
 /** `a = 1.0, b[2]`; none at all after a struct. */
-export function parseDeclarators(cursor: Cursor, mayBeEmpty: boolean): Declarator[] {
+export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarator[] {
   const declarators: Declarator[] = [];
-  if (mayBeEmpty && cursor.at(';')) return declarators;
+  if (type.struct !== null && cursor.at(';')) return declarators;
   do {
     const name = cursor.name('the variable');
     const dimensions = parseDimensions(cursor);
-    const initializer = cursor.accept('=') ? parseAssignment(cursor) : null;
+    const initializer = cursor.accept('=') ? parseInitializer(cursor, type, dimensions) : null;
     declarators.push({ name, dimensions, initializer, symbol: null });
   } while (cursor.accept(','));
   return declarators;
+}
+
+/** Desktop GLSL 4.20 also takes a list in braces (§4.1.11), which stands for a constructor. */
+function parseInitializer(cursor: Cursor, type: TypeSpecifier, dimensions: readonly Dimension[]): Expression {
+  const open = cursor.accept('{');
+  if (open === null) return parseAssignment(cursor);
+  const whole = [...type.dimensions, ...dimensions];
+  const args: Expression[] = [];
+  while (!cursor.accept('}')) {
+    if (args.length > 0) cursor.expect(',', `or "}" to go on with the list of line ${open.line}`);
+    // A comma may stand after the last.
+    if (!cursor.at('}')) args.push(cursor.nested(() => parseInitializer(cursor, { ...type, dimensions: [] }, whole.slice(1))));
+  }
+  return constructorOf({ ...type, dimensions: whole, struct: null }, args);
 }
 
 /** Words such as `flat` and `smooth` are names in older GLSL: they qualify only what another word follows. */

@@ -145,6 +145,13 @@ function parseWord(cursor: Cursor, token: Token): Expression {
   return { kind: 'call', token, args, symbol: null, ...made(token, ...args) };
 }
 
+/** `float[3](…)` or `vec2(…)`, for what authors write in another way. */
+export function constructorOf(of: TypeSpecifier, args: readonly Expression[]): Expression {
+  const token = of.name;
+  if (of.dimensions.length > 0) return { kind: 'array', token, of, args, ...made(token, ...args) };
+  return { kind: 'call', token, args, symbol: null, ...made(token, ...args) };
+}
+
 function parseArguments(cursor: Cursor): Expression[] {
   const open = cursor.expect('(', 'before the arguments');
   const args: Expression[] = [];

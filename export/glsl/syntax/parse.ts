@@ -42,7 +42,7 @@ function parseDeclaration(cursor: Cursor): FunctionDeclaration | VariableDeclara
     if (body === null) cursor.expect(';', 'or a body in braces after the head of the function');
     return { kind: 'function', returnType: type, name, parameters, body, symbol: null };
   }
-  const declarators = parseDeclarators(cursor, type.struct !== null);
+  const declarators = parseDeclarators(cursor, type);
   cursor.expect(';', 'after the declaration');
   return { kind: 'variables', start, qualifiers, type, declarators };
 }

@@ -1,7 +1,7 @@
 import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { createFaceLookup } from '../library/faces.ts';
 import { projectLibrary, type ReadShader } from '../library/project-library.ts';
-import { isShaderFile, shaderFileOf } from '../names.ts';
+import { isShaderFile, shaderFilesOf } from '../names.ts';
 import { own } from '../own.ts';
 import type { Project } from '../project.ts';
 import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, unchanged } from './change.ts';
@@ -86,7 +86,7 @@ export function forkShader(project: Project, { library, graph, node: id, name }:
   }
   const [kind = '', original = ''] = definition.type.split('/');
   const copy = name ?? freeName(project, library, kind, original);
-  const file = shaderFileOf(`${kind}/${copy}`);
+  const file = `${copy}${shader.name.slice(shader.name.lastIndexOf('.'))}`;
   if (!isShaderFile(file)) return refuse(project, 'SCR002', `“${file}” will not do as the name of a shader file.`, { nodeId: id });
   if (isTaken(project, library, kind, copy)) return refuse(project, 'SCR002', `There is a shader “${copy}” already.`, { nodeId: id });
   const vertex = shader.name.endsWith('.fs') ? library.shader(shader.name.replace(/\.fs$/, '.vs')) : undefined;
@@ -119,7 +119,7 @@ function freeName(project: Project, library: NodeLibrary, kind: string, original
 
 function isTaken(project: Project, library: NodeLibrary, kind: string, name: string): boolean {
   const type = `${kind}/${name}`;
-  return own(project.sources, shaderFileOf(type)) !== undefined || library.definition(type) !== undefined;
+  return shaderFilesOf(type).some((file) => own(project.sources, file) !== undefined) || library.definition(type) !== undefined;
 }
 
 function typeOf(files: ReadonlyMap<string, string>, file: string): string | undefined {
@@ -131,7 +131,7 @@ function typeOf(files: ReadonlyMap<string, string>, file: string): string | unde
 function orphanedTypes(file: string, library: NodeLibrary): string[] {
   const stem = file.replace(/\.(fs|glsl)$/, '');
   const types = SHADER_KINDS.map((kind) => `${kind}/${stem}`);
-  return types.filter((type) => shaderFileOf(type) === file && library.definition(type) === undefined);
+  return types.filter((type) => shaderFilesOf(type).includes(file) && library.definition(type) === undefined);
 }
 
 function retypeNodes(draft: ProjectDraft, from: readonly string[], to: string): void {

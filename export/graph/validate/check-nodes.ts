@@ -1,5 +1,5 @@
 import { screensOf } from '../liveness.ts';
-import { shaderFileOf, subgraphName } from '../names.ts';
+import { shaderFilesOf, subgraphName } from '../names.ts';
 import { own } from '../own.ts';
 import { MAIN_GRAPH } from '../project.ts';
 import { type GraphCheck, reportError } from './context.ts';
@@ -25,8 +25,8 @@ export function checkNodeTypes(check: GraphCheck): void {
 }
 
 function unknownType({ project }: GraphCheck, nodeId: string, type: string): string {
-  const file = shaderFileOf(type);
-  if (own(project.sources, file) === undefined) return `${nodeId} is of the type ${type}, which Scrim does not know.`;
+  const file = shaderFilesOf(type).find((name) => own(project.sources, name) !== undefined);
+  if (file === undefined) return `${nodeId} is of the type ${type}, which Scrim does not know.`;
   return `${nodeId} is of the type ${type}, but shaders/${file} does not give it: its header is broken, or its inputs make it another kind.`;
 }
 

@@ -4,11 +4,11 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 import { IDENTITY, type LiveResources, liveResource } from '../resources/resources.ts';
-import type { Target } from '../targets/target.ts';
 import type { SoundPicture } from '../sound/sound-picture.ts';
-import type { ImportedPicture, Imports } from './imports.ts';
+import type { Target } from '../targets/target.ts';
 import { setDecode } from './depth-decode.ts';
 import { fitted } from './fit.ts';
+import type { ImportedPicture, Imports } from './imports.ts';
 
 /** Uniforms are copied when they are set. */
 const scratchSize = new Float32Array(2);

@@ -3,10 +3,10 @@ import { companionOf } from '../../../glsl/isf/read-isf.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform, PassTarget } from '../../../glsl/link/linked-pass.ts';
 import type { LayerDepthRef, PassSampler, PassUniform, ResourceId, SizeExpression, TargetSize } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
+import { importedAssetId } from '../../imported-assets.ts';
 import type { LinkVariant } from '../../shaders/shader-store.ts';
 import { fitOf } from '../fit.ts';
 import { layerInputs, layerOutput } from '../layers.ts';
-import { importedAssetId } from '../../imported-assets.ts';
 import { type Lowering, resourceAt } from './lowering.ts';
 
 /** The text behind an image node and how it is to be linked there. */
