@@ -16,12 +16,18 @@ export function guardContents(app: App): void {
   });
 }
 
-/** No device, no sensor, no address but our own. */
+/** No device, no sensor, no address but our own; the preview may listen, where a project does, once the user has touched it. */
 export function guardSession(session: Session): void {
-  session.setPermissionRequestHandler((_contents, permission, callback, { requestingUrl }) =>
-    callback(ALLOWED_PERMISSIONS.has(permission) && isEditor(requestingUrl)),
+  session.setPermissionRequestHandler((_contents, permission, callback, details) =>
+    callback(
+      permission === 'media'
+        ? isPreview(details.requestingUrl) && 'mediaTypes' in details && isSoundAlone(details.mediaTypes)
+        : ALLOWED_PERMISSIONS.has(permission) && isEditor(details.requestingUrl),
+    ),
   );
-  session.setPermissionCheckHandler((_contents, permission, origin) => ALLOWED_PERMISSIONS.has(permission) && isEditor(origin));
+  session.setPermissionCheckHandler((_contents, permission, origin, details) =>
+    permission === 'media' ? isPreview(origin) && details.mediaType === 'audio' : ALLOWED_PERMISSIONS.has(permission) && isEditor(origin),
+  );
   session.setDevicePermissionHandler(() => false);
   const elsewhere = ['http://*/*', 'https://*/*', 'ws://*/*', 'wss://*/*', 'ftp://*/*', 'file://*/*'];
   session.webRequest.onBeforeRequest({ urls: elsewhere }, (_details, callback) => callback({ cancel: true }));
@@ -30,4 +36,12 @@ export function guardSession(session: Session): void {
 /** An origin comes without a slash at its end. */
 function isEditor(url: string): boolean {
   return url === ORIGINS.editor || url.startsWith(`${ORIGINS.editor}/`);
+}
+
+function isPreview(url: string): boolean {
+  return url === ORIGINS.preview || url.startsWith(`${ORIGINS.preview}/`);
+}
+
+function isSoundAlone(mediaTypes: readonly string[] | undefined): boolean {
+  return mediaTypes?.length === 1 && mediaTypes[0] === 'audio';
 }

@@ -87,6 +87,16 @@ function wrongVideo(head: Buffer, size: number): string | null {
   return head.readUInt32BE(0) === 0x1a45dfa3 ? null : 'is no video that browsers can play: use MP4 or WebM.';
 }
 
+/** WAVE, MPEG audio with or without a tag, Ogg, FLAC, MP4 and WebM: what browsers decode by their first bytes. */
+function wrongSound(head: Buffer, size: number): string | null {
+  if (size === 0) return 'is empty.';
+  const text = head.toString('latin1');
+  const isMpeg = text.startsWith('ID3') || (head.readUInt16BE(0) & 0xffe0) === 0xffe0;
+  const isWave = text.startsWith('RIFF') && text.slice(8, 12) === 'WAVE';
+  const isOther = text.startsWith('OggS') || text.startsWith('fLaC') || text.slice(4, 8) === 'ftyp' || head.readUInt32BE(0) === 0x1a45dfa3;
+  return isMpeg || isWave || isOther ? null : 'is no sound that browsers can play: use MP3, M4A, WAV, OGG or FLAC.';
+}
+
 function wrongPanorama(head: Buffer, size: number): string | null {
   const isRadiance = head.toString('latin1', 0, 2) === '#?' || head.readUInt32LE(0) === 20000630;
   if (isRadiance || wrongPicture(head, size) === null) return null;
@@ -97,6 +107,7 @@ const WRONG: Readonly<Record<AssetKind, (head: Buffer, size: number) => string |
   image: wrongPicture,
   model: wrongModel,
   video: wrongVideo,
+  audio: wrongSound,
   environment: wrongPanorama,
 };
 

@@ -16,7 +16,9 @@ export interface ProgramUse {
 
 export function programUse(program: Program): ProgramUse {
   const nodes = program.operations.filter((operation) => 'type' in operation);
-  const assets = new Set(nodes.flatMap((node) => Object.values(node.assets)).filter((id) => id !== null));
+  const passes = program.operations.filter((operation) => operation.kind === 'pass');
+  const imported = passes.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'import' ? source.assets : [])));
+  const assets = new Set([...nodes.flatMap((node) => Object.values(node.assets)), ...imported].filter((id) => id !== null));
   const uses = (...kinds: ProgramAsset['kind'][]) => program.assets.some(({ id, kind }) => kinds.includes(kind) && assets.has(id));
   return {
     nodeTypes: [...new Set(nodes.map((node) => node.type))].sort(),

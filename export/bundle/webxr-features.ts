@@ -1,7 +1,7 @@
 import type { Capability, ProgramNeed } from '../program/program.ts';
 
 /** Feature descriptors as the page's session asks for them; a test compares the two. */
-const FEATURES: Readonly<Record<Capability, string>> = {
+const FEATURES: Readonly<Record<Capability, string | null>> = {
   'camera-image': 'camera-access',
   depth: 'depth-sensing',
   'light-estimation': 'light-estimation',
@@ -10,6 +10,8 @@ const FEATURES: Readonly<Record<Capability, string>> = {
   planes: 'plane-detection',
   meshes: 'mesh-detection',
   hands: 'hand-tracking',
+  // The page asks for it by itself.
+  microphone: null,
 };
 
 export interface WebXrFeatures {
@@ -19,6 +21,7 @@ export interface WebXrFeatures {
 
 /** What entering AR asks the browser for. The floor is always welcome. */
 export function webXrFeatures(needs: readonly ProgramNeed[]): WebXrFeatures {
-  const some = (required: boolean) => needs.filter((need) => need.required === required).map((need) => FEATURES[need.capability]);
+  const some = (required: boolean) =>
+    needs.flatMap(({ required: isRequired, capability }) => (isRequired === required ? (FEATURES[capability] ?? []) : []));
   return { required: some(true), optional: ['local-floor', ...some(false)] };
 }

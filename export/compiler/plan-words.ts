@@ -11,6 +11,7 @@ const CAPABILITIES: Readonly<Record<Capability, string>> = {
   planes: 'floors, walls and tables',
   meshes: 'the shape of the room',
   hands: 'the visitor’s hands',
+  microphone: 'what the microphone hears',
 };
 
 const TIERS: Readonly<Record<Tier['id'], string>> = {

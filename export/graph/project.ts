@@ -93,7 +93,7 @@ export interface PortAddress {
 export interface Asset {
   /** Relative to the project folder, `/` between parts. */
   readonly path: string;
-  readonly kind: 'image' | 'model' | 'video' | 'environment';
+  readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment';
   readonly credit?: string;
   readonly licence?: string;
 }

@@ -9,6 +9,7 @@ const WHAT: Readonly<Record<Capability, string>> = {
   planes: 'Floors, walls and tables',
   meshes: 'The shape of the room',
   hands: 'Your hands',
+  microphone: 'The microphone',
 };
 
 /** One line of what the visitor is asked for. */

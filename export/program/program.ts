@@ -330,7 +330,7 @@ export interface SourceMap {
 
 export interface ProgramAsset {
   readonly id: string;
-  readonly kind: 'image' | 'model' | 'video' | 'environment';
+  readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment';
   /** Relative to the project folder in a preview, to the page in an export. */
   readonly path: string;
 }
@@ -347,7 +347,7 @@ export interface Presentation {
   readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
 }
 
-export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands';
+export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands' | 'microphone';
 
 export interface ProgramNeed {
   readonly capability: Capability;

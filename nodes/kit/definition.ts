@@ -132,7 +132,7 @@ export interface AssetParam extends ParamBase {
   readonly accept: AssetKind;
 }
 
-export type AssetKind = 'image' | 'model' | 'video' | 'environment';
+export type AssetKind = 'image' | 'model' | 'video' | 'audio' | 'environment';
 
 export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | AssetParam;
 
@@ -173,7 +173,16 @@ export interface ShadowMapUse {
 }
 
 /** What a session may offer beyond drawing. */
-export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands';
+export type Capability =
+  | 'camera-image'
+  | 'depth'
+  | 'light-estimation'
+  | 'hit-test'
+  | 'anchors'
+  | 'planes'
+  | 'meshes'
+  | 'hands'
+  | 'microphone';
 
 export interface Need {
   readonly capability: Capability;

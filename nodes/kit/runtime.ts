@@ -3,7 +3,7 @@ import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './de
 import type { Diagnostic } from './diagnostics.ts';
 import type { SceneLook } from './scene-look.ts';
 import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
-import type { SoundOutput } from './sound.ts';
+import type { AudioAsset, SoundOutput } from './sound.ts';
 import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
 
 /**
@@ -320,6 +320,7 @@ export interface AssetService {
   model(id: string): AssetHandle<ModelAsset>;
   environment(id: string): AssetHandle<EnvironmentAsset>;
   video(id: string): AssetHandle<VideoAsset>;
+  audio(id: string): AssetHandle<AudioAsset>;
 }
 
 export interface AssetHandle<T> {

@@ -7,3 +7,11 @@ export interface SoundOutput {
   readonly samples: readonly Float32Array[];
   version: number;
 }
+
+/** A sound file, decoded. */
+export interface AudioAsset {
+  readonly durationS: number;
+  readonly sampleRateHz: number;
+  /** One or two, of equal length, in [-1, 1]. */
+  readonly channels: readonly Float32Array[];
+}

@@ -4,7 +4,13 @@ import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { acceptedNames, importAsset } from '../state/add-files.ts';
 import { IconButton } from '../ui/button.tsx';
 
-const NAMES: Readonly<Record<AssetKind, string>> = { image: 'picture', model: 'model', video: 'video', environment: 'panorama' };
+const NAMES: Readonly<Record<AssetKind, string>> = {
+  image: 'picture',
+  model: 'model',
+  video: 'video',
+  audio: 'sound',
+  environment: 'panorama',
+};
 
 interface AssetPickerProps {
   readonly id: string;

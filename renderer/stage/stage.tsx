@@ -35,7 +35,7 @@ function PreviewFrame({ url }: { readonly url: string }) {
       link.dispose();
     };
   }, [feed, url]);
-  return <iframe ref={frame} className="stage-frame" title="Preview" allow="gamepad" referrerPolicy="no-referrer" />;
+  return <iframe ref={frame} className="stage-frame" title="Preview" allow="gamepad; microphone; autoplay" referrerPolicy="no-referrer" />;
 }
 
 /** What the picture cannot say itself. */

@@ -19,6 +19,7 @@ const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly str
   { kind: 'model', endings: ['.glb', '.gltf'] },
   { kind: 'image', endings: ['.png', '.jpg', '.jpeg', '.webp'] },
   { kind: 'video', endings: ['.mp4', '.webm', '.m4v'] },
+  { kind: 'audio', endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
   { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
 ];
 const SHADERS = /\.(fs|glsl)$/i;
@@ -57,7 +58,7 @@ export async function addFiles(editor: Editor, files: readonly DroppedFile[], pl
     }
     const kind = kindOfFile(file.name);
     if (kind === null) {
-      const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
+      const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }

@@ -73,6 +73,18 @@ describe('the example of', () => {
     }
   });
 
+  test('source/audio-file shows its tones as bars: the octave above its lowest in the middle, nothing where it has no tone', async () => {
+    const { centre, corner } = await play('source/audio-file', 0.5);
+    expect(centre).toEqual([51, 204, 255, 255]);
+    expect(corner).toEqual(CAMERA);
+  });
+
+  test('source/microphone shows a flat line while nobody allows it to hear', async () => {
+    const { centre, corner } = await play('source/microphone');
+    expect(centre[0]).toBeGreaterThan(150);
+    expect(corner).toEqual(CAMERA);
+  });
+
   test.each(['light/point', 'light/spot'])('%s lights the floor below it, and not far away', async (type) => {
     const { centre } = await play(type);
     expect([Math.max(...centre.slice(0, 3)) > 60, centre]).not.toEqual([false, CAMERA]);

@@ -9,9 +9,9 @@ import { drawPicture, made, toPage } from './glsl-kit.ts';
 
 const FOLDER = 'shader-library';
 
-/** Text of every filter and operator by its path in the library, such as `filters/sepia.fs`. */
+/** Text of every filter, operator and generator by its path in the library, such as `filters/sepia.fs`. */
 export const SHADERS: Readonly<Record<string, string>> = Object.fromEntries(
-  ['filters', 'operators'].flatMap((kind) =>
+  ['filters', 'operators', 'generators'].flatMap((kind) =>
     readdirSync(join(FOLDER, kind))
       .filter((file) => file.endsWith('.fs'))
       .sort()

@@ -60,10 +60,16 @@ describe.each(Object.keys(SHADERS))('%s', (file) => {
 
   test('compiles in a host that only puts ISF’s own macros before it', async () => {
     const shader = made(readIsf(SHADERS[file] ?? '', file));
-    const types = { image: 'sampler2D', float: 'float', bool: 'bool', long: 'int', point2D: 'vec2', color: 'vec4' } as Record<
-      string,
-      string
-    >;
+    const types = {
+      image: 'sampler2D',
+      float: 'float',
+      bool: 'bool',
+      long: 'int',
+      point2D: 'vec2',
+      color: 'vec4',
+      audio: 'sampler2D',
+      audioFFT: 'sampler2D',
+    } as Record<string, string>;
     const images = [
       ...shader.inputs.filter((input) => input.type === 'image').map((input) => input.name),
       ...shader.passes.flatMap((pass) => pass.target ?? []),

@@ -112,6 +112,8 @@ function emptyOutput(type: WireType): unknown {
       return { version: 0, items: [] };
     case 'environment':
       return { asset: null, intensity: 1, rotationRad: 0 };
+    case 'audio':
+      return { channelCount: 0, sampleRateHz: 0, samples: [new Float32Array(4096), new Float32Array(4096)], version: 0 };
     case 'layer':
     case 'depth':
       return { views: [] };

@@ -4,6 +4,7 @@ import { saveProject } from '../../export/graph/save.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { ToolMain } from '../lib/tool.ts';
+import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeFilm } from './make-film.ts';
 import { makePinwheel } from './pinwheel.ts';
@@ -20,6 +21,7 @@ const SKY_PATHS = [
   'nodes/light/environment/example/assets/sky.hdr',
   `examples/gallery/assets/${GALLERY_FILES.sky}`,
 ];
+const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
 
@@ -29,6 +31,7 @@ export const main: ToolMain = async (_args, { root }) => {
   await placeGallery(root);
   await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());
+  await place(root, CHIME_PATHS, makeChime());
   await place(root, BALL_PATHS, await makeFilm(root, 'makeBall'));
   await place(root, STRIPES_PATHS, await makeFilm(root, 'makeStripes'));
   return 0;

@@ -84,7 +84,10 @@ function checkedFile({ file, source, vertex, passes, diagnostics }: ReadFile, ve
   const said = passes.flatMap(({ shader }, i): Diagnostic[] => {
     const { logs = [], endlessLine = null } = verdicts[i] ?? {};
     const endless = endlessLine === null ? [] : [tooManyRounds(shader, endlessLine)];
-    return [...logs.flatMap(({ log, stage }) => driverDiagnostics(shader, log, (name) => (name === file ? source : vertex), stage)), ...endless];
+    return [
+      ...logs.flatMap(({ log, stage }) => driverDiagnostics(shader, log, (name) => (name === file ? source : vertex), stage)),
+      ...endless,
+    ];
   });
   // There is no node: the file alone says where.
   const all = uniqueDiagnostics([...diagnostics, ...said].map(({ nodeId: _, ...diagnostic }) => ({ file, ...diagnostic })));

@@ -1,9 +1,9 @@
 import { countRounds } from '../../../export/glsl/check/count-rounds.ts';
 import { checkIsf } from '../../../export/glsl/isf/checked-isf.ts';
 import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
-import { readImageShader } from '../../../export/glsl/read-definition.ts';
 import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../../export/glsl/link/linked-pass.ts';
+import { readImageShader } from '../../../export/glsl/read-definition.ts';
 import { GlslError } from '../../../export/glsl/syntax/token.ts';
 import { linkTechnique } from '../../../export/glsl/technique/link-technique.ts';
 import { readTechnique } from '../../../export/glsl/technique/read-technique.ts';
@@ -77,13 +77,13 @@ function jobOf({ shader, passIndex, uniforms, samplers }: LinkedPass, { inputs, 
     uniforms: uniforms.map(({ name, type, source }) => ({
       name,
       type,
-      value: valueOf(source, inputs),
+      value: firstValue(source, inputs),
     })),
     samplers: samplers.map(({ name, source }) => ({ name, holds: contentOf(source, imported) })),
   };
 }
 
-function valueOf(source: LinkedUniform['source'], inputs: IsfShader['inputs']): ShaderJob['uniforms'][number]['value'] {
+function firstValue(source: LinkedUniform['source'], inputs: IsfShader['inputs']): ShaderJob['uniforms'][number]['value'] {
   if ('builtin' in source) return source.builtin;
   if ('event' in source) return [0];
   return inputs.find((input) => input.name === source.param)?.default ?? [];

@@ -92,7 +92,7 @@ function readAsset(reader: ShapeReader, json: unknown, path: JsonPath): Asset {
   const optional = (key: 'credit' | 'licence') => (fields(key) === undefined ? {} : { [key]: reader.text(fields(key), [...path, key]) });
   return {
     path: reader.text(fields('path'), [...path, 'path']),
-    kind: reader.oneOf(fields('kind'), [...path, 'kind'], ['image', 'model', 'video', 'environment']),
+    kind: reader.oneOf(fields('kind'), [...path, 'kind'], ['image', 'model', 'video', 'audio', 'environment']),
     ...optional('credit'),
     ...optional('licence'),
   };

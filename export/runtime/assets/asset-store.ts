@@ -1,11 +1,13 @@
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/runtime.ts';
+import type { AudioAsset } from '../../../nodes/kit/sound.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import type { LoadedEnvironment, LoadedModel, SceneBackend } from '../scene-backend.ts';
 import type { AssetSource } from './asset-source.ts';
+import { type LoadedAudio, loadAudio } from './load-audio.ts';
 import { type LoadedImage, loadImage } from './load-image.ts';
 import { type LoadedVideo, loadVideo } from './video/load-video.ts';
 import { VideoError } from './video/video-element.ts';
@@ -25,7 +27,7 @@ export interface AssetHold {
   release(): void;
 }
 
-type Loaded = LoadedImage | LoadedModel | LoadedVideo | LoadedEnvironment;
+type Loaded = LoadedAudio | LoadedImage | LoadedModel | LoadedVideo | LoadedEnvironment;
 
 interface Entry {
   readonly asset: ProgramAsset;
@@ -112,6 +114,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
         image: (id) => find<ImageAsset>('image', id),
         model: (id) => find<ModelAsset>('model', id),
         video: (id) => find<VideoAsset>('video', id),
+        audio: (id) => find<AudioAsset>('audio', id),
         environment: (id) => find<EnvironmentAsset>('environment', id),
       };
     },
@@ -150,6 +153,8 @@ function decode({ kind, path }: ProgramAsset, bytes: ArrayBuffer, { objects, sou
       return loadImage(objects, bytes);
     case 'video':
       return loadVideo(objects, bytes, delay);
+    case 'audio':
+      return loadAudio(bytes);
     case 'model':
       return scenes().loadModel(bytes, path, source.load);
     case 'environment':
@@ -157,7 +162,13 @@ function decode({ kind, path }: ProgramAsset, bytes: ArrayBuffer, { objects, sou
   }
 }
 
-const NAMES: Readonly<Record<AssetKind, string>> = { image: 'picture', model: 'model', video: 'video', environment: 'panorama' };
+const NAMES: Readonly<Record<AssetKind, string>> = {
+  image: 'picture',
+  model: 'model',
+  video: 'video',
+  audio: 'sound',
+  environment: 'panorama',
+};
 
 function missing(id: string): Omit<Diagnostic, 'nodeId'> {
   return { code: 'SCR030', severity: 'error', message: `The asset "${id}" is not in the project.`, fix: 'Choose another one.' };

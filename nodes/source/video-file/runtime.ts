@@ -1,12 +1,12 @@
+import { createMediaTime } from '../../kit/media-time.ts';
 import type { NodeContext, NodeRuntime, VideoPlayback } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
-import { createVideoTime } from './video-time.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { playing, loop, speed, startS } = ctx.params;
   const id = ctx.assetIds.file;
   const video = id === null ? null : ctx.assets.video(id);
-  const time = createVideoTime(ctx.clock);
+  const time = createMediaTime(ctx.clock);
   const [view] = ctx.outputs.layer.views;
   let playback: VideoPlayback | null = null;
 

@@ -2,7 +2,7 @@ import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { ProgramNeed } from '../../../program/program.ts';
 
 /** Feature descriptor of each capability. */
-const FEATURES: Readonly<Record<Capability, string>> = {
+const FEATURES: Readonly<Record<Capability, string | null>> = {
   'camera-image': 'camera-access',
   depth: 'depth-sensing',
   'light-estimation': 'light-estimation',
@@ -11,6 +11,8 @@ const FEATURES: Readonly<Record<Capability, string>> = {
   planes: 'plane-detection',
   meshes: 'mesh-detection',
   hands: 'hand-tracking',
+  // The page asks for it by itself.
+  microphone: null,
 };
 
 /**
@@ -26,7 +28,7 @@ const DEPTH_WISHES: XRDepthStateInit = {
 /** Asks for what the program needs and nothing else; the floor is welcome and not needed. */
 export function sessionInit(needs: readonly ProgramNeed[], overlayRoot: Element | null): XRSessionInit {
   const features = (required: boolean): string[] =>
-    needs.filter((need) => need.required === required).map((need) => FEATURES[need.capability]);
+    needs.flatMap(({ required: isRequired, capability }) => (isRequired === required ? (FEATURES[capability] ?? []) : []));
   const wantsDepth = needs.some((need) => need.capability === 'depth');
   return {
     requiredFeatures: features(true),
@@ -39,5 +41,6 @@ export function sessionInit(needs: readonly ProgramNeed[], overlayRoot: Element 
 /** What of the needs was granted. Browsers without `enabledFeatures` are taken at their word: what they accepted they have. */
 export function grantedCapabilities(session: XRSession, needs: readonly ProgramNeed[]): ReadonlySet<Capability> {
   const enabled = session.enabledFeatures;
-  return new Set(needs.map((need) => need.capability).filter((capability) => !enabled || enabled.includes(FEATURES[capability])));
+  const isGranted = (feature: string | null): boolean => !enabled || feature === null || enabled.includes(feature);
+  return new Set(needs.map((need) => need.capability).filter((capability) => isGranted(FEATURES[capability])));
 }

@@ -98,6 +98,7 @@ const WORDS: Readonly<Record<Capability, string>> = {
   planes: 'detected planes',
   meshes: 'detected shapes',
   hands: 'hand tracking',
+  microphone: 'the microphone',
 };
 
 function reason(error: unknown): string {

@@ -1,7 +1,7 @@
-import type { Clock } from '../../kit/runtime.ts';
+import type { Clock } from './runtime.ts';
 
-/** Where a video stands. */
-export interface VideoTime {
+/** Where a film or a sound stands. */
+export interface MediaTime {
   /** In [0, durationS], for this frame; `speed` 0 holds it. */
   at(durationS: number, speed: number, startS: number, loop: boolean): number;
   /** Back to the beginning. */
@@ -9,11 +9,11 @@ export interface VideoTime {
 }
 
 /**
- * A function of the clock, not a sum of frame times: it does not depend on how many frames were drawn or when the video had loaded.
+ * A function of the clock, not a sum of frame times: it does not depend on how many frames were drawn or when the file had loaded.
  * A change of speed, or a pause, goes on from the moment it finds; another start moves all by the difference.
  */
-export function createVideoTime(clock: Clock): VideoTime {
-  // The video had run for `anchorRunS` when the clock showed `anchorS`, and has run at `rate` since.
+export function createMediaTime(clock: Clock): MediaTime {
+  // It had run for `anchorRunS` when the clock showed `anchorS`, and has run at `rate` since.
   let anchorS = 0;
   let anchorRunS = 0;
   let rate: number | null = null;

@@ -1,0 +1,25 @@
+import type { AudioAsset } from '../../../nodes/kit/sound.ts';
+import { MAX_CHANNELS } from '../../program/sound.ts';
+
+export interface LoadedAudio extends AudioAsset {
+  dispose(): void;
+}
+
+/** What most hardware plays at; files of another rate are converted as they are decoded. */
+const SAMPLE_RATE_HZ = 48_000;
+
+/** Decodes a whole file, without an audio device and before any gesture. Rejects where the browser cannot decode it. */
+export async function loadAudio(bytes: ArrayBuffer): Promise<LoadedAudio> {
+  const context = new OfflineAudioContext(1, 1, SAMPLE_RATE_HZ);
+  // The decoder takes the bytes away from whoever else holds them.
+  const buffer = await context.decodeAudioData(bytes.slice(0)).catch(() => {
+    throw new Error('it is no sound that this browser can decode');
+  });
+  const count = Math.min(buffer.numberOfChannels, MAX_CHANNELS);
+  return {
+    durationS: buffer.duration,
+    sampleRateHz: buffer.sampleRate,
+    channels: Array.from({ length: count }, (_, channel) => buffer.getChannelData(channel)),
+    dispose: () => {},
+  };
+}

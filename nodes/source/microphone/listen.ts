@@ -1,0 +1,109 @@
+import type { SoundOutput } from '../../kit/sound.ts';
+
+/** The visitor's microphone, asked for at the first gesture and given back at the end. */
+export interface Ear {
+  /** Writes what was heard last; false while there is nothing to hear. */
+  hear(output: SoundOutput, gain: number): boolean;
+  dispose(): void;
+}
+
+interface Microphone {
+  readonly stream: MediaStream;
+  readonly context: AudioContext;
+  /** One per channel. */
+  readonly analysers: readonly AnalyserNode[];
+}
+
+/** What makes voices clear takes music away. */
+const WISHES: MediaTrackConstraints = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
+
+const GESTURES = ['pointerup', 'keyup'] as const;
+
+/** `onRefusal` is told once, in words for the visitor. */
+export function listen(onRefusal: (message: string, fix: string) => void): Ear {
+  let microphone: Microphone | null = null;
+  let asked = false;
+  let disposed = false;
+
+  function ask(): void {
+    if (asked) {
+      void microphone?.context.resume().catch(() => {});
+      return;
+    }
+    asked = true;
+    void open();
+  }
+
+  async function open(): Promise<void> {
+    // Missing where the page came over http, or from a disk in some browsers.
+    const media: MediaDevices | undefined = navigator.mediaDevices;
+    if (!media) {
+      onRefusal('This browser gives no microphone to this page.', 'Open the page over https.');
+      return;
+    }
+    try {
+      const stream = await media.getUserMedia({ audio: WISHES });
+      if (disposed) stop(stream);
+      else microphone = connect(stream);
+    } catch (error) {
+      if (!disposed) onRefusal(...refusal(error));
+    }
+  }
+
+  for (const gesture of GESTURES) document.addEventListener(gesture, ask);
+  // Entering AR was a gesture already, perhaps before there was anybody to hear of it.
+  if (navigator.userActivation?.hasBeenActive) ask();
+
+  return {
+    hear: (output, gain) => {
+      if (microphone === null || microphone.context.state !== 'running') return false;
+      const { analysers, context } = microphone;
+      for (let channel = 0; channel < analysers.length; channel++) {
+        const samples = output.samples[channel] as Float32Array<ArrayBuffer> | undefined;
+        if (!samples) continue;
+        analysers[channel]?.getFloatTimeDomainData(samples);
+        if (gain !== 1) for (let i = 0; i < samples.length; i++) samples[i] = (samples[i] ?? 0) * gain;
+      }
+      output.channelCount = analysers.length;
+      output.sampleRateHz = context.sampleRate;
+      output.version++;
+      return true;
+    },
+    dispose: () => {
+      disposed = true;
+      for (const gesture of GESTURES) document.removeEventListener(gesture, ask);
+      if (microphone === null) return;
+      stop(microphone.stream);
+      void microphone.context.close();
+      microphone = null;
+    },
+  };
+}
+
+function connect(stream: MediaStream): Microphone {
+  const context = new AudioContext();
+  const source = context.createMediaStreamSource(stream);
+  const channelCount = Math.min(stream.getAudioTracks()[0]?.getSettings().channelCount ?? 1, 2);
+  const splitter = context.createChannelSplitter(channelCount);
+  source.connect(splitter);
+  const analysers = Array.from({ length: channelCount }, (_, channel) => {
+    // As long as a sound's window (`SoundOutput`).
+    const analyser = new AnalyserNode(context, { fftSize: 4096 });
+    splitter.connect(analyser, channel);
+    return analyser;
+  });
+  void context.resume().catch(() => {});
+  return { stream, context, analysers };
+}
+
+function stop(stream: MediaStream): void {
+  for (const track of stream.getTracks()) track.stop();
+}
+
+function refusal(error: unknown): [message: string, fix: string] {
+  const name = error instanceof DOMException ? error.name : '';
+  if (name === 'NotAllowedError' || name === 'SecurityError')
+    return ['The microphone was refused.', 'Allow it beside the address, then reload the page.'];
+  if (name === 'NotFoundError') return ['There is no microphone.', 'Plug one in, then reload the page.'];
+  return ['The microphone cannot be used.', 'Close other apps that use it, then reload the page.'];
+}

@@ -1,0 +1,136 @@
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { fakeContext } from '../../../tests/support/node-context.ts';
+import { definition } from './definition.ts';
+import { create } from './runtime.ts';
+
+/** A page with a microphone that hears 0.5 for ever, once it is allowed. */
+function fakePage(answer: () => Promise<unknown>) {
+  const listeners = new Map<string, Set<() => void>>();
+  const log: string[] = [];
+  class FakeContext {
+    readonly state = 'running';
+    readonly sampleRate = 44_100;
+    createMediaStreamSource = () => ({ connect: () => {} });
+    createChannelSplitter = () => ({ connect: () => {} });
+    resume = () => Promise.resolve();
+    close = async () => void log.push('closed');
+  }
+  class FakeAnalyser {
+    getFloatTimeDomainData(samples: Float32Array): void {
+      samples.fill(0.5);
+    }
+  }
+  const media = {
+    getUserMedia: (wishes: unknown) => {
+      log.push(`asked ${Object.keys(wishes as object).join()}`);
+      return answer();
+    },
+  };
+  const globals = {
+    document: {
+      addEventListener: (name: string, listener: () => void) => listeners.set(name, new Set([...(listeners.get(name) ?? []), listener])),
+      removeEventListener: (name: string, listener: () => void) => listeners.get(name)?.delete(listener),
+    },
+    navigator: { mediaDevices: media, userActivation: { hasBeenActive: false } },
+    AudioContext: FakeContext,
+    AnalyserNode: FakeAnalyser,
+  };
+  return {
+    globals,
+    log,
+    touch: async () => {
+      for (const listener of listeners.get('pointerup') ?? []) listener();
+      await new Promise((resolve) => setImmediate(resolve));
+    },
+    listening: () => [...listeners.values()].reduce((sum, set) => sum + set.size, 0),
+  };
+}
+
+const NAMES = ['document', 'navigator', 'AudioContext', 'AnalyserNode'] as const;
+let before: (readonly [string, PropertyDescriptor | undefined])[] = [];
+
+beforeEach(() => {
+  before = NAMES.map((name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)] as const);
+});
+
+afterEach(() => {
+  for (const [name, descriptor] of before) {
+    if (descriptor) Object.defineProperty(globalThis, name, descriptor);
+    else Reflect.deleteProperty(globalThis, name);
+  }
+});
+
+function make(answer: () => Promise<unknown>) {
+  const page = fakePage(answer);
+  for (const [name, value] of Object.entries(page.globals)) Object.defineProperty(globalThis, name, { value, configurable: true });
+  const fake = fakeContext(definition);
+  const node = create(fake.ctx);
+  const hear = () => {
+    fake.tick(0.1);
+    node.update({} as never);
+    const { audio, level } = fake.ctx.outputs;
+    return [audio.channelCount, audio.sampleRateHz, audio.samples[0]?.at(-1), level.value];
+  };
+  return { ...fake, ...page, node, hear };
+}
+
+function stream(log: string[] = []) {
+  const track = { getSettings: () => ({ channelCount: 1 }), stop: () => log.push('stopped') };
+  return { getAudioTracks: () => [track], getTracks: () => [track] };
+}
+
+describe('source/microphone', () => {
+  test('asks once, for sound alone, when the page is touched, and then hears', async () => {
+    const { hear, touch, log, set } = make(() => Promise.resolve(stream()));
+    expect([hear(), log]).toEqual([[0, 0, 0, 0], []]);
+    await touch();
+    await touch();
+    expect(log).toEqual(['asked audio']);
+    expect(hear()).toEqual([1, 44_100, 0.5, 0.5]);
+    set('gain', 2);
+    expect(hear()).toEqual([1, 44_100, 1, 1]);
+  });
+
+  test.each([
+    ['NotAllowedError', 'The microphone was refused.', 'Allow it'],
+    ['NotFoundError', 'There is no microphone.', 'Plug one in'],
+    ['NotReadableError', 'The microphone cannot be used.', 'Close other apps'],
+  ])('goes on in silence after %s, and says so', async (name, message, fix) => {
+    const { hear, touch, reports } = make(() => Promise.reject(new DOMException('no', name)));
+    await touch();
+    expect(hear()).toEqual([0, 0, 0, 0]);
+    expect(reports).toMatchObject([{ code: 'SCR055', severity: 'warning', message: expect.stringContaining(message) }]);
+    expect(reports[0]?.fix).toContain(fix);
+  });
+
+  test('gives the microphone back, also one that comes too late', async () => {
+    const early: string[] = [];
+    const first = make(() => Promise.resolve(stream(early)));
+    await first.touch();
+    first.node.dispose();
+    expect([early, first.log, first.listening()]).toEqual([['stopped'], ['asked audio', 'closed'], 0]);
+    const late: string[] = [];
+    let allow = (): void => {};
+    const second = make(
+      () =>
+        new Promise((resolve) => {
+          allow = () => resolve(stream(late));
+        }),
+    );
+    await second.touch();
+    second.node.dispose();
+    allow();
+    await new Promise((resolve) => setImmediate(resolve));
+    expect(late).toEqual(['stopped']);
+  });
+
+  test('asks nobody while a picture is rendered', async () => {
+    const page = fakePage(() => Promise.resolve(stream()));
+    for (const [name, value] of Object.entries(page.globals)) Object.defineProperty(globalThis, name, { value, configurable: true });
+    const fake = fakeContext(definition);
+    Object.assign(fake.ctx.clock, { held: true });
+    create(fake.ctx);
+    await page.touch();
+    expect(page.log).toEqual([]);
+  });
+});

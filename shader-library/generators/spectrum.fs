@@ -1,0 +1,32 @@
+/*{
+  "ISFVSN": "2",
+  "SCRIM_TITLE": "Spectrum",
+  "DESCRIPTION": "Draws how loud each pitch of a sound is as a row of bars, low pitches to the left; transparent above them. Bars stand for equal musical intervals, and their height for decibels.",
+  "CREDIT": "Scrim",
+  "CATEGORIES": ["Audio", "Sound", "Equalizer", "Visualizer", "FFT"],
+  "INPUTS": [
+    { "NAME": "sound", "TYPE": "audioFFT", "MAX": 1024, "LABEL": "Sound", "DOC": "What to draw; nothing where no wire is." },
+    { "NAME": "bars", "TYPE": "long", "DEFAULT": 32, "MIN": 1, "MAX": 64, "LABEL": "Bars", "DOC": "How many bars there are." },
+    { "NAME": "barColor", "TYPE": "color", "DEFAULT": [0.2, 0.8, 1.0, 1.0], "LABEL": "Bars' colour", "DOC": "Colour of the bars." },
+    { "NAME": "gap", "TYPE": "float", "DEFAULT": 0.2, "MIN": 0.0, "MAX": 0.9, "UNIT": "ratio", "LABEL": "Gap", "DOC": "Empty part between two bars." },
+    { "NAME": "quietest", "TYPE": "float", "DEFAULT": -60.0, "MIN": -96.0, "MAX": -12.0, "LABEL": "Quietest", "DOC": "Decibels below the loudest sound at which a bar has no height." }
+  ]
+}*/
+
+void main() {
+  float count = float(bars);
+  float bar = min(floor(isf_FragNormCoord.x * count), count - 1.0);
+  // From the second of 1024 parts of the frequencies to the last, in equal ratios.
+  float from = pow(1024.0, bar / count);
+  float to = max(pow(1024.0, (bar + 1.0) / count), from + 1.0);
+  float loudest = 0.0;
+  for (int i = 0; i < 8; i++) {
+    float bin = mix(from, to, (float(i) + 0.5) / 8.0);
+    loudest = max(loudest, IMG_NORM_PIXEL(sound, vec2(min(bin / 1024.0, 1.0), 0.25)).r);
+  }
+  float decibels = 20.0 * log(max(loudest, 0.00001)) / log(10.0);
+  float top = clamp(1.0 - decibels / quietest, 0.0, 1.0);
+  float across = fract(isf_FragNormCoord.x * count);
+  bool isBar = isf_FragNormCoord.y < top && abs(across - 0.5) < 0.5 - 0.5 * gap;
+  gl_FragColor = isBar ? barColor : vec4(0.0);
+}
