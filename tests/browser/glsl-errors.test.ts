@@ -135,7 +135,7 @@ describe('what the parser refuses is shown where it is to be mended', () => {
 
   test('what Scrim cannot give yet is said so, and nothing is drawn', async () => {
     for (const [text, word] of [
-      ['varying vec2 «left;\nvoid main() { gl_FragColor = vec4(left, 0.0, 1.0); }', 'left'],
+      ['attribute vec2 «left;\nvoid main() { gl_FragColor = vec4(left, 0.0, 1.0); }', 'left'],
       ['uniform sampler2D «other;\nvoid main() { gl_FragColor = texture2D(other, vec2(0.5)); }', 'other'],
       ['void main() { gl_FragColor = «textureCube(inputImage, vec3(1.0)); }', 'textureCube'],
       ['#extension «GL_EXT_nothing : require\nvoid main() { gl_FragColor = vec4(1.0); }', 'GL_EXT_nothing'],

@@ -19,7 +19,7 @@ const BROKEN = {
     '/*{ "ISFVSN": "2", "IMPORTED": { "sky": { "TYPE": "cube", "PATH": [ "a.png" ] } } }*/\nvoid main() { gl_FragColor = vec4(1.0); }',
     'SCR040',
     1,
-    36,
+    34,
     'six',
   ],
   'e-name.fs': [
@@ -99,6 +99,12 @@ beforeAll(async () => {
     'deep/er/plain.fs': `${FILTER}\nvoid main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`,
   });
   await writeProject(join(folder, 'empty'), { 'read.me': '' });
+  await writeProject(join(folder, 'beside'), {
+    'a.fs': `${FILTER}\nvarying vec2 left;\nvoid main() { gl_FragColor = IMG_NORM_PIXEL(inputImage, left); }`,
+    'a.vs': 'varying vec2 left;\nvoid main() {\n  isf_vertShaderInit();\n  left = isf_FragNormCoord - nowhere;\n}',
+    'b.glsl':
+      'uniform ivec2 size; // = ivec2(4)\nvec4 transition(vec2 p) { return mix(getFromColor(p), getToColor(p), progress * size.x); }',
+  });
 });
 afterAll(() => rm(folder, { recursive: true, force: true }));
 
@@ -115,6 +121,20 @@ interface Report {
 }
 
 describe('scrim shader check', () => {
+  test('reads the vertex shader beside a file, and transitions', async () => {
+    const { status, out } = await check(join(folder, 'beside'), '--json');
+    const { files } = JSON.parse(out) as Report;
+    expect([status, files.map(({ path, ok }) => [path, ok])]).toEqual([
+      1,
+      [
+        [join(folder, 'beside', 'a.fs'), false],
+        [join(folder, 'beside', 'b.glsl'), true],
+      ],
+    ]);
+    const place = { file: join(folder, 'beside', 'a.vs'), line: 4, column: 30 };
+    expect(files[0]?.diagnostics).toMatchObject([{ code: 'SCR042', severity: 'error', ...place }]);
+  });
+
   test('tells header, syntax, input, driver and loop errors at the author’s word', async () => {
     const { status, out, err } = await check(join(folder, 'broken'), '--json');
     expect([status, err]).toEqual([1, '']);

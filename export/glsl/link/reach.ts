@@ -154,7 +154,7 @@ function checkKind(call: CallExpression, read: ImageCall, image: Image): void {
   const takesDirection = read.use === 'color' && (read.position === 'direction' || read.position === 'norm');
   if (image.kind === 'cube' ? !takesDirection : read.use === 'color' && read.position === 'direction') {
     const [what, instead] = image.kind === 'cube' ? ['a cube', 'textureCube and a direction'] : ['no cube', 'IMG_NORM_PIXEL or IMG_PIXEL'];
-    throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`);
+    throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`, 'SCR043');
   }
   if (image.isRoom === (read.use === 'depth' && read.room)) return;
   const instead = image.isRoom ? 'ROOM_DEPTH' : read.use === 'depth' ? 'LAYER_DEPTH' : 'an image';
