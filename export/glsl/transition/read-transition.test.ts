@@ -23,7 +23,7 @@ describe('a transition', () => {
   test('has two layers, progress, and its uniforms with their first values', () => {
     const { output, diagnostics } = readTransition(WIPE, 'shaders/wipe.glsl');
     expect(diagnostics).toEqual([]);
-    expect(output).toMatchObject({ kind: 'operator', credit: 'Ann, MIT', dialect: 'transition' });
+    expect(output).toMatchObject({ kind: 'operator', credit: 'Ann', licence: 'MIT', dialect: 'transition' });
     expect(output?.inputs.map(({ name, type, default: start }) => [name, type, start])).toEqual([
       ['startImage', 'image', []],
       ['endImage', 'image', []],
@@ -43,7 +43,12 @@ describe('a transition', () => {
 
   test('is an operator where a technique is a technique', () => {
     const { output } = readDefinition(WIPE, 'shaders/wipe.glsl');
-    expect(output).toMatchObject({ type: 'operator/wipe', credit: 'Ann, MIT', lowering: { kind: 'image', access: 'pointwise' } });
+    expect(output).toMatchObject({
+      type: 'operator/wipe',
+      credit: 'Ann',
+      licence: 'MIT',
+      lowering: { kind: 'image', access: 'pointwise' },
+    });
     expect(Object.keys(output?.inputs ?? {})).toEqual(['startImage', 'endImage', 'map']);
     expect(output?.params.progress).toMatchObject({ type: 'number', min: 0, max: 1, default: 0 });
     expect(output?.params.steps).toMatchObject({ type: 'vector4' });

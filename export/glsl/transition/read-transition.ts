@@ -41,7 +41,7 @@ const SIZES: Readonly<Partial<Record<IsfInput['type'], number>>> = {
 /**
  * Reads a transition in the form of gl-transitions.com: `vec4 transition(vec2 uv)` over `getFromColor`, `getToColor`, `progress` and
  * `ratio`, with params as uniforms, whose first values stand in a comment (`// = 0.5`). It becomes an operator of two layers and
- * `progress`, from 0 to 1. Comments `Author:` and `License:` are its credit. SCR041 where the GLSL cannot be read.
+ * `progress`, from 0 to 1. What comments say behind `Author:` and `License:` is its credit. SCR041 where the GLSL cannot be read.
  */
 export function readTransition(source: string, file: string): Result<IsfShader> {
   try {
@@ -63,8 +63,6 @@ export function isUniform({ qualifiers }: VariableDeclaration): boolean {
 }
 
 function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): IsfShader {
-  const author = commentValue(source, 'author');
-  const licence = commentValue(source, 'licen[sc]e');
   return {
     file,
     source,
@@ -74,7 +72,8 @@ function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): Is
     kind: 'operator',
     title: null,
     description: 'Goes from one layer to the other as its progress goes from 0 to 1.',
-    credit: [author, licence].filter((part) => part !== null).join(', '),
+    credit: commentValue(source, 'author'),
+    licence: commentValue(source, 'licen[sc]e'),
     categories: ['Transition'],
     inputs: [
       inputOf(FROM_IMAGE, 'image', { label: 'From', doc: 'The layer that is left: all of it at progress 0.' }),
@@ -129,6 +128,7 @@ function inputOf(name: string, type: IsfInput['type'], more: Partial<IsfInput> =
     step: null,
     sampleCount: null,
     optional: false,
+    repeat: false,
     line: 1,
     column: 1,
     ...more,
@@ -136,7 +136,7 @@ function inputOf(name: string, type: IsfInput['type'], more: Partial<IsfInput> =
 }
 
 /** `// Author: name`, to the end of the line. */
-function commentValue(source: string, key: string): string | null {
+function commentValue(source: string, key: string): string {
   const found = new RegExp(`^[\\s/*]*${key}\\s*:\\s*(.+?)\\s*(?:\\*/)?\\s*$`, 'im').exec(source);
-  return found?.[1]?.trim() || null;
+  return found?.[1]?.trim() ?? '';
 }
