@@ -347,7 +347,16 @@ export interface Presentation {
   readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
 }
 
-export type Capability = 'camera-image' | 'depth' | 'light-estimation' | 'hit-test' | 'anchors' | 'planes' | 'meshes' | 'hands' | 'microphone';
+export type Capability =
+  | 'camera-image'
+  | 'depth'
+  | 'light-estimation'
+  | 'hit-test'
+  | 'anchors'
+  | 'planes'
+  | 'meshes'
+  | 'hands'
+  | 'microphone';
 
 export interface ProgramNeed {
   readonly capability: Capability;

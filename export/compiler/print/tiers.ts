@@ -2,7 +2,10 @@ import type { Capability, Presentation, ProgramNeed, Tier } from '../../program/
 
 /** What kinds of session offer beside drawing, best first (design §9; devices: what WebXR implementations have in 2026). */
 const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capability[] }[] = [
-  { id: 'ar-camera', offers: ['camera-image', 'depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'] },
+  {
+    id: 'ar-camera',
+    offers: ['camera-image', 'depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'],
+  },
   { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'] },
   { id: 'camera', offers: ['camera-image', 'microphone'] },
   { id: 'authored-vr', offers: ['hands', 'microphone'] },

@@ -1,6 +1,7 @@
 import { type Node, type ParseError, parseTree } from 'jsonc-parser';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { Place } from '../syntax/token.ts';
+import { repairJson } from './repair-json.ts';
 
 /** The JSON at the top of a shader, with what is needed to say where in the file something stands. */
 export interface Header {
@@ -16,6 +17,9 @@ export interface HeaderReading {
 }
 
 /** Mistakes that leave no doubt about what was meant: 25 of the 321 public ISF files have one. Keyed by jsonc-parser's codes. */
+/** No code of jsonc-parser's. */
+const LOOSE_JSON = 100;
+
 const HARMLESS: ReadonlyMap<number, string> = new Map([
   [3, 'A name is expected here'],
   [4, 'A value is expected here'],
@@ -23,6 +27,7 @@ const HARMLESS: ReadonlyMap<number, string> = new Map([
   [9, 'Something follows the JSON'],
   [15, 'An escape such as "\\n" is not one that JSON knows'],
   [16, 'A line break or another control character stands inside a text'],
+  [LOOSE_JSON, 'This is not written as JSON has it'],
 ]);
 
 const BROKEN: ReadonlyMap<number, string> = new Map([
@@ -91,7 +96,7 @@ export function readHeader(source: string, file: string): HeaderReading {
   }
   return {
     header: {
-      root: shifted(root, start),
+      root: moved(root, (offset) => offset + start),
       place,
       error: (...args) => report('error', ...args),
       warn: (...args) => report('warning', ...args),
@@ -149,15 +154,36 @@ function findHeader(source: string): number {
 }
 
 /** A text that runs over a line break is read on its second try, with the break as a space, so that offsets stay. */
-function parseLeniently(text: string): { root: Node | undefined; errors: readonly ParseError[] } {
+function parseLeniently(text: string): { root: Node | undefined; errors: readonly Mistake[] } {
   const strict = parseOnce(text);
   const fatal = strict.errors.find(isFatal);
-  if (fatal === undefined || fatal.error !== UNCLOSED_TEXT) return strict;
+  if (fatal === undefined) return strict;
+  if (fatal.error !== UNCLOSED_TEXT) return parseRepaired(text, fatal) ?? strict;
   const joined = text.replace(/"(?:[^"\\]|\\[\s\S])*"/g, (quoted) => quoted.replace(/[\r\n]/g, ' '));
   if (!isShallow(joined)) return strict;
   const lenient = parseOnce(joined);
   if (lenient.errors.some(isFatal)) return strict;
   return { root: lenient.root, errors: [{ ...fatal, error: CONTROL_CHARACTER }, ...lenient.errors] };
+}
+
+/** As jsonc-parser has it, and with a code of our own. */
+interface Mistake {
+  readonly error: number;
+  readonly offset: number;
+}
+
+/** What is still wrong with the repaired text is of no more interest than that it had to be repaired. */
+function parseRepaired(text: string, fatal: Mistake): { root: Node | undefined; errors: readonly Mistake[] } | null {
+  const repaired = repairJson(text);
+  if (repaired === null || !isShallow(repaired.text)) return null;
+  const { root, errors } = parseOnce(repaired.text);
+  if (root?.type !== 'object' || errors.some(isFatal)) return null;
+  const at = (offset: number): number => repaired.offsets[offset] ?? text.length;
+  return { root: moved(root, at), errors: [{ ...fatal, error: LOOSE_JSON }] };
+}
+
+function moved(node: Node, at: (offset: number) => number): Node {
+  return { ...node, offset: at(node.offset), ...(node.children ? { children: node.children.map((child) => moved(child, at)) } : {}) };
 }
 
 /** Whatever stands behind the object is one mistake, and a harmless one. */
@@ -172,7 +198,7 @@ function parseOnce(text: string): { root: Node | undefined; errors: readonly Par
   return { root, errors: [...inside, ...(inside.some(isFatal) ? [] : [{ ...behind, error: TRAILING_TEXT }])] };
 }
 
-function isFatal(error: ParseError): boolean {
+function isFatal(error: Mistake): boolean {
   return !HARMLESS.has(error.error);
 }
 
@@ -185,10 +211,6 @@ function isShallow(text: string): boolean {
     if (depth > MAX_DEPTH) return false;
   }
   return true;
-}
-
-function shifted(node: Node, by: number): Node {
-  return { ...node, offset: node.offset + by, ...(node.children ? { children: node.children.map((child) => shifted(child, by)) } : {}) };
 }
 
 /** Line and column, from 1, of any offset; line ends are looked for once. */

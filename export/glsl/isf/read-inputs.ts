@@ -36,7 +36,8 @@ export function isIdentifier(name: string): boolean {
 /** Everything under `INPUTS`. An input that makes no sense is reported and left out. */
 export function readInputs(header: Header): IsfInput[] {
   const list = property(header.root, 'INPUTS');
-  if (list !== undefined && list.type !== 'array') header.error(list, 'INPUTS has to be a list: [ { "NAME": …, "TYPE": … } ].');
+  if (list !== undefined && list.type !== 'array' && list.type !== 'null')
+    header.error(list, 'INPUTS has to be a list: [ { "NAME": …, "TYPE": … } ].');
   const inputs: IsfInput[] = [];
   for (const node of items(list)) {
     const input = readInput(header, node);

@@ -169,6 +169,12 @@ describe('the header as a whole', () => {
     ['a line break in a text', '{ "DESCRIPTION": "a\nb", "INPUTS": [ { "NAME": "x", "TYPE": "float" } ] }', 1],
     ['a comment', '{ // why\n "INPUTS": [ { "NAME": "x", "TYPE": "float" } ] }', 0],
     ['something behind it', '{ "INPUTS": [ { "NAME": "x", "TYPE": "float" } ] } by me', 1],
+    ['numbers as GLSL writes them', '{ "INPUTS": [ { "NAME": "x", "TYPE": "float", "DEFAULT": .5, "MIN": -1., "MAX": +1.0f } ] }', 1],
+    ['names without quotes, and a truth in capitals', '{ INPUTS: [ { NAME: "x", TYPE: "float", DEFAULT: TRUE } ] }', 1],
+    ['other quotes', "{ 'INPUTS': [ { “NAME”: “x”, 'TYPE': 'float' } ] }", 1],
+    ['a comment after #, and semicolons', '{ # why\n "INPUTS": [ { "NAME": "x"; "TYPE": "float" } ]; }', 1],
+    ['a backslash that escapes nothing', '{ "DESCRIPTION": "C:\\user", "INPUTS": [ { "NAME": "x", "TYPE": "float" } ] }', 1],
+    ['nothing where lists may be', '{ "INPUTS": [ { "NAME": "x", "TYPE": "float" } ], "PASSES": null, "IMPORTED": {}, "VSN": null }', 0],
     ['blank lines', '\n\n{ "INPUTS": [ { "NAME": "x", "TYPE": "float" } ] }', 0],
   ])('%s is read', (_, header, warnings) => {
     expect(read(header).inputs).toHaveLength(1);

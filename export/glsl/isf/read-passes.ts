@@ -17,7 +17,8 @@ const OUTPUT_PASS: IsfPass = { target: null, persistent: false, float: false, wi
  */
 export function readPasses(header: Header, inputs: readonly IsfInput[]): IsfPass[] {
   const list = property(header.root, 'PASSES');
-  if (list !== undefined && list.type !== 'array') header.error(list, 'PASSES has to be a list: [ { "TARGET": … }, { } ].');
+  if (list !== undefined && list.type !== 'array' && list.type !== 'null')
+    header.error(list, 'PASSES has to be a list: [ { "TARGET": … }, { } ].');
   const nodes = items(list);
   if (nodes.length > MAX_PASSES) header.error(nodes[MAX_PASSES] as Node, `The shader has more than ${MAX_PASSES} passes.`);
   const buffers = readPersistentBuffers(header);
