@@ -8,7 +8,9 @@ export interface ProjectText {
   /** Id → type, or type and params. */
   readonly nodes: Readonly<Record<string, string | readonly [type: string, params: Params]>>;
   readonly wires: readonly string[];
-  readonly assets?: Readonly<Record<string, { readonly path: string; readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment' }>>;
+  readonly assets?: Readonly<
+    Record<string, { readonly path: string; readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment' }>
+  >;
 }
 
 /** The text of a `project.scrim.json`, so short that a test can hold it. */
