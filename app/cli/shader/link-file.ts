@@ -61,7 +61,7 @@ function linkTechniqueFile(source: string, file: string): LinkedFile {
   const options = { chunkOf: (name: string) => LIBRARY.shader(`chunks/${name}.glsl`), loopBudget: true };
   const linked = read.output && linkTechnique(read.output, options);
   const trial = linked?.output?.trial;
-  const samplers = (linked?.output?.samplers ?? []).map(({ name }) => ({ name, isDepth: false }));
+  const samplers = (linked?.output?.samplers ?? []).map(({ name }) => ({ name, holds: 'color' as const }));
   return {
     file,
     source,

@@ -22,6 +22,7 @@ export function techniqueImages(
       sampler,
       hasDepth: false,
       repeat: false,
+      sound: null,
     });
   }
   // As buffers of filters are: read as they are stored.
@@ -34,6 +35,7 @@ export function techniqueImages(
       sampler: names.fresh(name, IMAGE_SUFFIXES),
       hasDepth: false,
       repeat: true,
+      sound: null,
     });
   }
   return images;
