@@ -6,18 +6,66 @@ import { readProjectFiles } from '../../app/services/project-files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
+import type { Standing } from './pages/three.page.ts';
 
 const SIZE_PX = [640, 480] as const;
-const FRAMES = 10;
+const FRAMES = 5;
+/** Of each row: frames of a second would else take minutes on a CPU. */
+const SAMPLES = 9;
+/** For what is made once, such as shaders and tables, to be there. */
+const WARM_FRAMES = 10;
+/** So few that garbage is told from noise. */
+const HEAP_FRAMES = 120;
 
-/** What frames cost, and those of the first example against the same objects, light and shadow drawn by three.js alone. */
+const ROBOTS_OF_FIRST_LIGHT: readonly Standing[] = [
+  { x: -0.32, z: -0.95, turn: 0.35, scale: 1.9 },
+  { x: 0.62, z: -0.28, turn: 0.1, scale: 1.1 },
+];
+const ROBOTS_OF_OCCLUSION: readonly Standing[] = [{ x: 0.3, z: -0.85, turn: 0.2, scale: 2.2 }];
+
+/** What is drawn instead of an example's own project. */
+type Change = (document: Document) => void;
+
+interface Document {
+  readonly graphs: {
+    readonly main: { readonly nodes: Record<string, { readonly type: string; muted?: boolean }>; wires: readonly string[] };
+  };
+}
+
+const asItIs: Change = () => {};
+const withoutFilter: Change = ({ graphs: { main } }) => {
+  for (const node of Object.values(main.nodes)) if (node.type === 'filter/color-temperature') node.muted = true;
+};
+/** The wall, the lamps and the evening: what lies over them is made of pictures. */
+const scenesAlone: Change = ({ graphs: { main } }) => {
+  main.wires = main.wires.map((wire) => wire.replace('over-blend.layer -> screen-all', 'over-sky.layer -> screen-all'));
+};
+
+/**
+ * What frames cost, and those of scenes against the same objects, lights and shadows drawn by three.js alone. The template `empty`
+ * draws nothing, `filter` pictures alone, and the gallery's masks, trails and blended layers are pictures, too: three.js has none of
+ * these, so their rows have no other beside them.
+ */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  const robots = { page: 'three.page.ts', file: 'assets/robot.glb' };
+  const gallery = { page: 'three-gallery.page.ts', file: 'assets/sky.hdr', example: 'gallery', more: [], change: scenesAlone };
+  const firstLight = { ...robots, example: 'first-light' };
   return [
     time(root, 'first-light'),
     time(root, 'gallery'),
-    compare(root, 'frame, first-light', []),
-    // Without the filter over everything, the layers are drawn straight onto the screen, as three.js does.
-    compare(root, 'frame, first-light without its filter', ['filter/color-temperature']),
+    time(root, 'templates/occlusion'),
+    time(root, 'templates/filter'),
+    compare(root, 'frame, first-light', { ...firstLight, change: asItIs, more: [ROBOTS_OF_FIRST_LIGHT, true] }),
+    // Both draw straight onto the screen.
+    compare(root, 'frame, first-light without its filter', { ...firstLight, change: withoutFilter, more: [ROBOTS_OF_FIRST_LIGHT, false] }),
+    compare(root, 'frame, templates/occlusion', {
+      ...robots,
+      example: 'templates/occlusion',
+      more: [ROBOTS_OF_OCCLUSION, false],
+      change: asItIs,
+    }),
+    compare(root, 'frame, scenes of gallery', gallery),
+    ...garbage(root, 'scenes of gallery', gallery),
   ];
 }
 
@@ -25,11 +73,12 @@ function time(root: string, example: string): Bench {
   let opened: Promise<{ browser: Browser; page: Page }> | undefined;
   const open = async () => {
     const browser = await startBenchBrowser();
-    return { browser, page: await openExample(browser, root, example, []) };
+    return { browser, page: await openExample(browser, root, example, asItIs) };
   };
   return {
     name: `frame, ${example}`,
     unit: 'ms',
+    samples: SAMPLES,
     sample: async () => {
       opened ??= open();
       return call<number>((await opened).page, 'frameMs', FRAMES);
@@ -38,38 +87,99 @@ function time(root: string, example: string): Bench {
   };
 }
 
-function compare(root: string, name: string, mutedTypes: readonly string[]): Bench {
-  let opened: Promise<{ browser: Browser; ours: Page; theirs: Page }> | undefined;
-  const open = async () => {
-    const browser = await startBenchBrowser();
-    const ours = await openExample(browser, root, 'first-light', mutedTypes);
-    const theirs = await openPage(browser, root, 'tools/bench/pages/three.page.ts', join(root, 'examples', 'first-light'));
-    await call(theirs, 'open', 'assets/robot.glb', ...SIZE_PX);
-    return { browser, ours, theirs };
-  };
+interface Compared {
+  readonly example: string;
+  readonly change: Change;
+  /** The page that draws the same by three.js alone, the file of the example that it takes, and what else. */
+  readonly page: string;
+  readonly file: string;
+  readonly more: readonly unknown[];
+}
+
+interface Pair {
+  readonly browser: Browser;
+  readonly ours: Page;
+  readonly theirs: Page;
+}
+
+async function openPair(root: string, { example, change, page, file, more }: Compared): Promise<Pair> {
+  const browser = await startBenchBrowser();
+  const ours = await openExample(browser, root, example, change);
+  const theirs = await openPage(browser, root, `tools/bench/pages/${page}`, join(root, 'examples', example));
+  await call(theirs, 'open', file, ...SIZE_PX, ...more);
+  for (const each of [ours, theirs]) await call(each, 'frameMs', WARM_FRAMES);
+  return { browser, ours, theirs };
+}
+
+function compare(root: string, name: string, compared: Compared): Bench {
+  let opened: Promise<Pair> | undefined;
   return {
     name: `${name}, against three.js alone`,
     unit: 'ratio',
+    samples: SAMPLES,
     sample: async () => {
-      opened ??= open();
+      opened ??= openPair(root, compared);
       const { ours, theirs } = await opened;
-      return (await call<number>(ours, 'frameMs', FRAMES)) / (await call<number>(theirs, 'frameMs', FRAMES));
+      const sums = { ours: 0, theirs: 0 };
+      // By turns, so that whatever else the machine does befalls both alike.
+      for (let i = 0; i < FRAMES; i++) {
+        sums.ours += await call<number>(ours, 'frameMs', 1);
+        sums.theirs += await call<number>(theirs, 'frameMs', 1);
+      }
+      return sums.ours / sums.theirs;
     },
     dispose: async () => (await opened)?.browser.close(),
   };
 }
 
-async function openExample(browser: Browser, root: string, example: string, mutedTypes: readonly string[]): Promise<Page> {
+/** What a frame leaves for the garbage collector, three's own share included. */
+function garbage(root: string, name: string, compared: Compared): readonly Bench[] {
+  let measured: Promise<{ readonly ours: number; readonly theirs: number }> | undefined;
+  const measure = async () => {
+    const { browser, ours, theirs } = await openPair(root, compared);
+    const kilobytes = { ours: await allocated(ours), theirs: await allocated(theirs) };
+    await browser.close();
+    return kilobytes;
+  };
+  const row = (whose: string, of: (m: { readonly ours: number; readonly theirs: number }) => number): Bench => ({
+    name: `garbage of a frame, ${name}${whose}`,
+    unit: 'kB',
+    samples: 1,
+    sample: async () => {
+      measured ??= measure();
+      return of(await measured);
+    },
+  });
+  return [row('', ({ ours }) => ours), row(' by three.js alone', ({ theirs }) => theirs)];
+}
+
+interface HeapNode {
+  readonly selfSize: number;
+  readonly children: readonly HeapNode[];
+}
+
+/** Kilobytes a frame, by V8's sampling profiler, which counts what has been collected since, too. */
+async function allocated(page: Page): Promise<number> {
+  const client = await page.context().newCDPSession(page);
+  const options = { samplingInterval: 512, includeObjectsCollectedByMajorGC: true, includeObjectsCollectedByMinorGC: true };
+  await client.send('HeapProfiler.startSampling', options);
+  await call(page, 'frameMs', HEAP_FRAMES);
+  const { profile } = await client.send('HeapProfiler.stopSampling');
+  const sum = ({ selfSize, children }: HeapNode): number => children.reduce((total, child) => total + sum(child), selfSize);
+  return sum(profile.head) / HEAP_FRAMES / 1000;
+}
+
+async function openExample(browser: Browser, root: string, example: string, change: Change): Promise<Page> {
   const folder = join(root, 'examples', example);
-  const { program } = await compileProject(folder, mute(await readProjectFiles(folder), mutedTypes), () => ({ sourceMaps: false }));
+  const { program } = await compileProject(folder, changed(await readProjectFiles(folder), change), () => ({ sourceMaps: false }));
   if (program === null) throw new Error(`The example ${example} does not compile.`);
   const page = await openPage(browser, root, 'tools/bench/pages/scrim.page.ts', folder);
   await call(page, 'open', program, '', ...SIZE_PX);
   return page;
 }
 
-function mute(files: ProjectFiles, types: readonly string[]): ProjectFiles {
-  const document = JSON.parse(files.project) as { graphs: { main: { nodes: Record<string, { type: string; muted?: boolean }> } } };
-  for (const node of Object.values(document.graphs.main.nodes)) if (types.includes(node.type)) node.muted = true;
+function changed(files: ProjectFiles, change: Change): ProjectFiles {
+  const document = JSON.parse(files.project) as Document;
+  change(document);
   return { ...files, project: JSON.stringify(document) };
 }

@@ -10,19 +10,36 @@ import {
   PerspectiveCamera,
   PlaneGeometry,
   Scene,
+  ShaderMaterial,
   ShadowMaterial,
   WebGLRenderer,
+  WebGLRenderTarget,
 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { FullScreenQuad } from 'three/addons/postprocessing/Pass.js';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
 
+/** Where a robot stands: metres, radians about the vertical. */
+export interface Standing {
+  readonly x: number;
+  readonly z: number;
+  readonly turn: number;
+  readonly scale: number;
+}
+
 /**
- * What somebody who knows three.js writes by hand for the first example: the same model twice, light, shadow and floor, without
- * the filter. It is both what the frames of an example are measured against and what the script of a page is weighed against.
+ * What somebody who knows three.js writes by hand for the first example, or for a template: the same model, here or there, light,
+ * shadow and floor; `filtered` warms the picture. It is both what their frames are measured against and what the script of a page is weighed against.
  */
-export async function open(modelUrl: string, widthPx: number, heightPx: number): Promise<void> {
-  const renderer = new WebGLRenderer({ antialias: true, alpha: true });
+export async function open(
+  modelUrl: string,
+  widthPx: number,
+  heightPx: number,
+  robots: readonly Standing[],
+  filtered: boolean,
+): Promise<void> {
+  const renderer = new WebGLRenderer({ antialias: !filtered, alpha: true });
   renderer.setSize(widthPx, heightPx, false);
   renderer.xr.enabled = true;
   renderer.shadowMap.enabled = true;
@@ -47,10 +64,7 @@ export async function open(modelUrl: string, widthPx: number, heightPx: number):
   scene.add(floor);
 
   const gltf = await new GLTFLoader().loadAsync(modelUrl);
-  const mixers = [
-    { x: -0.32, z: -0.95, turn: 0.35, scale: 1.9 },
-    { x: 0.62, z: -0.28, turn: 0.1, scale: 1.1 },
-  ].map(({ x, z, turn, scale }) => {
+  const mixers = robots.map(({ x, z, turn, scale }) => {
     const robot = new Group().add(clone(gltf.scene));
     robot.position.set(x, 0, z);
     robot.rotation.y = turn;
@@ -66,12 +80,32 @@ export async function open(modelUrl: string, widthPx: number, heightPx: number):
     return mixer;
   });
 
+  const render = filtered ? throughFilter(renderer, scene, camera, widthPx, heightPx) : () => renderer.render(scene, camera);
   stage = {
     gl: renderer.getContext(),
     draw: (deltaS) => {
       for (const mixer of mixers) mixer.update(deltaS);
-      renderer.render(scene, camera);
+      render();
     },
+  };
+}
+
+/** As the examples of three.js do it: the scene into a picture of four samples, and a triangle over the screen that reads it. */
+function throughFilter(renderer: WebGLRenderer, scene: Scene, camera: PerspectiveCamera, widthPx: number, heightPx: number): () => void {
+  const picture = new WebGLRenderTarget(widthPx, heightPx, { samples: 4 });
+  const screen = new FullScreenQuad(
+    new ShaderMaterial({
+      uniforms: { picture: { value: picture.texture } },
+      vertexShader: 'varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }',
+      fragmentShader: `uniform sampler2D picture; varying vec2 at;
+        void main() { gl_FragColor = texture2D(picture, at) * vec4(1.05, 1.0, 0.9, 1.0); }`,
+    }),
+  );
+  return () => {
+    renderer.setRenderTarget(picture);
+    renderer.render(scene, camera);
+    renderer.setRenderTarget(null);
+    screen.render(renderer);
   };
 }
 
