@@ -161,6 +161,13 @@ describe('broken files', () => {
     expect(diagnostics[0]).toMatchObject({ code, severity: 'error', file: 'project.scrim.json', line, column });
   });
 
+  test('an empty one is called empty, and a way out is told', () => {
+    for (const text of ['', ' \n', '\uFEFF']) {
+      const [found] = load(text).diagnostics;
+      expect(found).toMatchObject({ message: 'project.scrim.json is empty.', fix: expect.stringContaining('backup') });
+    }
+  });
+
   test.each([
     ['a list', '[]', 'must be an object'],
     ['another format', '{"format": "x"}', '"format" must be "scrim-project"'],

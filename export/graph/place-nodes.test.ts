@@ -23,7 +23,21 @@ test('what has a place keeps it, and the rest goes below', () => {
   expect(places['b-a']).toEqual({ x: 780, y: 250 });
 });
 
-test('loops are placed too', () => {
-  const graph = chain('a-a', 'b-a', 'a-a');
-  expect(Object.keys(placeNodes(graph, undefined)).sort()).toEqual(['a-a', 'b-a']);
+/** A picture over what is left of the frame before: the loop is entered at `over-a`. */
+const TRAIL = ['scene-a.layer -> over-a.top', 'over-a.layer -> before-a.layer', 'before-a.layer -> fade-a.inputImage'];
+const BACK = ['fade-a.layer -> over-a.bottom', 'over-a.layer -> screen-a.layer'];
+
+test('a loop runs from left to right, too, from where it is entered, and one wire goes back', () => {
+  const ids = ['before-a', 'fade-a', 'over-a', 'scene-a', 'screen-a'];
+  const nodes = Object.fromEntries(ids.map((id) => [id, { type: 'filter/sepia', version: 1, params: {} }]));
+  const wires = [...TRAIL, ...BACK].flatMap((wire) => parseWire(wire) ?? []);
+  const places = placeNodes({ ...EMPTY_GRAPH, nodes, wires }, undefined);
+  const columns = Object.fromEntries(ids.map((id) => [id, (places[id]?.x ?? Number.NaN) / 280]));
+  expect(columns).toEqual({ 'scene-a': 0, 'over-a': 1, 'before-a': 2, 'screen-a': 2, 'fade-a': 3 });
+});
+
+test('a loop that nothing leads to is placed along itself, however long it is', () => {
+  const ids = Array.from({ length: 10_000 }, (_, i) => `n-${String(i).padStart(5, '0')}`);
+  const places = placeNodes(chain(...ids, 'n-00000'), undefined);
+  expect(ids.map((id) => places[id]?.x)).toEqual(ids.map((_, i) => i * 280));
 });

@@ -30,14 +30,43 @@ export function placeNodes(graph: Graph, layout: GraphLayout | undefined): Reado
   return places;
 }
 
-/** Nodes on loops, which cannot be ordered, go first. */
+/** By the longest way from a source, wires that close loops left out. */
 function columnsOf(graph: Graph): Map<string, number> {
   const followers = new Map<string, string[]>(Object.keys(graph.nodes).map((id) => [id, []]));
   for (const { from, to } of graph.wires) if (followers.has(to.node)) followers.get(from.node)?.push(to.node);
+  openLoops(followers);
   const columns = new Map<string, number>();
   for (const id of topologicalOrder(followers.keys(), (node) => followers.get(node) ?? []).order) {
     const column = columns.get(id) ?? 0;
     for (const next of followers.get(id) ?? []) columns.set(next, Math.max(columns.get(next) ?? 0, column + 1));
   }
   return columns;
+}
+
+/** Takes out the wires that lead back to where a walk along the wires came from, so that loops begin where they are entered. */
+function openLoops(followers: Map<string, string[]>): void {
+  const { left } = topologicalOrder(followers.keys(), (node) => followers.get(node) ?? []);
+  if (left.size === 0) return;
+  const entered = [...followers].filter(([id]) => !left.has(id)).flatMap(([, next]) => next.filter((id) => left.has(id)));
+  const walked = new Set<string>();
+  for (const start of [...entered, ...[...left].sort()]) {
+    // Iterative: a loop may have ten thousand nodes.
+    const way: { readonly id: string; readonly next: readonly string[]; at: number }[] = [];
+    const onWay = new Set<string>();
+    const enter = (id: string): void => {
+      walked.add(id);
+      onWay.add(id);
+      const next = (followers.get(id) ?? []).filter((follower) => !onWay.has(follower));
+      followers.set(id, next);
+      way.push({ id, next, at: 0 });
+    };
+    if (!walked.has(start)) enter(start);
+    for (let here = way.at(-1); here; here = way.at(-1)) {
+      const follower = here.next[here.at++];
+      if (follower === undefined) {
+        onWay.delete(here.id);
+        way.pop();
+      } else if (!walked.has(follower)) enter(follower);
+    }
+  }
 }

@@ -175,7 +175,10 @@ describe('scrim shader check', () => {
     const [path] = [join(folder, 'broken', 'e-name.fs')];
     const { status, out, err } = await check(path, join(folder, 'fine', 'march.isf'));
     expect([status, err]).toEqual([1, '']);
-    expect(out.split('\n')).toEqual([`${path}:4:22: error SCR042: "strength": undeclared identifier`, '2 shaders: 1 with errors.']);
+    expect(out.split('\n')).toEqual([
+      `${path}:4:22: error SCR042: "strength": undeclared identifier. Check its spelling, capitals included, or declare it above.`,
+      '2 shaders: 1 with errors.',
+    ]);
   });
 
   test('refuses what is not there, and folders without shaders', async () => {

@@ -3,10 +3,14 @@ import type { Browser, Page } from 'playwright-core';
 import type { ProjectFiles } from '../../app/contract/contract.ts';
 import { compileProject } from '../../app/services/compile-project.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
+import { SECTIONS } from '../examples/gallery-cells.ts';
+import { PEGS } from '../examples/gallery-lights.ts';
+import { cellFootM, cellMiddleM, MIDDLE_M, RAIL_M, WALL_M } from '../examples/gallery-place.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import type { Bench } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
 import type { Standing } from './pages/three.page.ts';
+import type { GalleryPlan } from './pages/three-gallery.page.ts';
 
 const SIZE_PX = [640, 480] as const;
 const FRAMES = 5;
@@ -22,6 +26,15 @@ const ROBOTS_OF_FIRST_LIGHT: readonly Standing[] = [
   { x: 0.62, z: -0.28, turn: 0.1, scale: 1.1 },
 ];
 const ROBOTS_OF_OCCLUSION: readonly Standing[] = [{ x: 0.3, z: -0.85, turn: 0.2, scale: 2.2 }];
+
+const GALLERY: GalleryPlan = {
+  middle: MIDDLE_M,
+  wall: WALL_M,
+  rail: RAIL_M,
+  cells: SECTIONS.flatMap(({ cells, row, column }) => cells.map(({ shows: [kind] }, i) => ({ kind, foot: cellFootM(row, column + i) }))),
+  lit: [cellMiddleM(7, 0), cellMiddleM(7, 1), cellMiddleM(7, 2), cellMiddleM(7, 3)],
+  pegs: PEGS,
+};
 
 /** What is drawn instead of an example's own project. */
 type Change = (document: Document) => void;
@@ -48,7 +61,7 @@ const scenesAlone: Change = ({ graphs: { main } }) => {
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const robots = { page: 'three.page.ts', file: 'assets/robot.glb' };
-  const gallery = { page: 'three-gallery.page.ts', file: 'assets/sky.hdr', example: 'gallery', more: [], change: scenesAlone };
+  const gallery = { page: 'three-gallery.page.ts', file: 'assets/sky.hdr', example: 'gallery', more: [GALLERY], change: scenesAlone };
   const firstLight = { ...robots, example: 'first-light' };
   return [
     time(root, 'first-light'),

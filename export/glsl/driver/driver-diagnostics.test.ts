@@ -26,9 +26,19 @@ describe('a driver’s log', () => {
         file: 'my.fs',
         line: 4,
         column: 23,
-        message: '"tint": undeclared identifier',
+        message: '"tint": undeclared identifier.',
+        fix: 'Check its spelling, capitals included, or declare it above.',
       },
-      { code: 'SCR042', severity: 'error', nodeId: 'my-n0de', file: 'my.fs', line: 5, column: 5, message: '"tint": undeclared identifier' },
+      {
+        code: 'SCR042',
+        severity: 'error',
+        nodeId: 'my-n0de',
+        file: 'my.fs',
+        line: 5,
+        column: 5,
+        message: '"tint": undeclared identifier.',
+        fix: 'Check its spelling, capitals included, or declare it above.',
+      },
       {
         code: 'SCR042',
         severity: 'error',
@@ -36,7 +46,8 @@ describe('a driver’s log', () => {
         file: 'my.fs',
         line: 4,
         column: 29,
-        message: '"f": no matching overloaded function found',
+        message: '"f": no matching overloaded function found.',
+        fix: 'Check how many values the function takes, and of which types.',
       },
     ]);
   });

@@ -89,10 +89,12 @@ function diagnose(map: SourceMap | undefined, line: LogLine, tokens: (file: stri
   const place = authorLine === undefined || column === undefined ? null : { line: authorLine, column };
   const found = place !== null && file !== undefined && line.quoted !== null ? findQuoted(tokens(file), place, line.quoted) : null;
   const quoted = line.quoted === null || line.quoted === '' ? '' : `"${found?.text ?? authorsWord(line.quoted)}": `;
+  const fix = FIXES.find(([words]) => words.test(line.message))?.[1];
   return {
     code: 'SCR042',
     severity: line.severity,
-    message: `${quoted}${inAuthorsWords(line.message)}`,
+    message: `${quoted}${inAuthorsWords(line.message)}${fix === undefined ? '' : '.'}`,
+    ...(fix === undefined ? {} : { fix }),
     ...(node === undefined ? {} : { nodeId: node }),
     ...(file === undefined ? {} : { file }),
     ...(place === null ? {} : { line: place.line, column: found?.column ?? place.column }),
@@ -110,6 +112,20 @@ function findQuoted(tokens: readonly Token[], place: Place, quoted: string): Tok
 function authorsWord(printed: string): string {
   return AUTHORS_NAMES.get(printed) ?? authorsNames(printed)[0] ?? printed;
 }
+
+/** What to do about what drivers of either kind say most often: their own words are those of people who write compilers. */
+const FIXES: readonly (readonly [words: RegExp, fix: string])[] = [
+  [/undeclared/i, 'Check its spelling, capitals included, or declare it above.'],
+  [/no matching (?:overloaded )?function/i, 'Check how many values the function takes, and of which types.'],
+  [
+    /wrong operand types|cannot convert|could not implicitly convert|operands? .*(?:must|type)/i,
+    'Give both sides the same type: float(x), vec3(x), x.rgb.',
+  ],
+  [/syntax error|unexpected/i, 'Look for a bracket, comma or semicolon that is missing or too much, here or just before.'],
+  [/redefinition|redeclared/i, 'Something else has this name: take another.'],
+  [/l-value|read-?only|can't modify/i, 'This cannot be set: copy it into a variable of your own first.'],
+  [/field selection|swizzle/i, 'Look at how many parts it has: a vec3 has x, y and z, or r, g and b.'],
+];
 
 /** Everything is highp, so drivers' talk of it says nothing. */
 function inAuthorsWords(message: string): string {

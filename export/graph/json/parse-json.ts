@@ -32,6 +32,10 @@ export function parseJson(text: string, file: string): ParsedJson {
 }
 
 function syntaxError(text: string, file: string): Diagnostic {
+  if (text.trim() === '') {
+    const fix = 'Put the file back as it was saved last, from a backup or from version control.';
+    return { code: 'SCR001', severity: 'error', file, line: 1, column: 1, message: `${file} is empty.`, fix };
+  }
   const error = firstError(text);
   if (error === null) return { code: 'SCR001', severity: 'error', file, message: 'This is not JSON.' };
   const place = { severity: 'error', file, ...positionOf(text, error.offset) } as const;

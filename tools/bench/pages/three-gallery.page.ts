@@ -22,10 +22,21 @@ import {
 } from 'three';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 import { HDRLoader } from 'three/addons/loaders/HDRLoader.js';
-import { SECTIONS } from '../../examples/gallery-cells.ts';
-import { PEGS } from '../../examples/gallery-lights.ts';
-import { cellFootM, cellMiddleM, MIDDLE_M, moved, type Place, RAIL_M, WALL_M } from '../../examples/gallery-place.ts';
 import { type Drawn, measureFrames } from './frame-ms.ts';
+
+type Place = readonly [xM: number, yM: number, zM: number];
+
+/** The gallery's measures, metres. */
+export interface GalleryPlan {
+  readonly middle: Place;
+  readonly wall: { readonly width: number; readonly height: number };
+  readonly rail: number;
+  readonly cells: readonly { readonly kind: 'height' | 'place' | 'color' | 'things'; readonly foot: Place }[];
+  /** Middles of the cells with the bulb, the spot, the ball of chalk and the mirror. */
+  readonly lit: readonly [bulb: Place, stage: Place, matt: Place, mirror: Place];
+  /** From the middle of the bulb's cell. */
+  readonly pegs: readonly (readonly [right: number, up: number])[];
+}
 
 type Rgb = readonly [number, number, number];
 
@@ -38,14 +49,14 @@ const RING = new TorusGeometry(0.4, 0.1, 24, 64);
  * lights, shadows and panorama. Rings have a standard material, because three.js has neither of the techniques; the numbers that
  * move things are sines, which cost next to nothing.
  */
-export async function open(skyUrl: string, widthPx: number, heightPx: number): Promise<void> {
+export async function open(skyUrl: string, widthPx: number, heightPx: number, plan: GalleryPlan): Promise<void> {
   const renderer = new WebGLRenderer({ antialias: false, alpha: true });
   renderer.setSize(widthPx, heightPx, false);
   renderer.autoClear = false;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   const camera = new PerspectiveCamera(50, widthPx / heightPx, 0.05, 100);
-  const [x, y, z] = MIDDLE_M;
+  const [x, y, z] = plan.middle;
   camera.position.set(x, y + 1.55 * Math.sin(0.25), z + 1.55 * Math.cos(0.25));
   camera.lookAt(x, y, z);
 
@@ -53,15 +64,15 @@ export async function open(skyUrl: string, widthPx: number, heightPx: number): P
   const room = pmrem.fromScene(new RoomEnvironment()).texture;
   const sky = await new HDRLoader().loadAsync(skyUrl);
   sky.mapping = EquirectangularReflectionMapping;
-  const wall = makeWall(room);
-  const scenes = [wall.scene, makeLamps(room), makeSky(pmrem.fromEquirectangular(sky).texture)];
+  const wall = makeWall(plan, room);
+  const scenes = [wall.scene, makeLamps(plan, room), makeSky(plan, pmrem.fromEquirectangular(sky).texture)];
 
   let timeS = 0;
   stage = {
     gl: renderer.getContext(),
     draw: (deltaS) => {
       timeS += deltaS;
-      for (const [i, ball] of wall.moving.entries()) ball.position.y = RAIL_M * (0.5 + 0.5 * Math.sin(timeS + i));
+      for (const [i, ball] of wall.moving.entries()) ball.position.y = plan.rail * (0.5 + 0.5 * Math.sin(timeS + i));
       renderer.clear();
       for (const scene of scenes) {
         renderer.clearDepth();
@@ -71,31 +82,31 @@ export async function open(skyUrl: string, widthPx: number, heightPx: number): P
   };
 }
 
-function makeWall(room: Texture): { readonly scene: Scene; readonly moving: readonly Object3D[] } {
+function makeWall(
+  { middle, wall, rail, cells }: GalleryPlan,
+  room: Texture,
+): { readonly scene: Scene; readonly moving: readonly Object3D[] } {
   const scene = lit(room, 0.8, new DirectionalLight(0xffffff, 0.6 * Math.PI));
   const moving: Object3D[] = [];
-  scene.add(mesh(BOX, [WALL_M.width + 0.04, WALL_M.height + 0.04, 0.02], [0.12, 0.13, 0.16], moved(MIDDLE_M, 0, 0, -0.075)));
-  for (const { row, column, cells } of SECTIONS) {
-    cells.forEach(({ shows: [kind] }, i) => {
-      const cell = new Group();
-      cell.position.set(...cellFootM(row, column + i));
-      const middle: Place = [0, RAIL_M / 2, 0];
-      if (kind === 'color') cell.add(mesh(BOX, thrice(0.7 * RAIL_M), [0.8, 0.3, 0.2], middle));
-      else if (kind === 'things') cell.add(mesh(RING, thrice(0.9 * RAIL_M), [0.85, 0.35, 0.3], middle));
-      else {
-        const ball = mesh(BALL, thrice(0.24 * RAIL_M), [0.95, 0.75, 0.3], middle);
-        moving.push(ball);
-        cell.add(ball);
-        if (kind === 'height') cell.add(mesh(BOX, [0.05 * RAIL_M, RAIL_M, 0.05 * RAIL_M], [0.2, 0.21, 0.24], middle));
-      }
-      scene.add(cell);
-    });
+  scene.add(mesh(BOX, [wall.width + 0.04, wall.height + 0.04, 0.02], [0.12, 0.13, 0.16], moved(middle, 0, 0, -0.075)));
+  for (const { kind, foot } of cells) {
+    const cell = new Group();
+    cell.position.set(...foot);
+    const half: Place = [0, rail / 2, 0];
+    if (kind === 'color') cell.add(mesh(BOX, thrice(0.7 * rail), [0.8, 0.3, 0.2], half));
+    else if (kind === 'things') cell.add(mesh(RING, thrice(0.9 * rail), [0.85, 0.35, 0.3], half));
+    else {
+      const ball = mesh(BALL, thrice(0.24 * rail), [0.95, 0.75, 0.3], half);
+      moving.push(ball);
+      cell.add(ball);
+      if (kind === 'height') cell.add(mesh(BOX, [0.05 * rail, rail, 0.05 * rail], [0.2, 0.21, 0.24], half));
+    }
+    scene.add(cell);
   }
   return { scene, moving };
 }
 
-function makeLamps(room: Texture): Scene {
-  const [bulbAt, stageAt] = [cellMiddleM(7, 0), cellMiddleM(7, 1)];
+function makeLamps({ lit: [bulbAt, stageAt], pegs }: GalleryPlan, room: Texture): Scene {
   const bulb = new PointLight(new Color(1, 0.72, 0.4), 0.03, 0.17);
   bulb.position.set(...moved(bulbAt, 0, 0, -0.015));
   const spot = new SpotLight(new Color(0.65, 0.85, 1), 0.05, 0.255, 0.3, 0.4);
@@ -106,7 +117,7 @@ function makeLamps(room: Texture): Scene {
   scene.add(spot.target);
   const grey: Rgb = [0.75, 0.75, 0.75];
   for (const at of [bulbAt, stageAt]) scene.add(mesh(BOX, [0.118, 0.118, 0.006], grey, moved(at, 0, 0, -0.045)));
-  for (const [right, up] of PEGS) scene.add(mesh(BALL, thrice(0.018), grey, moved(bulbAt, right, up, -0.035)));
+  for (const [right, up] of pegs) scene.add(mesh(BALL, thrice(0.018), grey, moved(bulbAt, right, up, -0.035)));
   scene.add(mesh(BALL, thrice(0.034), grey, moved(stageAt, -0.008, -0.01, -0.012)));
   scene.traverse((part) => {
     part.castShadow = true;
@@ -115,10 +126,10 @@ function makeLamps(room: Texture): Scene {
   return scene;
 }
 
-function makeSky(sky: Texture): Scene {
+function makeSky({ lit: [, , matt, mirror], rail }: GalleryPlan, sky: Texture): Scene {
   const scene = lit(sky, 1);
-  scene.add(mesh(BALL, thrice(RAIL_M), [0.95, 0.95, 0.95], cellMiddleM(7, 2)));
-  scene.add(mesh(BALL, thrice(RAIL_M), [1, 1, 1], cellMiddleM(7, 3), { roughness: 0.05, metalness: 1 }));
+  scene.add(mesh(BALL, thrice(rail), [0.95, 0.95, 0.95], matt));
+  scene.add(mesh(BALL, thrice(rail), [1, 1, 1], mirror, { roughness: 0.05, metalness: 1 }));
   return scene;
 }
 
@@ -141,6 +152,10 @@ function mesh(
   made.scale.set(...sizeM);
   made.position.set(...positionM);
   return made;
+}
+
+function moved([x, y, z]: Place, right: number, up: number, near: number): Place {
+  return [x + right, y + up, z + near];
 }
 
 function thrice(length: number): Place {
