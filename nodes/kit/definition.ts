@@ -170,6 +170,8 @@ export interface ShadowMapUse {
   readonly lights: string;
   /** A structure toggle that turns the maps off. */
   readonly enabledBy?: string;
+  /** A structure choice, and the one of its values at which the node uses maps; at others it does without. */
+  readonly chosenBy?: { readonly param: string; readonly value: string };
 }
 
 /** What a session may offer beyond drawing. */

@@ -40,6 +40,7 @@ export const DIAGNOSTICS = {
   SCR021: 'The node does nothing: nothing on screen depends on it',
   SCR022: 'The expression cannot be read',
   SCR023: 'More lights are wired than can be drawn',
+  SCR024: 'A shadow has another shape than the thing that casts it',
   // Assets
   SCR030: 'The asset is not in the project',
   SCR031: 'The asset lies outside the project folder',

@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import type { NumberView, ObjectItem, VectorView } from './runtime.ts';
+import type { NumberView, ObjectItem, ObjectList, VectorView } from './runtime.ts';
 
 /** What a scene draws each of its objects with. */
 export type SceneLook =
@@ -8,10 +8,20 @@ export type SceneLook =
    * surroundings that light them besides their lights: 1, as when absent, makes a white matt surface white by them alone.
    */
   | { readonly kind: 'shaded'; readonly ambient?: NumberView }
-  /** Phantoms as shadow catchers: black, with alpha where light is blocked; virtual objects not drawn. */
-  | { readonly kind: 'shadow-catcher'; readonly strength: NumberView; readonly color: VectorView }
+  /** Objects as shadow catchers: one colour, with alpha where light is blocked. */
+  | ShadowCatcherLook
   /**
    * Virtual objects flat and white, whatever their materials, as far as `shows` says of them and of the parts they are made of; all
    * others, and phantoms, as depth alone. Asked when a list has changed.
    */
   | { readonly kind: 'mask'; readonly shows: (item: ObjectItem, part: Object3D) => boolean };
+
+export interface ShadowCatcherLook {
+  readonly kind: 'shadow-catcher';
+  readonly strength: NumberView;
+  readonly color: VectorView;
+  /** What catches them; virtual objects are not drawn unless `everything` does. Absent: phantoms. */
+  readonly on?: 'phantoms' | 'everything';
+  /** What casts, where shadow volumes are to be used; absent, the shadow maps of the operation are. */
+  readonly volumesOf?: readonly ObjectList[];
+}

@@ -25,7 +25,10 @@ afterAll(async () => {
 const CAMERA = [100, 150, 200, 255];
 
 function compileExample(type: string): Program {
-  const text = readFileSync(`nodes/${type}/example/project.scrim.json`, 'utf8');
+  return compileText(readFileSync(`nodes/${type}/example/project.scrim.json`, 'utf8'));
+}
+
+function compileText(text: string): Program {
   const { output: project, diagnostics } = loadProject({ project: text, layout: null, sources: {} });
   expect(diagnostics).toEqual([]);
   const compiled = project ? compile({ project, library: LIBRARY }) : null;
@@ -107,6 +110,12 @@ describe('the example of', () => {
     expect(corner).toEqual(sepia(1));
   });
 
+  test('layer/depth-mask shows what is near in sepia, and what is far or unknown as it is', async () => {
+    expect((await play('layer/depth-mask', 0, 0.7)).centre).toEqual(sepia(1));
+    expect((await play('layer/depth-mask', 0, 3)).centre).toEqual(CAMERA);
+    expect((await play('layer/depth-mask', 0, 0)).centre).toEqual(CAMERA);
+  });
+
   test('objects/apply-technique shows a ball in warm tones where it faces the sun', async () => {
     const { centre, corner } = await play('objects/apply-technique');
     expect(corner).toEqual(CAMERA);
@@ -146,4 +155,52 @@ describe('the example of', () => {
     // Unknown depth hides nothing.
     expect((await play(type, 0, 0)).centre).toEqual(before.centre);
   });
+});
+
+/** The camera's picture in grey within a region, and as a drawing in the rest. The region is a ball that moves away after a second. */
+const REGIONS = JSON.stringify({
+  format: 'scrim-project',
+  version: 1,
+  title: 'Black and white in this region, ink in the rest',
+  graphs: {
+    main: {
+      nodes: {
+        'video-a1': { type: 'source/camera-video', version: 1 },
+        'grey-b2': { type: 'filter/grey', version: 1 },
+        'ink-c3': { type: 'filter/difference-of-gaussians', version: 1, params: { lineColor: [0, 0, 1, 1], paperColor: [0, 1, 0, 1] } },
+        'ball-d4': { type: 'objects/primitive', version: 1, params: { shape: 'sphere' } },
+        'place-e5': { type: 'objects/transform', version: 1, params: { positionM: { expression: '[time < 1 ? 0 : 9, 0, 0]' } } },
+        'region-f6': { type: 'layer/object-mask', version: 1 },
+        'choose-g7': { type: 'operator/choose-by-mask', version: 1 },
+        'screen-h8': { type: 'output/screen', version: 1 },
+      },
+      wires: [
+        'video-a1.layer -> grey-b2.inputImage',
+        'video-a1.layer -> ink-c3.inputImage',
+        'ball-d4.objects -> place-e5.objects',
+        'place-e5.objects -> region-f6.objects',
+        'grey-b2.layer -> choose-g7.inside',
+        'ink-c3.layer -> choose-g7.outside',
+        'region-f6.layer -> choose-g7.mask',
+        'choose-g7.layer -> screen-h8.layer',
+      ],
+    },
+  },
+});
+
+test('black and white in this region and ink in the rest is three wires, and the region may move', async () => {
+  expect(REGIONS.match(/-> choose-g7/g)).toHaveLength(3);
+  const playRegions = async (timeS: number): Promise<Played> => {
+    const played = await page.call<Played>('play', compileText(REGIONS), 'nodes/', timeS, CAMERA, 0);
+    expect({ diagnostics: played.diagnostics, error: played.error }).toEqual({ diagnostics: [], error: 0 });
+    return played;
+  };
+  const first = await playRegions(0);
+  const grey = Math.round(0.2126 * 100 + 0.7152 * 150 + 0.0722 * 200);
+  expect(first.centre.map((value, i) => Math.abs(value - ([grey, grey, grey, 255][i] ?? 0)) <= 1)).toEqual([true, true, true, true]);
+  const later = await playRegions(1);
+  expect(later.centre).toEqual(later.corner);
+  expect(first.corner).toEqual(later.corner);
+  // A picture of one colour has no lines: it is paper, or as dark as its tone.
+  expect(first.corner).not.toEqual(first.centre);
 });

@@ -184,6 +184,65 @@ describe.each(['photograph', 'generated'])('over the %s', (name) => {
     const drawn = await apply('operators/mask.fs', { inputImage, mask: stencil }, { source, invert });
     await expectSamePixels(`${name}-mask-${source}-${invert}`, drawn, byFormula, { tolerance: 1 });
   });
+
+  test.each([
+    ['brightness', { source: 0, low: 0.2, high: 0.7 }],
+    ['alpha, inverted', { source: 1, invert: 1 }],
+    ['red', { source: 2 }],
+    ['blue, with a hard edge', { source: 4, low: 0.4, high: 0.1 }],
+  ])('a mask of %s is that of the layer, between its levels', async (_, params: Params) => {
+    const picture = await expected(name);
+    const { source = 0, low = 0, high = 1, invert = 0 } = params as Record<string, number>;
+    const byFormula = paint(picture.width, picture.height, (x, y) => {
+      const [r, g, b, a] = pixelAt(picture, x, y).map((value) => value / 255) as [number, number, number, number];
+      const value = [dot([r, g, b], LUMA_709), a, r, g, b][source] ?? 0;
+      const level = high > low ? Math.min(Math.max((value - low) / (high - low), 0), 1) : value >= low - 0.001 ? 1 : 0;
+      const shown = Math.round(255 * (invert === 1 ? 1 - level : level));
+      return [shown, shown, shown, 255];
+    });
+    const drawn = await apply('filters/mask-from-layer.fs', { inputImage: picture }, params);
+    await expectSamePixels(`${name}-mask-from-layer-${source}`, drawn, byFormula, { tolerance: TOLERANCE });
+  });
+
+  test.each([0, 1])('a mask of a colour is white within its tolerance, inverted %d', async (invert) => {
+    const picture = await expected(name);
+    const [keyColor, tolerance, softness, brightness] = [[0.5, 0.4, 0.3, 1], 0.05, 0.2, 0.4];
+    // Rec. ITU-R BT.709: Cb = (B - Y) / 1.8556, Cr = (R - Y) / 1.5748.
+    const place = ([r = 0, g = 0, b = 0]: readonly number[]): number[] => {
+      const luma = dot([r, g, b], LUMA_709);
+      return [(b - luma) / 1.8556, (r - luma) / 1.5748, luma * brightness];
+    };
+    const byFormula = paint(picture.width, picture.height, (x, y) => {
+      const [r, g, b, a] = pixelAt(picture, x, y);
+      const straight = a === 0 ? [0, 0, 0] : [r / a, g / a, b / a];
+      const key = place(keyColor);
+      const apart = Math.hypot(...place(straight).map((value, i) => value - (key[i] ?? 0)));
+      const level = (a / 255) * (1 - Math.min(Math.max((apart - tolerance) / softness, 0), 1));
+      const shown = Math.round(255 * (invert === 1 ? 1 - level : level));
+      return [shown, shown, shown, 255];
+    });
+    const drawn = await apply('filters/mask-from-color.fs', { inputImage: picture }, { keyColor, tolerance, softness, brightness, invert });
+    await expectSamePixels(`${name}-mask-from-color-${invert}`, drawn, byFormula, { tolerance: TOLERANCE });
+  });
+
+  test.each([
+    [0, 0],
+    [1, 1],
+  ])('a choice by mask mixes two layers, mask by %d, inverted %d', async (source, invert) => {
+    const inside = await expected(name);
+    const outside = await expected('photograph');
+    const stencil = await expected('generated');
+    const byFormula = paint(inside.width, inside.height, (x, y) => {
+      const m = pixelAt(stencil, x, y).map((value) => value / 255);
+      const value = source === 1 ? (m[3] ?? 0) : dot(m, LUMA_709);
+      const shown = invert === 1 ? 1 - value : value;
+      const around = pixelAt(outside, x, y);
+      const [r = 0, g = 0, b = 0, a = 0] = pixelAt(inside, x, y).map((c, i) => Math.round(c * shown + (around[i] ?? 0) * (1 - shown)));
+      return [r, g, b, a];
+    });
+    const drawn = await apply('operators/choose-by-mask.fs', { inside, outside, mask: stencil }, { source, invert });
+    await expectSamePixels(`${name}-choose-${source}-${invert}`, drawn, byFormula, { tolerance: 1 });
+  });
 });
 
 describe('facts', () => {

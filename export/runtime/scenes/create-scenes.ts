@@ -10,7 +10,7 @@ import { createOcclusionPatch } from './materials/occlusion-patch.ts';
 import { createModelLoader, type ModelTools, NO_TOOLS } from './models/load-model.ts';
 import { createSceneRenderer } from './scene-renderer.ts';
 import { createShadedScene } from './shaded-scene.ts';
-import { createShadowScene } from './shadow-scene.ts';
+import { createShadowLayer } from './shadow-layer.ts';
 
 export interface SceneTools extends ModelTools {
   readonly readRadiance?: ReadRadiance;
@@ -48,14 +48,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
                 watchLimits: createLightLimits(binding.report, 'all'),
               });
             case 'shadow-catcher':
-              return createShadowScene({
-                renderer,
-                strength: look.strength,
-                color: look.color,
-                shadowMaps,
-                occlusion,
-                watchLimits: createLightLimits(binding.report, 'shadows'),
-              });
+              return createShadowLayer({ renderer, look, maps: shadowMaps, occlusion, report: binding.report });
             case 'mask':
               return createMaskScene({ renderer, shows: look.shows, occlusion });
           }

@@ -19,6 +19,8 @@ export interface SceneRenderer {
   draw(view: DrawView, scene: Scene, camera: Camera): void;
   /** Clears the depth of a target of three's own, or of one face of a cube, and draws into it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
+  /** Clears the corner of a target of three's own, depth and stencil too, and draws into it; leaves no framebuffer bound. */
+  drawCorner(target: WebGLRenderTarget, widthPx: number, heightPx: number, scene: Scene, camera: Camera): void;
   /** Lets three do other work on the GPU, at any time between draws; leaves no framebuffer bound. */
   work(task: (three: ThreeRenderer) => void): void;
   /** Runs draws that compile what they need and draw nothing; resolves when the driver has done so, without waiting for it. */
@@ -99,6 +101,22 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
         three.render(scene, camera);
       }
       three.setRenderTarget(null);
+    },
+    drawCorner: (cornerTarget, widthPx, heightPx, scene, camera) => {
+      restoreState();
+      cornerTarget.viewport.set(0, 0, widthPx, heightPx);
+      cornerTarget.scissor.set(0, 0, widthPx, heightPx);
+      cornerTarget.scissorTest = true;
+      three.setRenderTarget(cornerTarget);
+      if (compiling) {
+        compiling.push(three.compileAsync(scene, camera));
+      } else {
+        three.setClearColor(0x000000, 0);
+        three.clear(true, true, true);
+        three.render(scene, camera);
+      }
+      three.setRenderTarget(null);
+      three.state.setScissorTest(false);
     },
     work: (task) => {
       // Nobody announces passes that were drawn before it.

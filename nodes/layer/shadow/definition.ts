@@ -4,14 +4,14 @@ export const definition = defineNode({
   type: 'layer/shadow',
   version: 1,
   title: 'Shadow',
-  doc: 'Draws the shadows that objects throw on real things, as a layer of their own: lay it under the Scene layer and over the video. The real things are phantoms.',
-  keywords: ['shadow catcher', 'contact', 'ground', 'floor', 'darken'],
+  doc: 'Draws the shadows that objects throw, as a layer of their own. Those on real things lie under the Scene layer and over the video; the real things are phantoms. With phantoms among its objects too, real things throw shadows as well.',
+  keywords: ['shadow catcher', 'contact', 'ground', 'floor', 'darken', 'shadow volume', 'shadow map', 'stencil'],
   inputs: {
     casters: { type: 'objects', label: 'Objects', doc: 'What throws shadows.', required: true, multiple: true },
     receivers: {
       type: 'objects',
-      label: 'Phantoms',
-      doc: 'Where they fall. Phantoms alone count, so a group of both will do.',
+      label: 'Falls on',
+      doc: 'Where they fall. Phantoms alone count unless “On” says otherwise, so a group of both will do.',
       required: true,
       multiple: true,
     },
@@ -33,6 +33,31 @@ export const definition = defineNode({
       unit: 'ratio',
     },
     color: { type: 'color', stage: 'uniform', label: 'Colour', doc: 'Colour of the shadow.', default: [0, 0, 0, 1] },
+    on: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'On',
+      doc: 'Real things: phantoms alone; lay the shadow under the Scene layer. Everything: virtual objects catch shadows here too; turn “Shadows” off at the Scene layer, and lay the shadow over it.',
+      default: 'phantoms',
+      options: [
+        { value: 'phantoms', label: 'Real things' },
+        { value: 'everything', label: 'Everything' },
+      ],
+    },
+    method: {
+      type: 'choice',
+      stage: 'structure',
+      label: 'Method',
+      doc: 'Shadow map: edges are a little soft, and holes that a picture cuts let light through. Shadow volume: edges are sharp at any distance; it costs the more, the more of the picture lies behind objects. Nothing else changes.',
+      default: 'map',
+      options: [
+        { value: 'map', label: 'Shadow map' },
+        { value: 'volume', label: 'Shadow volume' },
+      ],
+    },
   },
-  lowering: { kind: 'geometry', shadowMap: { casters: ['casters'], lights: 'lights' } },
+  lowering: {
+    kind: 'geometry',
+    shadowMap: { casters: ['casters'], lights: 'lights', chosenBy: { param: 'method', value: 'map' } },
+  },
 });

@@ -7,9 +7,11 @@ import { addResource, addStep, type Lowering, resourceAt } from './lowering.ts';
 export function shadowMapsOf(lowering: Lowering, node: FlatNode): ResourceId | null {
   const { lowering: kind, params } = node.definition;
   if (kind.kind !== 'geometry' || !kind.shadowMap) return null;
-  const { casters: ports, lights: lightsPort, enabledBy } = kind.shadowMap;
+  const { casters: ports, lights: lightsPort, enabledBy, chosenBy } = kind.shadowMap;
   const toggle = enabledBy === undefined ? undefined : params[enabledBy];
   if (enabledBy !== undefined && toggle && startValue(node, enabledBy, toggle) === false) return null;
+  const choice = chosenBy && params[chosenBy.param];
+  if (choice && startValue(node, chosenBy.param, choice) !== chosenBy.value) return null;
   const casters = resourcesAt(lowering, node, ports);
   const lights = resourcesAt(lowering, node, [lightsPort]);
   if (casters.length === 0 || lights.length === 0) return null;

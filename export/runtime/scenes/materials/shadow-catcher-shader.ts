@@ -28,29 +28,15 @@ void main() {
 }
 `;
 
-/** Lights that a catcher is written for: those with a map of one side, with a cube of six, and with none, in this order. */
-export interface CatcherLights {
-  readonly flat: number;
-  readonly cube: number;
-  readonly plain: number;
-}
+const SHADOW_COLOR = /* glsl */ `
+uniform float strength;
+// Display-referred sRGB, straight alpha: it is not lit, so it is not encoded either.
+uniform vec4 shadowColor;`;
 
-/** Written out light by light, because samplers in arrays take constant indices only. */
-export function catcherFragment({ flat, cube, plain }: CatcherLights): string {
-  const count = flat + cube + plain;
-  const lines = (from: number, number: number, line: (light: number, map: number) => string): string =>
-    Array.from({ length: number }, (_, i) => line(from + i, i)).join('\n  ');
-  const arrives = (i: number): string => `light = arriving( normal, lightPlace[ ${i} ], lightCone[ ${i} ], lightFall[ ${i} ] );`;
-  return /* glsl */ `
+const ARRIVING = /* glsl */ `
 // Cosine below which light counts as grazing: 6 degrees.
 #define GRAZING 0.1
 
-uniform float strength;
-// Display-referred sRGB, straight alpha: it is not lit, so it is not encoded either.
-uniform vec4 shadowColor;
-${count > 0 ? lightUniforms(count) : ''}
-${flat > 0 ? flatUniforms(flat) : ''}
-${cube > 0 ? cubeUniforms(cube) : ''}
 varying vec3 vPositionWorld;
 
 // x: light that a matt surface receives; y: cosine to its normal.
@@ -74,21 +60,79 @@ vec2 arriving( const in vec3 normal, const in vec4 place, const in vec4 cone, co
 float unlessGrazing( const in vec2 light, const in float lit ) {
   return light.x * smoothstep( 0.0, GRAZING, light.y ) * ( 1.0 - lit );
 }
+`;
+
+const NORMAL = 'vec3 normal = normalize( cross( dFdx( vPositionWorld ), dFdy( vPositionWorld ) ) );';
+
+function arrives(light: number): string {
+  return `light = arriving( normal, lightPlace[ ${light} ], lightCone[ ${light} ], lightFall[ ${light} ] );`;
+}
+
+function writeShadow(blockedPart: string): string {
+  return /* glsl */ `float alpha = clamp( strength * shadowColor.a * ( ${blockedPart} ), 0.0, 1.0 );
+  gl_FragColor = vec4( shadowColor.rgb * alpha, alpha );`;
+}
+
+/** Lights that a catcher is written for: those with a map of one side, with a cube of six, and with none, in this order. */
+export interface CatcherLights {
+  readonly flat: number;
+  readonly cube: number;
+  readonly plain: number;
+}
+
+/** Written out light by light, because samplers in arrays take constant indices only. */
+export function catcherFragment({ flat, cube, plain }: CatcherLights): string {
+  const count = flat + cube + plain;
+  const lines = (from: number, number: number, line: (light: number, map: number) => string): string =>
+    Array.from({ length: number }, (_, i) => line(from + i, i)).join('\n  ');
+  return /* glsl */ `
+${SHADOW_COLOR}
+${count > 0 ? lightUniforms(count) : ''}
+${flat > 0 ? flatUniforms(flat) : ''}
+${cube > 0 ? cubeUniforms(cube) : ''}
+${ARRIVING}
 ${flat > 0 ? FLAT_LIT : ''}
 ${cube > 0 ? CUBE_LIT : ''}
 void main() {
-  vec3 normal = normalize( cross( dFdx( vPositionWorld ), dFdy( vPositionWorld ) ) );
+  ${NORMAL}
   vec2 light;
   float all = 0.0;
   float blocked = 0.0;
   ${lines(0, flat, (i, m) => `${arrives(i)} all += light.x; blocked += unlessGrazing( light, litByFlat( flatMaps[ ${m} ], mapFromWorld[ ${m} ], flatBias[ ${m} ], normal ) );`)}
   ${lines(flat, cube, (i, m) => `${arrives(i)} all += light.x; blocked += unlessGrazing( light, litByCube( cubeMaps[ ${m} ], lightPlace[ ${i} ].xyz, cubeReach[ ${m} ], normal ) );`)}
   ${lines(flat + cube, plain, (i) => `${arrives(i)} all += light.x;`)}
-  float alpha = all > 0.0 ? clamp( strength * shadowColor.a * blocked / all, 0.0, 1.0 ) : 0.0;
-  gl_FragColor = vec4( shadowColor.rgb * alpha, alpha );
+  ${writeShadow('all > 0.0 ? blocked / all : 0.0')}
 }
 `;
 }
+
+/** What one of so many lights gives a surface, as a part of all: what is missing where it is blocked, in the red channel. */
+export function blockedFragment(count: number, light: number): string {
+  return /* glsl */ `
+${lightUniforms(count)}
+${ARRIVING}
+void main() {
+  ${NORMAL}
+  vec2 light;
+  float all = 0.0;
+  float blocked = 0.0;
+  ${Array.from({ length: count }, (_, i) => `${arrives(i)} all += light.x;${i === light ? ' blocked = unlessGrazing( light, 0.0 );' : ''}`).join('\n  ')}
+  gl_FragColor = vec4( all > 0.0 ? blocked / all : 0.0 );
+}
+`;
+}
+
+/** A shadow whose blocked part is known per pixel of the view. */
+export const KNOWN_SHADOW_FRAGMENT = /* glsl */ `
+${SHADOW_COLOR}
+// Red: the blocked part of the light, pixel by pixel of the viewport, which begins here.
+uniform sampler2D blockedPart;
+uniform ivec2 viewportStart;
+
+void main() {
+  ${writeShadow('texelFetch( blockedPart, ivec2( gl_FragCoord.xy ) - viewportStart, 0 ).r')}
+}
+`;
 
 function lightUniforms(count: number): string {
   return /* glsl */ `

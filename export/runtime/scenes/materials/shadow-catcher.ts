@@ -10,10 +10,12 @@ import {
   Vector3,
   Vector4,
 } from 'three';
-import type { EnvironmentLightItem, LightItem, LightList, NumberView, VectorView } from '../../../../nodes/kit/runtime.ts';
+import type { DrawView, LightList, NumberView, ObjectItem, ObjectList, VectorView } from '../../../../nodes/kit/runtime.ts';
 import type { ShadowMap } from '../lights/light-map.ts';
-import { MIN_PENUMBRA } from '../lights/light-rig.ts';
 import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
+import { type Drawable, materialsOf } from '../proxies/drawable.ts';
+import { createLampUniforms, setLamp, setLampCount } from './lamp-uniforms.ts';
+import { isOpaque } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { CATCHER_VERTEX, type CatcherLights, catcherFragment } from './shadow-catcher-shader.ts';
 import type { Twin } from './twins.ts';
@@ -21,22 +23,24 @@ import type { Twin } from './twins.ts';
 /** The materials of one shadow layer: they share lights, strength and colour, and differ in what three compiles per object. */
 export interface ShadowCatcher {
   createTwin(master: Material): Twin;
-  /** Takes over strength, colour, lights and maps. */
-  update(lists: readonly LightList[], maps: RenderedShadowMaps | null): void;
+  /** Takes over strength and colour, changed lists, and this frame's matrices and lights. */
+  update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
+  /** Before a view is drawn; leaves no framebuffer bound. */
+  beforeDraw(view: DrawView): void;
+  dispose(): void;
 }
 
-// Rec. 709 luminance of linear-sRGB.
-const LUMINANCE = new Vector3(0.2126, 0.7152, 0.0722);
+export interface MapCatcherOptions {
+  readonly strength: NumberView;
+  readonly color: VectorView;
+  readonly maps: RenderedShadowMaps | null;
+  readonly occlusion: ShaderPatch | null;
+}
 
-// Read by the call that fills it, before anything else can.
-const scratchColor = new Vector3();
-
-type Lamp = Exclude<LightItem, EnvironmentLightItem>;
-
-export function createShadowCatcher(strength: NumberView, color: VectorView, occlusion: ShaderPatch | null): ShadowCatcher {
-  const lightPlace: Vector4[] = [];
-  const lightCone: Vector4[] = [];
-  const lightFall: Vector3[] = [];
+/** Catches shadows by shadow maps: their edges are a little soft, and follow what pictures cut out. */
+export function createMapCatcher({ strength, color, maps, occlusion }: MapCatcherOptions): ShadowCatcher {
+  let lightLists: readonly LightList[] = [];
+  const lamps = createLampUniforms();
   const flatMaps: (Texture | null)[] = [];
   const mapFromWorld: Matrix4[] = [];
   const flatBias: Vector3[] = [];
@@ -45,9 +49,7 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
-    lightPlace: { value: lightPlace },
-    lightCone: { value: lightCone },
-    lightFall: { value: lightFall },
+    ...lamps,
     flatMaps: { value: flatMaps },
     mapFromWorld: { value: mapFromWorld },
     flatBias: { value: flatBias },
@@ -75,25 +77,18 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
   }
 
   /** In three rounds, because the shader takes lights by the kind of their map. */
-  function addLights(lists: readonly LightList[], maps: RenderedShadowMaps | null, wanted: ShadowMap['kind'] | null): void {
-    for (const list of lists) {
+  function addLights(wanted: ShadowMap['kind'] | null): void {
+    for (const list of lightLists) {
       for (const light of list.items) {
         if (light.kind === 'environment') continue;
         const map = maps?.mapOf(light) ?? null;
         if ((map?.kind ?? null) !== wanted) continue;
-        describe(light, counts.flat + counts.cube + counts.plain);
+        setLamp(lamps, counts.flat + counts.cube + counts.plain, light);
         if (map === null) counts.plain++;
         else if (map.kind === 'flat') addFlat(map);
         else addCube(map);
       }
     }
-  }
-
-  function describe(light: Lamp, i: number): void {
-    lightPlace[i] ??= new Vector4();
-    lightCone[i] ??= new Vector4();
-    lightFall[i] ??= new Vector3();
-    describeLamp(light, lightPlace[i], lightCone[i], lightFall[i]);
   }
 
   /** The shader is written for its lights; their number changes when one comes, goes, or begins to cast a shadow. */
@@ -103,7 +98,7 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
     compiled = { flat, cube, plain };
     for (const array of [flatMaps, mapFromWorld, flatBias]) array.length = flat;
     for (const array of [cubeMaps, cubeReach]) array.length = cube;
-    for (const array of [lightPlace, lightCone, lightFall]) array.length = flat + cube + plain;
+    setLampCount(lamps, flat + cube + plain);
     fragmentShader = catcherFragment(compiled);
     for (const material of materials) {
       material.fragmentShader = fragmentShader;
@@ -113,21 +108,9 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
 
   return {
     createTwin: (master) => {
-      const material = new ShaderMaterial({ name: 'shadow catcher', vertexShader: CATCHER_VERTEX, fragmentShader });
-      material.uniforms = uniforms;
-      material.defines = { PREMULTIPLIED_OUTPUT: '' };
-      // After the depth pass of all phantoms, which lies a little behind: each pixel belongs to the nearest phantom, once.
-      material.transparent = true;
-      material.depthFunc = LessDepth;
-      material.blending = CustomBlending;
-      material.blendSrc = OneFactor;
-      material.blendDst = OneMinusSrcAlphaFactor;
-      patchMaterial(material, null, occlusion ? [occlusion] : []);
+      const material = createCatcherMaterial(fragmentShader, uniforms, occlusion);
       materials.push(material);
-      const sync = (): void => {
-        material.side = master.side;
-        material.visible = master.visible;
-      };
+      const sync = (): void => followSides(material, master);
       sync();
       return {
         material,
@@ -138,39 +121,50 @@ export function createShadowCatcher(strength: NumberView, color: VectorView, occ
         },
       };
     },
-    update: (lists, maps) => {
+    update: (_receivers, lights) => {
+      lightLists = lights;
       uniforms.strength.value = strength.value;
       uniforms.shadowColor.value.fromArray(color.value);
+    },
+    beforeDraw: () => {
       counts.flat = 0;
       counts.cube = 0;
       counts.plain = 0;
-      addLights(lists, maps, 'flat');
-      addLights(lists, maps, 'cube');
-      addLights(lists, maps, null);
+      addLights('flat');
+      addLights('cube');
+      addLights(null);
       fitShader();
     },
+    dispose: () => {},
   };
 }
 
-const NO_CONE = -2;
-
-function describeLamp(light: Lamp, place: Vector4, cone: Vector4, fall: Vector3): void {
-  cone.set(0, 0, 0, NO_CONE);
-  if (light.kind === 'directional') {
-    const [x = 0, y = 0, z = 0] = light.towardsLightWorld;
-    place.set(x, y, z, 0);
-    fall.set(luminanceOf(light.radiance), 0, 0);
-    return;
-  }
-  const [x = 0, y = 0, z = 0] = light.positionWorld;
-  place.set(x, y, z, 1);
-  fall.set(luminanceOf(light.intensityCd), light.rangeM, 0);
-  if (light.kind !== 'spot') return;
-  const [towardsX = 0, towardsY = 0, towardsZ = 0] = light.towardsLightWorld;
-  cone.set(towardsX, towardsY, towardsZ, Math.cos(light.halfAngleRad));
-  fall.z = Math.cos(light.halfAngleRad * (1 - Math.max(light.penumbra, MIN_PENUMBRA)));
+/** Glass and the like let shadows through to what lies behind. */
+export function catchesShadows(master: Drawable, item: ObjectItem): boolean {
+  return item.role === 'phantom' || materialsOf(master).every(isOpaque);
 }
 
-function luminanceOf(color: Float32Array): number {
-  return scratchColor.fromArray(color).dot(LUMINANCE);
+/** Draws a surface as a shadow. */
+export function createCatcherMaterial(
+  fragmentShader: string,
+  uniforms: ShaderMaterial['uniforms'],
+  occlusion: ShaderPatch | null,
+): ShaderMaterial {
+  const material = new ShaderMaterial({ name: 'shadow catcher', vertexShader: CATCHER_VERTEX, fragmentShader });
+  material.uniforms = uniforms;
+  material.defines = { PREMULTIPLIED_OUTPUT: '' };
+  // After the depth pass of all phantoms, which lies a little behind: each pixel belongs to the nearest phantom, once.
+  material.transparent = true;
+  material.depthFunc = LessDepth;
+  material.blending = CustomBlending;
+  material.blendSrc = OneFactor;
+  material.blendDst = OneMinusSrcAlphaFactor;
+  patchMaterial(material, null, occlusion ? [occlusion] : []);
+  return material;
+}
+
+/** What a catcher follows of the material whose place it takes. */
+export function followSides(material: Material, master: Material): void {
+  material.side = master.side;
+  material.visible = master.visible;
 }

@@ -1,0 +1,42 @@
+import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { ShadowCatcherLook } from '../../../nodes/kit/scene-look.ts';
+import type { DrawBinding } from '../scene-backend.ts';
+import { createLightLimits } from './lights/light-limits.ts';
+import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
+import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import { createMapCatcher } from './materials/shadow-catcher.ts';
+import type { SceneRenderer } from './scene-renderer.ts';
+import { createShadowScene } from './shadow-scene.ts';
+import { createVolumeCatcher } from './volumes/volume-catcher.ts';
+
+export interface ShadowLayerOptions {
+  readonly renderer: SceneRenderer;
+  readonly look: ShadowCatcherLook;
+  readonly maps: RenderedShadowMaps | null;
+  readonly occlusion: OcclusionPatch | null;
+  readonly report: DrawBinding['report'];
+}
+
+/** The scene of a shadow layer, by the method that its look asks for. Nothing else depends on the method. */
+export function createShadowLayer({ renderer, look, maps, occlusion, report }: ShadowLayerOptions): DrawnScene {
+  const { strength, color, volumesOf } = look;
+  const catches = (item: ObjectItem): boolean => look.on === 'everything' || item.role === 'phantom';
+  const shared = { strength, color, occlusion };
+  if (!volumesOf) {
+    const catcher = createMapCatcher({ ...shared, maps });
+    return createShadowScene({ renderer, catcher, catches, occlusion, watchLimits: createLightLimits(report, 'shadows') });
+  }
+  const catcher = createVolumeCatcher({ ...shared, renderer, casters: volumesOf, catches, tellShaped: createTellShaped(report) });
+  return createShadowScene({ renderer, catcher, catches, occlusion, watchLimits: () => {} });
+}
+
+function createTellShaped(report: DrawBinding['report']): (name: string) => void {
+  return (name) =>
+    report?.({
+      code: 'SCR024',
+      severity: 'warning',
+      port: 'casters',
+      message: `A picture cuts holes into “${name}”, or moves its surface; its shadow is that of the whole triangles, because shadow volumes know nothing else.`,
+      fix: 'Choose “Shadow map” as the method.',
+    });
+}

@@ -1,0 +1,172 @@
+import {
+  CustomBlending,
+  KeepStencilOp,
+  LessEqualDepth,
+  type Material,
+  NearestFilter,
+  NotEqualStencilFunc,
+  OneFactor,
+  RedFormat,
+  Scene,
+  ShaderMaterial,
+  type Texture,
+  WebGLRenderTarget,
+  ZeroStencilOp,
+} from 'three';
+import type { DrawView, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
+import { createDepthTwin } from '../materials/depth-twin.ts';
+import { createLampUniforms, type Lamp, setLamp, setLampCount } from '../materials/lamp-uniforms.ts';
+import { catchesShadows, followSides } from '../materials/shadow-catcher.ts';
+import { blockedFragment, CATCHER_VERTEX } from '../materials/shadow-catcher-shader.ts';
+import { createTwinCache, type Twin } from '../materials/twins.ts';
+import { type Drawable, mapMaterials, programFeatures } from '../proxies/drawable.ts';
+import type { ProxyPlan } from '../proxies/proxy.ts';
+import { createProxySet } from '../proxies/proxy-set.ts';
+import type { SceneRenderer } from '../scene-renderer.ts';
+import { createInfiniteCamera } from './infinite-camera.ts';
+import { createVolumeLamp, type VolumeLamp } from './volume-lamp.ts';
+import { createVolumeSet, type TellShaped } from './volume-set.ts';
+
+/** The blocked part of the light at what a view sees, pixel by pixel, by shadow volumes. */
+export interface BlockedPicture {
+  /** Takes over changed lists and this frame's matrices. */
+  update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
+  /** Draws it for a view; its red channel is 1 where all light is blocked. Its corner is that of the viewport. */
+  draw(view: DrawView): Texture;
+  dispose(): void;
+}
+
+export interface BlockedPictureOptions {
+  readonly renderer: SceneRenderer;
+  readonly casters: readonly ObjectList[];
+  /** What hides; shadows are caught by those of it that receive them. */
+  readonly catches: (item: ObjectItem) => boolean;
+  readonly tellShaped: TellShaped;
+}
+
+/** Edges of shadows are smooth by it, as edges of objects are. */
+const SAMPLES = 4;
+
+/** Per light, after the depth of all receivers: backs of volumes, fronts of them, then what the light gives where they left a mark. */
+const STEPS = 3;
+
+/**
+ * All in one draw of three's, because its multisampled targets keep no depth from one to the next. Light by light, volumes leave a
+ * mark in the stencil, and receivers with a mark add what is blocked there and wipe it out. WebXR's framebuffers may have no stencil;
+ * this target has one.
+ */
+export function createBlockedPicture({ renderer, casters, catches, tellShaped }: BlockedPictureOptions): BlockedPicture {
+  const scene = new Scene();
+  scene.matrixWorldAutoUpdate = false;
+  const camera = createInfiniteCamera();
+  const target = new WebGLRenderTarget(1, 1, {
+    format: RedFormat,
+    minFilter: NearestFilter,
+    magFilter: NearestFilter,
+    generateMipmaps: false,
+    stencilBuffer: true,
+    samples: SAMPLES,
+  });
+  const twins = createTwinCache();
+  const receivers = createProxySet(scene, plan);
+  const volumes = createVolumeSet(scene, casters, tellShaped);
+  const uniforms = createLampUniforms();
+  const watch = createVersionWatch();
+  let lamps: readonly Lamp[] = [];
+  let volumeLamps: readonly VolumeLamp[] = [];
+
+  function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
+    if (!catches(item)) return [];
+    const features = programFeatures(master);
+    const plans: ProxyPlan[] = [
+      {
+        material: mapMaterials(master, (part) => twins.get(part, `${features}|${item.role}`, () => createExactDepth(part, item.role))),
+        renderOrder: 0,
+      },
+    ];
+    if (!catchesShadows(master, item)) return plans;
+    lamps.forEach((lamp, i) => {
+      const variant = `${features}|${lamps.length}|${i}`;
+      plans.push({
+        material: mapMaterials(master, (part) => twins.get(part, variant, () => createBlockedTwin(part, i))),
+        renderOrder: STEPS * (i + 1),
+        shows: ({ receivesShadow }) => receivesShadow && lamp.shadow !== null,
+      });
+    });
+    return plans;
+  }
+
+  function createBlockedTwin(master: Material, light: number): Twin {
+    const material = new ShaderMaterial({
+      name: 'blocked light',
+      vertexShader: CATCHER_VERTEX,
+      fragmentShader: blockedFragment(lamps.length, light),
+    });
+    Object.assign(material.uniforms, uniforms);
+    material.transparent = true;
+    material.depthWrite = false;
+    material.depthFunc = LessEqualDepth;
+    // What it draws is there already, by another shader whose depth may differ in its last digits. Not by its slope: what is seen
+    // edge-on would come out from behind the surface before it.
+    material.polygonOffset = true;
+    material.polygonOffsetFactor = 0;
+    material.polygonOffsetUnits = -4;
+    material.blending = CustomBlending;
+    material.blendSrc = OneFactor;
+    material.blendDst = OneFactor;
+    material.stencilWrite = true;
+    material.stencilFunc = NotEqualStencilFunc;
+    material.stencilRef = 0;
+    material.stencilFail = KeepStencilOp;
+    material.stencilZFail = KeepStencilOp;
+    material.stencilZPass = ZeroStencilOp;
+    const sync = (): void => followSides(material, master);
+    sync();
+    return { material, sync, dispose: () => material.dispose() };
+  }
+
+  function takeOver(lists: readonly LightList[]): void {
+    for (const lamp of volumeLamps) lamp.dispose();
+    lamps = lists.flatMap(({ items }) => items.filter((light) => light.kind !== 'environment'));
+    volumeLamps = lamps.map((lamp, i) => createVolumeLamp(lamp, STEPS * i + 1));
+    setLampCount(uniforms, lamps.length);
+  }
+
+  return {
+    update: (lists, lightLists) => {
+      const relit = watch.changed(lightLists);
+      if (relit) takeOver(lightLists);
+      for (let i = 0; i < lamps.length; i++) {
+        const lamp = lamps[i];
+        if (lamp) setLamp(uniforms, i, lamp);
+        volumeLamps[i]?.update();
+      }
+      twins.sync();
+      if (receivers.update(lists, relit)) twins.sweep();
+      volumes.update(volumeLamps, relit);
+    },
+    draw: ({ view, viewport: { widthPx, heightPx } }) => {
+      // Views of several sizes take turns in the largest.
+      if (widthPx > target.width || heightPx > target.height)
+        target.setSize(Math.max(widthPx, target.width), Math.max(heightPx, target.height));
+      camera.set(view);
+      renderer.drawCorner(target, widthPx, heightPx, scene, camera.camera);
+      return target.texture;
+    },
+    dispose: () => {
+      receivers.dispose();
+      volumes.dispose();
+      for (const lamp of volumeLamps) lamp.dispose();
+      twins.dispose();
+      target.dispose();
+    },
+  };
+}
+
+/** Where the surface itself is: volumes begin in it. */
+function createExactDepth(master: Material, role: ObjectItem['role']): Twin {
+  const twin = createDepthTwin(master, role === 'phantom' ? 'surface' : 'solid');
+  twin.material.polygonOffset = false;
+  return twin;
+}

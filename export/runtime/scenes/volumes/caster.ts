@@ -1,0 +1,148 @@
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Matrix4, Mesh, type Scene, Vector4 } from 'three';
+import type { ObjectItem } from '../../../../nodes/kit/runtime.ts';
+import { type Drawable, isInstanced, isShown, materialsOf } from '../proxies/drawable.ts';
+import { castsAsSolid } from './casting-material.ts';
+import { extrude, maxExtrusion } from './extrude.ts';
+import type { MeshShape } from './mesh-shape.ts';
+import { isDeformed, poseVertices, restVertices } from './pose-vertices.ts';
+import type { VolumeLamp } from './volume-lamp.ts';
+
+/** One mesh that casts, or one instance of it, and its volumes, light by light. */
+export interface Caster {
+  /** Takes over this frame's pose, vertices and lights. */
+  update(): void;
+  dispose(): void;
+}
+
+// Read by the call that fills them, before anything else can.
+const scratchMatrix = new Matrix4();
+const scratchLight = new Vector4();
+
+export function createCaster(
+  scene: Scene,
+  master: Mesh,
+  item: ObjectItem,
+  instance: number,
+  shape: MeshShape,
+  lamps: readonly VolumeLamp[],
+): Caster {
+  const vertices = createVertices(master, shape);
+  const volumes = lamps.map((lamp) => createVolume(scene, shape, vertices, lamp));
+  const materials = materialsOf(master);
+  const worldFromMesh = new Matrix4();
+
+  function place(): void {
+    worldFromMesh.multiplyMatrices(item.worldFromObject, master.matrixWorld);
+    if (!isInstanced(master)) return;
+    master.getMatrixAt(instance, scratchMatrix);
+    worldFromMesh.multiply(scratchMatrix);
+  }
+
+  return {
+    update: () => {
+      const shows =
+        item.castsShadow &&
+        isShown(master, item.root) &&
+        materials.some(castsAsSolid) &&
+        !(isInstanced(master) && instance >= master.count);
+      if (shows) {
+        place();
+        vertices.update();
+      }
+      for (const volume of volumes) volume.update(shows, worldFromMesh);
+    },
+    dispose: () => {
+      for (const volume of volumes) volume.dispose();
+    },
+  };
+}
+
+/** Vertices of all volumes of a caster: all of them as they are, and all of them once more to be moved away. */
+interface Vertices {
+  readonly positions: Float32Array;
+  readonly attributes: { readonly position: BufferAttribute; readonly away: BufferAttribute };
+  /** Goes up when vertices moved. */
+  readonly version: number;
+  update(): void;
+}
+
+function createVertices(master: Drawable, shape: MeshShape): Vertices {
+  const rest = restVertices(master, shape);
+  const count = shape.vertices.length;
+  const positions = new Float32Array(rest);
+  const twice = new Float32Array(rest.length * 2);
+  const position = new BufferAttribute(twice, 3);
+  const copy = (): void => {
+    twice.set(positions, 0);
+    twice.set(positions, positions.length);
+  };
+  copy();
+  const deformed = isDeformed(master);
+  if (deformed) position.setUsage(DynamicDrawUsage);
+  let version = 0;
+  return {
+    positions,
+    attributes: { position, away: new BufferAttribute(new Float32Array(count * 2).fill(1, count), 1) },
+    get version() {
+      return version;
+    },
+    update: () => {
+      if (!deformed) return;
+      poseVertices(master, shape, rest, positions);
+      copy();
+      position.needsUpdate = true;
+      version++;
+    },
+  };
+}
+
+interface Volume {
+  update(shows: boolean, worldFromMesh: Matrix4): void;
+  dispose(): void;
+}
+
+function createVolume(scene: Scene, shape: MeshShape, vertices: Vertices, lamp: VolumeLamp): Volume {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', vertices.attributes.position);
+  geometry.setAttribute('away', vertices.attributes.away);
+  const indices = new Uint32Array(maxExtrusion(shape));
+  const index = new BufferAttribute(indices, 1).setUsage(DynamicDrawUsage);
+  geometry.setIndex(index);
+  const sides = lamp.materials.map((material, i) => createSide(scene, geometry, material, lamp.renderOrder + i));
+  const extrudedFor = new Vector4();
+  let extrudedVersion = -1;
+  return {
+    update: (shows, worldFromMesh) => {
+      const visible = shows && lamp.casts();
+      for (const side of sides) {
+        side.visible = visible;
+        side.matrixWorld.copy(worldFromMesh);
+      }
+      if (!visible) return;
+      scratchLight.copy(lamp.lightWorld.value).applyMatrix4(scratchMatrix.copy(worldFromMesh).invert());
+      if (extrudedVersion === vertices.version && scratchLight.equals(extrudedFor)) return;
+      extrudedVersion = vertices.version;
+      extrudedFor.copy(scratchLight);
+      const count = extrude(shape, vertices.positions, extrudedFor, indices);
+      geometry.setDrawRange(0, count);
+      index.clearUpdateRanges();
+      index.addUpdateRange(0, count);
+      index.needsUpdate = true;
+    },
+    dispose: () => {
+      for (const side of sides) side.removeFromParent();
+      geometry.dispose();
+    },
+  };
+}
+
+function createSide(scene: Scene, geometry: BufferGeometry, material: Mesh['material'], renderOrder: number): Mesh {
+  const mesh = new Mesh(geometry, material);
+  mesh.matrixAutoUpdate = false;
+  mesh.matrixWorldAutoUpdate = false;
+  // It reaches to infinity.
+  mesh.frustumCulled = false;
+  mesh.renderOrder = renderOrder;
+  scene.add(mesh);
+  return mesh;
+}

@@ -1,0 +1,100 @@
+import type { MeshShape } from './mesh-shape.ts';
+
+/** Where a light stands in the space of a mesh: a place with `w` 1, or with `w` 0 the direction towards it. */
+export interface LightPlace {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  readonly w: number;
+}
+
+/** Numbers that `extrude` writes at most. */
+export function maxExtrusion({ triangles }: MeshShape): number {
+  // Two caps per triangle, and per use of an edge one side of two triangles.
+  return 8 * triangles.length;
+}
+
+// Filled by the call that reads it; grows to the largest mesh.
+let scratchWeight = new Int8Array(0);
+
+/**
+ * The space behind a mesh, seen from a light: a surface without borders, of triangles that face outwards. Vertex i is where it is;
+ * vertex i + n, with n the number of welded vertices, stands for the same one moved away from the light to infinity.
+ *
+ * The cap is made of the triangles that face the light, the sides stand on their outline, and the far end closes it; light that comes
+ * from infinity needs none, for there all points are one. A mesh with borders or triangles that disagree has no inside: there all
+ * triangles count, each turned towards the light, and an edge gets as many sides as the triangles at it do not cancel out. Then the
+ * shadow may count twice, which is still a shadow. (Bergeron 1986, "A general version of Crow's shadow volumes".)
+ *
+ * @param positions three numbers per welded vertex
+ * @param into gets the indices; `maxExtrusion` tells its length
+ * @returns how many indices were written
+ */
+export function extrude(shape: MeshShape, positions: Float32Array, light: LightPlace, into: Uint32Array): number {
+  const { triangles, edges, usesOf, uses } = shape;
+  weigh(shape, positions, light);
+  const away = shape.vertices.length;
+  const hasFarCap = light.w > 0;
+  let n = 0;
+  for (let i = 0; i < triangles.length; i += 3) {
+    const weight = scratchWeight[i / 3] ?? 0;
+    if (weight === 0) continue;
+    const a = triangles[i] ?? 0;
+    const b = triangles[i + (weight > 0 ? 1 : 2)] ?? 0;
+    const c = triangles[i + (weight > 0 ? 2 : 1)] ?? 0;
+    into[n++] = a;
+    into[n++] = b;
+    into[n++] = c;
+    if (!hasFarCap) continue;
+    into[n++] = a + away;
+    into[n++] = c + away;
+    into[n++] = b + away;
+  }
+  for (let e = 0; e + 1 < usesOf.length; e++) {
+    let sides = 0;
+    for (let u = usesOf[e] ?? 0; u < (usesOf[e + 1] ?? 0); u++) {
+      const use = uses[u] ?? 0;
+      const weight = scratchWeight[Math.abs(use) - 1] ?? 0;
+      sides += use > 0 ? weight : -weight;
+    }
+    if (sides === 0) continue;
+    // Against the way that the triangles of the cap go along the edge.
+    const from = edges[e * 2 + (sides > 0 ? 1 : 0)] ?? 0;
+    const to = edges[e * 2 + (sides > 0 ? 0 : 1)] ?? 0;
+    for (let i = Math.abs(sides); i > 0; i--) {
+      into[n++] = from;
+      into[n++] = to;
+      into[n++] = to + away;
+      if (!hasFarCap) continue;
+      into[n++] = from;
+      into[n++] = to + away;
+      into[n++] = from + away;
+    }
+  }
+  return n;
+}
+
+/** Into `scratchWeight`: 1 for triangles that face the light; for others 0, or -1 where the mesh has no inside. */
+function weigh({ triangles, closed }: MeshShape, positions: Float32Array, light: LightPlace): void {
+  const count = triangles.length / 3;
+  if (scratchWeight.length < count) scratchWeight = new Int8Array(count);
+  for (let t = 0; t < count; t++) {
+    const a = (triangles[t * 3] ?? 0) * 3;
+    const b = (triangles[t * 3 + 1] ?? 0) * 3;
+    const c = (triangles[t * 3 + 2] ?? 0) * 3;
+    const ax = positions[a] ?? 0;
+    const ay = positions[a + 1] ?? 0;
+    const az = positions[a + 2] ?? 0;
+    const ux = (positions[b] ?? 0) - ax;
+    const uy = (positions[b + 1] ?? 0) - ay;
+    const uz = (positions[b + 2] ?? 0) - az;
+    const vx = (positions[c] ?? 0) - ax;
+    const vy = (positions[c + 1] ?? 0) - ay;
+    const vz = (positions[c + 2] ?? 0) - az;
+    const facing =
+      (uy * vz - uz * vy) * (light.x - ax * light.w) +
+      (uz * vx - ux * vz) * (light.y - ay * light.w) +
+      (ux * vy - uy * vx) * (light.z - az * light.w);
+    scratchWeight[t] = facing > 0 ? 1 : closed ? 0 : -1;
+  }
+}

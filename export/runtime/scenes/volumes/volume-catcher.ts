@@ -1,0 +1,43 @@
+import { type IUniform, type Texture, Vector2, Vector4 } from 'three';
+import type { NumberView, VectorView } from '../../../../nodes/kit/runtime.ts';
+import type { ShaderPatch } from '../materials/shader-patch.ts';
+import { createCatcherMaterial, followSides, type ShadowCatcher } from '../materials/shadow-catcher.ts';
+import { KNOWN_SHADOW_FRAGMENT } from '../materials/shadow-catcher-shader.ts';
+import { type BlockedPictureOptions, createBlockedPicture } from './blocked-picture.ts';
+
+export interface VolumeCatcherOptions extends BlockedPictureOptions {
+  readonly strength: NumberView;
+  readonly color: VectorView;
+  readonly occlusion: ShaderPatch | null;
+}
+
+/** Catches shadows by shadow volumes: their edges are sharp and lie where the edges of the triangles say. */
+export function createVolumeCatcher(options: VolumeCatcherOptions): ShadowCatcher {
+  const { strength, color, occlusion } = options;
+  const blocked = createBlockedPicture(options);
+  const blockedPart: IUniform<Texture | null> = { value: null };
+  const uniforms = {
+    strength: { value: 0 },
+    shadowColor: { value: new Vector4() },
+    blockedPart,
+    viewportStart: { value: new Vector2() },
+  };
+  return {
+    createTwin: (master) => {
+      const material = createCatcherMaterial(KNOWN_SHADOW_FRAGMENT, uniforms, occlusion);
+      const sync = (): void => followSides(material, master);
+      sync();
+      return { material, sync, dispose: () => material.dispose() };
+    },
+    update: (receivers, lights) => {
+      uniforms.strength.value = strength.value;
+      uniforms.shadowColor.value.fromArray(color.value);
+      blocked.update(receivers, lights);
+    },
+    beforeDraw: (view) => {
+      blockedPart.value = blocked.draw(view);
+      uniforms.viewportStart.value.set(view.viewport.x, view.viewport.y);
+    },
+    dispose: blocked.dispose,
+  };
+}

@@ -1,0 +1,65 @@
+import type { BufferGeometry, Mesh, Object3D, Scene } from 'three';
+import type { ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
+import { isInstanced, materialsOf } from '../proxies/drawable.ts';
+import { type Caster, createCaster } from './caster.ts';
+import { castsAsSolid, isShapedByPicture } from './casting-material.ts';
+import { createMeshShape, type MeshShape } from './mesh-shape.ts';
+import type { VolumeLamp } from './volume-lamp.ts';
+
+/** The volumes of all casters in one scene: built when a list or the lights changed, else only moved. */
+export interface VolumeSet {
+  update(lamps: readonly VolumeLamp[], relit: boolean): void;
+  dispose(): void;
+}
+
+/** Told the name of something that casts and whose shape a picture makes, every frame. */
+export type TellShaped = (name: string) => void;
+
+export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], tellShaped: TellShaped): VolumeSet {
+  const casters: Caster[] = [];
+  const watch = createVersionWatch();
+  const shapes = new WeakMap<BufferGeometry, MeshShape>();
+  let shaped: string | null = null;
+
+  function clear(): void {
+    for (const caster of casters) caster.dispose();
+    casters.length = 0;
+  }
+
+  /** Of a geometry with one material, found once: it does not depend on what the material is like. */
+  function shapeOf(mesh: Mesh): MeshShape {
+    const { geometry } = mesh;
+    const materials = materialsOf(mesh);
+    if (Array.isArray(mesh.material)) return createMeshShape(geometry, (i) => materials[i] !== undefined && castsAsSolid(materials[i]));
+    const shape = shapes.get(geometry) ?? createMeshShape(geometry, () => true);
+    shapes.set(geometry, shape);
+    return shape;
+  }
+
+  function add(object: Object3D, item: ObjectItem, lamps: readonly VolumeLamp[]): void {
+    // Lines and points have no inside, and hardly a shadow.
+    if (!isMesh(object)) return;
+    const shape = shapeOf(object);
+    if (materialsOf(object).some((material) => castsAsSolid(material) && isShapedByPicture(material))) shaped ??= object.name || item.key;
+    const count = isInstanced(object) ? object.count : 1;
+    for (let i = 0; i < count; i++) casters.push(createCaster(scene, object, item, i, shape, lamps));
+  }
+
+  return {
+    update: (lamps, relit) => {
+      if (watch.changed(lists) || relit) {
+        clear();
+        shaped = null;
+        for (const { items } of lists) for (const item of items) item.root.traverse((object) => add(object, item, lamps));
+      }
+      if (shaped !== null) tellShaped(shaped);
+      for (let i = 0; i < casters.length; i++) casters[i]?.update();
+    },
+    dispose: clear,
+  };
+}
+
+function isMesh(object: Object3D): object is Mesh {
+  return 'isMesh' in object;
+}

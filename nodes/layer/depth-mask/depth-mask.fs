@@ -1,0 +1,34 @@
+/*{
+  "ISFVSN": "2",
+  "SCRIM_TITLE": "Depth mask",
+  "DESCRIPTION": "White where what is seen lies within a range of distances.",
+  "CREDIT": "Scrim",
+  "CATEGORIES": ["Mask", "Depth"],
+  "SCRIM_DEPTH": "none",
+  "INPUTS": [
+    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "Whose depth counts.", "OPTIONAL": true },
+    { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far away the real room is.", "OPTIONAL": true },
+    { "NAME": "nearM", "TYPE": "float", "MIN": 0.0, "MAX": 20.0, "DEFAULT": 0.5, "UNIT": "m" },
+    { "NAME": "farM", "TYPE": "float", "MIN": 0.0, "MAX": 20.0, "DEFAULT": 1.5, "UNIT": "m" },
+    { "NAME": "softnessM", "TYPE": "float", "MIN": 0.0, "MAX": 5.0, "DEFAULT": 0.1, "UNIT": "m" },
+    { "NAME": "invert", "TYPE": "bool", "DEFAULT": false }
+  ]
+}*/
+
+// A tenth of a millimetre: a hard edge.
+const float LEAST_M = 0.0001;
+
+// Metres along the view's axis to what is seen: the nearer of the two, where both are known; 0 where none is.
+float seenM() {
+  float layerM = LAYER_DEPTH(layer, isf_FragNormCoord);
+  float roomM = ROOM_DEPTH(depth, isf_FragNormCoord);
+  if (layerM <= 0.0) return roomM;
+  return roomM > 0.0 ? min(layerM, roomM) : layerM;
+}
+
+void main() {
+  float m = seenM();
+  float outside = max(nearM - m, m - farM);
+  float shown = m > 0.0 ? 1.0 - clamp(outside / max(softnessM, LEAST_M), 0.0, 1.0) : 0.0;
+  gl_FragColor = vec4(vec3(invert ? 1.0 - shown : shown), 1.0);
+}

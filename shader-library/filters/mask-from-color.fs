@@ -1,0 +1,35 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Makes a mask of what has one colour: white there, black elsewhere. Shadow and light on a thing change its brightness more than its colour, so brightness may count less.",
+  "CREDIT": "Scrim. Colour differences: Rec. ITU-R BT.709",
+  "CATEGORIES": ["Mask", "Key", "Colour range", "Matte", "Select"],
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to look at, such as the camera's picture." },
+    { "NAME": "keyColor", "TYPE": "color", "LABEL": "Colour", "DOC": "The colour to find.", "DEFAULT": [0.8, 0.15, 0.1, 1.0] },
+    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a colour may differ and still be white in the mask. 0.5 is as far as full blue is from grey.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.12, "UNIT": "ratio" },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How much further it is to black: smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "UNIT": "ratio" },
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness counts", "DOC": "How much a difference in brightness counts: 0 not at all, 1 as much as one in colour.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Change black and white over.", "DEFAULT": false }
+  ]
+}*/
+
+const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
+
+// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), so that both reach from -0.5 to 0.5.
+const vec2 RANGE = vec2(1.8556, 1.5748);
+
+// A quarter of a step of 8 bits: a hard edge.
+const float LEAST = 0.001;
+
+// Cb, Cr and the luma, as far as it counts.
+vec3 placeOf(vec3 color) {
+  float luma = dot(color, LUMA_709);
+  return vec3((color.br - luma) / RANGE, luma * brightness);
+}
+
+void main() {
+  vec4 color = IMG_THIS_PIXEL(inputImage);
+  float apart = distance(placeOf(color.rgb), placeOf(keyColor.rgb));
+  float shown = color.a * (1.0 - clamp((apart - tolerance) / max(softness, LEAST), 0.0, 1.0));
+  gl_FragColor = vec4(vec3(invert ? 1.0 - shown : shown), 1.0);
+}

@@ -1,0 +1,35 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Shows one layer where a mask is bright and another one in the rest: black and white in this region, charcoal around it.",
+  "CREDIT": "Scrim. Mask values: W3C CSS Masking Module Level 1, section 6.10",
+  "CATEGORIES": ["Composite", "Mask", "Matte", "Local", "Region", "Switch", "Select"],
+  "SCRIM_ALPHA": "premultiplied",
+  "SCRIM_DEPTH": "same",
+  "INPUTS": [
+    { "NAME": "inside", "TYPE": "image", "LABEL": "Inside", "DOC": "The layer to show where the mask is bright. Depth is taken from here." },
+    { "NAME": "outside", "TYPE": "image", "LABEL": "Outside", "DOC": "The layer to show in the rest." },
+    { "NAME": "mask", "TYPE": "image", "LABEL": "Mask", "DOC": "Which of them shows where: any layer, such as an Object mask, a picture, a key or a shadow." },
+    { "NAME": "source", "TYPE": "long", "LABEL": "Mask by", "DOC": "Brightness: white is inside and black outside, as Rec. 709 luma times alpha. Alpha: opaque is inside and transparent outside.", "VALUES": [0, 1], "LABELS": ["Brightness", "Alpha"], "DEFAULT": 0 },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Change inside and outside over.", "DEFAULT": false }
+  ]
+}*/
+
+const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
+
+void main() {
+  vec4 within = IMG_THIS_PIXEL(inside);
+  vec4 around = IMG_THIS_PIXEL(outside);
+  vec4 stencil = IMG_THIS_PIXEL(mask);
+  // Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+#ifndef SCRIM
+  within.rgb *= within.a;
+  around.rgb *= around.a;
+  stencil.rgb *= stencil.a;
+#endif
+  float shown = source == 1 ? stencil.a : dot(stencil.rgb, LUMA_709);
+  vec4 result = mix(around, within, invert ? 1.0 - shown : shown);
+#ifndef SCRIM
+  if (result.a > 0.0) result.rgb /= result.a;
+#endif
+  gl_FragColor = result;
+}
