@@ -2,11 +2,13 @@ import { useCallback, useMemo, useState } from 'react';
 import { showChord } from '../shell/chord.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import { itemOf } from '../state/layout-items.ts';
 import { selectOnly } from '../state/selection.ts';
 import { selectedSubgraph } from '../state/subgraphs.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
 import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import type { ItemNode } from './project-items.ts';
 
 interface OpenMenu {
   readonly x: number;
@@ -29,6 +31,7 @@ const ON_NODE = [
   'graph.swap',
   'graph.collapse',
   'graph.subgraph',
+  'graph.frame',
   'line',
   'view.code',
   'view.fit-selection',
@@ -36,8 +39,17 @@ const ON_NODE = [
   'edit.delete',
 ] as const;
 const ON_SUBGRAPH = ['graph.enter', 'graph.independent', 'graph.unpack', 'line', ...ON_NODE] as const;
-const ON_WIRE = ['graph.add', 'line', 'edit.delete'] as const;
-const ON_PANE = ['graph.add', 'graph.import-shadertoy', 'edit.paste', 'line', 'edit.select-all', 'view.fit'] as const;
+const ON_WIRE_OR_ITEM = { wire: ['graph.add', 'line', 'edit.delete'], item: ['edit.delete'] } as const;
+const ON_PANE = [
+  'graph.add',
+  'graph.import-shadertoy',
+  'graph.frame',
+  'graph.note',
+  'edit.paste',
+  'line',
+  'edit.select-all',
+  'view.fit',
+] as const;
 
 /** Which menu the secondary button opened, and for what. */
 export function useCanvasMenu() {
@@ -51,13 +63,18 @@ export function useCanvasMenu() {
     () => ({
       open,
       close: () => setOpen(null),
-      onNode: (event: PointerPlace, node: CanvasNode) => {
+      onNode: (event: PointerPlace, node: CanvasNode | ItemNode) => {
+        if (itemOf(node.id) !== null) {
+          selectOnly(editor.selection, [], [], [node.id]);
+          show(event, ON_WIRE_OR_ITEM.item);
+          return;
+        }
         if (!editor.selection.getState().nodes.has(node.id)) selectOnly(editor.selection, [node.id]);
         show(event, selectedSubgraph(editor) === null ? ON_NODE : ON_SUBGRAPH);
       },
       onWire: (event: PointerPlace, wire: CanvasWire) => {
         selectOnly(editor.selection, [], [wire.id]);
-        show(event, ON_WIRE);
+        show(event, ON_WIRE_OR_ITEM.wire);
       },
       onPane: (event: PointerPlace | MouseEvent) => show(event, ON_PANE),
     }),

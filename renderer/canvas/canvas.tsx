@@ -9,7 +9,7 @@ import {
   useReactFlow,
 } from '@xyflow/react';
 import '@xyflow/react/dist/base.css';
-import { useRef } from 'react';
+import { useMemo, useRef } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { Breadcrumb } from './breadcrumb.tsx';
 import { CanvasControls } from './canvas-controls.tsx';
@@ -18,16 +18,19 @@ import './canvas.css';
 import './far-view.css';
 import { ConnectionHint } from './connection-hint.tsx';
 import { useFileDrop } from './file-drop.ts';
+import { FrameView, NoteView } from './item-view.tsx';
 import { NodeView } from './node-view.tsx';
 import { PaletteHost } from './palette-host.tsx';
 import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import type { ItemNode } from './project-items.ts';
 import { useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
+import { useMiddle } from './use-middle.ts';
 import { useReveal } from './use-reveal.ts';
 import { useWheel } from './use-wheel.ts';
 import { WireInHand, WireView } from './wire-view.tsx';
 
-const NODE_TYPES = { scrim: NodeView };
+const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView };
 const WIRE_VIEWS = { scrim: WireView };
 const SNAP: [number, number] = [8, 8];
 /** Further out than this, names are all that can be read. */
@@ -47,20 +50,22 @@ export function Canvas() {
 }
 
 function CanvasInside() {
-  const { nodes, wires } = useCanvasView();
-  const flow = useReactFlow<CanvasNode, CanvasWire>();
+  const { nodes, wires, items } = useCanvasView();
+  const all = useMemo(() => [...items, ...nodes], [items, nodes]);
+  const flow = useReactFlow<CanvasNode | ItemNode, CanvasWire>();
   const root = useRef<HTMLDivElement>(null);
   const menu = useCanvasMenu();
   const panOnScroll = useWheel(root);
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
+  useMiddle(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
 
   return (
     <div ref={root} tabIndex={-1} className={far ? 'canvas canvas-far' : 'canvas'} {...drop.handlers}>
-      <ReactFlow<CanvasNode, CanvasWire>
-        nodes={nodes}
+      <ReactFlow<CanvasNode | ItemNode, CanvasWire>
+        nodes={all}
         edges={wires}
         nodeTypes={NODE_TYPES}
         edgeTypes={WIRE_VIEWS}
@@ -106,12 +111,12 @@ function CanvasInside() {
         aria-label="Graph"
       >
         <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
-        <MiniMap<CanvasNode>
+        <MiniMap<CanvasNode | ItemNode>
           position="bottom-right"
           pannable
           zoomable
           ariaLabel="Overview of the graph"
-          nodeColor={(node) => (node.data.type ? WIRE_TYPES[node.data.type].color : 'var(--line-strong)')}
+          nodeColor={minimapColor}
           nodeBorderRadius={6}
           maskColor="var(--minimap-mask)"
         />
@@ -119,12 +124,17 @@ function CanvasInside() {
         <ConnectionHint />
         <Breadcrumb />
       </ReactFlow>
-      {nodes.length === 0 && <EmptyCanvas />}
+      {all.length === 0 && <EmptyCanvas />}
       {drop.over && <div className="canvas-drop">Drop models, pictures or ISF shaders here</div>}
       <CanvasMenu menu={menu.open} onClose={menu.close} />
       <PaletteHost toCanvas={flow.screenToFlowPosition} canvas={root} />
     </div>
   );
+}
+
+function minimapColor(node: CanvasNode | ItemNode): string {
+  if (node.type !== 'scrim') return 'var(--minimap-mask)';
+  return node.data.type ? WIRE_TYPES[node.data.type].color : 'var(--line-strong)';
 }
 
 function EmptyCanvas() {

@@ -4,19 +4,25 @@ import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useNodeProblems } from '../shell/use-problems.ts';
 import { graphOf, layoutOf } from '../state/document.ts';
 import { type CanvasView, createCanvasProjection } from './project-canvas.ts';
+import { createItemsProjection, type ItemNode } from './project-items.ts';
 
 /** The open graph as React Flow draws it. */
-export function useCanvasView(): CanvasView {
+export function useCanvasView(): CanvasView & { readonly items: readonly ItemNode[] } {
   const editor = useEditor();
   const project = useMemo(createCanvasProjection, []);
   const graph = useDocument(graphOf);
   const layout = useDocument(layoutOf);
   const library = useDocument((state) => state.library);
   const selection = useStore(editor.selection);
-  const { expanded, offered, dragged, wireUnder } = useStore(editor.canvas);
+  const { expanded, offered, dragged, wireUnder, resized } = useStore(editor.canvas);
   const problems = useNodeProblems();
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
-  return useMemo(
+  const projectItems = useMemo(createItemsProjection, []);
+  const items = useMemo(
+    () => projectItems({ layout, selected: selection.items, dragged, resized }),
+    [projectItems, layout, selection.items, dragged, resized],
+  );
+  const view = useMemo(
     () =>
       project({
         graph,
@@ -31,4 +37,5 @@ export function useCanvasView(): CanvasView {
       }),
     [project, graph, layout, library, selection, shown, dragged, problems, wireUnder],
   );
+  return useMemo(() => ({ ...view, items }), [view, items]);
 }

@@ -3,23 +3,26 @@ import { type MouseEvent as ReactMouseEvent, useCallback, useRef } from 'react';
 import { subgraphName } from '../../export/graph/names.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '../state/canvas.ts';
-import { nodeOf } from '../state/document.ts';
-import { connect, explainRefusal, moveNodes, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
+import { layoutOf, nodeOf } from '../state/document.ts';
+import { connect, explainRefusal, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
+import type { Editor } from '../state/editor.ts';
 import { dropOnWire } from '../state/insert-on-wire.ts';
+import { boxOfItem, contentOf, itemOf, moveAll } from '../state/layout-items.ts';
 import { changeSelection, type SelectionChange } from '../state/selection.ts';
 import { openSubgraph } from '../state/subgraphs.ts';
 import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import type { ItemNode } from './project-items.ts';
 import { wireBehind } from './wire-behind.ts';
 
 /** What pointer and keys on the canvas do: selection, wires, places. */
 export function useGestures(toCanvas: (client: Place) => Place, toClient: (canvas: Place) => Place) {
   const editor = useEditor();
   const onNodesChange = useCallback(
-    (changes: NodeChange<CanvasNode>[]) => {
+    (changes: NodeChange<CanvasNode | ItemNode>[]) => {
       changeSelection(editor.selection, selectionChanges('node', changes));
       const moved = changes.filter((change) => change.type === 'position');
       const places: Record<string, Place> = {};
-      for (const { id, position } of moved) if (position) places[id] = position;
+      for (const { id, position } of moved) if (position) Object.assign(places, withContent(editor, id, position), { [id]: position });
       if (moved.length === 0) return;
       dragTo(editor.canvas, places);
       const [only] = moved.length === 1 ? moved : [];
@@ -32,7 +35,7 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
       const dragged = endDrag(editor.canvas);
       const place = only && dragged[only.id];
       if (only && place && wireUnder !== null) dropOnWire(editor, only.id, place, wireUnder);
-      else moveNodes(editor, dragged);
+      else moveAll(editor, dragged);
     },
     [editor, toClient],
   );
@@ -93,14 +96,14 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
     [editor],
   );
   const onNodeEnter = useCallback(
-    (_event: unknown, node: CanvasNode) => {
+    (_event: unknown, node: CanvasNode | ItemNode) => {
       if (editor.canvas.getState().inHand?.side === 'output') offerParams(editor.canvas, node.id);
     },
     [editor],
   );
   const onNodeLeave = useCallback(() => offerParams(editor.canvas, null), [editor]);
   const onNodeDoubleClick = useCallback(
-    (_event: unknown, { id }: CanvasNode) => {
+    (_event: unknown, { id }: CanvasNode | ItemNode) => {
       const name = subgraphName(nodeOf(editor.document.getState(), id)?.type ?? '');
       if (name !== null) openSubgraph(editor, name);
     },
@@ -150,11 +153,21 @@ function endsOf({ source, sourceHandle, target, targetHandle }: Connection | Edg
   return { from: { node: source, port: sourceHandle }, to: { node: target, port: targetHandle } };
 }
 
+/** Where what lies in a dragged frame is then. */
+function withContent(editor: Editor, id: string, { x, y }: Place): Readonly<Record<string, Place>> {
+  const frame = boxOfItem(layoutOf(editor.document.getState()), id);
+  if (!frame) return {};
+  const content = Object.entries(contentOf(editor, id));
+  return Object.fromEntries(content.map(([inside, place]) => [inside, { x: place.x + x - frame.x, y: place.y + y - frame.y }]));
+}
+
 function selectionChanges(
-  kind: SelectionChange['kind'],
-  changes: readonly (NodeChange<CanvasNode> | EdgeChange<CanvasWire>)[],
+  kind: 'node' | 'wire',
+  changes: readonly (NodeChange<CanvasNode | ItemNode> | EdgeChange<CanvasWire>)[],
 ): SelectionChange[] {
-  return changes.flatMap((change) => (change.type === 'select' ? [{ kind, id: change.id, selected: change.selected }] : []));
+  return changes.flatMap((change) =>
+    change.type === 'select' ? [{ kind: itemOf(change.id) === null ? kind : 'item', id: change.id, selected: change.selected }] : [],
+  );
 }
 
 function clientOf(event: MouseEvent | TouchEvent): Place {

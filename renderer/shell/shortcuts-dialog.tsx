@@ -1,4 +1,5 @@
 import { appCommand, appCommandIds } from '../state/app-commands.ts';
+import { IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { showChord } from './chord.ts';
 import { useEditor } from './editor-context.ts';
@@ -11,6 +12,7 @@ const POINTER: readonly (readonly [string, string])[] = [
   ['Add a node', 'Double-click, or let go of a wire over the canvas'],
   ['Put a node into a wire', 'Drag it onto the wire, or double-click the wire'],
   ['Open a subgraph', 'Double-click it'],
+  ['Move a frame with what is in it', 'Drag its head'],
   ['Take a wire off', 'Pull its end away'],
   ['Change a number', 'Drag it sideways; Shift for large, Alt for fine steps'],
   ['Let a number follow an expression', 'Type = and the expression: =sin(time) * 2'],
@@ -20,6 +22,10 @@ export function ShortcutsDialog({ onClose }: { readonly onClose: () => void }) {
   const { mac } = useEditor();
   return (
     <Dialog title="Keyboard and pointer" onClose={onClose} wide>
+      {/* First, at the top: whoever has no pointer scrolls from here. */}
+      <span className="shortcuts-close">
+        <IconButton icon="close" label="Close" onPress={onClose} />
+      </span>
       <div className="shortcuts">
         <dl>
           {appCommandIds().map((id) => {

@@ -37,6 +37,8 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'graph.add',
       'graph.swap',
       'graph.collapse',
+      'graph.frame',
+      'graph.note',
       'line',
       'graph.subgraph',
       'graph.enter',

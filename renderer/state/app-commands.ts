@@ -1,10 +1,12 @@
 import { redo, undo } from './apply.ts';
 import { align, distribute, tidy } from './arrange.ts';
+import type { Place } from './canvas.ts';
 import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from './clipboard.ts';
 import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from './edit-graph.ts';
 import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { exportPage, newProject, openProject, save, saveAs } from './files.ts';
+import { addFrame, addNote } from './layout-items.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
 import { type BottomTab, revealNodes } from './ui.ts';
@@ -25,7 +27,7 @@ export interface AppCommand {
 const always = () => true;
 const isOpen = ({ document }: Editor) => document.getState().open !== null;
 const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
-const hasSelection = ({ selection }: Editor) => selection.getState().nodes.size + selection.getState().wires.size > 0;
+const hasSelection = ({ selection }: Editor) => Object.values(selection.getState()).some((set: ReadonlySet<string>) => set.size > 0);
 
 const hasSeveral = ({ selection }: Editor) => selection.getState().nodes.size > 1;
 const hasOneNode = ({ selection }: Editor) => soleNode(selection.getState()) !== null;
@@ -88,6 +90,8 @@ const COMMANDS = {
     run: (editor) => openSubgraph(editor, selectedSubgraph(editor) ?? ''),
   },
   'graph.leave': { label: 'Leave the subgraph', chords: ['U'], enabled: isInside, run: leaveSubgraph },
+  'graph.frame': { label: 'Add a frame', chords: ['C'], enabled: isOpen, run: (editor) => void addFrame(editor, middleOfCanvas(editor)) },
+  'graph.note': { label: 'Add a note', chords: ['N'], enabled: isOpen, run: (editor) => void addNote(editor, middleOfCanvas(editor)) },
   'arrange.tidy': { label: 'Tidy up', chords: ['L'], enabled: isOpen, run: (editor) => void tidy(editor) },
   'arrange.left': { label: 'Align left', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'left') },
   'arrange.centre': { label: 'Align centres', chords: [], enabled: hasSeveral, run: (editor) => void align(editor, 'centre') },
@@ -163,6 +167,11 @@ function openSwapPalette({ ui, selection }: Editor): void {
 }
 
 /** In the middle of the window, which is the middle of the canvas within a few pixels. */
+/** Canvas units: the middle of what is seen. */
+function middleOfCanvas({ canvas }: Editor): Place {
+  return canvas.getState().middle();
+}
+
 function middleOfWindow() {
   return { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
 }

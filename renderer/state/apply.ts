@@ -4,8 +4,9 @@ import { own } from '../../export/graph/own.ts';
 import { MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
-import { graphOf } from './document.ts';
+import { graphOf, layoutOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { boxOfItem } from './layout-items.ts';
 import { inPlainWords } from './plain-words.ts';
 import { keepInSelection } from './selection.ts';
 import { toastDiagnostic } from './ui.ts';
@@ -54,7 +55,13 @@ function takeOver(editor: Editor, project: Project, next: history.History): void
   }));
   const { nodes, wires } = graphOf(editor.document.getState());
   const ids = new Set(wires.map(printWire));
-  keepInSelection(editor.selection, (kind, id) => (kind === 'node' ? own(nodes, id) !== undefined : ids.has(id)));
+  const layout = layoutOf(editor.document.getState());
+  const exists = {
+    node: (id: string) => own(nodes, id) !== undefined,
+    wire: (id: string) => ids.has(id),
+    item: (id: string) => boxOfItem(layout, id) !== undefined,
+  };
+  keepInSelection(editor.selection, (kind, id) => exists[kind](id));
 }
 
 /** The open graph may be one that an undo takes away: then the nearest on the way to it that is left. */

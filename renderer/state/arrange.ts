@@ -26,16 +26,20 @@ export function selectedBoxes(editor: Editor): readonly NodeBox[] {
   return boxesOf(editor, (id) => selected.has(id));
 }
 
-function boxesOf(editor: Editor, isWanted: (id: string) => boolean): readonly NodeBox[] {
+const NO_PORTS: ReadonlySet<string> = new Set();
+
+export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): readonly NodeBox[] {
   const state = editor.document.getState();
   const { nodes, wires } = graphOf(state);
   const places = layoutOf(state).nodes;
   const { expanded } = editor.canvas.getState();
+  const wiredOf = new Map<string, Set<string>>();
+  for (const { to } of wires) wiredOf.set(to.node, (wiredOf.get(to.node) ?? new Set()).add(to.port));
   return Object.entries(nodes)
     .filter(([id]) => isWanted(id))
     .map(([id, node]) => {
       const definition = state.library.definition(node.type);
-      const wired = new Set(wires.filter(({ to }) => to.node === id).map(({ to }) => to.port));
+      const wired = wiredOf.get(id) ?? NO_PORTS;
       const options = { wired, expanded: expanded.has(id), collapsed: own(places, id)?.collapsed === true };
       const { width, height } = definition ? nodeShape(definition, node, options) : { width: 184, height: 64 };
       const { x, y } = own(places, id) ?? { x: 0, y: 0 };

@@ -12,6 +12,16 @@ export interface CanvasState {
   readonly inHand: WireInHand | null;
   /** The wire that a dragged node would go into. */
   readonly wireUnder: string | null;
+  /** Middle of what is seen, canvas units; the page says. */
+  readonly middle: () => Place;
+  /** A frame or note while it is resized. */
+  readonly resized: ResizedItem | null;
+}
+
+export interface ResizedItem extends Place {
+  readonly id: string;
+  readonly width: number;
+  readonly height: number;
 }
 
 export interface Place {
@@ -29,7 +39,15 @@ export type CanvasStore = StoreApi<CanvasState>;
 const NOWHERE: CanvasState['dragged'] = {};
 
 export function createCanvasState(): CanvasStore {
-  return createStore<CanvasState>(() => ({ expanded: new Set(), offered: null, dragged: NOWHERE, inHand: null, wireUnder: null }));
+  return createStore<CanvasState>(() => ({
+    expanded: new Set(),
+    offered: null,
+    dragged: NOWHERE,
+    inHand: null,
+    wireUnder: null,
+    resized: null,
+    middle: () => ({ x: 0, y: 0 }),
+  }));
 }
 
 export function toggleExpanded(store: CanvasStore, node: string): void {
@@ -50,6 +68,10 @@ export function dropWire(store: CanvasStore): void {
 
 export function offerParams(store: CanvasStore, node: string | null): void {
   if (store.getState().offered !== node) store.setState({ offered: node });
+}
+
+export function showResized(store: CanvasStore, resized: ResizedItem | null): void {
+  store.setState({ resized });
 }
 
 export function hoverWire(store: CanvasStore, wireUnder: string | null): void {

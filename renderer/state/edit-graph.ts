@@ -18,6 +18,7 @@ import { takeWire } from './canvas.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
 import { leadThrough } from './insert-on-wire.ts';
+import { itemIds, removeItems } from './layout-items.ts';
 import { inPlainWords } from './plain-words.ts';
 import { selectOnly } from './selection.ts';
 import { toastDiagnostic } from './ui.ts';
@@ -104,8 +105,8 @@ export function addNodeFromPalette(
 
 export function deleteSelection(editor: Editor): boolean {
   const { project, library, graph } = editor.document.getState();
-  const { nodes, wires } = editor.selection.getState();
-  if (nodes.size + wires.size === 0) return false;
+  const { nodes, wires, items } = editor.selection.getState();
+  if (nodes.size + wires.size + items.size === 0) return false;
   const gone = findWires(editor, wires);
   return apply(
     editor,
@@ -114,6 +115,7 @@ export function deleteSelection(editor: Editor): boolean {
       project,
       (before) => disconnect(before, { graph, wires: gone }),
       (before) => removeNodes(before, { library, graph, nodes: [...nodes] }),
+      removeItems(editor, items),
     ),
   );
 }
@@ -146,8 +148,9 @@ export function toggleCollapsed(editor: Editor): boolean {
 }
 
 export function selectAll(editor: Editor): void {
-  const { nodes, wires } = graphOf(editor.document.getState());
-  selectOnly(editor.selection, Object.keys(nodes), wires.map(printWire));
+  const state = editor.document.getState();
+  const { nodes, wires } = graphOf(state);
+  selectOnly(editor.selection, Object.keys(nodes), wires.map(printWire), itemIds(layoutOf(state)));
 }
 
 /** Begins to draw a wire from a port. */

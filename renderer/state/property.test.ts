@@ -5,13 +5,14 @@ import { endGesture, redo, undo } from './apply.ts';
 import { align, distribute } from './arrange.ts';
 import { bindExpression, unbind } from './bind-params.ts';
 import { clipSelection, duplicateSelection, pasteClipping } from './clipboard.ts';
-import { graphOf, nodeOf } from './document.ts';
+import { graphOf, layoutOf, nodeOf } from './document.ts';
 import {
   addNodeFromPalette,
   connect,
   deleteSelection,
   moveNodes,
   removeWires,
+  selectAll,
   swapType,
   toggleCollapsed,
   toggleMuted,
@@ -21,6 +22,7 @@ import { editShader, shaderOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { filesOf } from './files.ts';
 import { dropOnWire } from './insert-on-wire.ts';
+import { addFrame, addNote, contentOf, editItemText, itemIds, moveAll, resizeItem } from './layout-items.ts';
 import { selectOnly } from './selection.ts';
 import {
   leaveSubgraph,
@@ -82,7 +84,7 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
   },
   unwire: (hand) => void removeWires(hand.editor, [wireIn(hand)]),
   select: (hand) => selectOnly(hand.editor.selection, [hand.node(), hand.node()]),
-  selectAll: ({ editor }) => selectOnly(editor.selection, Object.keys(graphOf(editor.document.getState()).nodes)),
+  selectAll: ({ editor }) => selectAll(editor),
   selectOne: (hand) => selectOnly(hand.editor.selection, [hand.node()]),
   move: (hand) => void moveNodes(hand.editor, { [hand.node()]: { x: hand.of([8, -40, 3.3]) ?? 0, y: -0.4 } }),
   drop: (hand) => void dropOnWire(hand.editor, hand.node(), { x: 1, y: 2 }, wireIn(hand)),
@@ -98,12 +100,18 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
     endGesture(hand.editor);
   },
   bind: (hand) => {
-    const node = hand.node();
-    bindExpression(hand.editor, node, portOf(hand, node, 'params'), hand.of(['time', 'sin(time) * 2', '1 +']) ?? 'time');
+    // Few params are numbers.
+    for (let tries = 0; tries < TRIES; tries++) {
+      const node = hand.node();
+      if (bindExpression(hand.editor, node, portOf(hand, node, 'params'), hand.of(['time', 'sin(time) * 2', '1 +']) ?? 'time')) return;
+    }
   },
-  unbind: (hand) => {
-    const node = hand.node();
-    unbind(hand.editor, node, portOf(hand, node, 'params'));
+  unbind: ({ editor, of }) => {
+    const bound = Object.entries(graphOf(editor.document.getState()).nodes).flatMap(([id, { params }]) =>
+      Object.entries(params).flatMap(([param, binding]) => ('expression' in binding ? [[id, param] as const] : [])),
+    );
+    const [node, param] = of(bound) ?? ['', ''];
+    unbind(editor, node, param);
   },
   reset: (hand) => {
     const node = hand.node();
@@ -127,16 +135,33 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
   pack: ({ editor }) => void makeSubgraph(editor),
   unpack: ({ editor }) => void unpackSelected(editor),
   independent: ({ editor }) => void makeIndependent(editor),
-  enter: ({ editor, of }) => openSubgraph(editor, of(Object.keys(editor.document.getState().project.graphs)) ?? ''),
+  enter: ({ editor, of }) =>
+    openSubgraph(editor, of(Object.keys(editor.document.getState().project.graphs).filter((name) => name !== 'main')) ?? ''),
   leave: ({ editor }) => leaveSubgraph(editor),
   rename: ({ editor, of }) => {
     const name = of(Object.keys(editor.document.getState().project.graphs).filter((graph) => graph !== 'main'));
     if (name !== undefined) renameSubgraph(editor, name, of(['Look', 'Film grain', '!']) ?? 'Look');
   },
   show: (hand) => {
+    ACTIONS.enter?.(hand);
     const node = hand.node();
     const side = hand.of(['inputs', 'outputs'] as const) ?? 'inputs';
     setShownOutside(hand.editor, side, { node, port: portOf(hand, node, side) }, hand.of([true, true, false]) ?? true);
+    leaveSubgraph(hand.editor);
+  },
+  frame: ({ editor }) => void addFrame(editor, { x: 10.4, y: -0.2 }),
+  note: ({ editor }) => void addNote(editor, { x: -0.2, y: 3 }),
+  write: ({ editor, of }) => {
+    editItemText(editor, of(itemIds(layoutOf(editor.document.getState()))) ?? '', of(['Water', 'a\nb', '']) ?? '');
+    endGesture(editor);
+  },
+  resize: ({ editor, of }) => {
+    const id = of(itemIds(layoutOf(editor.document.getState()))) ?? '';
+    resizeItem(editor, id, { x: 1.5, y: of([2, -30]) ?? 0, width: 300, height: 200.5 });
+  },
+  moveFrame: ({ editor, of }) => {
+    const id = of(itemIds(layoutOf(editor.document.getState()))) ?? '';
+    moveAll(editor, { ...contentOf(editor, id), [id]: { x: of([5, 50.5]) ?? 0, y: 6 } });
   },
   undo: ({ editor }) => undo(editor),
   redo: ({ editor }) => redo(editor),
@@ -153,6 +178,9 @@ test('whatever people do, undoing all of it gives the same bytes back, and redoi
         const definition = editor.document.getState().library.definition(type);
         if (definition) addNodeFromPalette(editor, { definition, port: null }, { x: 200 * i, y: 30 * i * i }, null);
       }
+      const idOf = (type: string) =>
+        Object.entries(graphOf(editor.document.getState()).nodes).find(([, node]) => node.type === type)?.[0] ?? '';
+      connect(editor, { node: idOf('filter/sepia'), port: 'layer' }, { node: idOf('filter/gaussian-blur'), port: 'inputImage' });
       for (const [name, thrown] of sequence) {
         const before = editor.document.getState().revision;
         ACTIONS[name]?.(handOf(editor, thrown));

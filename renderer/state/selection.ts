@@ -4,28 +4,38 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 export interface Selection {
   readonly nodes: ReadonlySet<string>;
   readonly wires: ReadonlySet<string>;
+  /** Frames and notes, as the canvas calls them (`layout-items.ts`). */
+  readonly items: ReadonlySet<string>;
 }
 
 export type SelectionStore = StoreApi<Selection>;
 
-const NOTHING: Selection = { nodes: new Set(), wires: new Set() };
+const NOTHING: Selection = { nodes: new Set(), wires: new Set(), items: new Set() };
 
 export function createSelection(): SelectionStore {
   return createStore<Selection>(() => NOTHING);
 }
 
-export function selectOnly(store: SelectionStore, nodes: Iterable<string>, wires: Iterable<string> = []): void {
-  const next = { nodes: new Set(nodes), wires: new Set(wires) };
-  const { nodes: oldNodes, wires: oldWires } = store.getState();
-  if (!sameSet(oldNodes, next.nodes) || !sameSet(oldWires, next.wires)) store.setState(next);
+export function selectOnly(
+  store: SelectionStore,
+  nodes: Iterable<string>,
+  wires: Iterable<string> = [],
+  items: Iterable<string> = [],
+): void {
+  const next = { nodes: new Set(nodes), wires: new Set(wires), items: new Set(items) };
+  const old = store.getState();
+  const same = sameSet(old.nodes, next.nodes) && sameSet(old.wires, next.wires) && sameSet(old.items, next.items);
+  if (!same) store.setState(next);
 }
 
 export function selectNothing(store: SelectionStore): void {
   selectOnly(store, []);
 }
 
+export type SelectionKind = 'node' | 'wire' | 'item';
+
 export interface SelectionChange {
-  readonly kind: 'node' | 'wire';
+  readonly kind: SelectionKind;
   readonly id: string;
   readonly selected: boolean;
 }
@@ -35,21 +45,23 @@ export function changeSelection(store: SelectionStore, changes: readonly Selecti
   if (changes.length === 0) return;
   const nodes = new Set(store.getState().nodes);
   const wires = new Set(store.getState().wires);
+  const items = new Set(store.getState().items);
   for (const { kind, id, selected } of changes) {
-    const set = kind === 'node' ? nodes : wires;
+    const set = { node: nodes, wire: wires, item: items }[kind];
     if (selected) set.add(id);
     else set.delete(id);
   }
-  selectOnly(store, nodes, wires);
+  selectOnly(store, nodes, wires, items);
 }
 
 /** Drops what is no longer there, after an undo for example. */
-export function keepInSelection(store: SelectionStore, exists: (kind: 'node' | 'wire', id: string) => boolean): void {
-  const { nodes, wires } = store.getState();
+export function keepInSelection(store: SelectionStore, exists: (kind: SelectionKind, id: string) => boolean): void {
+  const { nodes, wires, items } = store.getState();
   selectOnly(
     store,
     [...nodes].filter((id) => exists('node', id)),
     [...wires].filter((id) => exists('wire', id)),
+    [...items].filter((id) => exists('item', id)),
   );
 }
 

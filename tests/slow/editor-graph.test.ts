@@ -195,3 +195,46 @@ test('nothing that axe-core knows is wrong, in both themes, with a node, a subgr
     }
   }
 });
+
+test('a frame around selected nodes takes them along; a note is written beside them; both are resized and deleted', async () => {
+  const { page, editor } = open;
+  await page.emulateMedia({ colorScheme: 'dark' });
+  await page.keyboard.press('Escape');
+  await title('sepia').click();
+  await page.keyboard.press('c');
+  const frame = page.locator('[data-item^="frame:"]');
+  await frame.waitFor();
+  await page.getByRole('textbox', { name: 'Title of the frame' }).fill('Colours');
+  const before = await centreOf(title('sepia'));
+  const head = await frame.locator('.frame-head').boundingBox();
+  if (!head) throw new Error('The frame has no head.');
+  const handle = { x: head.x + head.width - 12, y: head.y + head.height / 2 };
+  await page.mouse.move(handle.x, handle.y);
+  await page.mouse.down();
+  await page.mouse.move(handle.x, handle.y + 4, { steps: 4 });
+  await page.mouse.move(handle.x, handle.y + 84, { steps: 6 });
+  await page.mouse.up();
+  await page.waitForFunction(
+    (y) => (document.querySelector('[data-node^="sepia"] .node-title')?.getBoundingClientRect().y ?? 0) > y + 40,
+    before.y,
+  );
+  await page.mouse.click(handle.x - 500, handle.y + 300);
+  await page.keyboard.press('n');
+  const note = page.getByRole('textbox', { name: 'Text of the note' });
+  await note.fill('Warm, as in old prints.');
+  const corner = page.locator('.react-flow__resize-control.handle.bottom.right');
+  const from = await centreOf(corner);
+  await editor.drag(from, { x: from.x + 60, y: from.y + 40 });
+  await saved();
+  const layout = JSON.parse(await readFile(join(open.project, 'project.layout.json'), 'utf8'));
+  const { frames, notes } = layout.graphs['old-film'];
+  expect(Object.values(frames)).toEqual([expect.objectContaining({ title: 'Colours' })]);
+  const [written] = Object.values(notes) as { readonly text: string; readonly width: number }[];
+  expect(written?.text).toBe('Warm, as in old prints.');
+  expect(written?.width).toBeGreaterThan(200);
+  await page.locator('[data-item^="note:"]').click({ position: { x: 20, y: 4 } });
+  await page.keyboard.press('Delete');
+  await note.waitFor({ state: 'detached' });
+  await page.keyboard.press('Control+z');
+  await note.waitFor();
+});
