@@ -3,7 +3,7 @@ import { type Change, change, inTurn, unchanged } from '../../export/graph/comma
 import { setSource } from '../../export/graph/commands/sources.ts';
 import { copyOfGraph } from '../../export/graph/commands/unpack-subgraph.ts';
 import { loadProject, type ProjectTexts } from '../../export/graph/load.ts';
-import { shaderFileOf, subgraphName, subgraphType } from '../../export/graph/names.ts';
+import { shaderFilesOf, subgraphName, subgraphType } from '../../export/graph/names.ts';
 import { newProject } from '../../export/graph/new-project.ts';
 import { own } from '../../export/graph/own.ts';
 import { type Graph, type GraphNode, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
@@ -25,7 +25,7 @@ export function broughtBy(project: Project, nodes: readonly GraphNode[]): Brough
     graphs[name] = graph;
     all.push(...Object.values(graph.nodes));
   }
-  const stems = new Set(all.map(({ type }) => shaderFileOf(type).replace(/\.\w+$/, '')));
+  const stems = new Set(all.flatMap(({ type }) => shaderFilesOf(type).map(stem)));
   const sources = pick(project.sources, (file) => stems.has(file.replace(/\.\w+$/, '')));
   const values = new Set(
     all.flatMap(({ params }) => Object.values(params).flatMap((binding) => ('value' in binding ? [binding.value] : []))),
