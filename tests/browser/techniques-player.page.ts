@@ -37,3 +37,26 @@ export async function play(first: Program, acts: readonly Act[]) {
   player.dispose();
   return { shown, outcomes, errors, programs, diagnostics: diagnostics(), error: gl.getError() };
 }
+
+/** What the middle of each of two eyes shows, 10 m apart; after the program was replaced by itself, too. */
+export async function eyes(program: Program) {
+  const gl = createGl({ depth: true });
+  const { player, diagnostics } = await stand(program, { gl, modules: RUNTIMES, createScenes });
+  const views = [-5, 5].map((x, i) => {
+    const seen = view((i * WIDTH) / 2, 0, WIDTH / 2, HEIGHT, { eye: i === 0 ? 'left' : 'right' });
+    seen.worldFromView[12] = x;
+    seen.viewFromWorld[12] = -x;
+    return seen;
+  });
+  player.setSession({ world: 'none', blend: 'opaque' });
+  const { shaderErrors } = await player.ready;
+  const middles = (): number[][] => [WIDTH / 4, (3 * WIDTH) / 4].map((x) => pixel(gl, x, HEIGHT / 2));
+  player.draw(frame(0, views));
+  const first = middles();
+  await player.replaceProgram(structuredClone(program));
+  player.draw(frame(1, views));
+  const again = middles();
+  const { textures } = player.counts();
+  player.dispose();
+  return { first, again, textures, left: player.counts().textures, shaderErrors, diagnostics: diagnostics(), error: gl.getError() };
+}

@@ -104,6 +104,49 @@ describe('a technique of the project', () => {
   });
 });
 
+const WINDOW = `/*{ "DESCRIPTION": "A window.", "INPUTS": [{ "NAME": "behind", "TYPE": "image", "LABEL": "Behind" }],
+"IMPORTED": { "strokes": { "PATH": "pictures/hatching-light.png" } } }*/
+vec4 surface(const in Surface s) {
+  vec3 paper = texture(strokes, vec2(0.5)).rgb;
+  return vec4(IMG_THIS_PIXEL(behind).rgb, step(-1.0, paper.r));
+}
+`;
+
+test('a technique shows each eye its own side of a layer, and gives back what it had on the GPU', async () => {
+  const made = new TestStudio({ library: LIBRARY, readShader })
+    .source('window.glsl', WINDOW)
+    .add('wall-a', 'objects/primitive', { sizeM: [5, 5, 0.1] })
+    .add('across-a', 'objects/transform', { positionM: [0, 0, -2], scale: 4 })
+    .add('red-a', 'objects/primitive', { color: [1, 0, 0, 1] })
+    .add('left-a', 'objects/transform', { positionM: [-5, 0, -3], scale: 10 })
+    .add('green-a', 'objects/primitive', { color: [0, 1, 0, 1] })
+    .add('right-a', 'objects/transform', { positionM: [5, 0, -3], scale: 10 })
+    .add('back-a', 'layer/scene')
+    .add('window-a', 'technique/window')
+    .add('apply-a', 'objects/apply-technique')
+    .add('front-a', 'layer/scene')
+    .add('screen-a', 'output/screen')
+    .wire('red-a.objects -> left-a.objects', 'left-a.objects -> back-a.objects')
+    .wire('green-a.objects -> right-a.objects', 'right-a.objects -> back-a.objects')
+    .wire('wall-a.objects -> across-a.objects', 'across-a.objects -> apply-a.objects', 'window-a.technique -> apply-a.technique')
+    .wire('back-a.layer -> window-a.behind', 'apply-a.objects -> front-a.objects', 'front-a.layer -> screen-a.layer');
+  interface Eyes {
+    readonly first: readonly number[][];
+    readonly again: readonly number[][];
+    readonly textures: number;
+    readonly left: number;
+  }
+  const { output, diagnostics } = compile({ project: made.project, library: made.library });
+  expect(diagnostics).toEqual([]);
+  const { first, again, textures, left, ...said } = await page.call<Eyes>('eyes', output);
+  expect(said).toEqual({ shaderErrors: [], diagnostics: [], error: 0 });
+  const [[red = 0, none = 1] = [], [nothing = 1, green = 0] = []] = first;
+  expect([red > 80, none < red / 3, green > 80, nothing < green / 3]).toEqual([true, true, true, true]);
+  expect(again).toEqual(first);
+  expect(textures).toBeGreaterThan(left);
+  expect(left).toBe(0);
+});
+
 test('an export holds the techniques that it uses, and nothing to try them with', () => {
   const made = studio(FLAT).add('toon-a', 'technique/toon');
   const program = compiled(made, { sourceMaps: false });

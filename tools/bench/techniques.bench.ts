@@ -1,6 +1,5 @@
 import { join } from 'node:path';
 import type { Browser, Page } from 'playwright-core';
-import type { ProjectFiles } from '../../app/contract/contract.ts';
 import { compileProject } from '../../app/services/compile-project.ts';
 import { readProjectFiles } from '../../app/services/project-files.ts';
 import { listFiles } from '../lib/files.ts';
@@ -9,12 +8,9 @@ import type { Bench } from './bench.ts';
 import { call, openPage, startBenchBrowser } from './open-page.ts';
 
 const SIZE_PX = [640, 480] as const;
-const FRAMES = 5;
+const FRAMES = 3;
 
-/** Over everything in the first example; it would hide what objects cost. */
-const MUTED = ['filter/color-temperature'];
-
-/** A frame of the first example with each technique that ships, against the same with the objects' own materials. */
+/** A frame of a large ball and its shadow on a floor, with each technique that ships, against the same with their own materials. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const files = await listFiles(join(root, 'shader-library', 'techniques'));
   return files.map((file) => against(root, file.replace('.glsl', '')));
@@ -42,31 +38,43 @@ function against(root: string, name: string): Bench {
 
 async function openStyled(browser: Browser, root: string, technique: string | null): Promise<Page> {
   const folder = join(root, 'examples', 'first-light');
-  const files = style(await readProjectFiles(folder), technique);
+  const files = { ...(await readProjectFiles(folder)), project: JSON.stringify(ballProject(technique)) };
   const { program, diagnostics } = await compileProject(folder, files, () => ({ sourceMaps: false }));
-  if (program === null) throw new Error(`The example does not compile with ${technique}: ${JSON.stringify(diagnostics)}`);
+  if (program === null) throw new Error(`The ball does not compile with ${technique}: ${JSON.stringify(diagnostics)}`);
   const page = await openPage(browser, root, 'tools/bench/pages/scrim.page.ts', folder);
   await call(page, 'open', program, '', ...SIZE_PX);
   return page;
 }
 
-interface Document {
-  readonly graphs: {
-    readonly main: { readonly nodes: Record<string, { type: string; version?: number; muted?: boolean }>; wires: string[] };
+function ballProject(technique: string | null): object {
+  const styled = technique === null ? 'every-0000' : 'apply-0000';
+  return {
+    format: 'scrim-project',
+    version: 1,
+    title: 'A ball',
+    graphs: {
+      main: {
+        nodes: {
+          'ball-0000': { type: 'objects/primitive', version: 1, params: { shape: 'sphere', sizeM: [1.6, 1.6, 1.6] } },
+          'floor-0000': { type: 'objects/primitive', version: 1, params: { shape: 'plane', sizeM: [5, 0, 5] } },
+          'every-0000': { type: 'objects/group', version: 1 },
+          'sun-0000': { type: 'light/directional', version: 1 },
+          'scene-0000': { type: 'layer/scene', version: 1 },
+          'screen-0000': { type: 'output/screen', version: 1 },
+          ...(technique !== null && {
+            'style-0000': { type: technique, version: 1 },
+            'apply-0000': { type: 'objects/apply-technique', version: 1 },
+          }),
+        },
+        wires: [
+          'ball-0000.objects -> every-0000.objects',
+          'floor-0000.objects -> every-0000.objects',
+          ...(technique === null ? [] : ['every-0000.objects -> apply-0000.objects', 'style-0000.technique -> apply-0000.technique']),
+          `${styled}.objects -> scene-0000.objects`,
+          'sun-0000.lights -> scene-0000.lights',
+          'scene-0000.layer -> screen-0000.layer',
+        ],
+      },
+    },
   };
-}
-
-/** The project with the technique before whatever a scene draws. */
-function style(files: ProjectFiles, technique: string | null): ProjectFiles {
-  const document = JSON.parse(files.project) as Document;
-  const { main } = document.graphs;
-  for (const node of Object.values(main.nodes)) if (MUTED.includes(node.type)) node.muted = true;
-  if (technique !== null) {
-    const scene = Object.keys(main.nodes).find((id) => main.nodes[id]?.type === 'layer/scene');
-    main.nodes['style-0000'] = { type: technique, version: 1 };
-    main.nodes['apply-0000'] = { type: 'objects/apply-technique', version: 1 };
-    main.wires = main.wires.map((wire) => wire.replace(`-> ${scene}.objects`, '-> apply-0000.objects'));
-    main.wires.push('style-0000.technique -> apply-0000.technique', `apply-0000.objects -> ${scene}.objects`);
-  }
-  return { ...files, project: JSON.stringify(document) };
 }
