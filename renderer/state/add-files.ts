@@ -1,3 +1,4 @@
+import { companionOf } from '../../export/glsl/isf/read-isf.ts';
 import { isShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { putAsset } from '../../export/graph/commands/assets.ts';
 import { inTurn } from '../../export/graph/commands/change.ts';
@@ -5,7 +6,7 @@ import { addNode } from '../../export/graph/commands/nodes.ts';
 import { makeAssetId, makeNodeId } from '../../export/graph/names.ts';
 import type { Asset } from '../../export/graph/project.ts';
 import type { AssetKind, NodeLibrary } from '../../nodes/kit/definition.ts';
-import { addShader } from './add-shader.ts';
+import { addShader, type ForeignShader } from './add-shader.ts';
 import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import type { Editor } from './editor.ts';
@@ -25,6 +26,7 @@ const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly str
 const SHADERS = /\.(fs|glsl)$/i;
 /** What sources of shadertoy.com are kept in. */
 const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;
+const VERTEX_SHADER = /\.vs$/i;
 const STEP_PX = 40;
 
 export function kindOfFile(name: string): AssetKind | 'shader' | null {
@@ -45,10 +47,14 @@ export interface DroppedFile {
   arrayBuffer(): Promise<ArrayBuffer>;
 }
 
-/** Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. */
+/**
+ * Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. A vertex shader
+ * goes with the shader of its name.
+ */
 export async function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   const added: string[] = [];
-  for (const [index, file] of files.entries()) {
+  const { others, vertexOf } = pairShaders(files);
+  for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
     if (shadertoy !== null) {
@@ -58,15 +64,40 @@ export async function addFiles(editor: Editor, files: readonly DroppedFile[], pl
     }
     const kind = kindOfFile(file.name);
     if (kind === null) {
-      const text = `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
+      const text = VERTEX_SHADER.test(file.name)
+        ? `${file.name} goes with a shader of its name: drop both together.`
+        : `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }
     const node =
-      kind === 'shader' ? addShader(editor, { name: file.name, text: await textOf(file) }, at) : await addAssetNode(editor, file, kind, at);
+      kind === 'shader'
+        ? addShader(editor, await readShaderFile(file, vertexOf.get(file)), at)
+        : await addAssetNode(editor, file, kind, at);
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+interface PairedFiles {
+  /** All but the vertex shaders that another file brings along. */
+  readonly others: readonly DroppedFile[];
+  readonly vertexOf: ReadonlyMap<DroppedFile, DroppedFile>;
+}
+
+function pairShaders(files: readonly DroppedFile[]): PairedFiles {
+  const vertexOf = new Map<DroppedFile, DroppedFile>();
+  for (const file of files) {
+    if (!SHADERS.test(file.name)) continue;
+    const vertex = files.find(({ name }) => name.toLowerCase() === companionOf(file.name).toLowerCase());
+    if (vertex) vertexOf.set(file, vertex);
+  }
+  const paired = new Set(vertexOf.values());
+  return { others: files.filter((file) => !paired.has(file)), vertexOf };
+}
+
+async function readShaderFile(file: DroppedFile, vertex: DroppedFile | undefined): Promise<ForeignShader> {
+  return { name: file.name, text: await textOf(file), ...(vertex && { vertex: await textOf(vertex) }) };
 }
 
 /** A file's text where it is a source of shadertoy.com, else null. */

@@ -1,16 +1,25 @@
+import { companionOf } from '../../export/glsl/isf/read-isf.ts';
 import { inTurn } from '../../export/graph/commands/change.ts';
 import { addNode } from '../../export/graph/commands/nodes.ts';
 import { setSource } from '../../export/graph/commands/sources.ts';
-import { isShaderFile, makeNodeId } from '../../export/graph/names.ts';
+import { isShaderFile, makeNodeId, makeShaderFile } from '../../export/graph/names.ts';
 import type { Project } from '../../export/graph/project.ts';
 import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import type { Editor } from './editor.ts';
 import { addToast } from './ui.ts';
 
+/** A shader file from elsewhere. */
+export interface ForeignShader {
+  readonly name: string;
+  readonly text: string;
+  /** Of the vertex shader that came with it. */
+  readonly vertex?: string;
+}
+
 /** One step: the shader as a file of the project, and a node of it; the node's id, or null where something is wrong, which is shown. */
-export function addShader(editor: Editor, file: { readonly name: string; readonly text: string }, place: Place): string | null {
-  const { text } = file;
+export function addShader(editor: Editor, file: ForeignShader, place: Place): string | null {
+  const { text, vertex } = file;
   const { project, graph } = editor.document.getState();
   const name = freeShaderName(project, file.name);
   if (!isShaderFile(name)) {
@@ -33,14 +42,17 @@ export function addShader(editor: Editor, file: { readonly name: string; readonl
   const change = inTurn(
     project,
     (before) => setSource(before, { base, readShader, file: name, text }),
+    ...(vertex === undefined ? [] : [(before: Project) => setSource(before, { base, readShader, file: companionOf(name), text: vertex })]),
     (before) => addNode(before, { library: editor.libraries.of(before), graph, id, type, ...place }),
   );
   return apply(editor, `Add ${name}`, change) ? id : null;
 }
 
 function freeShaderName({ sources }: Project, wanted: string): string {
-  const stem = wanted.replace(/\.[^.]*$/, '');
-  const ending = wanted.slice(stem.length).toLowerCase();
+  const given = wanted.replace(/\.[^.]*$/, '');
+  const ending = wanted.slice(given.length).toLowerCase();
+  // "Glow+More!.fs" is a good name anywhere but in a node's type.
+  const stem = isShaderFile(`${given}${ending}`) ? given : makeShaderFile(given).replace(/\.fs$/, '');
   let name = `${stem}${ending}`;
   for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}${ending}`;
   return name;

@@ -191,4 +191,17 @@ describe('files', () => {
     expect(project.sources['glow.fs']).toBe(isf);
     expect(editor.ui.getState().toasts.at(-1)?.text).toContain('notes.txt');
   });
+
+  test('a shader brings the vertex shader of its name along, and gets a name that a node can have', async () => {
+    const { editor } = await openTestEditor();
+    const file = (name: string, text = '') => ({ name, arrayBuffer: async () => new TextEncoder().encode(text).buffer as ArrayBuffer });
+    const isf =
+      '/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/\nvarying vec2 left;\nvoid main() { gl_FragColor = IMG_NORM_PIXEL(inputImage, left); }';
+    const vertex = 'varying vec2 left;\nvoid main() { isf_vertShaderInit(); left = isf_FragNormCoord; }';
+    await addFiles(editor, [file('Glow+More!.vs', vertex), file('Glow+More!.fs', isf), file('alone.vs', vertex)], { x: 0, y: 0 });
+    const { project } = editor.document.getState();
+    expect(project.sources).toEqual({ 'glow-more.fs': isf, 'glow-more.vs': vertex });
+    expect(Object.values(project.graphs.main?.nodes ?? {}).map(({ type }) => type)).toContain('filter/glow-more');
+    expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual([expect.stringContaining('alone.vs goes with a shader')]);
+  });
 });
