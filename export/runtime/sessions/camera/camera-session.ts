@@ -1,6 +1,7 @@
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
 import { type CanvasFitter, createCanvasFitter } from '../fit-canvas.ts';
+import { createFrameTime } from '../frame-time.ts';
 import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { listenForOrbit } from '../orbit/orbit-input.ts';
@@ -35,6 +36,7 @@ export interface CameraSession extends Session {
  */
 export function createCameraSession({ gl, canvas, clock, stream, sensor }: CameraSessionParts): CameraSession {
   const frame = createSessionFrame();
+  const time = createFrameTime();
   const stand = createCameraStand(sensor);
   const page = canvas.ownerDocument;
   const { video } = stream;
@@ -44,7 +46,6 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
   let handle = 0;
-  let startS: number | null = null;
   let tracked = true;
   let fresh = true;
   let stop: (() => void) | null = null;
@@ -84,11 +85,8 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
     handle = clock.requestFrame(tick);
     fitter?.update();
     if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return;
-    startS ??= nowS;
-    const timeS = nowS - startS;
-    frame.deltaS = Math.max(0, timeS - frame.timeS);
-    frame.timeS = timeS;
-    setTracked(sensor.present || timeS < SENSOR_PATIENCE_S);
+    time.write(frame, nowS);
+    setTracked(sensor.present || frame.timeS < SENSOR_PATIENCE_S);
     if (fresh && video.readyState >= video.HAVE_CURRENT_DATA) {
       picture.upload(video);
       fresh = !knowsFrames(video);

@@ -1,6 +1,7 @@
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
 import { createCanvasFitter } from '../fit-canvas.ts';
+import { createFrameTime } from '../frame-time.ts';
 import { createPageInput } from '../input/page-input.ts';
 import { setFrustum, setRigidInverse } from '../matrix.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
@@ -23,11 +24,11 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
   const { gl, canvas, clock } = options;
   const orbit = createOrbit({ ...ORBIT_DEFAULTS, ...options.start });
   const frame = createSessionFrame();
+  const time = createFrameTime();
   const page = canvas.ownerDocument;
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
   let handle = 0;
-  let startS: number | null = null;
   let stop: (() => void) | null = null;
 
   const tanHalfFovY = (): number => TAN_HALF_FOV / Math.min(1, gl.drawingBufferWidth / gl.drawingBufferHeight);
@@ -48,10 +49,7 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
       handle = clock.requestFrame(tick);
       fitter.update();
       if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return;
-      startS ??= nowS;
-      const timeS = nowS - startS;
-      frame.deltaS = Math.max(0, timeS - frame.timeS);
-      frame.timeS = timeS;
+      time.write(frame, nowS);
       const view = coverCanvas(frame, gl);
       const y = tanHalfFovY();
       const x = (y * view.viewport.widthPx) / view.viewport.heightPx;

@@ -1,6 +1,7 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
+import { createFrameTime } from '../frame-time.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createWebXrInput } from './webxr-input.ts';
@@ -17,16 +18,11 @@ export interface WebXrSessionParts {
   readonly capabilities: ReadonlySet<Capability>;
 }
 
-/**
- * The longest step of time between two frames, seconds. While the session is hidden, the device lost or the graphics away, time
- * stands still: springs and physics go on as if nothing had been, instead of making up for it in one leap.
- */
-const LONGEST_STEP_S = 0.5;
-
 /** A running WebXR session with its own frame loop (ADR 7). */
 export function createWebXrSession(parts: WebXrSessionParts): Session {
   const { gl, session, world, capabilities } = parts;
   const frame = createSessionFrame();
+  const time = createFrameTime();
   /** Null while the context is lost. */
   let surface: WebXrSurface | null = parts.surface;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
@@ -34,9 +30,6 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
-  let lastMs: number | null = null;
-  /** Where the frame's time would be 0. */
-  let startMs = 0;
   let tracked = true;
   let endedBy: 'user' | 'system' | 'page' = 'user';
   let ended: Promise<void> | null = null;
@@ -67,21 +60,12 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     }
     frame.viewCount = count;
   };
-  const takeTime = (timeMs: number): void => {
-    const passedMs = lastMs === null ? 0 : timeMs - lastMs;
-    if (lastMs === null) startMs = timeMs;
-    startMs += Math.max(0, passedMs - LONGEST_STEP_S * 1000);
-    lastMs = timeMs;
-    const timeS = (timeMs - startMs) / 1000;
-    frame.deltaS = Math.max(0, timeS - frame.timeS);
-    frame.timeS = timeS;
-  };
   const tick = (timeMs: number, xrFrame: XRFrame): void => {
     session.requestAnimationFrame(tick);
     const pose = xrFrame.getViewerPose(world);
     setTracked(pose ? !pose.emulatedPosition : false);
     if (!pose || !surface) return;
-    takeTime(timeMs);
+    time.write(frame, timeMs / 1000);
     const { layer } = surface;
     frame.framebuffer = layer.framebuffer;
     frame.framebufferWidthPx = layer.framebufferWidth;
