@@ -6,14 +6,14 @@ import { DEVICE_PROFILES, type DeviceName } from './profiles.ts';
 export class EmulatedDevice extends XRDevice {
   readonly screenInput: ScreenInput;
 
-  constructor(name: DeviceName, fovYRad: number, ipdM: number) {
+  constructor(name: DeviceName, fovYRad: number, ipdM: number, modes: readonly string[]) {
     const profile = DEVICE_PROFILES[name];
     super(
       {
         ...metaQuest3,
         name: `Scrim's emulated ${name}`,
         controllerConfig: profile.controllers ? metaQuest3.controllerConfig : undefined,
-        supportedSessionModes: ['immersive-ar', 'immersive-vr'] as XRDeviceConfig['supportedSessionModes'],
+        supportedSessionModes: [...modes] as XRDeviceConfig['supportedSessionModes'],
         supportedFeatures: [...profile.features] as XRDeviceConfig['supportedFeatures'],
         supportedFrameRates: [60],
         internalNominalFrameRate: 60,

@@ -8,6 +8,8 @@ export interface Emulator {
   /** Takes effect with the next frame. */
   setPose(pose: HeadPose): void;
   setFovY(fovYRad: number): void;
+  /** The device is turned, or its window changes: layers are of this size from the next frame on, as in Chrome on Android. */
+  setSize(sizePx: readonly [width: number, height: number]): void;
   /** While false, frames come without a viewer pose. */
   setTracked(tracked: boolean): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;

@@ -28,7 +28,7 @@ import type { World, WorldSettings } from './world.ts';
 export function installEmulator(options: EmulatorOptions = {}): Emulator {
   const said = withDefaults<EmulatorOptions, keyof SettledDefaults>(EMULATOR_DEFAULTS, options);
   const profile = DEVICE_PROFILES[said.device];
-  const device = new EmulatedDevice(said.device, said.fovYRad ?? profile.fovYRad, said.ipdM);
+  const device = new EmulatedDevice(said.device, said.fovYRad ?? profile.fovYRad, said.ipdM, said.modes);
   let surroundings: OwnedSurroundings | null = null;
   const world: World = {
     device,
@@ -56,6 +56,9 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     setPose: (pose) => setPose(device, pose),
     setFovY: (fovYRad) => {
       device.fovy = fovYRad;
+    },
+    setSize: (sizePx) => {
+      world.settings.sizePx = sizePx;
     },
     setTracked: (tracked) => {
       world.tracked = tracked;

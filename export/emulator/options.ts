@@ -8,6 +8,8 @@ export interface EmulatorOptions {
   readonly device?: DeviceName;
   /** One view covers the framebuffer; two stand side by side. Default: what the device has. */
   readonly views?: 1 | 2;
+  /** What kinds of session it has: AR and VR unless given. */
+  readonly modes?: readonly ('immersive-ar' | 'immersive-vr')[];
   /** What the device sees; null is an endless void without depth or surfaces. */
   readonly room?: RoomSource | null;
   /** `manual`: frames come from `stepFrame` alone, frame N at N/60 s. `free`: with the display. */
@@ -56,6 +58,7 @@ export type SettledDefaults = Required<Omit<EmulatorOptions, 'views' | 'fovYRad'
 
 export const EMULATOR_DEFAULTS: SettledDefaults = {
   device: 'phone',
+  modes: ['immersive-ar', 'immersive-vr'],
   room: null,
   clock: 'free',
   sizePx: null,

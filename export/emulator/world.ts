@@ -27,7 +27,8 @@ export interface World {
 export interface WorldSettings {
   readonly views: 1 | 2;
   readonly features: ReadonlySet<string>;
-  readonly sizePx: readonly [width: number, height: number] | null;
+  /** Of the screen, while that may change; null: the window's when a layer is made. */
+  sizePx: readonly [width: number, height: number] | null;
   readonly depth: Required<DepthOptions>;
   readonly display: boolean;
   readonly requireGesture: boolean;

@@ -8,6 +8,7 @@ import { LAMP } from '../browser/controls-program.ts';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
 import { useBrowser } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
+import { aliveGl, watchGl } from './count-gl.ts';
 import { openXrPage, type XrPage } from './xr-page.ts';
 
 const chromium = useBrowser();
@@ -212,31 +213,11 @@ describe('the controls of a page in a headset', () => {
 
   test('show in the room what was set on the page, and leave nothing behind, again and again', async () => {
     const { xr, layout } = await enter();
-    await xr.page.evaluate(() => {
-      const gl = document.querySelector('canvas')?.getContext('webgl2');
-      if (!gl) throw new Error('The page has no canvas.');
-      const alive = new Set<unknown>();
-      for (const kind of ['Texture', 'Program', 'Shader', 'VertexArray', 'Framebuffer', 'Sampler', 'Buffer'] as const) {
-        const make = gl[`create${kind}` as 'createTexture'].bind(gl);
-        const remove = gl[`delete${kind}` as 'deleteTexture'].bind(gl);
-        Object.assign(gl, {
-          [`create${kind}`]: (type: never) => {
-            const made = (make as (type: never) => WebGLTexture)(type);
-            alive.add(made);
-            return made;
-          },
-          [`delete${kind}`]: (object: WebGLTexture) => {
-            alive.delete(object);
-            remove(object);
-          },
-        });
-      }
-      Object.assign(window, { alive });
-    });
+    await watchGl(xr.page);
     const leave = async () => {
       await xr.page.evaluate(() => scrimEmulator?.current?.endSession());
       await xr.page.getByText('AR has ended').waitFor();
-      return xr.page.evaluate(() => (window as unknown as { alive: Set<unknown> }).alive.size);
+      return aliveGl(xr.page);
     };
     await leave();
     await xr.page.getByRole('radio', { name: 'Cold' }).click();

@@ -5,6 +5,8 @@ export interface LayerTarget {
   readonly framebuffer: WebGLFramebuffer;
   readonly widthPx: number;
   readonly heightPx: number;
+  /** Of another size from now on, and empty; the framebuffer stays the same one. */
+  resize(widthPx: number, heightPx: number): void;
   /** Transparent black and far depth, as every frame begins (WebXR Device API §11.2). */
   clear(): void;
   /** Premultiplied RGBA, rows from the bottom. */
@@ -23,11 +25,13 @@ const SAMPLES = 4;
 
 export function createLayerTarget(
   gl: WebGL2RenderingContext,
-  widthPx: number,
-  heightPx: number,
+  startWidthPx: number,
+  startHeightPx: number,
   { antialias, depth, stencil, alpha }: LayerTargetOptions,
 ): LayerTarget {
   const buffers: WebGLRenderbuffer[] = [];
+  let widthPx = startWidthPx;
+  let heightPx = startHeightPx;
   const colorFormat = alpha ? gl.RGBA8 : gl.RGB8;
   const attach = (attachment: GLenum, format: GLenum, samples: number): void => {
     const buffer = gl.createRenderbuffer();
@@ -40,7 +44,7 @@ export function createLayerTarget(
   const samples = antialias ? Math.min(SAMPLES, gl.getParameter(gl.MAX_SAMPLES) as number) : 0;
   const framebuffer = gl.createFramebuffer();
   const resolved = samples > 0 ? gl.createFramebuffer() : null;
-  borrowGl(gl, () => {
+  const allocate = (): void => {
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     attach(gl.COLOR_ATTACHMENT0, colorFormat, samples);
     if (depth && stencil) attach(gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH24_STENCIL8, samples);
@@ -50,15 +54,30 @@ export function createLayerTarget(
       gl.bindFramebuffer(gl.FRAMEBUFFER, resolved);
       attach(gl.COLOR_ATTACHMENT0, colorFormat, 0);
     }
-  });
+  };
+  const free = (): void => {
+    for (const buffer of buffers.splice(0)) gl.deleteRenderbuffer(buffer);
+  };
+  borrowGl(gl, allocate);
 
   /** Of a context that was lost nothing is left, when it is back either: pages make a new layer then. */
   const isGone = (): boolean => gl.isContextLost() || !gl.isFramebuffer(framebuffer);
 
   return {
     framebuffer,
-    widthPx,
-    heightPx,
+    get widthPx() {
+      return widthPx;
+    },
+    get heightPx() {
+      return heightPx;
+    },
+    resize: (toWidthPx, toHeightPx) => {
+      if (isGone()) return;
+      widthPx = toWidthPx;
+      heightPx = toHeightPx;
+      free();
+      borrowGl(gl, allocate);
+    },
     clear: () => {
       if (isGone()) return;
       borrowGl(gl, () => {
@@ -95,7 +114,7 @@ export function createLayerTarget(
     dispose: () => {
       gl.deleteFramebuffer(framebuffer);
       gl.deleteFramebuffer(resolved);
-      for (const buffer of buffers) gl.deleteRenderbuffer(buffer);
+      free();
     },
   };
 }

@@ -22,6 +22,7 @@ const SCALE_LIMITS = { min: 0.2, max: 1 };
 export class EmulatedLayer extends XRLayer {
   readonly [P_WEBGL_LAYER]: { session: EmulatedSession; context: WebGL2RenderingContext; antialias: boolean };
   readonly target: LayerTarget;
+  readonly #scale: number;
 
   constructor(session: EmulatedSession, context: WebGL2RenderingContext, init: LayerInit = {}) {
     super();
@@ -35,11 +36,8 @@ export class EmulatedLayer extends XRLayer {
     }
     const antialias = init.antialias ?? true;
     const { world, disposers } = session[P_EMULATED];
-    const scale = Math.min(Math.max(init.framebufferScaleFactor ?? 1, SCALE_LIMITS.min), SCALE_LIMITS.max);
-    const [widthPx, heightPx] = world.settings.sizePx ?? world.screen.sizePx();
-    // Even, so that two views are of one size.
-    const evenWidthPx = Math.max(2, Math.round((widthPx * scale) / 2) * 2);
-    this.target = createLayerTarget(context, evenWidthPx, Math.max(1, Math.round(heightPx * scale)), {
+    this.#scale = Math.min(Math.max(init.framebufferScaleFactor ?? 1, SCALE_LIMITS.min), SCALE_LIMITS.max);
+    this.target = createLayerTarget(context, ...this.#fitted(world.settings.sizePx ?? world.screen.sizePx()), {
       antialias,
       depth: init.depth ?? true,
       stencil: init.stencil ?? false,
@@ -47,6 +45,19 @@ export class EmulatedLayer extends XRLayer {
     });
     disposers.push(this.target.dispose);
     this[P_WEBGL_LAYER] = { session, context, antialias };
+  }
+
+  /** As large as the device's screen is by now: true where that was another size. */
+  fit(screenPx: readonly [width: number, height: number]): boolean {
+    const [widthPx, heightPx] = this.#fitted(screenPx);
+    if (widthPx === this.target.widthPx && heightPx === this.target.heightPx) return false;
+    this.target.resize(widthPx, heightPx);
+    return true;
+  }
+
+  /** Of an even width, so that two views are of one size. */
+  #fitted([widthPx, heightPx]: readonly [number, number]): [number, number] {
+    return [Math.max(2, Math.round((widthPx * this.#scale) / 2) * 2), Math.max(1, Math.round(heightPx * this.#scale))];
   }
 
   static getNativeFramebufferScaleFactor(session: EmulatedSession): number {

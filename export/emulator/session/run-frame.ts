@@ -20,6 +20,9 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   const layer = currentLayer(session);
   if (state.ended || !layer) return false;
 
+  if (world.settings.sizePx && layer.fit(world.settings.sizePx)) {
+    surroundings.view.resize(layer.target.widthPx, layer.target.heightPx);
+  }
   device.updateViews();
   const frame = new EmulatedFrame(session, state.frameHandle, timeS * 1000);
   // Inputs, visibility and resets, with their events; it also applies the poses that a recording plays.
