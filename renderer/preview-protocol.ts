@@ -15,6 +15,8 @@ export type ToPreview =
   | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: number | boolean | string | readonly number[] }
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
   | { readonly kind: 'session'; readonly source: PreviewSource }
+  /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. */
+  | { readonly kind: 'poster'; readonly widthPx: number; readonly heightPx: number }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
@@ -34,7 +36,9 @@ export type FromPreview =
   | { readonly kind: 'shader-errors'; readonly revision: number; readonly errors: readonly PreviewShaderError[] }
   /** At most ten times a second. */
   | { readonly kind: 'status'; readonly status: PreviewStatus }
-  | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap };
+  | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
+  /** Null where nothing is shown. */
+  | { readonly kind: 'poster'; readonly bytes: Uint8Array<ArrayBuffer> | null };
 
 export interface PreviewShaderError {
   /** As in the program's `shaders`. */

@@ -29,6 +29,8 @@ const projectPath = z.string().min(1).max(512);
 /** Larger than any model a phone can hold, small enough to be held in memory. */
 export const MAX_ASSET_BYTES = 512 * 2 ** 20;
 
+const MAX_POSTER_BYTES = 8 * 2 ** 20;
+
 function isBearable(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_ASSET_BYTES;
 }
@@ -67,6 +69,14 @@ const openProject = z.object({
  * its capture, or null where the emulator makes the room itself. The id of a room is `room/NAME`.
  */
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
+
+/** A picture of what the page shows, as JPEG of `POSTER_SIZE`; null or left out where the editor has none. */
+const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'no JPEG of a bearable size');
+
+/** ISO 10918-1 B.1.1.3: what every JPEG begins with. */
+function isPosterJpeg(bytes: Uint8Array): boolean {
+  return bytes.length <= MAX_POSTER_BYTES && bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff;
+}
 
 /** What the window's own menu can ask of the editor. */
 export const MENU_COMMANDS = [
@@ -124,11 +134,16 @@ export const HOST_CONTRACT = {
   },
   /** Recorded sessions and emulated rooms that the preview can play. */
   'session.list': { input: z.object({ handle }), output: z.array(sessionSource) },
-  /** Exports the files as given, saved or not. `out` is absolute. */
+  /**
+   * Exports the files as given, saved or not. `out` is absolute. Its progress comes as events; it is over when this answers, also
+   * where it was cancelled: nothing was written then, and `ok` is false without an error among the diagnostics.
+   */
   'export.run': {
-    input: z.object({ handle, files: projectFiles, out: z.string().min(1).max(4096) }),
+    input: z.object({ handle, files: projectFiles, out: z.string().min(1).max(4096), poster: poster.nullable().optional() }),
     output: z.object({ ok: z.boolean(), out: z.string(), diagnostics: z.array(diagnostic), bytes: z.number() }),
   },
+  /** Ends the export of a project, if there is one. */
+  'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;
 
 export type HostMethod = keyof typeof HOST_CONTRACT;
@@ -138,6 +153,8 @@ export type HostOutput<M extends HostMethod> = z.infer<(typeof HOST_CONTRACT)[M]
 /** What the host tells the editor unasked. */
 export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
+  /** What an export is at, for people. */
+  z.object({ kind: z.literal('export-progress'), handle, text: z.string() }),
   z.object({ kind: z.literal('menu'), command: z.enum(MENU_COMMANDS) }),
   /** The window wants to close: answer with `app.close`, or ask about unsaved work first. */
   z.object({ kind: z.literal('close-requested') }),

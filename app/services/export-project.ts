@@ -12,6 +12,7 @@ import { resolveInside } from './confine.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { Installation } from './installation.ts';
 import { writePageFolder } from './page-folder.ts';
+import { watchedFiles } from './watched-files.ts';
 
 export interface ExportJob {
   /** The project's real folder, where its assets are. */
@@ -23,13 +24,18 @@ export interface ExportJob {
   readonly files?: FileLayer;
   /** False leaves models as they are; true unless given. */
   readonly compress?: boolean;
+  /** The person has had enough: what is there by then is taken back, and the export rejects with the signal's reason. */
+  readonly interrupted?: AbortSignal;
   /** Hears what takes its time. */
   readonly say?: (text: string) => void;
   /** Everything in one file, which opens from a disk. */
   readonly singleFile?: boolean;
   /** Where the page will be published, ending in `/`. */
   readonly address?: string | null;
-  /** A picture of the page, by whoever can draw one; else a neutral one takes its place. */
+  /**
+   * A picture of the page, by whoever can draw one; where none is drawn a neutral one takes its place, and a warning says so
+   * (SCR065). SCR042 ends the export: no page draws what does not compile.
+   */
   readonly drawPoster?: (program: Program) => Promise<PosterPicture | null>;
 }
 
@@ -39,15 +45,25 @@ export interface ExportOutcome {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Compiles, bundles, and puts the page into `out` in one step. Never rejects for what a user can mend. */
+/** Compiles, bundles, and puts the page into `out` in one step. Never rejects for what a user can mend, but when interrupted. */
 export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
-  const { root, projectFiles, out, installation, files = NODE_FILES, compress = true, say = () => {} } = job;
+  const { root, projectFiles, out, installation, compress = true, interrupted } = job;
+  const say = (text: string) => {
+    // What takes its time can be left there.
+    interrupted?.throwIfAborted();
+    job.say?.(text);
+  };
+  const files = watchedFiles(job.files ?? NODE_FILES, interrupted, (count) => say(`Writing file ${count}…`));
   const { singleFile = false, address = null, drawPoster } = job;
+  say('Compiling…');
   const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false }));
   if (project === null || program === null || hasErrors(diagnostics)) return { report: null, diagnostics };
   const all = [...diagnostics];
   try {
     const report = await writePageFolder(out, files, async (sink) => {
+      const poster = await posterOf(program, job);
+      if (poster === null && drawPoster) all.push(NO_POSTER);
+      say('Bundling the page…');
       const bundled = await bundlePage({
         program,
         page: project.page,
@@ -61,7 +77,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
         say,
         singleFile,
         address,
-        poster: (await drawPoster?.(program)) ?? null,
+        poster,
       });
       all.push(...bundled.diagnostics);
       return bundled.output;
@@ -70,5 +86,21 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   } catch (error) {
     if (error instanceof HostError) return { report: null, diagnostics: [...all, error.diagnostic as Diagnostic] };
     throw error;
+  }
+}
+
+const NO_POSTER: Diagnostic = {
+  code: 'SCR065',
+  severity: 'warning',
+  message: 'No picture of the page could be drawn: those who link to it see a neutral one.',
+};
+
+async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob): Promise<PosterPicture | null> {
+  try {
+    return (await drawPoster?.(program)) ?? null;
+  } catch (error) {
+    interrupted?.throwIfAborted();
+    if (error instanceof HostError && error.diagnostic.code === 'SCR042') throw error;
+    return null;
   }
 }

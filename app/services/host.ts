@@ -1,10 +1,11 @@
 import { join } from 'node:path';
 import type { HostEvent, HostInput } from '../contract/contract.ts';
 import type { Answer } from '../contract/host-error.ts';
+import { POSTER_SIZE } from '../contract/poster-size.ts';
 import { type Content, createContent } from './content.ts';
 import type { Origins } from './content-policy.ts';
 import { dispatch, type Handlers } from './dispatch.ts';
-import { exportProject } from './export-project.ts';
+import { createExportJobs } from './export-jobs.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { findExamples } from './find-examples.ts';
 import { importAsset } from './import-asset.ts';
@@ -56,6 +57,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     for (const listener of listeners) listener(event);
   };
   const clients = createClients();
+  const exports = createExportJobs();
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
   const handlers: Handlers = {
@@ -85,6 +87,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'project.close': async ({ handle }) => {
+      exports.cancel(handle);
       projects.close(handle);
       return {};
     },
@@ -114,11 +117,19 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         })),
       ];
     },
-    'export.run': async ({ handle, files: projectFiles, out: typed }) => {
-      const out = wholePath(typed, 'SCR060');
-      const job = { root: projects.rootOf(handle), projectFiles, out, installation, files };
-      const { report, diagnostics } = await exportProject(job);
-      return { ok: report !== null, out, diagnostics: [...diagnostics], bytes: report?.bytes.raw ?? 0 };
+    'export.run': ({ handle, files: projectFiles, out, poster = null }) =>
+      exports.run(handle, {
+        root: projects.rootOf(handle),
+        projectFiles,
+        out: wholePath(out, 'SCR060'),
+        installation,
+        files,
+        say: (text) => emit({ kind: 'export-progress', handle, text }),
+        drawPoster: async () => poster && { type: 'jpg', bytes: poster, drawn: true, ...POSTER_SIZE },
+      }),
+    'export.cancel': async ({ handle }) => {
+      exports.cancel(handle);
+      return {};
     },
   };
 
@@ -139,6 +150,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     emit,
     dispose: () => {
       listeners.clear();
+      exports.dispose();
       projects.dispose();
     },
   };

@@ -71,6 +71,7 @@ export const DIAGNOSTICS = {
   SCR062: 'The disk is full',
   SCR063: 'The file changed outside Scrim',
   SCR064: 'The page could not be bundled',
+  SCR065: 'There is no picture of the page for its poster',
   // Command line
   SCR070: 'The command line is not understood',
   SCR071: 'No browser was found to render with',

@@ -19,6 +19,8 @@ export interface OpenSession {
   /** One frame of the recording, or of the display. */
   readonly frameS: number;
   rewind(): void;
+  /** Of an emulated device's screen, from the next frame on; null: as it was. Recordings follow the canvas. */
+  resize(sizePx: readonly [width: number, height: number] | null): void;
   end(): Promise<void>;
 }
 
@@ -46,6 +48,7 @@ async function openRecording(url: string, { gl, clock }: SessionPlace): Promise<
     diagnostics,
     frameS: output === null ? DISPLAY_FRAME_S : output.durationS / output.frameCount,
     rewind: () => session.seek(0),
+    resize: () => {},
     end: () => session.end(),
   };
 }
@@ -56,7 +59,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   if (room === null) {
     const message = 'The emulated room could not be read.';
     const broken: Diagnostic = { code: 'SCR054', severity: 'error', message, fix: 'Install Scrim again, or choose another source.' };
-    return { session: null, diagnostics: [broken], frameS: DISPLAY_FRAME_S, rewind: () => {}, end: async () => {} };
+    return { session: null, diagnostics: [broken], frameS: DISPLAY_FRAME_S, rewind: () => {}, resize: () => {}, end: async () => {} };
   }
   const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
   const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
@@ -74,6 +77,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     diagnostics,
     frameS: DISPLAY_FRAME_S,
     rewind: walk.rewind,
+    resize: (asked) => emulator.setSize(asked ?? sizePx),
     end: async () => {
       walk.dispose();
       await output?.end();

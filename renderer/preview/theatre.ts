@@ -7,6 +7,7 @@ import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createHouse, type House } from './house.ts';
 import { type OpenSession, openSession } from './open-session.ts';
+import { createPosters, type PosterPlace, type PosterSize } from './posters.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
@@ -46,10 +47,16 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   /** What `open` was opened for. */
   let openKey = '';
   let lost = false;
+  /** There is a picture. */
+  let plays = false;
   let sessionProblems: readonly Diagnostic[] = [];
   let playerProblems: readonly Diagnostic[] = [];
 
-  const clock = createTransportClock(base, () => house?.fitter.update());
+  const posters = createPosters(send, () => clock.wake());
+  const clock = createTransportClock(base, () => {
+    posters.beforeFrame();
+    if (!posters.busy) house?.fitter.update();
+  });
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
 
@@ -73,7 +80,10 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
     if (outcome === 'superseded') return;
     send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, stage, log }) => ({ shaderId, stage, log })) });
-    if (outcome === 'playing') send({ kind: 'playing', revision });
+    if (outcome === 'playing') {
+      plays = true;
+      send({ kind: 'playing', revision });
+    }
     if (playerProblems.length > 0) tellProblems();
     clock.wake();
   };
@@ -89,6 +99,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     await endSession();
     house?.dispose();
     house = null;
+    plays = false;
     lost = false;
     playerProblems = [];
     const made = createHouse({
@@ -132,6 +143,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     status.begin();
     house.player.draw(frame);
     status.end(frame);
+    if (plays) posters.afterFrame();
     thumbnails.afterFrame(house.player);
   };
   const settle = createTurns(async () => {
@@ -158,6 +170,20 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     tellState();
   };
 
+  const posterPlace = (): PosterPlace | null => {
+    if (lost || !plays || !house || !open?.session) return null;
+    if (source?.kind !== 'room') return placeOnCanvas(house.canvas);
+    const canvas = screen.querySelector('canvas');
+    const { views } = source;
+    const { resize } = open;
+    return canvas && { canvas, views, shows: 'after it', resize: (size) => resize(size && [size.widthPx * views, size.heightPx]) };
+  };
+  const takePoster = (size: PosterSize) => {
+    const place = posterPlace();
+    if (place) posters.want(size, place);
+    else posters.refuse();
+  };
+
   return {
     take: (message) => {
       switch (message.kind) {
@@ -171,6 +197,9 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
         case 'session':
           source = message.source;
           settle();
+          return;
+        case 'poster':
+          takePoster(message);
           return;
         case 'thumbnails':
           thumbnails.want(message.ports, message.heightPx);
@@ -187,6 +216,20 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
       void base.delay(RESIZE_PAUSE_S).then(() => {
         if (mine === resizes) settle();
       });
+    },
+  };
+}
+
+function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {
+  const { width: widthPx, height: heightPx } = canvas;
+  return {
+    canvas,
+    views: 1,
+    shows: 'in the frame',
+    resize: (size) => {
+      const to = size ?? { widthPx, heightPx };
+      canvas.width = to.widthPx;
+      canvas.height = to.heightPx;
     },
   };
 }

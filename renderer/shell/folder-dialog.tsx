@@ -1,5 +1,6 @@
 import { type FormEvent, useId, useState } from 'react';
-import { exportPage, saveAs } from '../state/files.ts';
+import { exportPage } from '../state/export-page.ts';
+import { saveAs } from '../state/files.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { useEditor } from './editor-context.ts';

@@ -2,6 +2,7 @@ import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
 import { isDirty } from '../state/document.ts';
+import { cancelExport } from '../state/export-page.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
 import { showChord } from './chord.ts';
@@ -134,9 +135,18 @@ function Tools() {
       <Button icon="add" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>
         Add node
       </Button>
-      <Button icon="export" look="primary" onPress={() => runCommand(editor, 'file.export')} disabled={!open || exporting}>
-        {exporting ? 'Exporting…' : 'Export'}
-      </Button>
+      <span className="export-progress" role="status">
+        {exporting?.text}
+      </span>
+      {exporting === null ? (
+        <Button icon="export" look="primary" onPress={() => runCommand(editor, 'file.export')} disabled={!open}>
+          Export
+        </Button>
+      ) : (
+        <Button icon="close" onPress={() => void cancelExport(editor)} disabled={exporting.cancelled}>
+          Cancel
+        </Button>
+      )}
     </div>
   );
 }

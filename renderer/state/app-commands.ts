@@ -5,7 +5,8 @@ import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } f
 import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from './edit-graph.ts';
 import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
-import { exportPage, newProject, openProject, save, saveAs } from './files.ts';
+import { exportPage } from './export-page.ts';
+import { newProject, openProject, save, saveAs } from './files.ts';
 import { addFrame, addNote } from './layout-items.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';

@@ -14,6 +14,11 @@ export interface Clipboard {
   write(text: string): Promise<void>;
 }
 
+export interface PictureSize {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
 /**
  * The editor without its page: stores that each hold one concern, and what the outside lends. What people do are functions over
  * it (`edit-graph.ts`, `edit-params.ts`, `files.ts`, …), so that it can be driven without React.
@@ -27,6 +32,8 @@ export interface Editor {
   readonly libraries: Libraries;
   /** Take over at once what is being typed; run before files are made of the document. */
   readonly unfinished: Set<() => void>;
+  /** Takes a picture of what the preview shows, as JPEG, or null where it shows nothing; set while there is a preview. */
+  readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null };
   readonly document: DocumentStore;
   readonly selection: SelectionStore;
   readonly canvas: CanvasStore;
@@ -55,6 +62,7 @@ export function createEditor({ host, clock, random, library, mac, clipboard, siz
     clipboard,
     libraries,
     unfinished: new Set(),
+    pictures: { take: null },
     document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),

@@ -8,6 +8,7 @@ import type { CompileAnswer } from '../compile/messages.ts';
 import type { FromPreview, PreviewShaderError, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { consequenceOf, type ParamEdit } from './changes.ts';
 import type { Editor } from './editor.ts';
+import { createPictures } from './pictures.ts';
 import { chosenSource } from './preview.ts';
 
 /** Keeps compiler and preview up with the document. */
@@ -33,6 +34,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   let send: ((message: ToPreview) => void) | null = null;
   let pending: PendingEdit[] = [];
   const post = (message: ToPreview) => send?.(message);
+  const pictures = createPictures(editor, post);
   const postEdit = ({ node, param, value }: ParamEdit) => post({ kind: 'param', node, param, value });
 
   const postProgram = () => {
@@ -89,13 +91,17 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   return {
     attach: (to) => {
       send = to;
+      editor.pictures.take = pictures.take;
       return () => {
         if (send !== to) return;
         send = null;
+        editor.pictures.take = null;
+        pictures.answer(null);
         editor.preview.setState({ ready: false, playing: null, status: null });
       };
     },
     receive: (message) => {
+      if (message.kind === 'poster') return pictures.answer(message.bytes);
       takeMessage(editor, message);
       if (message.kind !== 'ready') return;
       postSource();
@@ -126,7 +132,7 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
   editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
 }
 
-function takeMessage({ preview, compile, document }: Editor, message: FromPreview): void {
+function takeMessage({ preview, compile, document }: Editor, message: Exclude<FromPreview, { kind: 'poster' }>): void {
   switch (message.kind) {
     case 'ready':
       preview.setState({ ready: true });

@@ -8,7 +8,7 @@ import { own } from '../../export/graph/own.ts';
 import { placeNodes } from '../../export/graph/place-nodes.ts';
 import { type GraphLayout, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
-import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { isDirty } from './document.ts';
 import type { Editor } from './editor.ts';
 import { selectNothing } from './selection.ts';
@@ -187,38 +187,8 @@ export async function saveAs(editor: Editor, chosen?: string): Promise<boolean> 
   }
 }
 
-/** Writes the standalone page, of the project as it stands. */
-export async function exportPage(editor: Editor, chosen?: string): Promise<boolean> {
-  const { open } = editor.document.getState();
-  if (open === null) return false;
-  const out = chosen ?? (await pickFolder(editor, 'export'));
-  if (out === null) return false;
-  editor.ui.setState({ exporting: true, dialog: null });
-  try {
-    const result = await editor.host.call('export.run', { handle: open.handle, files: filesOf(editor), out });
-    editor.ui.setState({ exportDiagnostics: result.diagnostics as readonly Diagnostic[] });
-    if (!result.ok || hasErrors(result.diagnostics as readonly Diagnostic[])) {
-      const first = result.diagnostics.find((diagnostic) => diagnostic.severity === 'error');
-      addToast(editor.ui, {
-        tone: 'error',
-        text: first?.message ?? 'The page could not be exported.',
-        detail: first?.fix ?? 'All reasons are under Problems.',
-      });
-      editor.ui.setState({ bottom: 'problems' });
-      return false;
-    }
-    addToast(editor.ui, { tone: 'success', text: `Exported to ${result.out}.`, detail: `${formatBytes(result.bytes)} in all.` });
-    return true;
-  } catch (error) {
-    showRefusal(editor, error);
-    return false;
-  } finally {
-    editor.ui.setState({ exporting: false });
-  }
-}
-
 /** The shell's own dialog; where it has none, ours, which comes back with a typed path. */
-async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promise<string | null> {
+export async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promise<string | null> {
   if (!editor.document.getState().canPickFolders) {
     editor.ui.setState({ dialog: { kind: purpose } });
     return null;
@@ -243,8 +213,4 @@ export async function listSessions(editor: Editor): Promise<void> {
 function withPlace(diagnostic: Diagnostic): Diagnostic {
   const { file, line, message } = diagnostic;
   return file === undefined ? diagnostic : { ...diagnostic, message: `${file}${line === undefined ? '' : `:${line}`}: ${message}` };
-}
-
-function formatBytes(bytes: number): string {
-  return bytes < 1024 * 1024 ? `${Math.round(bytes / 1024)} kB` : `${(bytes / 1024 / 1024).toFixed(1)} MB`;
 }

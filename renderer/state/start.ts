@@ -2,6 +2,7 @@ import { debounce } from '../clock.ts';
 import { type AppCommandId, runCommand } from './app-commands.ts';
 import { isDirty } from './document.ts';
 import type { Editor } from './editor.ts';
+import { showExportProgress } from './export-page.ts';
 import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files.ts';
 
 /** Unsaved work is on disk at most this long after it was done. */
@@ -49,6 +50,9 @@ export function followHost(editor: Editor): () => void {
         return;
       case 'project-changed-outside':
         if (event.handle === editor.document.getState().open?.handle) void followFolder(editor);
+        return;
+      case 'export-progress':
+        showExportProgress(editor, event.handle, event.text);
         return;
       case 'close-requested':
         withoutUnsaved(editor, () => void close(editor));

@@ -62,6 +62,14 @@ export interface CodePosition {
   readonly column: number;
 }
 
+export interface Exporting {
+  /** Of the project. */
+  readonly handle: string;
+  /** What it is at. */
+  readonly text: string;
+  readonly cancelled: boolean;
+}
+
 export interface UiState {
   readonly sizes: PanelSizes;
   readonly bottom: BottomTab | null;
@@ -70,7 +78,8 @@ export interface UiState {
   readonly toasts: readonly Toast[];
   readonly reveal: Reveal | null;
   readonly codePosition: CodePosition | null;
-  readonly exporting: boolean;
+  /** The export under way. */
+  readonly exporting: Exporting | null;
   /** What the last export said. */
   readonly exportDiagnostics: readonly Diagnostic[];
 }
@@ -86,7 +95,7 @@ export function createUi(sizes: PanelSizes): UiStore {
     toasts: [],
     reveal: null,
     codePosition: null,
-    exporting: false,
+    exporting: null,
     exportDiagnostics: [],
   }));
 }

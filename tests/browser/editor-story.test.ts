@@ -6,7 +6,7 @@ import { type EditorServer, startServer } from '../../app/server/start-server.ts
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { playEditorStory } from '../support/editor-story.ts';
-import { visitExportedPage } from '../support/exported-page.ts';
+import { expectPoster, visitExportedPage } from '../support/exported-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const browser = useBrowser();
@@ -46,4 +46,5 @@ test('a designer’s afternoon, in the browser', async () => {
   await page.close();
 
   await visitExportedPage(browser.browser, exportTo);
+  await expectPoster(browser.browser, exportTo);
 }, 180_000);

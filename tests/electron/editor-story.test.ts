@@ -6,7 +6,7 @@ import type { ElectronApplication } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { playEditorStory } from '../support/editor-story.ts';
 import { describeElectron, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
-import { visitExportedPage } from '../support/exported-page.ts';
+import { expectPoster, visitExportedPage } from '../support/exported-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 
@@ -34,6 +34,7 @@ describeElectron('the editor in Electron', await findElectron(), (launch) => {
       await app.close();
     });
     await visitExportedPage(visitor.browser, join(base, 'page'));
+    await expectPoster(visitor.browser, join(base, 'page'));
   }, 480_000);
 });
 

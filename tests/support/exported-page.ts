@@ -1,3 +1,5 @@
+import { readdir, readFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { expect } from '@jest/globals';
 import type { Browser } from 'playwright-core';
 import { collectErrors } from './browser.ts';
@@ -22,4 +24,33 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
     await page.close();
     await host.close();
   }
+}
+
+/** The poster of an exported folder shows something of the page, and is shown while that loads. */
+export async function expectPoster(browser: Browser, folder: string): Promise<void> {
+  const name = (await readdir(folder)).find((file) => file.startsWith('poster-')) ?? '';
+  expect(name).toMatch(/\.jpg$/);
+  expect(await readFile(join(folder, 'index.html'), 'utf8')).toContain(`<img class="poster" src="${name}"`);
+  const bytes = [...(await readFile(join(folder, name)))];
+  const page = await browser.newPage();
+  const found = await page.evaluate(async (jpeg) => {
+    const { width, height, ...image } = await decode(new Uint8Array(jpeg));
+    const colours = new Set<number>();
+    for (let i = 0; i < image.data.length; i += 4) {
+      const [red = 0, green = 0, blue = 0] = image.data.slice(i, i + 3);
+      colours.add(((red >> 3) << 10) | ((green >> 3) << 5) | (blue >> 3));
+    }
+    return { width, height, colours: colours.size };
+
+    async function decode(file: Uint8Array<ArrayBuffer>): Promise<{ data: Uint8ClampedArray; width: number; height: number }> {
+      const picture = await createImageBitmap(new Blob([file]));
+      const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+      context?.drawImage(picture, 0, 0);
+      const data = context?.getImageData(0, 0, picture.width, picture.height).data ?? new Uint8ClampedArray();
+      return { data, width: picture.width, height: picture.height };
+    }
+  }, bytes);
+  expect(found).toMatchObject({ width: 1200, height: 630 });
+  expect(found.colours).toBeGreaterThan(200);
+  await page.close();
 }

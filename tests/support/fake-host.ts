@@ -10,6 +10,8 @@ export interface FakeHost extends Host {
   refuse(method: HostMethod, code: string, message: string): void;
   /** Somebody else writes the folder: it has another revision. Nobody is told. */
   writeOutside(files: HostOutput<'project.open'>['files']): void;
+  /** Answers so from now on. */
+  answer<M extends HostMethod>(method: M, handler: NonNullable<Handlers[M]>): void;
   emit(event: HostEvent): void;
 }
 
@@ -68,6 +70,7 @@ export function createFakeHost(
     'asset.import': ({ name }) => ({ path: `assets/${name}` }),
     'session.list': () => [],
     'export.run': ({ out }) => ({ ok: true, out, diagnostics: [], bytes: 1 }),
+    'export.cancel': () => ({}),
     ...handlers,
   };
   return {
@@ -77,6 +80,7 @@ export function createFakeHost(
       saved = theirs;
       revision++;
     },
+    answer: (method, handler) => Object.assign(all, { [method]: handler }),
     emit: (event) => {
       for (const listener of listeners) listener(event);
     },

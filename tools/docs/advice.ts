@@ -58,6 +58,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR062: 'Free some space and try again; the files on disk are as they were.',
   SCR063: 'Save under another name, or load the file from disk; saving over it would lose the other change.',
   SCR064: 'Read the lines that follow the message; a file of the installation may be missing, which `npm ci` brings back.',
+  SCR065:
+    'The page is whole all the same. In the editor, wait until the preview shows something, then export again; on the command line, install Chromium or Chrome, or name its program in `SCRIM_CHROMIUM`.',
   SCR070: 'Run `scrim help` to see the commands and their options.',
   SCR071: 'Install Chromium or Chrome, or name one in the variable `SCRIM_CHROMIUM`.',
   SCR072: 'Check that Scrim is still running in its terminal, start it again and reload the page; unsaved work is offered on opening.',

@@ -1,0 +1,107 @@
+import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
+import { POSTER_SIZE } from '../../export/bundle/poster.ts';
+import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
+import { projectText } from '../../tests/support/project-kit.ts';
+import type { HostEvent } from '../contract/contract.ts';
+import { POSTER_SIZE as CONTRACT_SIZE } from '../contract/poster-size.ts';
+import type { HostService } from './host.ts';
+
+/** As much of a JPEG as the host looks at. */
+const JPEG = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0, 1, 2, 3);
+
+let base = '';
+let project = '';
+let out = '';
+let host: HostService;
+let told: HostEvent[] = [];
+beforeEach(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-exports-'));
+  project = join(base, 'project');
+  out = join(base, 'page');
+  await mkdir(project);
+  const text = projectText({
+    nodes: { 'video-a1b2': 'source/camera-video', 'sepia-a1b2': 'filter/sepia', 'screen-a1b2': 'output/screen' },
+    wires: ['video-a1b2.layer -> sepia-a1b2.inputImage', 'sepia-a1b2.layer -> screen-a1b2.layer'],
+  });
+  await writeFile(join(project, 'project.scrim.json'), text);
+  host = startHost();
+  told = [];
+  host.subscribe((event) => told.push(event));
+});
+afterEach(async () => {
+  stopHosts();
+  await rm(base, { recursive: true, force: true });
+});
+
+async function open(name = 'a') {
+  const window = openWindow(host, name);
+  const { handle, files } = await window.call('project.open', { path: project });
+  return { window, handle, files };
+}
+
+describe('an export by the host', () => {
+  test('has the picture that it was given, and tells what it is at', async () => {
+    const { window, handle, files } = await open();
+    expect(await window.call('export.run', { handle, files, out, poster: JPEG })).toMatchObject({ ok: true, diagnostics: [] });
+    const name = (await readdir(out)).find((file) => file.startsWith('poster-')) ?? '';
+    expect(name).toMatch(/\.jpg$/);
+    expect([...(await readFile(join(out, name)))]).toEqual([...JPEG]);
+    expect(await readFile(join(out, 'index.html'), 'utf8')).toContain(`<img class="poster" src="${name}"`);
+    expect(CONTRACT_SIZE).toEqual(POSTER_SIZE);
+    const steps = told.flatMap((event) => (event.kind === 'export-progress' && event.handle === handle ? [event.text] : []));
+    expect(steps.slice(0, 3)).toEqual(['Compiling…', 'Bundling the page…', 'Writing file 1…']);
+  });
+
+  test('is done without one, too, and says so', async () => {
+    const { window, handle, files } = await open();
+    const { ok, diagnostics } = await window.call('export.run', { handle, files, out, poster: null });
+    expect(ok).toBe(true);
+    expect(diagnostics).toEqual([expect.objectContaining({ code: 'SCR065', severity: 'warning' })]);
+    expect((await readdir(out)).filter((file) => file.startsWith('poster-'))).toEqual([expect.stringMatching(/\.png$/)]);
+  });
+
+  test('takes nothing for a picture that is none', async () => {
+    const { window, handle, files } = await open();
+    for (const poster of [
+      new TextEncoder().encode('<svg onload="alert(1)">'),
+      Object.assign(new Uint8Array(8 * 2 ** 20 + 1), JPEG),
+      new Uint8Array(),
+    ]) {
+      await expect(window.call('export.run', { handle, files, out, poster })).rejects.toMatchObject({ diagnostic: { code: 'SCR073' } });
+    }
+    expect(await readdir(base)).toEqual(['project']);
+  });
+
+  test.each(['Compiling…', 'Bundling the page…', 'Writing file 2…'])('is cancelled at any step, and leaves nothing: %s', async (step) => {
+    const { window, handle, files } = await open();
+    const cancelled: Promise<unknown>[] = [];
+    host.subscribe((event) => {
+      if (event.kind === 'export-progress' && event.text === step) cancelled.push(window.call('export.cancel', { handle }));
+    });
+    const result = await window.call('export.run', { handle, files, out, poster: JPEG });
+    expect(result).toEqual({ ok: false, out, diagnostics: [], bytes: 0 });
+    expect(cancelled).toHaveLength(1);
+    expect(await readdir(base)).toEqual(['project']);
+  });
+
+  test('that is cancelled leaves the page that was there, and another window’s export alone', async () => {
+    const first = await open('a');
+    const second = await open('b');
+    await first.window.call('export.run', { handle: first.handle, files: first.files, out, poster: JPEG });
+    const before = (await readdir(out)).sort();
+    host.subscribe((event) => {
+      if (event.kind === 'export-progress') void first.window.call('export.cancel', { handle: first.handle });
+    });
+    const there = join(base, 'there');
+    const [mine, theirs] = await Promise.all([
+      first.window.call('export.run', { handle: first.handle, files: first.files, out, poster: null }),
+      second.window.call('export.run', { handle: second.handle, files: second.files, out: there, poster: JPEG }),
+    ]);
+    expect([mine.ok, theirs.ok]).toEqual([false, true]);
+    expect((await readdir(out)).sort()).toEqual(before);
+    expect((await readdir(base)).sort()).toEqual(['page', 'project', 'there']);
+  });
+});
