@@ -30,12 +30,12 @@ ${EXIT_LINES.map(([status, says]) => `  ${String(status).padStart(3)}  ${says}`)
 
 Environment:
   NO_COLOR                      Write without colour; so does a pipe.
-  SCRIM_CHROMIUM                The browser program that scrim render uses.
+  SCRIM_CHROMIUM                The browser program that renders, draws posters and compiles shaders.
   ELECTRON_OVERRIDE_DIST_PATH   Folder with the Electron that scrim open uses.`;
 }
 
 const EXIT_LINES: readonly (readonly [number, string])[] = [
-  [EXIT.done, 'done'],
+  [EXIT.done, 'done; warnings, if any, are printed'],
   [EXIT.problems, 'something is wrong with the project, or on this machine; each problem is printed'],
   [EXIT.notUnderstood, 'the command line is not understood'],
   [EXIT.ownFault, 'Scrim made a mistake of its own'],

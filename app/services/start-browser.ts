@@ -1,6 +1,7 @@
 import process from 'node:process';
 import type { Browser } from 'playwright-core';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { HostError } from '../contract/host-error.ts';
 import type { Chromium } from './chromium.ts';
 
 export const NO_BROWSER: Diagnostic = {
@@ -10,13 +11,18 @@ export const NO_BROWSER: Diagnostic = {
   fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
 };
 
-/** A headless browser. `more`: switches of Chromium beside those that it needs. */
+/** A headless browser. `more`: switches of Chromium beside those that it needs. Throws SCR071 where it does not start. */
 export async function startBrowser(found: Chromium, more: readonly string[] = []): Promise<Browser> {
   // Loaded here, because whatever needs no browser starts faster without it.
   const { chromium } = await import('playwright-core');
-  return chromium.launch({
-    executablePath: found.executablePath,
-    args: [...found.args, ...more],
-    env: { ...process.env, ...found.env } as Record<string, string>,
-  });
+  try {
+    return await chromium.launch({
+      executablePath: found.executablePath,
+      args: [...found.args, ...more],
+      env: { ...process.env, ...found.env } as Record<string, string>,
+    });
+  } catch (error) {
+    const [reason = ''] = (error instanceof Error ? error.message : String(error)).replace(/^browserType\.launch: /, '').split('\n');
+    throw new HostError({ ...NO_BROWSER, message: `The browser ${found.executablePath} does not start: ${reason}` });
+  }
 }

@@ -1,10 +1,11 @@
+import { existsSync } from 'node:fs';
 import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { runCli } from '../../app/cli/run-cli.ts';
 import { installationAt } from '../../app/services/installation.ts';
-import { writeProject } from '../support/project-kit.ts';
+import { projectText, writeProject } from '../support/project-kit.ts';
 
 const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 
@@ -108,11 +109,13 @@ beforeAll(async () => {
 });
 afterAll(() => rm(folder, { recursive: true, force: true }));
 
-async function check(...args: string[]) {
+const check = (...args: string[]) => scrim('shader', 'check', ...args);
+
+async function scrim(...args: string[]) {
   const out: string[] = [];
   const err: string[] = [];
   const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
-  const status = await runCli(['shader', 'check', ...args], INSTALLATION, streams);
+  const status = await runCli(args, INSTALLATION, streams);
   return { status, out: out.join('\n'), err: err.join('\n') };
 }
 
@@ -186,5 +189,46 @@ describe('scrim shader check', () => {
       const { status, err } = await check(...args);
       expect([status, err]).toEqual([2, expect.stringContaining('Try: scrim shader check --help')]);
     }
+  });
+});
+
+/** A project whose own filter stands between camera and screen. */
+function projectWith(files: Readonly<Record<string, string>>, filter: string): Record<string, string> {
+  const text = projectText({
+    nodes: { 'video-a1b2': 'source/camera-video', 'own-a1b2': filter, 'screen-a1b2': 'output/screen' },
+    wires: ['video-a1b2.layer -> own-a1b2.inputImage', 'own-a1b2.layer -> screen-a1b2.layer'],
+  });
+  return { 'project.scrim.json': text, ...files };
+}
+
+describe('a project with shaders of its own', () => {
+  beforeAll(async () => {
+    const [refused] = BROKEN['e-name.fs'];
+    const [endless] = BROKEN['g-endless.fs'];
+    const plain = `${FILTER}\nvoid main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`;
+    await writeProject(join(folder, 'refused'), projectWith({ 'shaders/glow.fs': refused }, 'filter/glow'));
+    await writeProject(join(folder, 'endless'), projectWith({ 'shaders/round.fs': endless }, 'filter/round'));
+    await writeProject(join(folder, 'taken'), projectWith({ 'shaders/plain.fs': plain }, 'filter/plain'));
+  });
+
+  test('is checked by a driver: what that refuses is told at its line, and what it takes is said to be taken', async () => {
+    const { status, out } = await scrim('check', join(folder, 'refused'));
+    expect(status).toBe(1);
+    expect(out).toMatch(/^shaders\/glow\.fs:4:22 own-a1b2: error SCR042: "strength": undeclared/m);
+    const endless = await scrim('check', join(folder, 'endless'));
+    expect(endless.status).toBe(1);
+    expect(endless.out).toMatch(/^shaders\/round\.fs:3:3: error SCR044: /m);
+    const taken = await scrim('check', join(folder, 'taken'), '--json');
+    expect([taken.status, JSON.parse(taken.out)]).toEqual([0, { ok: true, driver: 'yes', diagnostics: [] }]);
+  });
+
+  test('is not exported with what a driver refuses, poster or not; unless nobody wants it asked', async () => {
+    const out = join(folder, 'page');
+    const refused = await scrim('export', join(folder, 'refused'), '--out', out, '--no-poster');
+    expect(refused.status).toBe(1);
+    expect(refused.err).toMatch(/^shaders\/glow\.fs:4:22 own-a1b2: error SCR042: /m);
+    expect(existsSync(out)).toBe(false);
+    const unasked = await scrim('export', join(folder, 'refused'), '--out', out, '--no-poster', '--no-driver', '--json');
+    expect([unasked.status, JSON.parse(unasked.out)]).toMatchObject([0, { ok: true, driver: 'not-wanted', diagnostics: [] }]);
   });
 });

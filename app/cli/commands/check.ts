@@ -1,29 +1,37 @@
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import type { Command } from '../command.ts';
 import { compileFolder } from '../compile-folder.ts';
+import { askDriver, type DriverAnswer, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
+
+/** What does not compile by itself is no question for a driver. */
+const UNASKED: DriverAnswer = { driver: 'not-needed', diagnostics: [] };
 
 export const checkCommand: Command = {
   name: 'check',
   usage: 'PROJECT',
   summary: 'Say what is wrong with a project',
-  doc: 'Reads PROJECT, compiles it and looks at its assets, and prints what is wrong: file, line and column where they are known, the node, what it is and what to do. Warnings are printed too; only errors give status 1.',
+  doc: 'Reads PROJECT, compiles it and looks at its assets, and prints what is wrong: file, line and column where they are known, the node, what it is and what to do. Shaders of the project’s own are compiled by a graphics driver, too, in a headless browser where there is one; a warning says where there is none. Only errors give status 1.',
   project: 'required',
-  options: {},
+  options: { 'no-driver': NO_DRIVER_OPTION },
   examples: [
     { line: 'scrim check my-project', says: 'Prints one line per problem, or that there is none.' },
     {
       line: 'scrim check my-project --json',
-      says: 'For other programs: { ok, diagnostics: [{ code, severity, message, nodeId, file, line, … }] }.',
+      says: 'For other programs: { ok, driver, diagnostics: [{ code, severity, message, nodeId, file, line, … }] }; driver is yes, not-needed, not-wanted or no-browser.',
     },
   ],
-  run: async (call, { say, paint }) => {
+  run: async (call, context) => {
+    const { say, paint } = context;
     say('Compiling…');
-    const { diagnostics } = await compileFolder(call.project, () => ({ reportUnused: true }));
+    const compiled = await compileFolder(call.project, () => ({ reportUnused: true }));
+    const wanted = !call.flag('no-driver');
+    const asked = compiled.program === null ? UNASKED : await askDriver({ ...context, ...compiled, wanted });
+    const diagnostics = [...compiled.diagnostics, ...asked.diagnostics];
     const ok = !hasErrors(diagnostics);
     const lines = diagnostics.map(paint.diagnostic);
     return {
       status: ok ? 0 : 1,
-      json: { ok, diagnostics },
+      json: { ok, driver: asked.driver, diagnostics },
       text: lines.length === 0 ? 'Nothing is wrong.' : lines.join('\n'),
       diagnostics: [],
     };

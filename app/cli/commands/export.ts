@@ -1,17 +1,19 @@
 import type { ExportReport } from '../../../export/bundle/report.ts';
+import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { compileProject } from '../../services/compile-project.ts';
 import { exportProject } from '../../services/export-project.ts';
-import { type FileLayer, NODE_FILES } from '../../services/file-layer.ts';
+import { NODE_FILES } from '../../services/file-layer.ts';
 import { findProject } from '../../services/project-files.ts';
 import { readSettled } from '../../services/settle.ts';
 import { type Command, failed, UsageError } from '../command.ts';
 import { drawPoster } from '../render/draw-poster.ts';
+import { askDriver, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
 
 export const exportCommand: Command = {
   name: 'export',
   usage: 'PROJECT --out DIR',
   summary: 'Make the web page of a project',
-  doc: 'Compiles PROJECT and writes it into DIR as a static page: index.html and all it needs, with relative addresses, for any web host; visited once over https, it opens without a connection, too. A frame of it, drawn in a headless browser where there is one, is its poster: shown while it loads, and by those who link to it. DIR is replaced in one step, and only where it is missing, empty, or holds an earlier export; with any error it stays as it was. Models are compressed without anything to see: geometry with meshopt, textures with KTX2 where that saves graphics memory; what that took is kept in the project’s .scrim folder for the next time. report.json in it lists the files, their bytes, each asset’s before and after, and what a visitor’s device is asked for.',
+  doc: 'Compiles PROJECT and writes it into DIR as a static page: index.html and all it needs, with relative addresses, for any web host; visited once over https, it opens without a connection, too. Shaders of the project’s own are compiled by a graphics driver first, in a headless browser where there is one: what it refuses is an error, and a warning says where there was none to ask. A frame of the page, drawn in a headless browser where there is one, is its poster: shown while it loads, and by those who link to it. DIR is replaced in one step, and only where it is missing, empty, or holds an earlier export; with any error it stays as it was. Models are compressed without anything to see: geometry with meshopt, textures with KTX2 where that saves graphics memory; what that took is kept in the project’s .scrim folder for the next time. report.json in it lists the files, their bytes, each asset’s before and after, and what a visitor’s device is asked for.',
   project: 'required',
   options: {
     out: { type: 'string', value: 'DIR', doc: 'Where the page goes.' },
@@ -24,6 +26,7 @@ export const exportCommand: Command = {
       value: 'ADDRESS',
       doc: 'Where the page will be published, such as https://example.org/robot/: those who show links to it find its poster by that.',
     },
+    'no-driver': NO_DRIVER_OPTION,
     'no-poster': { type: 'boolean', doc: 'A neutral picture instead of a frame, made at once.' },
     'no-compress': { type: 'boolean', doc: 'Models as they are, textures too: larger, but made at once.' },
   },
@@ -34,22 +37,26 @@ export const exportCommand: Command = {
       line: 'scrim export my-project --out robot --single-file',
       says: 'One file, robot/index.html, to send or to open by a double click.',
     },
-    { line: 'scrim export my-project --out site --json', says: 'For a build: { ok, out, report, diagnostics }.' },
+    {
+      line: 'scrim export my-project --out site --json',
+      says: 'For a build: { ok, out, driver, report, diagnostics }; driver is yes, not-needed, not-wanted or no-browser.',
+    },
   ],
-  run: async (call, { installation, say, interrupted }) => {
+  run: async (call, context) => {
+    const { installation, say, interrupted } = context;
     const out = call.text('out');
     if (out === null || out === '') throw new UsageError('--out DIR is missing: where the page goes.');
     const address = readAddress(call.text('url'));
     const root = await findProject(call.project);
     const projectFiles = await readSettled(root, NODE_FILES);
-    say('Compiling and bundling…');
-    const files = watchedFiles(interrupted, (count) => say(`Writing file ${count}…`));
-    const { report, diagnostics } = await exportProject({
+    const asked = await askDriver({ ...context, root, files: projectFiles, wanted: !call.flag('no-driver') });
+    if (hasErrors(asked.diagnostics)) return failed(asked.diagnostics);
+    const { report, diagnostics: found } = await exportProject({
       root,
       projectFiles,
       out,
       installation,
-      files,
+      interrupted,
       compress: !call.flag('no-compress'),
       say,
       singleFile: call.flag('single-file'),
@@ -65,8 +72,9 @@ export const exportCommand: Command = {
             },
           }),
     });
+    const diagnostics = [...found, ...asked.diagnostics];
     if (report === null) return failed(diagnostics);
-    return { status: 0, json: { ok: true, out, report, diagnostics }, text: summary(out, report), diagnostics };
+    return { status: 0, json: { ok: true, out, driver: asked.driver, report, diagnostics }, text: summary(out, report), diagnostics };
   },
 };
 
@@ -75,26 +83,6 @@ function readAddress(text: string | null): string | null {
   const url = URL.canParse(text) ? new URL(text) : null;
   if (!url || !/^https?:$/.test(url.protocol)) throw new UsageError(`--url ${text} is no address: it begins with https://.`);
   return url.href.endsWith('/') ? url.href : `${url.href}/`;
-}
-
-/**
- * Files that tell how many were written, and refuse to write more once the person has had enough: the page's folder is then taken
- * back as on a full disk. Renames go on, because half of two is worse than both.
- */
-function watchedFiles(interrupted: AbortSignal, onWrite: (count: number) => void): FileLayer {
-  let count = 0;
-  return {
-    ...NODE_FILES,
-    writeNew: async (path, bytes) => {
-      interrupted.throwIfAborted();
-      onWrite(++count);
-      await NODE_FILES.writeNew(path, bytes);
-    },
-    makeFolder: async (path) => {
-      interrupted.throwIfAborted();
-      await NODE_FILES.makeFolder(path);
-    },
-  };
 }
 
 function summary(out: string, { files, bytes, features, assets }: ExportReport): string {

@@ -1,0 +1,93 @@
+import { uniqueDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
+import type { PassOperation, PassSampler, Program } from '../../../export/program/program.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { ProjectFiles } from '../../contract/contract.ts';
+import { HostError } from '../../contract/host-error.ts';
+import { findChromium } from '../../services/chromium.ts';
+import { compileProject, LIBRARY } from '../../services/compile-project.ts';
+import { NO_BROWSER } from '../../services/start-browser.ts';
+import type { Context, Option } from '../command.ts';
+import type { ShaderJob, ShaderVerdict } from './driver.page.ts';
+import { verdictDiagnostics, withDriver } from './with-driver.ts';
+
+/**
+ * Whether a graphics driver has compiled the project's shaders: not where all of them are Scrim's own, which its tests compile,
+ * nor where nobody wanted it to, nor where there is no browser to reach one.
+ */
+export type DriverAsked = 'yes' | 'not-needed' | 'not-wanted' | 'no-browser';
+
+export interface DriverAnswer {
+  readonly driver: DriverAsked;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export const NO_DRIVER_OPTION: Option = {
+  type: 'boolean',
+  doc: 'Do not have the project’s own shaders compiled by a graphics driver.',
+};
+
+export interface DriverQuestion extends Pick<Context, 'installation' | 'say' | 'interrupted'> {
+  /** The project's real folder. */
+  readonly root: string;
+  readonly files: ProjectFiles;
+  readonly wanted: boolean;
+}
+
+/**
+ * Has a driver compile what the project draws, as it is drawn, and run its loops. For projects that compile: of others there is
+ * nothing to ask.
+ */
+export async function askDriver({ root, files, wanted, installation, say, interrupted }: DriverQuestion): Promise<DriverAnswer> {
+  if (!wanted) return { driver: 'not-wanted', diagnostics: [] };
+  if (Object.keys(files.sources).length === 0) return { driver: 'not-needed', diagnostics: [] };
+  const { program } = await compileProject(root, files, () => ({ loopBudget: true, sourceMaps: true }));
+  if (program === null || program.shaders.length === 0) return { driver: 'not-needed', diagnostics: [] };
+  const jobs = program.shaders.map((_, index) => jobOf(program, index));
+  const chromium = await findChromium();
+  if (chromium === null) return noDriver('No browser was found');
+  let verdicts: readonly ShaderVerdict[];
+  try {
+    verdicts = await withDriver({ root: installation.root, chromium, say }, (judge) => {
+      interrupted.throwIfAborted();
+      say('Compiling the shaders…');
+      return judge(jobs);
+    });
+  } catch (error) {
+    if (error instanceof HostError && error.diagnostic.code === 'SCR071') return noDriver(error.message.replace(/\.$/, ''));
+    throw error;
+  }
+  const sourceOf = (file: string) => files.sources[file.replace(/^shaders\//, '')] ?? LIBRARY.shader(file);
+  const said = program.shaders.flatMap((shader, i) => verdictDiagnostics(shader, verdicts[i], sourceOf));
+  return { driver: 'yes', diagnostics: uniqueDiagnostics(said) };
+}
+
+function noDriver(why: string): DriverAnswer {
+  const message = `${why}, so no graphics driver has compiled the project’s own shaders: what only a driver refuses was not looked for.`;
+  return { driver: 'no-browser', diagnostics: [{ ...NO_BROWSER, severity: 'warning', message }] };
+}
+
+/** With the values that the first pass begins with that draws it; a technique, which is tried apart, needs none. */
+function jobOf({ shaders, operations, slots }: Program, index: number): ShaderJob {
+  const shader = shaders[index];
+  if (!shader) throw new Error(`The program has no shader ${index}.`);
+  const pass = operations.find((operation): operation is PassOperation => operation.kind === 'pass' && operation.shader === index);
+  const numbersOf = (slot: number) => {
+    const { offset = 0 } = slots.slots[slot] ?? {};
+    return slots.numbers.slice(offset, offset + 4);
+  };
+  return {
+    shader,
+    passIndex: pass?.passIndex ?? 0,
+    uniforms: (pass?.uniforms ?? []).map(({ name, type, source }) => ({
+      name,
+      type,
+      value: 'builtin' in source ? source.builtin : 'slot' in source ? numbersOf(source.slot) : [0],
+    })),
+    samplers: (pass?.samplers ?? []).map(({ name, source }) => ({ name, holds: contentOf(source) })),
+  };
+}
+
+function contentOf(source: PassSampler['source']): ShaderJob['samplers'][number]['holds'] {
+  if (source.kind === 'import') return source.cube ? 'cube' : 'color';
+  return source.kind === 'color' ? 'color' : 'number';
+}
