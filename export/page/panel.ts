@@ -27,8 +27,8 @@ export interface PanelOptions {
   /** What visitors can set. */
   readonly controls: readonly unknown[];
   readonly credits: readonly Credit[];
-  /** What the picture does without what the camera, or looking around, lacks. */
-  readonly lacks: Readonly<Record<'camera' | 'orbit', readonly string[]>>;
+  /** What the picture does without what the camera, VR or looking around lacks. */
+  readonly lacks: Readonly<Record<'camera' | 'vr' | 'orbit', readonly string[]>>;
   /** Of all that has to be loaded. */
   readonly totalBytes: number;
   readonly onEnter: (way: Way) => void;
@@ -44,6 +44,7 @@ export interface Panel {
 const LABELS: Readonly<Record<Way, { readonly enter: string; readonly entering: string }>> = {
   ar: { enter: 'Enter AR', entering: 'Entering AR…' },
   camera: { enter: 'Use the camera', entering: 'Starting the camera…' },
+  vr: { enter: 'Enter VR', entering: 'Entering VR…' },
 };
 
 /** The card with title, description and the ways in: what each will ask for, and what it lacks, before it is asked. */
@@ -55,6 +56,7 @@ export function createPanel(options: PanelOptions): Panel {
   const reason = element(document, 'p', { className: 'reason' });
   const ar = createWay(options, 'ar', arTexts(options));
   const camera = createWay(options, 'camera', [...cameraTexts(document), ...lacksElement(document, [STANDS_STILL, ...lacks.camera])]);
+  const vr = createWay(options, 'vr', [...vrTexts(options), ...lacksElement(document, lacks.vr)]);
   const around = element(
     document,
     'div',
@@ -70,6 +72,7 @@ export function createPanel(options: PanelOptions): Panel {
     reason,
     ar.element,
     camera.element,
+    vr.element,
     around,
     aroundLacks,
     ...createCredits(document, options.credits),
@@ -84,7 +87,8 @@ export function createPanel(options: PanelOptions): Panel {
     },
   });
   const header = element(document, 'header', {}, element(document, 'h1', {}, title), fold);
-  const ways = [ar, camera];
+  const ways: Readonly<Record<Way, WayElement>> = { ar, camera, vr };
+  const all = Object.values(ways);
   return {
     element: element(document, 'section', { className: 'panel', attributes: { 'aria-label': title } }, header, body),
     show: (state) => {
@@ -99,20 +103,21 @@ export function createPanel(options: PanelOptions): Panel {
       reason.hidden = text === null;
       reason.textContent = text ?? '';
       if (state.kind === 'entering') {
-        for (const way of ways) way.setBusy(way === (state.way === 'ar' ? ar : camera) ? 'entering' : 'waiting');
+        for (const way of all) way.setBusy(way === ways[state.way] ? 'entering' : 'waiting');
         return;
       }
       const offers: readonly Way[] = state.kind === 'ready' ? state.offers : [];
-      ar.setOffered(offers.indexOf('ar'));
-      camera.setOffered(offers.indexOf('camera'));
+      for (const way of WAYS) ways[way].setOffered(offers.indexOf(way));
       around.hidden = state.kind !== 'ready';
       aroundLacks.hidden = state.kind !== 'ready' || offers.length > 0;
     },
     focus: () => {
-      (ways.find((way) => !way.element.hidden)?.button ?? fold).focus();
+      (all.find((way) => !way.element.hidden)?.button ?? fold).focus();
     },
   };
 }
+
+const WAYS = ['ar', 'camera', 'vr'] as const;
 
 interface WayElement {
   readonly element: HTMLElement;
@@ -157,6 +162,15 @@ function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
   return [
     element(document, 'p', {}, motion + (items.length === 0 ? '' : ' It may also use:')),
     ...(items.length === 0 ? [] : [element(document, 'dl', {}, ...items)]),
+    ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_IN_ROOM)]),
+    element(document, 'p', { className: 'privacy' }, PRIVACY),
+  ];
+}
+
+function vrTexts({ document, controls }: PanelOptions): HTMLElement[] {
+  const asks = 'Your browser will ask whether this page may follow how you move. A plain room stands in for your own.';
+  return [
+    element(document, 'p', {}, asks),
     ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_IN_ROOM)]),
     element(document, 'p', { className: 'privacy' }, PRIVACY),
   ];

@@ -23,7 +23,7 @@ export interface StageOptions extends PanelOptions {
   readonly onLeave: () => void;
 }
 
-const LEAVE: Readonly<Record<Way, string>> = { ar: 'Leave AR', camera: 'Stop the camera' };
+const LEAVE: Readonly<Record<Way, string>> = { ar: 'Leave AR', camera: 'Stop the camera', vr: 'Leave VR' };
 
 /** Takes the place of what `index.html` shows until its script runs; the poster stays. */
 export function createStage(options: StageOptions): Stage {

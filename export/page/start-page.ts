@@ -32,7 +32,7 @@ export async function startPage(page: Window, parts: PageParts): Promise<void> {
     ...config,
     document,
     values,
-    lacks: { camera: lacksOf(config.tiers, 'camera'), orbit: lacksOf(config.tiers, 'orbit') },
+    lacks: { camera: lacksOf(config.tiers, 'camera'), vr: lacksOf(config.tiers, 'authored-vr'), orbit: lacksOf(config.tiers, 'orbit') },
     totalBytes: Object.values(config.bytes).reduce((sum, bytes) => sum + bytes, 0),
     onEnter: (way) => void visit?.enter(way),
     onLeave: () => void visit?.lookAround(),

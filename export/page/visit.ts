@@ -41,6 +41,8 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
   const { canvas, notices, panel } = stage;
   const clock = createBrowserClock();
   let isReady = false;
+  /** Which of the two a session of WebXR is. */
+  let immersive: 'ar' | 'vr' = 'ar';
   let { offers } = ways;
   const offer = () => panel.show({ kind: 'ready', offers, reason: ways.noAr });
   const { around } = program.presentation;
@@ -51,7 +53,7 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
     session: orbit,
     onDiagnostics: (diagnostics) => showDiagnostics(notices, 'player', diagnostics),
     onSessionEvent: (event, session) => {
-      if (session.kind === 'webxr') onEvent('ar', event);
+      if (session.kind === 'webxr') onEvent(immersive, event);
       else if (session.kind === 'camera') onEvent('camera', event);
       else if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
     },
@@ -90,6 +92,7 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
     const { gl } = mounted;
     if (way === 'camera') return requestCameraSession({ window: page, media: page.navigator.mediaDevices, gl, canvas, clock });
     return requestWebXrSession({
+      mode: way === 'vr' ? 'immersive-vr' : 'immersive-ar',
       xr: page.navigator.xr,
       gl,
       needs: program.needs,
@@ -118,6 +121,7 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
         panel.focus();
         return;
       }
+      if (way !== 'camera') immersive = way;
       stage.setWay(way);
       if (way === 'camera') notices.show('hint', { text: CAMERA_HINT, tone: 'hint' });
       await mounted.play(output);
@@ -132,11 +136,13 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
 const ENDED: Readonly<Record<Way, string>> = {
   ar: 'AR has ended. You can enter it again.',
   camera: 'The camera was taken away. Close other apps that use it, then try again.',
+  vr: 'VR has ended. You can enter it again.',
 };
 
 const UNTRACKED: Readonly<Record<Way, string>> = {
   ar: 'Looking for the room: move slowly, with enough light.',
   camera: 'This device does not tell how it is turned: drag to look around.',
+  vr: 'The headset does not know where it is. Look around slowly, with enough light.',
 };
 
 const CAMERA_HINT = 'Turn the device to look around. Pinch or scroll to step closer.';

@@ -2,7 +2,7 @@ import type { Tier } from '../program/program.ts';
 import { supportsWebXr } from '../runtime/sessions/webxr/request-session.ts';
 
 /** What a visitor can enter; looking around needs no entering. */
-export type Way = 'ar' | 'camera';
+export type Way = 'ar' | 'camera' | 'vr';
 
 /** What is asked of a browser window; a test brings its own. */
 export interface WayPage {
@@ -23,6 +23,10 @@ export async function findWays(page: WayPage, tiers: readonly Tier[]): Promise<W
   const offers: Way[] = [];
   if (noAr === null) offers.push('ar');
   if (noAr !== null && canUseCamera(page, tiers)) offers.push('camera');
+  // After the camera, because phones without AR have VR too, for those who put them into a box.
+  if (noAr !== null && tiers.some(({ id }) => id === 'authored-vr') && (await supportsWebXr(page.navigator.xr, 'immersive-vr'))) {
+    offers.push('vr');
+  }
   return { offers, noAr };
 }
 

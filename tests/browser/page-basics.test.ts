@@ -103,6 +103,33 @@ describe('what every exported page has', () => {
     expect(errors).toEqual([]);
   });
 
+  test('is walked through by keys in the order in which it is read', async () => {
+    const { page, errors } = await open();
+    const order: string[] = [];
+    for (let i = 0; i < 10; i++) {
+      await page.keyboard.press('Tab');
+      const name = await page.evaluate(() => {
+        const at = document.activeElement;
+        const labels = at instanceof HTMLInputElement ? [...(at.labels ?? [])].map((label) => label.textContent ?? '') : [];
+        return at?.getAttribute('aria-label') ?? (labels.join(' ') || (at?.textContent ?? ''));
+      });
+      order.push(name);
+    }
+    expect(order).toEqual([
+      'Warm light: drag or use the arrow keys to look around',
+      'About this page',
+      'Use the camera',
+      'What is missing compared with AR',
+      'Credits',
+      'Controls',
+      'Size',
+      'Light',
+      'Warm',
+      'Greener',
+    ]);
+    expect(errors).toEqual([]);
+  });
+
   test('moves nothing for those who ask for less motion', async () => {
     const { page } = await open({ reducedMotion: 'reduce' });
     const moving = await page.evaluate(() =>

@@ -8,7 +8,8 @@ const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capab
   },
   { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'] },
   { id: 'camera', offers: ['camera-image', 'microphone'] },
-  { id: 'authored-vr', offers: ['hands', 'microphone'] },
+  // Its room stands in for the camera's picture.
+  { id: 'authored-vr', offers: ['camera-image', 'hands', 'microphone'] },
   { id: 'orbit', offers: ['microphone'] },
 ];
 

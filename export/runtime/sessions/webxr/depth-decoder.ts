@@ -1,4 +1,4 @@
-import { COPY_SHADER } from '../../gl/copy-shader.ts';
+import { linkPass } from './link-pass.ts';
 import type { XrGpuDepthInformation } from './webxr-types.ts';
 
 /** How the texture holds depth: one of WebXR's formats, or a depth buffer's values. */
@@ -14,7 +14,7 @@ export interface DepthDecoder {
 }
 
 export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, array: boolean): DepthDecoder {
-  const program = link(gl, fragment(source, array));
+  const program = linkPass(gl, fragment(source, array));
   const scale = gl.getUniformLocation(program, 'scale');
   const layer = gl.getUniformLocation(program, 'layer');
   const target = array ? gl.TEXTURE_2D_ARRAY : gl.TEXTURE_2D;
@@ -61,20 +61,3 @@ const METRES: Readonly<Record<DepthSource, string>> = {
   float32: 'TEXEL.r * scale.x',
   window: 'metresFromWindow(TEXEL.r)',
 };
-
-function link(gl: WebGL2RenderingContext, fragmentText: string): WebGLProgram {
-  const program = gl.createProgram();
-  for (const [type, text] of [
-    [gl.VERTEX_SHADER, COPY_SHADER.vertex],
-    [gl.FRAGMENT_SHADER, fragmentText],
-  ] as const) {
-    const shader = gl.createShader(type);
-    if (!shader) continue;
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-    gl.deleteShader(shader);
-  }
-  gl.linkProgram(program);
-  return program;
-}

@@ -38,7 +38,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     if (next !== tracked) onEvent?.({ kind: 'tracking', tracked: next });
     tracked = next;
   };
-  const fillViews = ({ layer, sources }: WebXrSurface, xrFrame: XRFrame, pose: XRViewerPose): void => {
+  const fillViews = ({ layer, sources, room }: WebXrSurface, xrFrame: XRFrame, pose: XRViewerPose): void => {
     let count = 0;
     for (const xrView of pose.views) {
       const view = frame.views[count];
@@ -54,7 +54,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
       view.viewport.widthPx = viewport.width;
       view.viewport.heightPx = viewport.height;
       view.depth = sources.depth(xrFrame, xrView, count, view.worldFromView);
-      view.cameraImage = wantsCamera ? sources.cameraImage(xrView, count) : null;
+      view.cameraImage = room ? room.image(view, count) : wantsCamera ? sources.cameraImage(xrView, count) : null;
       count++;
       if (count === MAX_VIEWS) break;
     }
@@ -84,7 +84,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     try {
       const renewed = await parts.renewSurface();
       if (onFrame && !gl.isContextLost()) surface = renewed;
-      else renewed.sources.dispose();
+      else renewed.dispose();
     } catch {
       // Ended meanwhile, or not to be had back.
       endedBy = 'system';
@@ -98,7 +98,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     session.addEventListener('end', () => {
       gl.canvas.removeEventListener('webglcontextlost', lost);
       gl.canvas.removeEventListener('webglcontextrestored', onRestored);
-      surface?.sources.dispose();
+      surface?.dispose();
       surface = null;
       onFrame = null;
       onEvent?.({ kind: 'ended', by: endedBy });
@@ -116,7 +116,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   return {
     kind: 'webxr',
     capabilities,
-    world: session.environmentBlendMode === 'opaque' ? 'none' : 'device',
+    world: parts.surface.room ? 'image' : session.environmentBlendMode === 'opaque' ? 'none' : 'device',
     blend: session.environmentBlendMode === 'additive' ? 'additive' : session.environmentBlendMode === 'opaque' ? 'opaque' : 'alpha',
     hidesPage: !session.domOverlayState,
     start: (frameHandler, eventHandler) => {

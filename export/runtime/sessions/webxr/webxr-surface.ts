@@ -1,4 +1,5 @@
 import { FAR_M, NEAR_M } from '../matrix.ts';
+import { type AuthoredRoom, createAuthoredRoom } from './authored-room.ts';
 import { createViewSources, type ViewSources } from './view-sources.ts';
 import type { XrBinding } from './webxr-types.ts';
 
@@ -6,11 +7,15 @@ import type { XrBinding } from './webxr-types.ts';
 export interface WebXrSurface {
   readonly layer: XRWebGLLayer;
   readonly sources: ViewSources;
+  readonly room: AuthoredRoom | null;
+  dispose(): void;
 }
 
 export interface SurfaceWishes {
   readonly antialias: boolean;
   readonly wantsDepth: boolean;
+  /** Height of the floor of a room that stands in for the visitor's; null where that is seen. */
+  readonly authoredFloorM: number | null;
 }
 
 /** Near and far planes that the browser makes its projections with. */
@@ -25,5 +30,11 @@ export async function createSurface(gl: WebGL2RenderingContext, session: XRSessi
   const layer = new XRWebGLLayer(session, gl, { antialias: wishes.antialias, alpha: true, depth: true, stencil: false });
   await session.updateRenderState({ baseLayer: layer, ...DEPTH_RANGE });
   const binding = typeof XRWebGLBinding === 'undefined' ? null : (new XRWebGLBinding(session, gl) as XrBinding);
-  return { layer, sources: createViewSources(gl, session, binding, wishes.wantsDepth) };
+  const room = wishes.authoredFloorM === null ? null : createAuthoredRoom(gl, wishes.authoredFloorM);
+  const sources = createViewSources(gl, session, binding, wishes.wantsDepth);
+  const dispose = () => {
+    sources.dispose();
+    room?.dispose();
+  };
+  return { layer, sources, room, dispose };
 }
