@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
 import type { GltfDocument } from './document.ts';
 import { readGltf } from './read-gltf.ts';
@@ -128,6 +129,13 @@ describe('readGltf', () => {
     ],
   ])('says what is wrong with %s', (_what, bytes, message) => {
     expect(() => readGltf(bytes)).toThrow(new Error(message));
+  });
+
+  test('knows every extension of materials that three’s loader knows', () => {
+    const loader = readFileSync('node_modules/three/examples/jsm/loaders/GLTFLoader.js', 'utf8');
+    const extensions = [...loader.matchAll(/KHR_MATERIALS_\w+: '(KHR_materials_\w+)'/g)].map(([, name]) => name);
+    expect(extensions.length).toBeGreaterThanOrEqual(12);
+    expect(() => readGltf(text({ ...MINIMAL, extensionsRequired: extensions }))).not.toThrow();
   });
 
   test('lets pass what is used and not required', () => {

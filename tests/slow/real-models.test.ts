@@ -11,6 +11,7 @@ import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
+import { MATERIAL_EXTENSIONS, materialSpheres } from '../support/material-spheres.ts';
 import { projectText } from '../support/project-kit.ts';
 
 const shared = resolve('../shared/data/models');
@@ -84,8 +85,8 @@ const SIZES: Readonly<Record<string, readonly [number, number]>> = {
   'RobotExpressive.glb': [4, 10],
 };
 
-async function play(baseUrl: string, path: string, name: string): Promise<Compared> {
-  return page.call<Compared>('compare', programOf(path), baseUrl, `/models/${name}`, 0.3, SUN);
+async function play(baseUrl: string, path: string, name: string, reference = `/models/${name}`): Promise<Compared> {
+  return page.call<Compared>('compare', programOf(path), baseUrl, reference, 0.3, SUN);
 }
 
 function keepPictures(name: string, { ours, reference, widthPx: width, heightPx: height }: Compared): void {
@@ -96,6 +97,17 @@ function keepPictures(name: string, { ours, reference, widthPx: width, heightPx:
   write('scrim', ours);
   write('three', reference);
 }
+
+test('materials of every extension but those of glass are drawn as by three.js itself', async () => {
+  const name = 'material-extensions.gltf';
+  await writeFile(join(folder, name), materialSpheres());
+  const result = await play('/packed/', name, name, `/packed/${name}`);
+  keepPictures(name, result);
+  expect([result.diagnostics, result.error]).toEqual([[], 0]);
+  expect([result.mean < 2, result.far < 0.01, result.onlyOne < 0.01]).toEqual([true, true, true]);
+  expect(result.covered).toBeGreaterThan(500);
+  expect(Object.keys(MATERIAL_EXTENSIONS)).toHaveLength(9);
+});
 
 describe.each(names)('%s', (name) => {
   test('is drawn by the player as by three.js itself', async () => {
