@@ -3,7 +3,6 @@ import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { encode } from 'fast-png';
 import { type Compressor, createCompressor } from '../../export/bundle/compress/compressor.ts';
 import { compile } from '../../export/compiler/compile.ts';
 import { DECODER_FILES_FOLDER } from '../../export/gltf/decoders.ts';
@@ -12,6 +11,7 @@ import type { Program } from '../../export/program/program.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import { MATERIAL_EXTENSIONS, materialSpheres } from '../support/material-spheres.ts';
+import { encodePicture, fromGl } from '../support/picture.ts';
 import { projectText } from '../support/project-kit.ts';
 
 const shared = resolve('../shared/data/models');
@@ -93,7 +93,7 @@ function keepPictures(name: string, { ours, reference, widthPx: width, heightPx:
   const out = resolve('tests/output/models');
   mkdirSync(out, { recursive: true });
   const write = (what: string, data: number[]) =>
-    writeFileSync(join(out, `${name}-${what}.png`), encode({ width, height, channels: 4, data: Uint8Array.from(data) }));
+    writeFileSync(join(out, `${name}-${what}.png`), encodePicture(fromGl(width, height, data)));
   write('scrim', ours);
   write('three', reference);
 }
