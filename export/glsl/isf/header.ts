@@ -148,7 +148,7 @@ function finite(value: number): number | null {
 }
 
 /** The first comment is to be the header; a licence may stand before it, so the first that begins with a brace counts. */
-function findHeader(source: string): number {
+export function findHeader(source: string): number {
   const brace = /\/\*\s*\{/.exec(source);
   return brace?.index ?? source.indexOf('/*');
 }

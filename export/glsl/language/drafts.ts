@@ -1,0 +1,48 @@
+import type { Place, Token } from '../syntax/token.ts';
+import type { NameKind, NameSignature, ShaderName } from './names.ts';
+
+/** A name while the text is being read. */
+export interface Draft extends ShaderName {
+  readonly declarations: Token[];
+  readonly uses: Token[];
+  readonly signatures: NameSignature[];
+  readonly members: Map<string, Draft>;
+  scope: { from: Place; to: Place } | null;
+}
+
+export interface Frame {
+  readonly kind: 'file' | 'block' | 'function' | 'for' | 'struct' | 'macro';
+  readonly parent: Frame | null;
+  readonly names: Map<string, Draft>;
+  readonly owned: Draft[];
+  /** Struct whose members stand here. */
+  readonly owner: Draft | null;
+  /** The head of `for` or of a function is closed: its body may begin. */
+  headClosed: boolean;
+}
+
+export function frameOf(kind: Frame['kind'], parent: Frame | null, owner: Draft | null = null): Frame {
+  return { kind, parent, names: new Map(), owned: [], owner, headClosed: false };
+}
+
+export function draftOf(kind: NameKind, { text }: Token, type: string, doc: string): Draft {
+  return { kind, name: text, type, file: null, doc, declarations: [], uses: [], signatures: [], members: new Map(), scope: null };
+}
+
+/** A name from elsewhere, with no uses in this text yet. */
+export function adopted(name: ShaderName): Draft {
+  const members = new Map([...name.members].map(([key, member]) => [key, adopted(member)]));
+  return { ...name, declarations: [...name.declarations], uses: [], signatures: [...name.signatures], members, scope: null };
+}
+
+export function scopeFrom(token: Token): { from: Place; to: Place } {
+  return { from: behind(token), to: { line: Number.POSITIVE_INFINITY, column: 1 } };
+}
+
+export function behind({ line, column, text }: Token): Place {
+  return { line, column: column + text.length };
+}
+
+export function byPlace(a: Token, b: Token): number {
+  return a.line - b.line || a.column - b.column;
+}

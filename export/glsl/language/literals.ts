@@ -1,0 +1,128 @@
+import { items, property, readHeader, textOf } from '../isf/header.ts';
+import type { Place, Token } from '../syntax/token.ts';
+import type { Outline } from './names.ts';
+import { lexLeniently, rangeOf, type TextRange, touches } from './source-text.ts';
+
+export type Colour = readonly [red: number, green: number, blue: number, alpha: number];
+
+/** A colour that the text holds as numbers. Components from 0 to 1, as they stand there. */
+export interface ColourLiteral {
+  readonly range: TextRange;
+  readonly colour: Colour;
+  /** `vec3` and lists of three numbers have no alpha. */
+  readonly hasAlpha: boolean;
+  /** Text of another colour in its place. */
+  readonly form: 'call' | 'list';
+}
+
+export interface NumberLiteral {
+  /** With its sign, where it has one. */
+  readonly range: TextRange;
+  readonly value: number;
+  readonly isInt: boolean;
+  /** How it was written: digits behind the point. */
+  readonly decimals: number;
+}
+
+/** `vec3(0.2, 0.4, 1.0)` and the like, and the DEFAULT of colour inputs; what goes beyond 0 to 1 is no colour. */
+export function coloursOf(source: string, outline: Pick<Outline, 'tokens'> = { tokens: lexLeniently(source) }): readonly ColourLiteral[] {
+  const found: ColourLiteral[] = [...headerColours(source)];
+  const { tokens } = outline;
+  tokens.forEach((token, i) => {
+    const size = token.text === 'vec3' ? 3 : token.text === 'vec4' ? 4 : 0;
+    if (size === 0 || tokens[i + 1]?.text !== '(') return;
+    const numbers: number[] = [];
+    let at = i + 2;
+    for (; tokens[at] !== undefined; at += 2) {
+      const value = unitValue(tokens[at] as Token);
+      if (value === null) return;
+      numbers.push(value);
+      if (tokens[at + 1]?.text !== ',') break;
+    }
+    const close = tokens[at + 1];
+    if (close?.text !== ')') return;
+    const colour = colourOf(numbers.length === 1 ? new Array<number>(size).fill(numbers[0] ?? 0) : numbers);
+    if (colour === null || (numbers.length !== 1 && numbers.length !== size)) return;
+    found.push({ range: { start: rangeOf(token).start, end: rangeOf(close).end }, colour, hasAlpha: size === 4, form: 'call' });
+  });
+  return found;
+}
+
+function headerColours(source: string): ColourLiteral[] {
+  const { header } = readHeader(source, '');
+  if (header === null) return [];
+  return items(property(header.root, 'INPUTS')).flatMap((input): ColourLiteral[] => {
+    const list = property(input, 'DEFAULT');
+    if (textOf(property(input, 'TYPE')) !== 'color' || list?.type !== 'array') return [];
+    const numbers = items(list).map(({ value }) => (typeof value === 'number' && value >= 0 && value <= 1 ? value : Number.NaN));
+    const colour = numbers.some(Number.isNaN) ? null : colourOf(numbers);
+    const range = { start: header.place(list.offset), end: header.place(list.offset + list.length) };
+    return colour === null ? [] : [{ range, colour, hasAlpha: numbers.length === 4, form: 'list' }];
+  });
+}
+
+function colourOf(numbers: readonly number[]): Colour | null {
+  const [red, green, blue, alpha = 1] = numbers;
+  return red === undefined || green === undefined || blue === undefined || numbers.length > 4 ? null : [red, green, blue, alpha];
+}
+
+function unitValue({ kind, text }: Token): number | null {
+  const value = kind === 'float' || kind === 'int' ? Number.parseFloat(text) : Number.NaN;
+  return value >= 0 && value <= 1 ? value : null;
+}
+
+/** What to write in the place of a colour. */
+export function printColour({ form, hasAlpha }: Pick<ColourLiteral, 'form' | 'hasAlpha'>, colour: Colour): string {
+  const numbers = (hasAlpha ? colour : colour.slice(0, 3)).map((value) => printNumber(value, 3)).join(', ');
+  return form === 'list' ? `[${numbers}]` : `vec${hasAlpha ? 4 : 3}(${numbers})`;
+}
+
+/** Never a whole number, which GLSL would take for an int. */
+function printNumber(value: number, decimals: number): string {
+  const text = value.toFixed(decimals).replace(/0+$/, '');
+  return text.endsWith('.') ? `${text}0` : text;
+}
+
+/** The number that a place touches, in the GLSL; with a minus before it that can only be its sign. */
+export function numberAt(
+  source: string,
+  place: Place,
+  outline: Pick<Outline, 'tokens'> = { tokens: lexLeniently(source) },
+): NumberLiteral | null {
+  const { tokens } = outline;
+  const index = tokens.findIndex((token) => (token.kind === 'float' || token.kind === 'int') && touches(rangeOf(token), place));
+  const token = tokens[index];
+  if (token === undefined || /^0[xX]/.test(token.text) || /[eE]/.test(token.text)) return null;
+  const sign = tokens[index - 1];
+  const beforeSign = tokens[index - 2];
+  const operand =
+    beforeSign !== undefined && (['word', 'int', 'uint', 'float'].includes(beforeSign.kind) || [')', ']'].includes(beforeSign.text));
+  const negative = sign?.text === '-' && sign.line === token.line && !(operand && beforeSign?.text !== 'return');
+  const value = Number.parseFloat(token.text) * (negative ? -1 : 1);
+  const start = negative && sign ? rangeOf(sign).start : rangeOf(token).start;
+  const decimals = /\.(\d*)/.exec(token.text)?.[1]?.length ?? 0;
+  return { range: { start, end: rangeOf(token).end }, value, isInt: token.kind === 'int', decimals };
+}
+
+/** Text of another value in the place of a number; as many digits as `step` needs, and never fewer than it had. */
+export function printLiteral({ isInt, decimals }: Pick<NumberLiteral, 'isInt' | 'decimals'>, value: number, step: number): string {
+  if (isInt) return String(Math.round(value));
+  const digits = Math.max(decimals, Math.ceil(-Math.log10(step)), 1);
+  const text = value.toFixed(Math.min(digits, 8));
+  return Number(text) === 0 ? text.replace('-', '') : text;
+}
+
+/** A hundredth of the size of the number, as a power of ten; 1 for whole ones. */
+export function stepOf({ value, isInt }: Pick<NumberLiteral, 'value' | 'isInt'>): number {
+  if (isInt) return 1;
+  const size = Math.max(Math.abs(value), 0.1);
+  return 10 ** (Math.floor(Math.log10(size)) - 2 + (size >= 1 ? 0 : 1));
+}
+
+/** Where a slider for it may go: to twice its size on its side of 0, at least from 0 to 1. */
+export function rangeOfSlider({ value, isInt }: Pick<NumberLiteral, 'value' | 'isInt'>): { readonly min: number; readonly max: number } {
+  const size = Math.abs(value);
+  const reach = size <= 1 ? 1 : 10 ** Math.ceil(Math.log10(size)) * (size * 2 <= 10 ** Math.ceil(Math.log10(size)) ? 1 : 2);
+  const max = isInt ? Math.max(Math.round(reach), 10) : reach;
+  return { min: value < 0 ? -max : 0, max };
+}

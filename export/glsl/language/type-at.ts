@@ -1,0 +1,63 @@
+import { swizzleType } from '../check/glsl-type.ts';
+import type { Token } from '../syntax/token.ts';
+import { TYPES } from '../syntax/words.ts';
+import { openingOf } from './brackets.ts';
+import { BUILTIN_FUNCTIONS } from './builtin-docs.ts';
+import type { Outline, ShaderName } from './names.ts';
+import { ISF_FUNCTIONS } from './vocabulary.ts';
+
+/** What the members of a value are taken from: a struct, or a vector by its type. */
+export interface ValueType {
+  readonly type: string;
+  readonly struct: ShaderName | null;
+}
+
+const UNKNOWN: ValueType = { type: '', struct: null };
+
+/** Type of the value whose last token stands at `index`, as far as the text tells it without working out expressions. */
+export function typeOfValue(outline: Outline, index: number, structs: ReadonlyMap<string, ShaderName>): ValueType {
+  const { tokens } = outline;
+  const token = tokens[index];
+  if (token === undefined) return UNKNOWN;
+  const named = (type: string): ValueType => ({ type, struct: structs.get(type) ?? null });
+  if (token.text === ']') {
+    const { type } = typeOfValue(outline, openingOf(tokens, index) - 1, structs);
+    return named(elementOf(type));
+  }
+  if (token.text === ')') {
+    const open = openingOf(tokens, index);
+    const callee = tokens[open - 1];
+    if (callee?.kind !== 'word') return typeOfValue(outline, index - 1, structs);
+    return named(resultOf(outline, callee, open));
+  }
+  if (token.kind !== 'word') return UNKNOWN;
+  if (tokens[index - 1]?.text === '.') return typeOfMember(typeOfValue(outline, index - 2, structs), token, structs);
+  return named(outline.nameAt(token)?.type ?? '');
+
+  function resultOf({ nameAt }: Outline, callee: Token, open: number): string {
+    if (TYPES.has(callee.text)) return callee.text;
+    const name = nameAt(callee);
+    if (name?.kind === 'struct') return name.name;
+    if (name !== null) return name.signatures[0]?.returns ?? '';
+    const returns = (BUILTIN_FUNCTIONS.get(callee.text) ?? ISF_FUNCTIONS.get(callee.text))?.signatures[0]?.returns ?? '';
+    // A function of every size gives the size of what it is given; its first argument tells, where that is a single name.
+    if (returns !== 'T') return returns;
+    const first = tokens[open + 1];
+    const alone = [',', ')'].includes(tokens[open + 2]?.text ?? '');
+    return first?.kind === 'word' && alone ? (nameAt(first)?.type ?? '') : '';
+  }
+}
+
+function typeOfMember(object: ValueType, member: Token, structs: ReadonlyMap<string, ShaderName>): ValueType {
+  const type = object.struct?.members.get(member.text)?.type ?? swizzleType(object.type, member.text);
+  return { type, struct: structs.get(type) ?? null };
+}
+
+/** `float[3]` → `float`, `vec3` → `float`, `mat3` → `vec3`. */
+function elementOf(type: string): string {
+  if (type.includes('[')) return type.slice(0, type.lastIndexOf('['));
+  if (/^vec[234]$/.test(type)) return 'float';
+  if (/^[iub]vec[234]$/.test(type)) return { i: 'int', u: 'uint', b: 'bool' }[type.charAt(0)] ?? '';
+  const matrix = /^mat([234])(?:x([234]))?$/.exec(type);
+  return matrix === null ? '' : `vec${matrix[2] ?? matrix[1]}`;
+}

@@ -1,0 +1,121 @@
+import { type BuiltinFunction, readSignature } from './builtin-docs.ts';
+
+/** Variables that the host of an ISF file sets (docs.isf.video, "Automatically Created Uniforms"), and those of GLSL itself. */
+export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonly doc: string }> = new Map([
+  ['TIME', { type: 'float', doc: 'Seconds since the first frame.' }],
+  ['TIMEDELTA', { type: 'float', doc: 'Seconds since the last frame.' }],
+  ['FRAMEINDEX', { type: 'int', doc: 'Number of this frame, from 0.' }],
+  ['DATE', { type: 'vec4', doc: 'Year, month, day, and seconds of the day.' }],
+  ['RENDERSIZE', { type: 'vec2', doc: 'Width and height of what this pass draws, pixels.' }],
+  ['PASSINDEX', { type: 'int', doc: 'Number of this pass, from 0.' }],
+  ['isf_FragNormCoord', { type: 'vec2', doc: 'This pixel, from (0, 0) at the bottom left to (1, 1) at the top right.' }],
+  ['isf_FragCoord', { type: 'vec2', doc: 'Middle of this pixel, pixels from the bottom left.' }],
+  ['vv_FragNormCoord', { type: 'vec2', doc: 'What version 1 of ISF calls isf_FragNormCoord.' }],
+  ['vv_FragCoord', { type: 'vec2', doc: 'What version 1 of ISF calls isf_FragCoord.' }],
+  ['gl_FragCoord', { type: 'vec4', doc: 'Middle of this pixel, pixels from the bottom left; z is the depth.' }],
+  ['gl_FragColor', { type: 'vec4', doc: 'Colour of this pixel: red, green, blue and alpha from 0 to 1, alpha not multiplied in.' }],
+  ['gl_FragData', { type: 'vec4[]', doc: 'gl_FragData[0] is gl_FragColor.' }],
+]);
+
+/** What ISF and Scrim add for reading images; `image` is the name of an image of the header. */
+export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
+  [
+    ['vec4 IMG_PIXEL(image, vec2 pixel)', 'Colour of an image at a place in pixels from its bottom left.'],
+    ['vec4 IMG_NORM_PIXEL(image, vec2 place)', 'Colour of an image at a place from (0, 0), bottom left, to (1, 1).'],
+    ['vec4 IMG_THIS_PIXEL(image)', 'Colour of an image at this pixel.'],
+    ['vec4 IMG_THIS_NORM_PIXEL(image)', 'Colour of an image at this pixel.'],
+    ['vec4 IMG_NORM_THIS_PIXEL(image)', 'Colour of an image at this pixel.'],
+    ['vec2 IMG_SIZE(image)', 'Width and height of an image, pixels.'],
+    [
+      'float LAYER_DEPTH(image, vec2 place)',
+      'Distance of what the layer shows at a place from 0 to 1, metres; 0 where there is nothing. Scrim only.',
+    ],
+    ['float ROOM_DEPTH(depth, vec2 place)', 'Distance of the real room at a place from 0 to 1, metres; 0 where it is unknown. Scrim only.'],
+  ].map(([label = '', doc = '']) => {
+    const name = /(\w+)\(/.exec(label)?.[1] ?? '';
+    return [name, { name, signatures: [readSignature(label)], doc }] as const;
+  }),
+);
+
+/** What a technique is written against (design: `technique/interface.ts`). */
+export const TECHNIQUE_DOCS: ReadonlyMap<string, string> = new Map([
+  ['Vertex', 'A corner of an object, in world space. “vertex” may move it.'],
+  ['Surface', 'The point of an object that is drawn, in world space.'],
+  ['Light', 'A light as it reaches the surface.'],
+  ['EYE', 'Where the picture is taken from, metres, world space.'],
+  ['AMBIENT', 'Light from everywhere, linear-sRGB.'],
+  ['LIGHT_COUNT', 'How many lights there are.'],
+  ['LIGHT', 'One of the lights, from 0; in “surface” only.'],
+  ['PASSINDEX', 'Number of this pass, from 0.'],
+  ['TIME', 'Seconds since the first frame.'],
+  ['RENDERSIZE', 'Width and height of the picture, pixels.'],
+  ['VIEW_UV', 'Where a point of the room is in the picture, (0, 0) at the bottom left.'],
+  ['VIEW_DEPTH', 'How far from the eye a point is along the view, metres.'],
+  ['PIXEL_M', 'How large a pixel is at a point, metres.'],
+  ['rest', 'Where the point is on the object itself, metres along its own axes, before bones move it.'],
+  ['restNormal', 'The normal there, along the object’s own axes.'],
+  ['outward', 'For outlines: moving a vertex by it moves all faces that meet there by one.'],
+  ['position', 'Metres, world space.'],
+  ['normal', 'Direction away from the surface, of length 1.'],
+  ['towardsEye', 'Direction to the eye, of length 1.'],
+  ['towards', 'Direction to the light, of length 1.'],
+  ['radiance', 'What the light brings, linear-sRGB, without shadow.'],
+  ['lit', 'Share of the light that no shadow takes away, 0 to 1.'],
+  ['uv', 'Place on the texture.'],
+  ['color', 'Colour of its own, linear-sRGB with straight alpha.'],
+  ['front', 'Whether its front is seen.'],
+]);
+
+/** Keys of a header, by where they stand. */
+export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Record<string, string>>>> = {
+  root: {
+    ISFVSN: 'Version of ISF that the file is written for: "2".',
+    VSN: 'Version of the file itself.',
+    DESCRIPTION: 'What the effect does, in a sentence or two.',
+    CREDIT: 'Whose work it is, and after whom.',
+    CATEGORIES: 'Words to find it by.',
+    INPUTS: 'Ports and dials of the node.',
+    PASSES: 'What is drawn, one after the other.',
+    IMPORTED: 'Pictures that belong to the effect.',
+    SCRIM_TITLE: 'Title of the node.',
+    SCRIM_ALPHA: '"premultiplied": colours are read and written with alpha multiplied in.',
+    SCRIM_DEPTH: 'What becomes of the layer’s depth: "auto", "same", "none" or "over".',
+    SCRIM_UNITS: 'Units of inputs, by name.',
+  },
+  input: {
+    NAME: 'What the GLSL calls it.',
+    TYPE: 'Kind of value.',
+    LABEL: 'What the inspector calls it.',
+    DOC: 'What it does, in a sentence.',
+    DEFAULT: 'Where it starts.',
+    MIN: 'Smallest value.',
+    MAX: 'Greatest value.',
+    IDENTITY: 'Value with which nothing changes.',
+    VALUES: 'Numbers that a "long" can be.',
+    LABELS: 'What those numbers are called.',
+    UNIT: 'm, s, rad, px, K, Hz, cd, ratio or none.',
+    STEP: 'How far apart its values are.',
+    OPTIONAL: 'Whether an image may be left without a wire.',
+  },
+  pass: {
+    TARGET: 'Buffer that the pass draws into; without it, the node’s output.',
+    PERSISTENT: 'Whether the buffer keeps what it held in the last frame.',
+    FLOAT: 'Whether the buffer holds more than 8 bits, below 0 and above 1 too.',
+    WIDTH: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
+    HEIGHT: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
+    SIDE: 'Techniques: "front", "back", "both" or "object".',
+  },
+};
+
+export const INPUT_TYPE_DOCS: Readonly<Record<string, string>> = {
+  event: 'True in the frame in which it is fired.',
+  bool: 'A switch.',
+  long: 'A whole number, or one of several choices.',
+  float: 'A number.',
+  point2D: 'Two numbers: a place.',
+  color: 'Red, green, blue and alpha from 0 to 1.',
+  image: 'A layer.',
+  audio: 'The waveform of a sound, as an image.',
+  audioFFT: 'The spectrum of a sound, as an image.',
+  depth: 'Distance to the real world. Scrim only.',
+};
