@@ -222,7 +222,7 @@ function start(): Project {
 }
 
 /** What commands are made of, and no commands themselves. */
-const PARTS = ['change.ts', 'settle.ts'];
+const PARTS = ['carry-rename.ts', 'change.ts', 'settle.ts'];
 const HELPERS = ['draftLayout', 'usesGraph', 'copyOfGraph'];
 
 test('every command there is takes part', async () => {

@@ -51,6 +51,28 @@ describe('editing a shader of the project', () => {
     expect(studio.undo().save()).toEqual(before);
   });
 
+  test('an input with another name takes its wires, its value and the port outside along, as one step', () => {
+    const studio = edgeStudio();
+    const before = studio.save();
+    const steps = studio.history.past.length;
+    studio.source('edge.fs', shader(image('picture'), float('low'), float('high')));
+    expect(wires(studio)).toContain('video-aaaa.layer -> edge-aaaa.picture');
+    expect(studio.history.past).toHaveLength(steps + 1);
+    studio.source('edge.fs', shader(image('picture'), float('least'), float('high')));
+    expect(edge(studio)?.params).toMatchObject({ least: { value: 0.25 } });
+    studio.source('edge.fs', shader(image('picture'), float('least'), float('most')));
+    expect(wires(studio)).toContain('number-aaaa.value -> edge-aaaa.most');
+    expect(studio.diagnostics()).toEqual([]);
+    expect(studio.undo().undo().undo().save()).toEqual(before);
+  });
+
+  test('a name that another input had is no new name, and neither is one of another type', () => {
+    const swapped = edgeStudio().source('edge.fs', shader(image('inputImage'), float('high'), float('low')));
+    expect(edge(swapped)?.params).toMatchObject({ low: { value: 0.25 } });
+    const retyped = edgeStudio().source('edge.fs', shader(image('inputImage'), { NAME: 'least', TYPE: 'bool' }, float('high')));
+    expect(Object.keys(edge(retyped)?.params ?? {})).toEqual(['high']);
+  });
+
   test('a second image makes an operator of a filter, its nodes included', () => {
     const studio = edgeStudio().source('edge.fs', shader(image('inputImage'), image('mask'), float('low'), float('high')));
     expect(edge(studio)).toMatchObject({ type: 'operator/edge', params: { low: { value: 0.25 } } });

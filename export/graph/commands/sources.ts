@@ -4,6 +4,7 @@ import { projectLibrary, type ReadShader } from '../library/project-library.ts';
 import { isShaderFile, shaderFilesOf } from '../names.ts';
 import { own } from '../own.ts';
 import type { Project } from '../project.ts';
+import { carryRename, findRename, type PortRename } from './carry-rename.ts';
 import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, unchanged } from './change.ts';
 import { settle } from './settle.ts';
 
@@ -15,14 +16,16 @@ export interface SetSource {
   /** In `shaders/`. */
   readonly file: string;
   readonly text: string;
+  /** Knows node types as they were before a header broke; by default what can be read now. */
+  readonly known?: NodeLibrary;
 }
 
 /**
  * Sets the text of a project's shader, with all that follows from it, as one step: where the header's inputs have changed, wires
- * and params stay whose name and type are still there; where they make it another kind of node (a filter that has got a second
+ * and params stay whose name and type are still there, and where one input has another name, they go with it; where they make it another kind of node (a filter that has got a second
  * image is an operator), its nodes become that. A header that cannot be read changes nothing but the text.
  */
-export function setSource(project: Project, { base, readShader, file, text }: SetSource): Change {
+export function setSource(project: Project, { base, readShader, file, text, known }: SetSource): Change {
   if (!isShaderFile(file)) return refuse(project, 'SCR002', `“${file}” will not do as the name of a shader file.`, { file });
   if (own(project.sources, file) === text) return unchanged(project);
   const sources = { ...project.sources, [file]: text };
@@ -33,14 +36,21 @@ export function setSource(project: Project, { base, readShader, file, text }: Se
       draft.sources[file] = text;
     });
   if (after === undefined) return inTurn(project, write);
-  const before = typeOf(projectLibrary(base, project.sources, readShader).files, file);
+  const old = projectLibrary(base, project.sources, readShader);
+  const before = typeOf(old.files, file);
   const stale = before === undefined ? orphanedTypes(file, library) : before === after ? [] : [before];
+  const rename = renameOf(before === undefined ? known?.definition(after) : old.definition(after), library.definition(after));
   const retype = (written: Project) =>
     stale.length === 0 ? unchanged(written) : change(written, (draft) => retypeNodes(draft, stale, after));
-  return inTurn(project, write, retype, (retyped) => settle(retyped, library, [after]));
+  const carry = (retyped: Project) => (rename === null ? unchanged(retyped) : carryRename(retyped, after, rename));
+  return inTurn(project, write, retype, carry, (carried) => settle(carried, library, [after]));
 }
 
-export interface RemoveSource extends Omit<SetSource, 'text'> {}
+function renameOf(before: NodeDefinition | undefined, after: NodeDefinition | undefined): PortRename | null {
+  return before && after ? findRename(before, after) : null;
+}
+
+export interface RemoveSource extends Omit<SetSource, 'text' | 'known'> {}
 
 /** Refused while a node needs it: one that the library has no node type of the same name for. */
 export function removeSource(project: Project, { base, readShader, file }: RemoveSource): Change {

@@ -1,0 +1,59 @@
+import { castDraft } from 'immer';
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import { own } from '../own.ts';
+import type { Graph, PortAddress, Project } from '../project.ts';
+import { sortWires } from '../wires.ts';
+import { type Change, change, draftGraph, setWires, unchanged } from './change.ts';
+
+export interface PortRename {
+  readonly from: string;
+  readonly to: string;
+}
+
+/** The one port or param that has another name while all else is as it was, its place and type too; null where there is none. */
+export function findRename(before: NodeDefinition, after: NodeDefinition): PortRename | null {
+  const old = portsOf(before);
+  const now = portsOf(after);
+  if (old.length !== now.length) return null;
+  const changed = old.filter(({ key }, i) => key !== now[i]?.key);
+  const [from] = changed;
+  const to = from && now[old.indexOf(from)];
+  if (changed.length !== 1 || !from || !to || from.type !== to.type) return null;
+  const isNew = !old.some(({ name }) => name === to.name);
+  return isNew ? { from: from.name, to: to.name } : null;
+}
+
+function portsOf({ inputs, params }: NodeDefinition) {
+  const list = (kind: string, all: Readonly<Record<string, { readonly type: string }>>) =>
+    Object.entries(all).map(([name, { type }]) => ({ name, type: `${kind} ${type}`, key: `${kind} ${type} ${name}` }));
+  return [...list('port', inputs), ...list('param', params)];
+}
+
+/** Gives the wires, values and shown ports of a type's nodes the port's new name. */
+export function carryRename(project: Project, type: string, { from, to }: PortRename): Change {
+  const users = Object.entries(project.graphs).filter(([, { nodes }]) => Object.values(nodes).some((node) => node.type === type));
+  if (users.length === 0) return unchanged(project);
+  return change(project, (draft) => {
+    for (const [name, graph] of users) {
+      const isPort = ({ node, port }: PortAddress) => port === from && own(graph.nodes, node)?.type === type;
+      const drafted = draftGraph(draft, name);
+      for (const [id, node] of Object.entries(graph.nodes)) {
+        const held = node.type === type ? own(node.params, from) : undefined;
+        const target = drafted.nodes[id];
+        if (held === undefined || !target) continue;
+        delete target.params[from];
+        target.params[to] = castDraft(held);
+      }
+      if (graph.wires.some((wire) => isPort(wire.to))) {
+        const renamed = graph.wires.map((wire) => (isPort(wire.to) ? { ...wire, to: { ...wire.to, port: to } } : wire));
+        setWires(draft, name, sortWires(renamed));
+      }
+      if (graph.exposed.inputs.some(isPort)) drafted.exposed = castDraft(exposedAs(graph, isPort, to));
+    }
+  });
+}
+
+/** Outside, the name that a subgraph shows it under stays. */
+function exposedAs({ exposed }: Graph, isPort: (address: PortAddress) => boolean, to: string): Graph['exposed'] {
+  return { ...exposed, inputs: exposed.inputs.map((shown) => (isPort(shown) ? { ...shown, port: to } : shown)) };
+}
