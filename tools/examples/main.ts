@@ -1,5 +1,6 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
+import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
@@ -7,12 +8,19 @@ import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeFilm } from './make-film.ts';
+import { makeProject } from './paper/recipe.ts';
+import { RECIPES } from './paper/recipes.ts';
+import { makeStrokes } from './paper/strokes.ts';
 import { makePinwheel } from './pinwheel.ts';
 import { makeRobot } from './robot.ts';
 import { makeSky } from './sky.ts';
 
 /** Projects are whole folders, so each has the model for itself. */
-const ROBOT_PATHS = ['examples/first-light/assets/robot.glb', 'examples/templates/occlusion/assets/robot.glb'];
+const ROBOT_PATHS = [
+  'examples/first-light/assets/robot.glb',
+  'examples/templates/occlusion/assets/robot.glb',
+  ...foldersWith('robot-tin1').map((folder) => `${folder}/assets/robot.glb`),
+];
 
 const PINWHEEL_PATHS = ['nodes/source/model/example/assets/pinwheel.glb'];
 
@@ -28,7 +36,13 @@ const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
 /** Makes the files of examples that nobody drew by hand. */
 export const main: ToolMain = async (_args, { root }) => {
   await place(root, ROBOT_PATHS, await makeRobot());
-  await placeGallery(root);
+  await placeProject(root, 'gallery', makeGallery(library()));
+  for (const recipe of RECIPES) await placeProject(root, recipe.folder, makeProject(library(), recipe));
+  await place(
+    root,
+    foldersWith('strokes-pen1').map((folder) => `${folder}/assets/strokes.png`),
+    makeStrokes(),
+  );
   await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());
   await place(root, CHIME_PATHS, makeChime());
@@ -37,17 +51,25 @@ export const main: ToolMain = async (_args, { root }) => {
   return 0;
 };
 
-async function placeGallery(root: string): Promise<void> {
+/** Folders of the recipes that name the asset. */
+function foldersWith(asset: string): string[] {
+  return RECIPES.filter(({ assets = {} }) => asset in assets).map(({ folder }) => `examples/${folder}`);
+}
+
+function library(): NodeLibrary {
   const byType = new Map<string, NodeDefinition>(DEFINITIONS.map((definition) => [definition.type, definition]));
-  const library: NodeLibrary = {
+  return {
     definition: (type) => byType.get(type),
     shader: (name) => SHADERS[name],
     types: () => byType.keys(),
   };
-  const { project, layout } = saveProject(makeGallery(library));
+}
+
+async function placeProject(root: string, folder: string, made: Project): Promise<void> {
+  const { project, layout } = saveProject(made);
   const text = new TextEncoder();
-  await place(root, ['examples/gallery/project.scrim.json'], text.encode(project));
-  await place(root, ['examples/gallery/project.layout.json'], text.encode(layout));
+  await place(root, [`examples/${folder}/project.scrim.json`], text.encode(project));
+  await place(root, [`examples/${folder}/project.layout.json`], text.encode(layout));
 }
 
 async function place(root: string, paths: readonly string[], bytes: Uint8Array): Promise<void> {

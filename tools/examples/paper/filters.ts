@@ -1,0 +1,166 @@
+import type { Binding, ParamValue } from '../../../export/graph/project.ts';
+import type { Recipe } from './recipe.ts';
+
+interface VideoFilter extends Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'> {
+  readonly filter: string;
+  readonly params?: Readonly<Record<string, ParamValue>>;
+  readonly bindings?: Readonly<Record<string, Binding>>;
+}
+
+/** The camera's picture through one filter. */
+function videoThrough({ filter, params = {}, bindings = {}, ...about }: VideoFilter): Recipe {
+  return {
+    ...about,
+    nodes: { video: ['source/camera-video', 0, 0], filter: [filter, 1, 0, params], screen: ['output/screen', 2, 0] },
+    wires: ['video.layer -> filter.inputImage', 'filter.layer -> screen.layer'],
+    bindings: Object.fromEntries(Object.entries(bindings).map(([param, binding]) => [`filter.${param}`, binding])),
+  };
+}
+
+/** Examples of filters over the camera's picture. */
+export const FILTERS: readonly Recipe[] = [
+  videoThrough({
+    folder: 'warm-and-cold-light',
+    figure: '8',
+    title: 'From warm to cold light',
+    description: 'The room’s white balance goes from candlelight to shade and back, as a track of keyframes says.',
+    filter: 'filter/color-temperature',
+    bindings: {
+      temperature: {
+        track: {
+          keys: [
+            { timeS: 0, value: 3600, easing: 'ease-in-out' },
+            { timeS: 2, value: 6500, easing: 'ease-in-out' },
+            { timeS: 4, value: 12000, easing: 'ease-in-out' },
+          ],
+          repeat: 'mirror',
+        },
+      },
+    },
+  }),
+  videoThrough({
+    folder: 'black-and-white-threshold',
+    figure: '12d',
+    title: 'Black and white',
+    description: 'What is darker than a level becomes ink, the rest paper.',
+    filter: 'filter/threshold',
+    params: { level: 0.42, softness: 0.08 },
+  }),
+  videoThrough({
+    folder: 'sepia',
+    figure: '12e',
+    title: 'Sepia',
+    description: 'The room in the brown tones of an old photograph.',
+    filter: 'filter/sepia',
+  }),
+  videoThrough({
+    folder: 'radial-blur',
+    figure: '12g',
+    title: 'Radial blur: rushing in',
+    description: 'Smears the room towards one point, as a zoom does during the exposure.',
+    filter: 'filter/radial-blur',
+    params: { amount: 0.25 },
+  }),
+  videoThrough({
+    folder: 'spin-blur',
+    figure: '12h',
+    title: 'Radial blur: spinning',
+    description: 'Smears the room around one point, as a turning camera does.',
+    filter: 'filter/spin-blur',
+    params: { angle: 0.2 },
+  }),
+  videoThrough({
+    folder: 'swirl',
+    figure: '12i',
+    title: 'Swirl',
+    description: 'Winds the room up around its middle and lets it go again.',
+    filter: 'filter/swirl',
+    bindings: { angle: { expression: '2.2 + 2.2 * sin(time)' } },
+    params: { radius: 260 },
+  }),
+  videoThrough({
+    folder: 'short-exposure',
+    figure: '12m',
+    title: 'High dynamic range: short exposure',
+    description: 'The window keeps its details, the room goes dark.',
+    filter: 'filter/hdr-exposure',
+    params: { stops: -1.6 },
+  }),
+  videoThrough({
+    folder: 'long-exposure',
+    figure: '12n',
+    title: 'High dynamic range: long exposure',
+    description: 'Dark corners show what is in them, and bright parts are held back from burning out.',
+    filter: 'filter/hdr-exposure',
+    params: { stops: 1.6, highlights: 0.6 },
+  }),
+  {
+    folder: 'skin-colour',
+    figure: '12o',
+    title: 'Finding skin colour',
+    description: 'What has the colour of skin keeps its colours, the rest turns grey. Hold a hand before the camera.',
+    nodes: {
+      video: ['source/camera-video', 0, 0],
+      skin: ['filter/skin-mask', 1, 0],
+      grey: ['filter/grey', 1, 1],
+      choose: ['operator/choose-by-mask', 2, 0],
+      screen: ['output/screen', 3, 0],
+    },
+    wires: [
+      'video.layer -> skin.inputImage',
+      'video.layer -> grey.inputImage',
+      'video.layer -> choose.inside',
+      'grey.layer -> choose.outside',
+      'skin.layer -> choose.mask',
+      'choose.layer -> screen.layer',
+    ],
+  },
+  {
+    folder: 'near-in-colour-far-in-ink',
+    figure: '10b',
+    title: 'Near in colour, far in ink',
+    description:
+      'Two effects and a mask: what is nearer than 2.75 metres keeps its colours, the rest of the room is drawn in ink. Any layer can be the mask.',
+    nodes: {
+      video: ['source/camera-video', 0, 0],
+      depth: ['world/depth', 0, 1],
+      ink: ['filter/difference-of-gaussians', 1, 0, { level: 0.45 }],
+      near: ['layer/depth-mask', 1, 1, { nearM: 0, farM: 2.75, softnessM: 0.15 }],
+      choose: ['operator/choose-by-mask', 2, 0],
+      screen: ['output/screen', 3, 0],
+    },
+    wires: [
+      'video.layer -> ink.inputImage',
+      'depth.depth -> near.depth',
+      'video.layer -> choose.inside',
+      'ink.layer -> choose.outside',
+      'near.layer -> choose.mask',
+      'choose.layer -> screen.layer',
+    ],
+  },
+  {
+    folder: 'semaphore',
+    figure: '14',
+    title: 'Grey room, moving colours',
+    description:
+      'An installation’s picture in three steps: grey with more contrast, a slow change of brightness, and a tint that goes around the colours.',
+    nodes: {
+      video: ['source/camera-video', 0, 0],
+      grey: ['filter/grey', 1, 0, { amount: 0.85 }],
+      luma: ['filter/luminance-variation', 2, 0, { contrast: 1.5 }],
+      chroma: ['filter/chrominance-variation', 3, 0, { saturation: 1.2 }],
+      screen: ['output/screen', 4, 0],
+    },
+    wires: [
+      'video.layer -> grey.inputImage',
+      'grey.layer -> luma.inputImage',
+      'luma.layer -> chroma.inputImage',
+      'chroma.layer -> screen.layer',
+    ],
+    bindings: {
+      'luma.brightness': { expression: '0.08 * sin(time)' },
+      'chroma.blueYellow': { expression: '0.05 * sin(time / 2)' },
+      'chroma.redCyan': { expression: '0.05 * cos(time / 2)' },
+    },
+  },
+];

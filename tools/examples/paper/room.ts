@@ -1,0 +1,54 @@
+import type { Asset } from '../../../export/graph/project.ts';
+import type { RecipeNode } from './recipe.ts';
+
+/** Real things of the studio (`export/emulator/rooms/studio/furniture.ts`), which all examples stand in; metres. */
+const TABLE = { x: -0.2, z: -0.42, topM: 0.4225, widthM: 1.05, depthM: 0.56, thickM: 0.035 } as const;
+const STOOL = { x: 1.2, z: -0.55, widthM: 0.56, heightM: 0.38 } as const;
+
+export const ROBOT: Readonly<Record<string, Asset>> = {
+  'robot-tin1': { path: 'assets/robot.glb', kind: 'model', credit: 'Made by tools/examples/robot.ts', licence: 'MIT' },
+};
+
+/** A sheet of pencil strokes on nothing. */
+export const STROKES: Readonly<Record<string, Asset>> = {
+  'strokes-pen1': { path: 'assets/strokes.png', kind: 'image', credit: 'Made by tools/examples/paper/strokes.ts', licence: 'MIT' },
+};
+
+/** A robot on the rug before the table. `robot.objects` is where it stands. */
+export function robotOnRug(
+  row: number,
+  place: { readonly x?: number; readonly y?: number; readonly z?: number; readonly yawRad?: number } = {},
+) {
+  const { x = 0.6, y = 0, z = -0.22, yawRad = -0.05 } = place;
+  return {
+    model: ['source/model', 0, row, { model: 'robot-tin1' }],
+    robot: ['objects/transform', 1, row, { positionM: [x, y, z], rotationRad: [0, yawRad, 0], scale: 1.55 }],
+  } as const satisfies Record<string, RecipeNode>;
+}
+
+export const ROBOT_WIRES = ['model.objects -> robot.objects'] as const;
+
+/** From the window, over the left shoulder. */
+export const WINDOW_LIGHT = { azimuthRad: -1.2, elevationRad: 0.75, color: [1, 0.96, 0.9, 1], intensity: 0.85, areaM: 2 } as const;
+
+/** Floor, table and stool as phantoms: `floor.objects` and `table.objects` catch shadows, `stool.objects` casts them too. */
+export function phantoms(row: number) {
+  return {
+    plane: ['objects/primitive', 0, row, { shape: 'plane', sizeM: [5, 0, 4.6] }],
+    floor: ['objects/phantom', 2, row],
+    round: ['objects/primitive', 0, row + 1, { shape: 'cylinder', sizeM: [STOOL.widthM, STOOL.heightM, STOOL.widthM] }],
+    set: ['objects/transform', 1, row + 1, { positionM: [STOOL.x, STOOL.heightM / 2, STOOL.z] }],
+    stool: ['objects/phantom', 2, row + 1, { castShadow: true }],
+    board: ['objects/primitive', 0, row + 2, { shape: 'box', sizeM: [TABLE.widthM, TABLE.thickM, TABLE.depthM] }],
+    lay: ['objects/transform', 1, row + 2, { positionM: [TABLE.x, TABLE.topM - TABLE.thickM / 2, TABLE.z] }],
+    table: ['objects/phantom', 2, row + 2],
+  } as const satisfies Record<string, RecipeNode>;
+}
+
+export const PHANTOM_WIRES = [
+  'plane.objects -> floor.objects',
+  'round.objects -> set.objects',
+  'set.objects -> stool.objects',
+  'board.objects -> lay.objects',
+  'lay.objects -> table.objects',
+] as const;

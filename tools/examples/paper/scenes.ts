@@ -1,0 +1,335 @@
+import type { Recipe, RecipeNode } from './recipe.ts';
+import { PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, STROKES, WINDOW_LIGHT } from './room.ts';
+
+const EDGES = { strength: 5, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
+const MODEL_SCENE = {
+  ...robotOnRug(0),
+  light: ['light/directional', 1, 1, WINDOW_LIGHT],
+  scene: ['layer/scene', 2, 0, { ambient: 0.4 }],
+  video: ['source/camera-video', 1, 2],
+} as const;
+const MODEL_WIRES = [...ROBOT_WIRES, 'robot.objects -> scene.objects', 'light.lights -> scene.lights'] as const;
+
+const WAYS = ['gooch', 'toon', 'brick', 'hatching', 'charcoal'] as const;
+
+/** Balls in two rows of three, the first as it is. */
+const BALLS: Record<string, RecipeNode> = Object.fromEntries([
+  ['first', ['objects/transform', 1, 0, { positionM: ballAt(0) }] as const],
+  ...WAYS.flatMap((way, i) => [
+    [`ball${i}`, ['objects/transform', 1, i + 1, { positionM: ballAt(i + 1) }] as const] as const,
+    [way, [`technique/${way}`, 1, i + 7] as const] as const,
+    [`by${i}`, ['objects/apply-technique', 2, i + 1] as const] as const,
+  ]),
+]);
+
+const BALL_WIRES = [
+  'plain.objects -> first.objects',
+  'first.objects -> scene.objects',
+  ...WAYS.flatMap((way, i) => [
+    `plain.objects -> ball${i}.objects`,
+    `ball${i}.objects -> by${i}.objects`,
+    `${way}.technique -> by${i}.technique`,
+    `by${i}.objects -> scene.objects`,
+  ]),
+];
+
+function ballAt(i: number): readonly [number, number, number] {
+  return [(i % 3) * 0.56 - 0.5, i < 3 ? 1.12 : 0.58, 0.1];
+}
+
+/** The robot by one technique, over the room. */
+function robotBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'>): Recipe {
+  return {
+    ...about,
+    nodes: {
+      ...MODEL_SCENE,
+      way: [`technique/${technique}`, 0, 1],
+      drawn: ['objects/apply-technique', 2, 1],
+      scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
+      merge: ['operator/over', 4, 1],
+      screen: ['output/screen', 5, 1],
+    },
+    wires: [
+      ...ROBOT_WIRES,
+      'robot.objects -> drawn.objects',
+      'way.technique -> drawn.technique',
+      'drawn.objects -> scene.objects',
+      'light.lights -> scene.lights',
+      'video.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> screen.layer',
+    ],
+    assets: ROBOT,
+  };
+}
+
+/** Examples with objects in the room. */
+export const SCENES: readonly Recipe[] = [
+  {
+    folder: 'edges-of-a-blurred-room',
+    figure: '4a',
+    title: 'Edges of a blurred room',
+    description:
+      'The room is blurred before the edges are found, the model is not: its lines are fine, those of the room are few and soft.',
+    nodes: {
+      ...MODEL_SCENE,
+      blur: ['filter/gaussian-blur', 2, 2, { radius: 2.5 }],
+      merge: ['operator/over', 3, 1],
+      edges: ['filter/sobel-edges', 4, 1, EDGES],
+      screen: ['output/screen', 5, 1],
+    },
+    wires: [
+      ...MODEL_WIRES,
+      'video.layer -> blur.inputImage',
+      'blur.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> edges.inputImage',
+      'edges.layer -> screen.layer',
+    ],
+    assets: ROBOT,
+  },
+  {
+    folder: 'edges-of-a-blurred-picture',
+    figure: '4b',
+    title: 'Edges of a blurred picture',
+    description: 'The same nodes in another order: room and model are blurred together, and both have coarse lines.',
+    nodes: {
+      ...MODEL_SCENE,
+      merge: ['operator/over', 3, 1],
+      blur: ['filter/gaussian-blur', 4, 1, { radius: 2.5 }],
+      edges: ['filter/sobel-edges', 5, 1, EDGES],
+      screen: ['output/screen', 6, 1],
+    },
+    wires: [
+      ...MODEL_WIRES,
+      'video.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> blur.inputImage',
+      'blur.layer -> edges.inputImage',
+      'edges.layer -> screen.layer',
+    ],
+    assets: ROBOT,
+  },
+  {
+    folder: 'shadows-of-real-and-virtual-things',
+    figure: '6',
+    title: 'Shadows of real and virtual things',
+    description:
+      'A robot hovers over a real rug, beside a real stool. A virtual lamp throws the shadows of both on both. It is not the room’s own light, so the stool has two shadows. Change the method of the shadow: nothing else changes.',
+    nodes: {
+      ...robotOnRug(0, { x: 0.5, y: 0.05, z: -0.3 }),
+      ...phantoms(1),
+      lamp: ['light/spot', 2, 4, { positionM: [2.4, 1.9, -0.95], targetM: [0.55, 0.1, -0.3], intensityCd: 30, angleRad: 0.8 }],
+      video: ['source/camera-video', 3, 3],
+      scene: ['layer/scene', 3, 0, { ambient: 0.5, shadows: false }],
+      shadow: ['layer/shadow', 3, 1, { strength: 0.6, on: 'everything', method: 'volume' }],
+      things: ['operator/over', 4, 0],
+      merge: ['operator/over', 5, 1],
+      screen: ['output/screen', 6, 1],
+    },
+    wires: [
+      ...ROBOT_WIRES,
+      ...PHANTOM_WIRES,
+      'robot.objects -> scene.objects',
+      'stool.objects -> scene.objects',
+      'table.objects -> scene.objects',
+      'lamp.lights -> scene.lights',
+      'robot.objects -> shadow.casters',
+      'stool.objects -> shadow.casters',
+      'robot.objects -> shadow.receivers',
+      'stool.objects -> shadow.receivers',
+      'table.objects -> shadow.receivers',
+      'floor.objects -> shadow.receivers',
+      'lamp.lights -> shadow.lights',
+      'video.layer -> things.bottom',
+      'scene.layer -> things.top',
+      'things.layer -> merge.bottom',
+      'shadow.layer -> merge.top',
+      'merge.layer -> screen.layer',
+    ],
+    assets: ROBOT,
+  },
+  {
+    folder: 'glass-in-the-room',
+    figure: '7',
+    title: 'Glass in the room',
+    description:
+      'A ball and a ring of glass before the camera’s picture: both surfaces bend what is behind them, and edges mirror more than the middle.',
+    nodes: {
+      ball: ['objects/primitive', 0, 0, { shape: 'sphere', sizeM: [0.55, 0.55, 0.55] }],
+      hang: ['objects/transform', 1, 0, { positionM: [-0.3, 0.85, 0.1] }],
+      torus: ['objects/primitive', 0, 1, { shape: 'torus', sizeM: [0.5, 0.14, 0.5] }],
+      turn: ['objects/transform', 1, 1, { positionM: [0.42, 0.85, 0.05], rotationRad: [1.1, 0, 0.4] }],
+      video: ['source/camera-video', 0, 2],
+      glass: ['technique/glass', 1, 2, { thicknessM: 0.5 }],
+      clear: ['objects/apply-technique', 2, 0],
+      light: ['light/directional', 2, 2, WINDOW_LIGHT],
+      scene: ['layer/scene', 3, 0, { ambient: 0.5 }],
+      merge: ['operator/over', 4, 1],
+      screen: ['output/screen', 5, 1],
+    },
+    wires: [
+      'ball.objects -> hang.objects',
+      'torus.objects -> turn.objects',
+      'hang.objects -> clear.objects',
+      'turn.objects -> clear.objects',
+      'video.layer -> glass.behind',
+      'glass.technique -> clear.technique',
+      'clear.objects -> scene.objects',
+      'light.lights -> scene.lights',
+      'video.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> screen.layer',
+    ],
+  },
+  {
+    folder: 'ways-to-draw',
+    figure: '9',
+    title: 'Ways to draw objects, side by side',
+    description:
+      'Six balls with one shape and one light: as they are, in Gooch’s cool-to-warm tones, as a cartoon; of bricks, in pen strokes and in charcoal. Each object has the technique that is wired to it.',
+    nodes: {
+      plain: ['objects/primitive', 0, 0, { shape: 'sphere', sizeM: [0.46, 0.46, 0.46], color: [0.75, 0.3, 0.2, 1] }],
+      ...BALLS,
+      light: ['light/directional', 3, 3, WINDOW_LIGHT],
+      scene: ['layer/scene', 4, 1, { ambient: 0.4 }],
+      video: ['source/camera-video', 4, 2],
+      merge: ['operator/over', 5, 1],
+      screen: ['output/screen', 6, 1],
+    },
+    wires: [
+      ...BALL_WIRES,
+      'light.lights -> scene.lights',
+      'video.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> screen.layer',
+    ],
+  },
+  {
+    folder: 'cartoon-over-tiles',
+    figure: '10',
+    title: 'A cartoon over tiles',
+    description: 'Two effects that know nothing of each other: the robot is drawn as a cartoon, the room behind it is tiled.',
+    nodes: {
+      ...MODEL_SCENE,
+      toon: ['technique/toon', 0, 1],
+      drawn: ['objects/apply-technique', 2, 1],
+      scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
+      tiles: ['filter/tile', 2, 2, { columns: 3, rows: 3, mirror: true }],
+      merge: ['operator/over', 4, 1],
+      screen: ['output/screen', 5, 1],
+    },
+    wires: [
+      ...ROBOT_WIRES,
+      'robot.objects -> drawn.objects',
+      'toon.technique -> drawn.technique',
+      'drawn.objects -> scene.objects',
+      'light.lights -> scene.lights',
+      'video.layer -> tiles.inputImage',
+      'tiles.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> screen.layer',
+    ],
+    assets: ROBOT,
+  },
+  {
+    folder: 'sketchy-shadow',
+    figure: '11',
+    title: 'A sketchy shadow',
+    description:
+      'The shadow of a robot on a real rug is a mask: where it falls, a sheet of pencil strokes shows. The robot itself has Gooch’s cool-to-warm tones, and the room stays as the camera sees it.',
+    nodes: {
+      ...robotOnRug(0),
+      plane: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [5, 0, 4.6] }],
+      floor: ['objects/phantom', 2, 1],
+      gooch: ['technique/gooch', 1, 2],
+      drawn: ['objects/apply-technique', 2, 0],
+      light: ['light/directional', 2, 2, { ...WINDOW_LIGHT, azimuthRad: 1.7, elevationRad: 0.58 }],
+      shadow: ['layer/shadow', 3, 1, { strength: 1, method: 'volume' }],
+      video: ['source/camera-video', 4, 3],
+      sketch: ['source/image-file', 3, 2, { file: 'strokes-pen1' }],
+      sketched: ['operator/mask', 4, 2, { source: 1 }],
+      scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
+      ground: ['operator/over', 5, 2],
+      merge: ['operator/over', 6, 1],
+      screen: ['output/screen', 7, 1],
+    },
+    wires: [
+      ...ROBOT_WIRES,
+      'plane.objects -> floor.objects',
+      'robot.objects -> drawn.objects',
+      'gooch.technique -> drawn.technique',
+      'drawn.objects -> scene.objects',
+      'light.lights -> scene.lights',
+      'robot.objects -> shadow.casters',
+      'floor.objects -> shadow.receivers',
+      'light.lights -> shadow.lights',
+      'sketch.layer -> sketched.inputImage',
+      'shadow.layer -> sketched.mask',
+      'video.layer -> ground.bottom',
+      'sketched.layer -> ground.top',
+      'ground.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> screen.layer',
+    ],
+    assets: { ...ROBOT, ...STROKES },
+  },
+  {
+    folder: 'the-world-in-the-book',
+    figure: '13',
+    title: 'The world in the book',
+    description: 'A robot stands on a large page on the rug. Inside the page’s frame it is night, around it the room’s own light stays.',
+    nodes: {
+      ...robotOnRug(0, { y: 0.014 }),
+      page: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [0.72, 0, 0.56], color: [0.93, 0.9, 0.82, 1] }],
+      lie: ['objects/transform', 1, 1, { positionM: [0.6, 0.013, -0.18], rotationRad: [0, 0.06, 0] }],
+      moon: ['light/directional', 1, 2, { ...WINDOW_LIGHT, elevationRad: 0.5, color: [0.8, 0.88, 1, 1] }],
+      scene: ['layer/scene', 2, 0, { ambient: 0.25 }],
+      inside: ['layer/object-mask', 2, 1],
+      feather: ['filter/gaussian-blur', 3, 1, { radius: 2 }],
+      video: ['source/camera-video', 2, 2],
+      merge: ['operator/over', 3, 0],
+      night: ['filter/color-temperature', 4, 0, { temperature: 14000 }],
+      dim: ['filter/luminance-variation', 5, 0, { brightness: -0.12, contrast: 1.1 }],
+      choose: ['operator/choose-by-mask', 6, 1],
+      screen: ['output/screen', 7, 1],
+    },
+    wires: [
+      ...ROBOT_WIRES,
+      'page.objects -> lie.objects',
+      'robot.objects -> scene.objects',
+      'lie.objects -> scene.objects',
+      'moon.lights -> scene.lights',
+      'robot.objects -> inside.objects',
+      'lie.objects -> inside.objects',
+      'inside.layer -> feather.inputImage',
+      'video.layer -> merge.bottom',
+      'scene.layer -> merge.top',
+      'merge.layer -> night.inputImage',
+      'night.layer -> dim.inputImage',
+      'dim.layer -> choose.inside',
+      'merge.layer -> choose.outside',
+      'feather.layer -> choose.mask',
+      'choose.layer -> screen.layer',
+    ],
+    assets: ROBOT,
+  },
+  robotBy('gooch', {
+    folder: 'gooch-tones',
+    figure: '12a',
+    title: 'Gooch’s tones',
+    description: 'A robot shaded as technical illustrations are: warm towards the light, cool away from it, with its silhouette.',
+  }),
+  robotBy('brick', {
+    folder: 'built-of-bricks',
+    figure: '12b',
+    title: 'Built of bricks',
+    description: 'A robot of bricks and mortar, computed without a picture. The bricks stay on it as it walks.',
+  }),
+  robotBy('hatching', {
+    folder: 'pen-strokes',
+    figure: '12c',
+    title: 'In pen strokes',
+    description: 'A robot hatched in real time: the less light, the more strokes, and none of them swims over it.',
+  }),
+];
