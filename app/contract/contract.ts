@@ -155,6 +155,14 @@ export const hostEvent = z.discriminatedUnion('kind', [
   z.object({ kind: z.literal('project-changed-outside'), handle, revision: z.string() }),
   /** What an export is at, for people. */
   z.object({ kind: z.literal('export-progress'), handle, text: z.string() }),
+  /** The same where only shaders changed, with their texts; null for one that is not there. `from` is the revision before. */
+  z.object({
+    kind: z.literal('shaders-changed-outside'),
+    handle,
+    from: z.string(),
+    revision: z.string(),
+    shaders: z.array(z.object({ file: z.string(), before: z.string().nullable(), text: z.string().nullable() })),
+  }),
   z.object({ kind: z.literal('menu'), command: z.enum(MENU_COMMANDS) }),
   /** The window wants to close: answer with `app.close`, or ask about unsaved work first. */
   z.object({ kind: z.literal('close-requested') }),

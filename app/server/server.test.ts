@@ -259,7 +259,7 @@ describe('projects', () => {
     await writeFile(join(project, 'shaders', 'edge.fs'), 'void main() { discard; }\n');
     await told;
     const now = await host.call('project.open', { path: project });
-    expect(events).toEqual([{ kind: 'project-changed-outside', handle, revision: now.revision }]);
+    expect(events).toMatchObject([{ kind: 'shaders-changed-outside', handle, revision: now.revision }]);
   });
 });
 

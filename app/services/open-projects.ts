@@ -5,6 +5,7 @@ import { copyAssets } from './copy-assets.ts';
 import { fillEmptyFolder } from './empty-folder.ts';
 import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { outsideChange } from './outside-change.ts';
 import { isShownByOthers, leaveSign, takeSignAway } from './presence.ts';
 import { changesBetween, findProject, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
 import { withLock } from './project-lock.ts';
@@ -45,7 +46,8 @@ interface Entry {
   readonly root: string;
   readonly baseUrl: string;
   readonly client: string;
-  /** Revision of what the editor knows to be on the disk. */
+  /** What the editor knows to be on the disk, and its revision. */
+  files: ProjectFiles;
   known: string;
   readonly close: () => void;
 }
@@ -96,7 +98,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
       hide();
       takeSignAway(root, handle);
     };
-    entries.set(handle, { root, baseUrl, client, known: revision, close: release });
+    entries.set(handle, { root, baseUrl, client, files: projectFiles, known: revision, close: release });
     await leaveSign(root, handle, files);
     const recovery = await takeOverUnsaved(root, handle, projectFiles, isMinded, files);
     const assetFiles = await listAssets(root);
@@ -126,10 +128,12 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     if (!entry) return;
     await writing.get(entry.root);
     if (entry.known === revision || !entries.has(handle)) return;
-    const now = revisionOf(await readProjectFiles(entry.root).catch(() => ({ project: '', layout: null, sources: {} })));
-    if (now !== revision) return;
+    const now = await readProjectFiles(entry.root).catch(() => null);
+    if (now === null || revisionOf(now) !== revision || entry.known === revision) return;
+    const event = outsideChange(handle, entry.files, now);
     entry.known = revision;
-    emit({ kind: 'project-changed-outside', handle, revision });
+    entry.files = now;
+    emit(event);
   };
 
   return {
@@ -139,6 +143,7 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
       return inTurn(entry, async () => {
         await saveOver(entry.root, next, overwrite ? null : revision, files);
         entry.known = revisionOf(next);
+        entry.files = next;
         // It is saved: what could not be forgotten is found to be no news at the next opening.
         await keepUnsaved(entry.root, handle, null, files).catch(() => {});
         return { revision: entry.known };

@@ -6,6 +6,9 @@ import { isLocked } from './project-lock.ts';
 /** An editor that saves touches several files; they are read once all is quiet for this long. */
 const QUIET_MS = 150;
 
+/** A shader is seen as soon as it is saved; an editor writes one file in a few steps that come right after each other. */
+const SHADER_QUIET_MS = 20;
+
 export interface ProjectWatch {
   dispose(): void;
 }
@@ -26,17 +29,19 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
       if (!disposed) touch();
       return;
     }
-    shaders ??= watchFolder(join(root, SHADERS_FOLDER), touch);
+    shaders ??= watchFolder(join(root, SHADERS_FOLDER), touchShader);
     const files = await readProjectFiles(root).catch(() => null);
     if (files && !disposed) onRevision(revisionOf(files));
   };
-  const touch = () => {
+  const readAfter = (ms: number) => {
     clearTimeout(timer);
-    timer = setTimeout(() => void read(), QUIET_MS);
+    timer = setTimeout(() => void read(), ms);
   };
+  const touch = () => readAfter(QUIET_MS);
+  const touchShader = () => readAfter(SHADER_QUIET_MS);
 
   const folder = watchFolder(root, touch);
-  shaders = watchFolder(join(root, SHADERS_FOLDER), touch);
+  shaders = watchFolder(join(root, SHADERS_FOLDER), touchShader);
   return {
     dispose: () => {
       disposed = true;

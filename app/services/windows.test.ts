@@ -215,7 +215,11 @@ describe('changes from outside', () => {
     const heard = nextEvent(host);
     await mkdir(join(project, 'shaders'));
     await writeFile(join(project, 'shaders', 'new.fs'), 'void main() {}\n');
-    expect(await heard).toMatchObject({ kind: 'project-changed-outside', handle });
+    expect(await heard).toMatchObject({
+      kind: 'shaders-changed-outside',
+      handle,
+      shaders: [{ file: 'new.fs', before: null, text: 'void main() {}\n' }],
+    });
   });
 });
 
