@@ -1,7 +1,12 @@
 import { languages } from 'monaco-editor/editor';
-import { BUILTIN_FUNCTIONS, ISF_WORDS, KEYWORDS, TYPES } from './glsl-words.ts';
+import { BUILTIN_FUNCTIONS } from '../../export/glsl/language/builtin-docs.ts';
+import { ISF_FUNCTIONS, ISF_VARIABLES, TECHNIQUE_DOCS } from '../../export/glsl/language/vocabulary.ts';
+import { KEYWORDS, TYPES } from '../../export/glsl/syntax/words.ts';
 
-export const ISF_LANGUAGE = 'isf';
+export const GLSL_LANGUAGE = 'scrim-glsl';
+
+/** Of the interface of techniques, those in capitals or with a capital: the members of its structs are words of every day. */
+const TECHNIQUE_WORDS = [...TECHNIQUE_DOCS.keys()].filter((word) => /^[A-Z]/.test(word));
 
 const CONFIGURATION: languages.LanguageConfiguration = {
   comments: { lineComment: '//', blockComment: ['/*', '*/'] },
@@ -22,15 +27,16 @@ const CONFIGURATION: languages.LanguageConfiguration = {
 /** The JSON header in the first comment, then GLSL ES 3.00 with ISF's own names. */
 const TOKENS: languages.IMonarchLanguage = {
   defaultToken: '',
-  keywords: KEYWORDS,
-  types: TYPES,
-  functions: BUILTIN_FUNCTIONS,
-  isf: Object.keys(ISF_WORDS),
+  keywords: [...KEYWORDS, 'flat', 'smooth', 'layout'].filter((word) => !TYPES.has(word)),
+  types: [...TYPES],
+  functions: [...BUILTIN_FUNCTIONS.keys()],
+  host: [...ISF_VARIABLES.keys(), ...ISF_FUNCTIONS.keys(), ...TECHNIQUE_WORDS],
   tokenizer: {
     root: [
       [/\/\*(?=\s*\{?\s*$|\s*\{)/, { token: 'comment', next: '@header' }],
       [/\/\*/, { token: 'comment', next: '@comment' }],
       [/\/\/.*$/, 'comment'],
+      [/^\s*#\s*include\s*<[^>]*>/, 'keyword.directive'],
       [/^\s*#\s*\w+/, 'keyword.directive'],
       [
         /[a-zA-Z_]\w*/,
@@ -38,7 +44,7 @@ const TOKENS: languages.IMonarchLanguage = {
           cases: {
             '@keywords': 'keyword',
             '@types': 'type',
-            '@isf': 'variable.predefined',
+            '@host': 'variable.predefined',
             '@functions': 'support.function',
             '@default': 'identifier',
           },
@@ -65,41 +71,13 @@ const TOKENS: languages.IMonarchLanguage = {
 };
 
 /** Makes the language known to Monaco; the returned function takes it back. */
-export function registerIsfLanguage(): () => void {
-  languages.register({ id: ISF_LANGUAGE, extensions: ['.fs', '.vs'] });
+export function registerGlslLanguage(): () => void {
+  languages.register({ id: GLSL_LANGUAGE, extensions: ['.fs', '.vs', '.glsl'] });
   const parts = [
-    languages.setLanguageConfiguration(ISF_LANGUAGE, CONFIGURATION),
-    languages.setMonarchTokensProvider(ISF_LANGUAGE, TOKENS),
-    languages.registerCompletionItemProvider(ISF_LANGUAGE, { provideCompletionItems: complete }),
-    languages.registerHoverProvider(ISF_LANGUAGE, {
-      provideHover: (model, position) => {
-        const doc = ISF_WORDS[model.getWordAtPosition(position)?.word ?? ''];
-        return doc === undefined ? null : { contents: [{ value: doc }] };
-      },
-    }),
+    languages.setLanguageConfiguration(GLSL_LANGUAGE, CONFIGURATION),
+    languages.setMonarchTokensProvider(GLSL_LANGUAGE, TOKENS),
   ];
   return () => {
     for (const part of parts) part.dispose();
   };
 }
-
-const complete: languages.CompletionItemProvider['provideCompletionItems'] = (model, position) => {
-  const word = model.getWordUntilPosition(position);
-  const range = {
-    startLineNumber: position.lineNumber,
-    endLineNumber: position.lineNumber,
-    startColumn: word.startColumn,
-    endColumn: word.endColumn,
-  };
-  const { Keyword, Function: Builtin, Variable, Struct } = languages.CompletionItemKind;
-  const of = (words: readonly string[], kind: languages.CompletionItemKind) =>
-    words.map((label) => ({ label, kind, insertText: label, range }));
-  return {
-    suggestions: [
-      ...of(KEYWORDS, Keyword),
-      ...of(TYPES, Struct),
-      ...of(BUILTIN_FUNCTIONS, Builtin),
-      ...Object.entries(ISF_WORDS).map(([label, documentation]) => ({ label, kind: Variable, insertText: label, range, documentation })),
-    ],
-  };
-};

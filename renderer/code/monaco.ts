@@ -1,28 +1,62 @@
-import { editor, MarkerSeverity, Uri } from 'monaco-editor/editor';
+import { editor, KeyCode, KeyMod } from 'monaco-editor/editor';
 import 'monaco-editor/features/codeEditor/register';
 import 'monaco-editor/features/bracketMatching/register';
 import 'monaco-editor/features/caretOperations/register';
 import 'monaco-editor/features/clipboard/register';
+import 'monaco-editor/features/codicon/register';
 import 'monaco-editor/features/comment/register';
 import 'monaco-editor/features/contextmenu/register';
 import 'monaco-editor/features/cursorUndo/register';
+import 'monaco-editor/features/diffEditor/register';
 import 'monaco-editor/features/find/register';
 import 'monaco-editor/features/folding/register';
+import 'monaco-editor/features/format/register';
 import 'monaco-editor/features/gotoError/register';
+import 'monaco-editor/features/gotoSymbol/register';
 import 'monaco-editor/features/hover/register';
 import 'monaco-editor/features/indentation/register';
 import 'monaco-editor/features/linesOperations/register';
 import 'monaco-editor/features/multicursor/register';
+import 'monaco-editor/features/parameterHints/register';
+import 'monaco-editor/features/readOnlyMessage/register';
+import 'monaco-editor/features/referenceSearch/register';
+import 'monaco-editor/features/rename/register';
+import 'monaco-editor/features/snippet/register';
 import 'monaco-editor/features/suggest/register';
 import 'monaco-editor/features/wordHighlighter/register';
 import 'monaco-editor/features/wordOperations/register';
+// The features of these names leave them out.
+import 'monaco-editor/editor/contrib/gotoSymbol/browser/goToCommands';
+import 'monaco-editor/editor/contrib/suggest/browser/suggestController';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { ISF_LANGUAGE, registerIsfLanguage } from './glsl-language.ts';
+import { createColourMarks } from './colour-marks.ts';
+import { compareWith } from './compare.ts';
+import { registerGlslLanguage } from './glsl-language.ts';
+import { markDiagnostics } from './markers.ts';
+import { followTheme } from './monaco-theme.ts';
+import { registerProviders } from './providers.ts';
+import { type ChunkOf, chunkFileOf, chunkModel, forgetModels, shaderModel } from './shader-models.ts';
+import { createTuning } from './tune-literals.ts';
+import { optionsFor } from './view-options.ts';
+
+export interface ShownText {
+  /** Names the text for as long as it lives, with its caret and its undo. */
+  readonly name: string;
+  /** As the library or the project calls it. */
+  readonly file: string;
+  readonly text: string;
+  /** Why it cannot be typed in; null where it can. */
+  readonly readOnly: string | null;
+}
 
 /** One text editor for shaders. Everything of Monaco is behind this file, which is loaded when the panel is first opened. */
 export interface ShaderEditor {
-  /** Shows a text under a name; one shown before comes back with its caret and its own undo. */
-  show(name: string, text: string): void;
+  /** Shows a text; one shown before comes back with its caret and its own undo. */
+  show(shown: ShownText): void;
+  /** Shows a chunk of the library to be read; `null` goes back to the text. */
+  showChunk(file: string | null): void;
+  /** Shows the text beside another one, or alone again. */
+  compare(original: string | null): void;
   /** Marks the text shown. */
   mark(diagnostics: readonly Diagnostic[]): void;
   goTo(line: number, column: number): void;
@@ -32,151 +66,159 @@ export interface ShaderEditor {
 }
 
 export interface ShaderEditorOptions {
-  /** Each change by the person; not what `show` put in. */
-  readonly onType: (name: string, text: string) => void;
-  /** The focus left the text. */
+  readonly chunkOf: ChunkOf;
+  /** Each change by the person; not what `show` put in. `live`: the picture is to follow at once. */
+  readonly onType: (name: string, text: string, live: boolean) => void;
+  /** What was typed is done with: the focus left the text, or something else begins. */
   readonly onLeave: () => void;
+  /** A chunk is shown in the place of the text, or no more. */
+  readonly onChunk: (file: string | null) => void;
 }
 
 /** Caret and scroll of texts that are not shown, also while no view is there at all. */
 const viewStates = new WeakMap<editor.ITextModel, editor.ICodeEditorViewState>();
 
-const MARKER_OWNER = 'scrim';
-const SCHEME = 'scrim-shader';
-const SEVERITIES = { error: MarkerSeverity.Error, warning: MarkerSeverity.Warning, info: MarkerSeverity.Info } as const;
-
-export function createShaderEditor(parent: HTMLElement, { onType, onLeave }: ShaderEditorOptions): ShaderEditor {
+export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLeave, onChunk }: ShaderEditorOptions): ShaderEditor {
   (globalThis as { MonacoEnvironment?: unknown }).MonacoEnvironment = {
     getWorker: () => new Worker(new URL('./monaco.worker.ts', import.meta.url), { type: 'module' }),
   };
-  const unregister = registerIsfLanguage();
-  const dark = window.matchMedia('(prefers-color-scheme: light)');
-  const applyTheme = () => {
-    defineTheme(dark.matches);
-    editor.setTheme('scrim');
-  };
-  applyTheme();
-  dark.addEventListener('change', applyTheme);
-
-  const view = editor.create(parent, {
-    automaticLayout: true,
-    fontFamily: getComputedStyle(parent).getPropertyValue('--mono'),
-    fontSize: 12.5,
-    lineHeight: 19,
-    minimap: { enabled: false },
-    scrollBeyondLastLine: false,
-    renderLineHighlight: 'line',
-    padding: { top: 8, bottom: 8 },
-    tabSize: 2,
-    fixedOverflowWidgets: true,
-    overviewRulerLanes: 1,
-    stickyScroll: { enabled: false },
-    ariaLabel: 'Shader source',
-    model: null,
-  });
-  view.onDidBlurEditorText(onLeave);
-  let shown: string | null = null;
+  const place = document.createElement('div');
+  place.className = 'code-view';
+  parent.append(place);
+  const view = editor.create(place, { ...optionsFor(parent), ariaLabel: 'Shader source', model: null });
+  let shown: { readonly name: string; readonly model: editor.ITextModel; readonly readOnly: string | null } | null = null;
+  let comparison: { dispose(): void } | null = null;
   let ours = false;
+  let tuning = false;
+  let stepNext = false;
+
   const keepPlace = () => {
     const model = view.getModel();
     const state = view.saveViewState();
     if (model && state) viewStates.set(model, state);
   };
-  view.onDidChangeModelContent(() => {
-    const model = view.getModel();
-    if (!ours && model && shown !== null) onType(shown, model.getValue());
-  });
+  const setModel = (model: editor.ITextModel, readOnly: string | null) => {
+    if (view.getModel() !== model) {
+      keepPlace();
+      view.setModel(model);
+      const state = viewStates.get(model);
+      if (state) view.restoreViewState(state);
+    }
+    // Another field takes the keys then, which the focus does not follow by itself.
+    const hadFocus = view.hasTextFocus();
+    view.updateOptions({ readOnly: readOnly !== null, readOnlyMessage: { value: readOnly ?? '' } });
+    if (hadFocus) view.focus();
+  };
+  const openChunk = (file: string | null) => {
+    const model = file === null ? null : chunkModel(file, chunkOf);
+    if (model) setModel(model, 'A chunk of the library is shared by all its techniques: it cannot be changed here.');
+    else if (shown) setModel(shown.model, shown.readOnly);
+    onChunk(model ? file : null);
+  };
+  const onChange = (model: editor.ITextModel) => {
+    if (ours || !shown || model !== shown.model) return;
+    onType(shown.name, model.getValue(), tuning);
+    if (stepNext) onLeave();
+    stepNext = false;
+  };
+  const listened = new Map<editor.ITextModel, { dispose(): void }>();
+  const listen = (model: editor.ITextModel) => {
+    if (listened.has(model)) return;
+    const part = model.onDidChangeContent(() => onChange(model));
+    listened.set(model, part);
+    model.onWillDispose(() => listened.delete(model));
+  };
+
+  const parts = [
+    registerGlslLanguage(),
+    followTheme(),
+    registerProviders({
+      chunkOf,
+      onRename: () => {
+        onLeave();
+        stepNext = true;
+      },
+    }),
+    // On Linux, Monaco has another key for it; people who come from elsewhere press this one.
+    disposer(editor.addKeybindingRule({ keybinding: KeyMod.Shift | KeyMod.Alt | KeyCode.KeyF, command: 'editor.action.formatDocument' })),
+    disposer(view.onDidBlurEditorText(onLeave)),
+    disposer(
+      editor.registerEditorOpener({
+        openCodeEditor: (_, resource, target) => {
+          const file = chunkFileOf(resource);
+          if (file === null) return false;
+          openChunk(file);
+          const at = target && ('lineNumber' in target ? target : { lineNumber: target.startLineNumber, column: target.startColumn });
+          if (at) reveal(at.lineNumber, at.column);
+          return true;
+        },
+      }),
+    ),
+    disposer(createColourMarks(view, chunkOf)),
+    disposer(
+      createTuning(view, {
+        chunkOf,
+        onStart: () => {
+          onLeave();
+          tuning = true;
+        },
+        onEnd: () => {
+          tuning = false;
+          onLeave();
+        },
+      }),
+    ),
+  ];
+
+  const reveal = (lineNumber: number, column: number) => {
+    view.setPosition({ lineNumber, column });
+    view.revealLineInCenterIfOutsideViewport(lineNumber);
+    view.focus();
+  };
 
   return {
-    show: (name, text) => {
-      const uri = Uri.from({ scheme: SCHEME, path: `/${name}` });
-      const model = editor.getModel(uri) ?? editor.createModel(text, ISF_LANGUAGE, uri);
-      ours = true;
-      if (shown !== name) {
-        keepPlace();
-        view.setModel(model);
-        const state = viewStates.get(model);
-        if (state) view.restoreViewState(state);
-        shown = name;
+    show: ({ name, file, text, readOnly }) => {
+      const model = shaderModel(name, file, text);
+      listen(model);
+      if (shown?.model !== model) {
+        comparison?.dispose();
+        comparison = null;
       }
+      const stays = shown?.model === model && view.getModel() !== model;
+      shown = { name, model, readOnly };
       // An edit, not a new value, so that the text's own undo goes back over what came from outside.
+      ours = true;
       if (model.getValue() !== text) model.pushEditOperations([], [{ range: model.getFullModelRange(), text }], () => null);
       ours = false;
+      // A chunk that is being read stays.
+      if (stays) return;
+      setModel(model, readOnly);
+      onChunk(null);
+    },
+    showChunk: openChunk,
+    compare: (original) => {
+      comparison?.dispose();
+      comparison = original === null || !shown ? null : compareWith(parent, original, shown.model, shown.readOnly !== null, onLeave);
     },
     mark: (diagnostics) => {
-      const model = view.getModel();
-      if (!model) return;
-      editor.setModelMarkers(
-        model,
-        MARKER_OWNER,
-        diagnostics.map((diagnostic) => markerOf(model, diagnostic)),
-      );
+      if (shown) markDiagnostics(shown.model, diagnostics);
     },
     goTo: (line, column) => {
-      view.setPosition({ lineNumber: line, column });
-      view.revealLineInCenterIfOutsideViewport(line);
-      view.focus();
+      if (shown && view.getModel() !== shown.model) openChunk(null);
+      reveal(line, column);
     },
-    forget: (keep) => {
-      for (const model of editor.getModels()) if (model.uri.scheme === SCHEME && !keep(model.uri.path.slice(1))) model.dispose();
-    },
+    forget: forgetModels,
     dispose: () => {
-      dark.removeEventListener('change', applyTheme);
+      comparison?.dispose();
       keepPlace();
+      for (const part of listened.values()) part.dispose();
+      for (const part of parts) part();
       view.dispose();
-      unregister();
+      place.remove();
     },
   };
 }
 
-/** From the column to the end of the word there; the whole line where no column is known. */
-function markerOf(model: editor.ITextModel, { line, column, message, fix, severity, code }: Diagnostic): editor.IMarkerData {
-  const startLineNumber = Math.min(Math.max(line ?? 1, 1), model.getLineCount());
-  const startColumn = column ?? model.getLineFirstNonWhitespaceColumn(startLineNumber);
-  const word = column === undefined ? null : model.getWordAtPosition({ lineNumber: startLineNumber, column: startColumn });
-  return {
-    severity: SEVERITIES[severity],
-    message: fix === undefined ? message : `${message}\n${fix}`,
-    code,
-    startLineNumber,
-    startColumn,
-    endLineNumber: startLineNumber,
-    endColumn: column === undefined ? model.getLineMaxColumn(startLineNumber) : (word?.endColumn ?? startColumn + 1),
-  };
-}
-
-function defineTheme(light: boolean): void {
-  const style = getComputedStyle(document.documentElement);
-  const color = (name: string) => style.getPropertyValue(name).trim();
-  const ink = (name: string) => color(name).replace('#', '');
-  editor.defineTheme('scrim', {
-    base: light ? 'vs' : 'vs-dark',
-    inherit: true,
-    rules: [
-      { token: 'keyword', foreground: ink('--code-keyword') },
-      { token: 'type', foreground: ink('--code-type') },
-      { token: 'support.function', foreground: ink('--code-function') },
-      { token: 'variable.predefined', foreground: ink('--code-builtin') },
-      { token: 'number', foreground: ink('--code-number') },
-      { token: 'comment', foreground: ink('--code-comment') },
-      { token: 'header.key', foreground: ink('--code-builtin') },
-      { token: 'header.string', foreground: ink('--code-string') },
-      { token: 'delimiter', foreground: ink('--text-2') },
-    ],
-    colors: {
-      'editor.background': color('--surface-0'),
-      'editor.foreground': color('--text'),
-      'editorLineNumber.foreground': color('--text-3'),
-      'editorLineNumber.activeForeground': color('--text'),
-      'editor.lineHighlightBackground': color('--surface-1'),
-      'editor.lineHighlightBorder': '#00000000',
-      'editorCursor.foreground': color('--accent'),
-      'editorWidget.background': color('--surface-2'),
-      'editorWidget.border': color('--line-strong'),
-      'editorSuggestWidget.selectedBackground': color('--surface-4'),
-      'editorError.foreground': color('--danger'),
-      'editorWarning.foreground': color('--warning'),
-      focusBorder: color('--accent'),
-    },
-  });
+function disposer(part: { dispose(): void }): () => void {
+  return () => part.dispose();
 }

@@ -3,10 +3,17 @@ import { useStore } from 'zustand';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useProblems } from '../shell/use-problems.ts';
-import { titleOf } from '../state/document.ts';
-import { shaderOf } from '../state/edit-shader.ts';
+import { chunkOf } from '../state/edit-header.ts';
+import { originalOf, shaderOf } from '../state/edit-shader.ts';
+import { takeBack } from '../state/outside.ts';
 import { createTyping, type Typing } from '../state/typing.ts';
+import { Button } from '../ui/button.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { CodeHead } from './code-head.tsx';
+import { HeaderForm } from './header-form.tsx';
 import type { ShaderEditor } from './monaco.ts';
+
+const OUTSIDE = 'Another program has saved this shader. “Edit it here”, above, takes it back.';
 
 interface Tools {
   readonly view: ShaderEditor;
@@ -19,19 +26,29 @@ export function ShaderView({ node }: { readonly node: string }) {
   const handle = useDocument((state) => state.open?.handle ?? '');
   const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
   const text = useDocument((state) => shaderOf(state, node)?.text ?? '');
+  const original = useDocument((state) => originalOf(editor, state, node)?.text ?? null);
   const problems = useProblems();
   const position = useStore(editor.ui, (state) => state.codePosition);
+  const file = useDocument((state) => shaderOf(state, node)?.file ?? null);
+  const outside = useStore(editor.ui, (state) => file !== null && state.outside.includes(file));
+  const form = useStore(editor.ui, (state) => state.headerForm);
+  const [chunk, setChunk] = useState<string | null>(null);
+  const [comparing, setComparing] = useState(false);
   const parent = useRef<HTMLDivElement>(null);
-  const tools = useShaderEditor(parent);
+  const tools = useShaderEditor(parent, setChunk);
 
   useEffect(() => {
     if (!tools) return;
     tools.typing.flush(node);
     // What is being typed is newer than the document.
-    if (!tools.typing.isAhead(node)) tools.view.show(`${handle}/${node}`, text);
-  }, [tools, handle, node, text]);
+    if (!tools.typing.isAhead(node)) tools.view.show({ name: `${handle}/${node}`, file: name, text, readOnly: outside ? OUTSIDE : null });
+  }, [tools, handle, node, name, text, outside]);
 
   useEffect(() => tools?.view.forget((kept) => kept.startsWith(`${handle}/`)), [tools, handle]);
+
+  // The comparison is of one node's text.
+  useEffect(() => setComparing((was) => was && node === ''), [node]);
+  useEffect(() => tools?.view.compare(comparing ? original : null), [tools, comparing, original]);
 
   useEffect(() => {
     tools?.view.mark(problems.filter((problem) => isAbout(problem, node, name)));
@@ -44,27 +61,41 @@ export function ShaderView({ node }: { readonly node: string }) {
   }, [editor, tools, position]);
 
   return (
-    <div className="code">
-      <CodeHead node={node} name={name} />
+    <div className={form ? 'shader-view shader-view-with-form' : 'shader-view'}>
+      <CodeHead
+        node={node}
+        form={form}
+        comparing={comparing}
+        readOnly={outside}
+        onForm={(headerForm) => editor.ui.setState({ headerForm })}
+        onCompare={setComparing}
+      />
+      {chunk !== null && (
+        <p className="code-bar">
+          <code>{chunk}</code>
+          <span>A chunk of the library, to be read.</span>
+          <Button look="quiet" onPress={() => tools?.view.showChunk(null)}>
+            Back to the shader
+          </Button>
+        </p>
+      )}
+      {chunk === null && outside && (
+        <p className="code-bar code-bar-outside">
+          <Icon name="link" size={14} />
+          <span>Another program has saved this shader: it is read only here, and follows what is saved there.</span>
+          <Button look="quiet" onPress={() => file !== null && takeBack(editor, file)}>
+            Edit it here
+          </Button>
+        </p>
+      )}
+      {form && <HeaderForm node={node} readOnly={outside} />}
       {/* New browsers give Monaco text without a text field: the marks tell keys meant for the canvas, and React Flow, to keep off. */}
       <div ref={parent} className="code-text nokey" data-typing="" />
     </div>
   );
 }
 
-function CodeHead({ node, name }: { readonly node: string; readonly name: string }) {
-  const title = useDocument((state) => titleOf(state, node));
-  const ofLibrary = !name.startsWith('shaders/');
-  return (
-    <p className="code-head">
-      <strong>{title}</strong>
-      <code>{name}</code>
-      {ofLibrary && <span>From the library: the first change makes a copy in this project.</span>}
-    </p>
-  );
-}
-
-function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null {
+function useShaderEditor(parent: RefObject<HTMLDivElement | null>, onChunk: (file: string | null) => void): Tools | null {
   const editor = useEditor();
   const [tools, setTools] = useState<Tools | null>(null);
   useEffect(() => {
@@ -77,8 +108,14 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
     void import('./monaco.ts').then(({ createShaderEditor }) => {
       if (stopped) return;
       view = createShaderEditor(element, {
-        onType: (key, text) => typing.type(key.slice(key.indexOf('/') + 1), text),
+        chunkOf: chunkOf(editor),
+        onType: (key, text, live) => {
+          const node = key.slice(key.indexOf('/') + 1);
+          if (live) typing.tune(node, text);
+          else typing.type(node, text);
+        },
         onLeave: typing.end,
+        onChunk,
       });
       setTools({ view, typing });
     });
@@ -88,7 +125,7 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
       view?.dispose();
       setTools(null);
     };
-  }, [editor, parent]);
+  }, [editor, parent, onChunk]);
   return tools;
 }
 

@@ -1,6 +1,6 @@
 import { inTurn } from '../../export/graph/commands/change.ts';
 import { forkShader, setSource } from '../../export/graph/commands/sources.ts';
-import { apply } from './apply.ts';
+import { apply, endGesture } from './apply.ts';
 import { nodeOf, type OpenGraph } from './document.ts';
 import type { Editor } from './editor.ts';
 import { soleNode } from './selection.ts';
@@ -43,7 +43,7 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
   const { base, readShader } = editor.libraries;
   const shader = shaderOf(state, node);
   if (!shader || shader.text === text) return false;
-  const set = (file: string) => (before: typeof state.project) => setSource(before, { base, readShader, file, text });
+  const set = (file: string) => (before: typeof state.project) => setSource(before, { base, readShader, file, text, known: state.library });
   if (shader.file !== null) return apply(editor, `Edit ${shader.file}`, set(shader.file)(state.project), `source ${shader.file}`);
 
   const forked = forkShader(state.project, { library: state.library, graph: state.graph, node });
@@ -57,4 +57,46 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
     inTurn(state.project, () => forked, set(file)),
     `source ${file}`,
   );
+}
+
+/** Copies a node's shader from the library into the project, as it stands. */
+export function copyShader(editor: Editor, node: string): boolean {
+  const { project, library, graph } = editor.document.getState();
+  return apply(editor, 'Copy shader into the project', forkShader(project, { library, graph, node }));
+}
+
+/** A text of the library, as its shader has it. */
+export interface OriginalShader {
+  /** `filters/sepia.fs` */
+  readonly name: string;
+  readonly text: string;
+}
+
+/** What a shader of the project was copied from: the library's of the same name, without the number that copies have. */
+export function originalOf(editor: Editor, state: OpenGraph, node: string): OriginalShader | null {
+  const shader = shaderOf(state, node);
+  const type = nodeOf(state, node)?.type;
+  if (shader === null || shader.file === null || type === undefined) return null;
+  const { base } = editor.libraries;
+  for (const candidate of [type, type.replace(/-\d+$/, '')]) {
+    const lowering = base.definition(candidate)?.lowering;
+    const name = lowering && 'shader' in lowering ? lowering.shader : undefined;
+    const text = name === undefined ? undefined : base.shader(name);
+    if (name !== undefined && text !== undefined) return { name, text };
+  }
+  return null;
+}
+
+/** Gives a copy the text of its original again, as a step of its own. */
+export function revertShader(editor: Editor, node: string): boolean {
+  finishTyping(editor);
+  const original = originalOf(editor, editor.document.getState(), node);
+  const reverted = original !== null && editShader(editor, node, original.text);
+  endGesture(editor);
+  return reverted;
+}
+
+/** Takes over what is being typed, so that what follows builds on it and is a step of its own. */
+export function finishTyping(editor: Editor): void {
+  for (const finish of editor.unfinished) finish();
 }

@@ -109,7 +109,7 @@ export async function followFolder(editor: Editor): Promise<void> {
   }
 }
 
-function askWhichVersion(editor: Editor): void {
+export function askWhichVersion(editor: Editor): void {
   editor.ui.setState({ dialog: { kind: 'changed-outside' } });
 }
 
@@ -123,6 +123,7 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
   const library = editor.libraries.of(loaded.output);
   const { project, diagnostics } = migrateNodes(loaded.output, library);
   selectNothing(editor.selection);
+  editor.ui.setState({ outside: [] });
   const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
   editor.document.setState((state) => ({
     open: { handle, displayPath, revision, assetBaseUrl, assetFiles },

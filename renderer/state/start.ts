@@ -4,6 +4,7 @@ import { isDirty } from './document.ts';
 import type { Editor } from './editor.ts';
 import { showExportProgress } from './export-page.ts';
 import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files.ts';
+import { followShaders } from './outside.ts';
 
 /** Unsaved work is on disk at most this long after it was done. */
 const AUTOSAVE_MS = 2000;
@@ -53,6 +54,9 @@ export function followHost(editor: Editor): () => void {
         return;
       case 'export-progress':
         showExportProgress(editor, event.handle, event.text);
+        return;
+      case 'shaders-changed-outside':
+        followShaders(editor, event);
         return;
       case 'close-requested':
         withoutUnsaved(editor, () => void close(editor));

@@ -59,6 +59,24 @@ describe('typing a shader', () => {
     expect(Object.keys(library.definition('filter/sepia-2')?.params ?? {})).toEqual(['amount']);
   });
 
+  test('a slider in the text is seen at once, and is one step however long it is held', async () => {
+    const { editor, node, text, typing, steps } = await withSepia();
+    const original = text();
+    typing.type(node, `${original}// typed\n`);
+    typing.end();
+    const before = steps();
+    for (const value of ['0.1', '0.2', '0.3']) {
+      typing.tune(node, `${original}// ${value}\n`);
+      expect(text()).toContain(value);
+      // Autosave comes in between.
+      filesOf(editor);
+    }
+    typing.end();
+    expect(steps()).toBe(before + 1);
+    undo(editor);
+    expect(text()).toBe(`${original}// typed\n`);
+  });
+
   test('saving takes over what was typed a moment ago', async () => {
     const { editor, node, text, typing } = await withSepia();
     typing.type(node, `${text()}// last words\n`);

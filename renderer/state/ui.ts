@@ -73,6 +73,10 @@ export interface Exporting {
 export interface UiState {
   readonly sizes: PanelSizes;
   readonly bottom: BottomTab | null;
+  /** The header of the shader is shown as a form beside its text. */
+  readonly headerForm: boolean;
+  /** Shaders of the project that another program wrote last: they are read only here until they are taken back. */
+  readonly outside: readonly string[];
   readonly palette: PaletteRequest | null;
   readonly dialog: DialogRequest | null;
   readonly toasts: readonly Toast[];
@@ -90,6 +94,8 @@ export function createUi(sizes: PanelSizes): UiStore {
   return createStore<UiState>(() => ({
     sizes,
     bottom: null,
+    headerForm: false,
+    outside: [],
     palette: null,
     dialog: null,
     toasts: [],

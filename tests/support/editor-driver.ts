@@ -8,6 +8,8 @@ export const FLAG_PX = 40;
 /** A held preview draws four times a second. */
 const REST_MS = 300;
 const RESTING_PICTURES = 2;
+/** A fast typist's; the text editor reads keys between two paints. */
+const KEY_MS = 15;
 
 /** Hands and eyes on a running editor: pointer and keys in, what is on the page out. */
 export class EditorDriver {
@@ -98,6 +100,49 @@ export class EditorDriver {
 
   async press(name: string): Promise<void> {
     await this.page.getByRole('button', { name, exact: true }).click();
+  }
+
+  /** Selects a node and opens its shader. */
+  async openCode(stem: string): Promise<void> {
+    await this.node(stem).locator('.node-title').click();
+    await this.press('Edit shader');
+    await this.page.locator('.monaco-editor .view-line').first().waitFor();
+  }
+
+  /** Puts the caret before a text of the shader, where it is first found: Monaco's own search leads there, as it would a person. */
+  async findInText(text: string): Promise<void> {
+    const { page } = this;
+    await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
+    await page.locator('.monaco-editor.focused').waitFor();
+    await page.keyboard.press('Control+Home');
+    await page.keyboard.press('Control+f');
+    const search = page.locator('.monaco-editor .find-widget.visible');
+    await search.locator('textarea').first().fill(text);
+    await search.getByText(/^[1-9]\d* of \d+$/).waitFor();
+    await page.keyboard.press('Escape');
+    await search.waitFor({ state: 'detached' });
+    await page.locator('.monaco-editor.focused').waitFor();
+    // What was found is selected.
+    await page.keyboard.press('ArrowLeft');
+  }
+
+  async type(text: string): Promise<void> {
+    await this.page.keyboard.type(text, { delay: KEY_MS });
+  }
+
+  /** Of the line that the caret is on. */
+  async lineNumber(): Promise<number> {
+    return Number(await this.page.locator('.monaco-editor .line-numbers.active-line-number').first().textContent());
+  }
+
+  /** The text of the line that the caret is on, as it is seen. */
+  async lineText(): Promise<string> {
+    return this.page.evaluate(() => {
+      const current = document.querySelector('.monaco-editor .view-overlays .current-line')?.parentElement as HTMLElement | null;
+      const lines = [...document.querySelectorAll<HTMLElement>('.monaco-editor .view-line')];
+      const line = lines.find(({ style }) => style.top === current?.style.top);
+      return (line?.textContent ?? '').replaceAll('\u00a0', ' ').replaceAll('\u200b', '');
+    });
   }
 
   /** Stands at the first frame; the picture of it, once it has come to rest: recordings decode theirs meanwhile. */

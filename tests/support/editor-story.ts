@@ -18,8 +18,6 @@ export interface StoryOptions {
 }
 
 const WORKING = 'gl_FragColor = ';
-/** A fast typist's; the text editor reads keys between two paints. */
-const KEY_MS = 15;
 
 /**
  * What a designer does in an afternoon, by pointer and keys: adds a filter, wires it, turns its dials, breaks its shader and
@@ -141,31 +139,15 @@ async function readScreen(project: string): Promise<{ screen: string; source: re
 
 /** Puts text at the start and the end of the first line that holds `mark`; gives the line's number. */
 async function typeIntoLine(page: Page, mark: string, atStart: string, atEnd = ''): Promise<number> {
-  const line = page.locator('.monaco-editor .view-line', { hasText: mark }).first();
-  await findInText(page, mark);
-  await line.waitFor();
-  const number = await lineNumberOf(page);
+  const editor = new EditorDriver(page);
+  await editor.findInText(mark);
+  await page.locator('.monaco-editor .view-line', { hasText: mark }).first().waitFor();
+  const number = await editor.lineNumber();
   await page.keyboard.press('Home');
-  await page.keyboard.type(atStart, { delay: KEY_MS });
+  await editor.type(atStart);
   await page.keyboard.press('End');
-  await page.keyboard.type(atEnd, { delay: KEY_MS });
+  await editor.type(atEnd);
   return number;
-}
-
-/** Monaco's own search leads to the line, as it would a person. */
-async function findInText(page: Page, text: string): Promise<void> {
-  await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
-  await page.keyboard.press('Control+f');
-  const search = page.locator('.monaco-editor .find-widget.visible');
-  await search.locator('textarea').first().fill(text);
-  await search.getByText(/^[1-9]\d* of \d+$/).waitFor();
-  await page.keyboard.press('Escape');
-  await search.waitFor({ state: 'detached' });
-  await page.locator('.monaco-editor.focused').waitFor();
-}
-
-async function lineNumberOf(page: Page): Promise<number> {
-  return Number(await page.locator('.monaco-editor .line-numbers.active-line-number').first().textContent());
 }
 
 function countColours(data: Uint8Array): number {

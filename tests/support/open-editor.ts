@@ -22,10 +22,20 @@ export interface GraphText {
   readonly nodes: Readonly<Record<string, { readonly type: string; readonly params?: Readonly<Record<string, unknown>> }>>;
   readonly wires: readonly string[];
   readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
+  /** Shaders of the project's own, by file name. */
+  readonly shaders?: Readonly<Record<string, string>>;
+}
+
+export interface EditorPageOptions {
+  readonly size?: { readonly width: number; readonly height: number };
+  readonly colorScheme?: 'light' | 'dark';
+  /** Runs before any script of the page's, in the preview too. */
+  readonly before?: () => void;
 }
 
 /** The built editor on loopback, showing a project of one graph in a folder of its own. */
-export async function openEditor(browser: Browser, graph: GraphText, size = { width: 1440, height: 900 }): Promise<OpenEditor> {
+export async function openEditor(browser: Browser, graph: GraphText, options: EditorPageOptions = {}): Promise<OpenEditor> {
+  const { size = { width: 1440, height: 900 }, colorScheme = 'light', before } = options;
   const project = await mkdtemp(join(tmpdir(), 'scrim-editor-'));
   for (const [path, text] of Object.entries(filesOf(graph))) {
     await mkdir(dirname(join(project, path)), { recursive: true });
@@ -33,7 +43,8 @@ export async function openEditor(browser: Browser, graph: GraphText, size = { wi
   }
   const log = (message: string) => process.stderr.write(`${message}\n`);
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
-  const page = await browser.newPage({ viewport: size });
+  const page = await browser.newPage({ viewport: size, colorScheme });
+  if (before) await page.addInitScript(before);
   const errors = collectErrors(page);
   await page.goto(server.url);
   await page.locator('.react-flow__node').first().waitFor();
@@ -50,11 +61,12 @@ export async function openEditor(browser: Browser, graph: GraphText, size = { wi
   };
 }
 
-function filesOf({ nodes, wires, places }: GraphText): Record<string, string> {
+function filesOf({ nodes, wires, places, shaders = {} }: GraphText): Record<string, string> {
   const whole = Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { version: 1, ...node }]));
   const layout = Object.fromEntries(Object.entries(places).map(([id, [x, y]]) => [id, { x, y }]));
   return {
     'project.scrim.json': JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs: { main: { nodes: whole, wires } } }),
     'project.layout.json': JSON.stringify({ format: 'scrim-layout', version: 1, graphs: { main: { nodes: layout } } }),
+    ...Object.fromEntries(Object.entries(shaders).map(([name, text]) => [`shaders/${name}`, text])),
   };
 }

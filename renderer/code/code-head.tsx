@@ -1,0 +1,57 @@
+import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { titleOf } from '../state/document.ts';
+import { copyShader, originalOf, revertShader, shaderOf } from '../state/edit-shader.ts';
+import { Button, IconButton } from '../ui/button.tsx';
+
+interface CodeHeadProps {
+  readonly node: string;
+  readonly form: boolean;
+  readonly comparing: boolean;
+  readonly readOnly: boolean;
+  readonly onForm: (open: boolean) => void;
+  readonly onCompare: (open: boolean) => void;
+}
+
+/** What is shown, whose it is, and what can be done with it as a whole. */
+export function CodeHead({ node, form, comparing, readOnly, onForm, onCompare }: CodeHeadProps) {
+  const editor = useEditor();
+  const title = useDocument((state) => titleOf(state, node));
+  const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
+  const ofLibrary = useDocument((state) => shaderOf(state, node)?.file === null);
+  const original = useDocument((state) => originalOf(editor, state, node)?.name ?? null);
+  const changed = useDocument((state) => {
+    const text = originalOf(editor, state, node)?.text;
+    return text !== undefined && text !== shaderOf(state, node)?.text;
+  });
+  return (
+    <div className="code-head">
+      <IconButton icon="form" label="Header form" small pressed={form} onPress={() => onForm(!form)} />
+      <strong>{title}</strong>
+      <code>{name}</code>
+      <span className="code-head-gap" />
+      {ofLibrary && (
+        <>
+          <span className="code-head-note">From the library: the first change makes a copy in this project.</span>
+          <Button look="quiet" onPress={() => void copyShader(editor, node)}>
+            Copy into project
+          </Button>
+        </>
+      )}
+      {original !== null && (
+        <>
+          <Button look="quiet" tip={`With ${original}`} onPress={() => onCompare(!comparing)} disabled={!changed && !comparing}>
+            {comparing ? 'Stop comparing' : 'Compare with original'}
+          </Button>
+          <Button
+            look="quiet"
+            tip={`To ${original}; undo takes it back`}
+            onPress={() => void revertShader(editor, node)}
+            disabled={!changed || readOnly}
+          >
+            Revert
+          </Button>
+        </>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,159 @@
+import type { HeaderFields } from '../../export/glsl/language/edit-header.ts';
+import { useEditor } from '../shell/editor-context.ts';
+import { endGesture } from '../state/apply.ts';
+import { editHeader, moveInput, renameInput } from '../state/edit-header.ts';
+import { addToast } from '../state/ui.ts';
+import { IconButton } from '../ui/button.tsx';
+import { ColorField } from '../ui/color-field.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { HeaderField } from './header-field.tsx';
+import { numbersOf, textOfField, wordsOf } from './header-text.ts';
+
+/** Types that an ISF file and a technique can have, in the order in which they are offered. */
+export const INPUT_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image', 'event', 'audio', 'audioFFT', 'depth'] as const;
+export const TECHNIQUE_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image'] as const;
+
+interface HeaderInputProps {
+  readonly node: string;
+  readonly index: number;
+  readonly isLast: boolean;
+  readonly fields: HeaderFields;
+  readonly types: readonly string[];
+  readonly disabled: boolean;
+  readonly open: boolean;
+  /** Opens the input of this name, and closes any other. */
+  readonly onOpen: (name: string | null) => void;
+}
+
+/** One input of the header: its name and type, and what is to be set of it when it is opened. */
+export function HeaderInput({ node, index, isLast, fields, types, disabled, open, onOpen }: HeaderInputProps) {
+  const editor = useEditor();
+  const name = textOfField(fields, 'NAME');
+  const type = textOfField(fields, 'TYPE');
+  const set = (key: string, value: Parameters<typeof editHeader>[3]) => void editHeader(editor, node, ['INPUTS', index, key], value);
+  const setNumbers = (key: string) => (text: string) => {
+    const value = numbersOf(text);
+    if (value === null) addToast(editor.ui, { tone: 'warning', text: `“${text}” is no number.`, detail: 'Several are parted by commas.' });
+    else set(key, value);
+  };
+  const offered = types.includes(type) ? types : [type, ...types];
+  return (
+    <li className="header-input">
+      <div className="header-input-head">
+        <button type="button" className="header-input-open" aria-expanded={open} onClick={() => onOpen(open ? null : name)}>
+          <Icon name="chevron" size={12} />
+          <code>{name || 'no name'}</code>
+          <span>{type}</span>
+        </button>
+        <IconButton
+          icon="up"
+          label={`Move ${name} up`}
+          small
+          disabled={disabled || index === 0}
+          onPress={() => void moveInput(editor, node, index, index - 1)}
+        />
+        <IconButton
+          icon="down"
+          label={`Move ${name} down`}
+          small
+          disabled={disabled || isLast}
+          onPress={() => void moveInput(editor, node, index, index + 1)}
+        />
+        <IconButton
+          icon="trash"
+          label={`Remove ${name}`}
+          small
+          disabled={disabled}
+          onPress={() => void editHeader(editor, node, ['INPUTS', index], undefined)}
+        />
+      </div>
+      {open && (
+        <fieldset className="header-input-fields" disabled={disabled}>
+          <HeaderField label="Name" value={name} onSet={(text) => renameInput(editor, node, name, text.trim()) && onOpen(text.trim())} />
+          <div className="header-field">
+            <label htmlFor={`type-${node}-${index}`}>Type</label>
+            <select id={`type-${node}-${index}`} className="select" value={type} onChange={(event) => set('TYPE', event.target.value)}>
+              {offered.map((one) => (
+                <option key={one}>{one}</option>
+              ))}
+            </select>
+          </div>
+          <HeaderField
+            label="Label"
+            value={textOfField(fields, 'LABEL')}
+            placeholder={name}
+            onSet={(text) => set('LABEL', text.trim() || undefined)}
+          />
+          {(type === 'float' || type === 'point2D') && (
+            <>
+              <HeaderField label="Min" value={textOfField(fields, 'MIN')} onSet={setNumbers('MIN')} />
+              <HeaderField label="Max" value={textOfField(fields, 'MAX')} onSet={setNumbers('MAX')} />
+            </>
+          )}
+          {type === 'long' && (
+            <>
+              <HeaderField
+                label="Values"
+                value={textOfField(fields, 'VALUES')}
+                placeholder="0, 1, 2"
+                onSet={(text) => setList(text, numbersOf, set)}
+              />
+              <HeaderField
+                label="Labels"
+                value={textOfField(fields, 'LABELS')}
+                placeholder="One, Two, Three"
+                onSet={(text) => set('LABELS', wordsOf(text))}
+              />
+            </>
+          )}
+          {['float', 'point2D', 'long'].includes(type) && (
+            <HeaderField label="Default" value={textOfField(fields, 'DEFAULT')} onSet={setNumbers('DEFAULT')} />
+          )}
+          {type === 'bool' && (
+            <div className="header-field">
+              <label htmlFor={`default-${node}-${index}`}>Default</label>
+              <input
+                id={`default-${node}-${index}`}
+                type="checkbox"
+                className="switch"
+                checked={['true', '1'].includes(textOfField(fields, 'DEFAULT'))}
+                onChange={(event) => set('DEFAULT', event.target.checked)}
+              />
+            </div>
+          )}
+          {type === 'color' && (
+            <div className="header-field header-field-long">
+              <span>Default</span>
+              <ColorField
+                label={`Default of ${name}`}
+                value={colourOf(fields)}
+                onEdit={(colour) => set('DEFAULT', rounded(colour))}
+                onEnd={() => endGesture(editor)}
+              />
+            </div>
+          )}
+          <HeaderField
+            label="What it does"
+            value={textOfField(fields, 'DOC')}
+            long
+            onSet={(text) => set('DOC', text.trim() || undefined)}
+          />
+        </fieldset>
+      )}
+    </li>
+  );
+}
+
+function setList(text: string, read: typeof numbersOf, set: (key: string, value: Parameters<typeof editHeader>[3]) => void): void {
+  const value = read(text);
+  if (value !== null) set('VALUES', typeof value === 'number' ? [value] : value);
+}
+
+function colourOf({ DEFAULT: list }: HeaderFields): readonly [number, number, number, number] {
+  const [red = 0, green = 0, blue = 0, alpha = 1] = Array.isArray(list) ? (list as readonly unknown[]).map(Number) : [];
+  return [red, green, blue, alpha];
+}
+
+function rounded(colour: readonly number[]): readonly number[] {
+  return colour.map((value) => Number(value.toFixed(4)));
+}

@@ -1,0 +1,141 @@
+import { type IPosition, languages } from 'monaco-editor/editor';
+import { type Completion, completionsAt } from '../../export/glsl/language/complete.ts';
+import { formatShader } from '../../export/glsl/language/format.ts';
+import { numberAt } from '../../export/glsl/language/literals.ts';
+import { definitionsAt, hoverAt, referencesAt, signatureAt } from '../../export/glsl/language/look-up.ts';
+import { renameAt, renameStart } from '../../export/glsl/language/rename.ts';
+import type { Place } from '../../export/glsl/syntax/token.ts';
+import { GLSL_LANGUAGE } from './glsl-language.ts';
+import { type ChunkOf, chunkModel, documentOf, editOf, rangeOf } from './shader-models.ts';
+
+export interface ProviderOptions {
+  readonly chunkOf: ChunkOf;
+  /** The edits of a renaming are about to be made: they are a step of their own. */
+  readonly onRename: () => void;
+}
+
+/** Tells Monaco what `export/glsl/language` knows. The returned function takes it all back. */
+export function registerProviders({ chunkOf, onRename }: ProviderOptions): () => void {
+  const parts = [
+    languages.registerCompletionItemProvider(GLSL_LANGUAGE, {
+      triggerCharacters: ['.', '#', '"', '$'],
+      provideCompletionItems: (model, position) => {
+        const word = model.getWordUntilPosition(position);
+        const { lineNumber } = position;
+        const dollar = model.getValueInRange({ ...lineRange(lineNumber, word.startColumn - 1, word.startColumn) }) === '$' ? 1 : 0;
+        const range = lineRange(lineNumber, word.startColumn - dollar, position.column);
+        return {
+          suggestions: completionsAt(documentOf(model, chunkOf), placeOf(position)).map((item) => ({ ...suggestionOf(item), range })),
+        };
+      },
+    }),
+    languages.registerHoverProvider(GLSL_LANGUAGE, {
+      provideHover: (model, position) => {
+        const document = documentOf(model, chunkOf);
+        const found = hoverAt(document, placeOf(position));
+        if (found !== null) return { range: rangeOf(found.range), contents: [glslCode(found.code), { value: found.doc }] };
+        const number = numberAt(document.source, placeOf(position), document.outline);
+        return (
+          number && { range: rangeOf(number.range), contents: [{ value: 'Drag it with **Alt**, or click it, to see the picture change.' }] }
+        );
+      },
+    }),
+    languages.registerSignatureHelpProvider(GLSL_LANGUAGE, {
+      signatureHelpTriggerCharacters: ['(', ','],
+      signatureHelpRetriggerCharacters: [')'],
+      provideSignatureHelp: (model, position) => {
+        const help = signatureAt(documentOf(model, chunkOf), placeOf(position));
+        if (help === null) return null;
+        const signatures = help.signatures.map(({ label, parameters }) => ({
+          label,
+          documentation: { value: help.doc },
+          parameters: parameters.map((parameter) => ({ label: parameter })),
+        }));
+        return { value: { signatures, activeSignature: help.active, activeParameter: help.parameter }, dispose: () => {} };
+      },
+    }),
+    languages.registerDefinitionProvider(GLSL_LANGUAGE, {
+      provideDefinition: (model, position) =>
+        definitionsAt(documentOf(model, chunkOf), placeOf(position)).flatMap(({ file, range }) => {
+          const uri = file === null ? model.uri : chunkModel(file, chunkOf)?.uri;
+          return uri ? [{ uri, range: rangeOf(range) }] : [];
+        }),
+    }),
+    languages.registerReferenceProvider(GLSL_LANGUAGE, {
+      provideReferences: (model, position) =>
+        referencesAt(documentOf(model, chunkOf), placeOf(position)).map((range) => ({ uri: model.uri, range: rangeOf(range) })),
+    }),
+    languages.registerDocumentHighlightProvider(GLSL_LANGUAGE, {
+      provideDocumentHighlights: (model, position) =>
+        referencesAt(documentOf(model, chunkOf), placeOf(position)).map((range) => ({ range: rangeOf(range) })),
+    }),
+    languages.registerRenameProvider(GLSL_LANGUAGE, {
+      resolveRenameLocation: (model, position) => {
+        const start = renameStart(documentOf(model, chunkOf), placeOf(position));
+        const here = lineRange(position.lineNumber, position.column, position.column);
+        return start.ok ? { range: rangeOf(start.range), text: start.name.name } : { range: here, text: '', rejectReason: start.reason };
+      },
+      provideRenameEdits: (model, position, newName) => {
+        const rename = renameAt(documentOf(model, chunkOf), placeOf(position), newName.trim(), { chunkOf });
+        if (!rename.ok) return { edits: [], rejectReason: rename.reason };
+        onRename();
+        const { uri: resource } = model;
+        return { edits: rename.edits.map((edit) => ({ resource, textEdit: editOf(edit), versionId: undefined })) };
+      },
+    }),
+    languages.registerDocumentFormattingEditProvider(GLSL_LANGUAGE, {
+      displayName: 'Scrim',
+      provideDocumentFormattingEdits: (model) => {
+        const text = formatShader(model.getValue());
+        return text === null ? [] : [{ range: model.getFullModelRange(), text }];
+      },
+    }),
+  ];
+  return () => {
+    for (const part of parts) part.dispose();
+  };
+}
+
+function placeOf({ lineNumber, column }: IPosition): Place {
+  return { line: lineNumber, column };
+}
+
+function lineRange(line: number, startColumn: number, endColumn: number) {
+  return { startLineNumber: line, endLineNumber: line, startColumn: Math.max(startColumn, 1), endColumn };
+}
+
+function glslCode(code: string) {
+  return { value: code === '' ? '' : `\`\`\`${GLSL_LANGUAGE}\n${code}\n\`\`\`` };
+}
+
+const KINDS: Readonly<Record<Completion['kind'], keyof typeof languages.CompletionItemKind>> = {
+  function: 'Function',
+  variable: 'Variable',
+  parameter: 'Variable',
+  struct: 'Struct',
+  member: 'Field',
+  macro: 'Constant',
+  input: 'Property',
+  image: 'File',
+  builtin: 'Value',
+  keyword: 'Keyword',
+  type: 'Class',
+  directive: 'Keyword',
+  key: 'Property',
+  value: 'EnumMember',
+};
+
+function suggestionOf({ label, kind, detail, doc, insert, rank }: Completion): Omit<languages.CompletionItem, 'range'> {
+  const snippet = insert.includes('$0');
+  return {
+    label,
+    kind: languages.CompletionItemKind[KINDS[kind]],
+    detail,
+    documentation: { value: doc },
+    insertText: insert,
+    sortText: `${rank} ${label.toLowerCase()}`,
+    ...(snippet ? { insertTextRules: languages.CompletionItemInsertTextRule.InsertAsSnippet } : {}),
+    // A call begins with its brackets: what it takes is shown at once.
+    ...(insert.endsWith('($0)') ? { command: { id: 'editor.action.triggerParameterHints', title: '' } } : {}),
+  };
+}

@@ -1,0 +1,69 @@
+import { editor, type IRange, Range, Uri } from 'monaco-editor/editor';
+import { readShaderDocument, type ShaderDocument } from '../../export/glsl/language/shader-document.ts';
+import type { TextEdit, TextRange } from '../../export/glsl/language/source-text.ts';
+import { GLSL_LANGUAGE } from './glsl-language.ts';
+
+const SHADER_SCHEME = 'scrim-shader';
+const CHUNK_SCHEME = 'scrim-chunk';
+
+/** Text of `chunks/NAME.glsl`. */
+export type ChunkOf = (name: string) => string | undefined;
+
+interface Reading {
+  readonly version: number;
+  readonly file: string;
+  readonly document: ShaderDocument;
+}
+
+/** Files that the models show, and what was last read of them. */
+const files = new WeakMap<editor.ITextModel, string>();
+const readings = new WeakMap<editor.ITextModel, Reading>();
+
+/** The model of a shader, made when it is first asked for; `name` is its own for as long as it lives. */
+export function shaderModel(name: string, file: string, text: string): editor.ITextModel {
+  const uri = Uri.from({ scheme: SHADER_SCHEME, path: `/${name}` });
+  const model = editor.getModel(uri) ?? editor.createModel(text, GLSL_LANGUAGE, uri);
+  files.set(model, file);
+  return model;
+}
+
+/** A chunk of the library, to be read; null where there is none of the file's name. */
+export function chunkModel(file: string, chunkOf: ChunkOf): editor.ITextModel | null {
+  const text = chunkOf(file.replace(/^chunks\//, '').replace(/\.glsl$/, ''));
+  if (text === undefined) return null;
+  const uri = Uri.from({ scheme: CHUNK_SCHEME, path: `/${file}` });
+  const model = editor.getModel(uri) ?? editor.createModel(text, GLSL_LANGUAGE, uri);
+  if (model.getValue() !== text) model.setValue(text);
+  files.set(model, file);
+  return model;
+}
+
+/** Name of the chunk file that an address stands for; null for any other. */
+export function chunkFileOf(uri: Uri): string | null {
+  return uri.scheme === CHUNK_SCHEME ? uri.path.slice(1) : null;
+}
+
+/** Ends the models of shaders whose names are not to be kept. */
+export function forgetModels(keep: (name: string) => boolean): void {
+  for (const model of editor.getModels()) if (model.uri.scheme === SHADER_SCHEME && !keep(model.uri.path.slice(1))) model.dispose();
+}
+
+/** What the language knows of a model's text, read once per version. */
+export function documentOf(model: editor.ITextModel, chunkOf: ChunkOf): ShaderDocument {
+  const known = readings.get(model);
+  const version = model.getVersionId();
+  const file = files.get(model) ?? '';
+  if (known?.version === version && known.file === file) return known.document;
+  const options = known?.file === file ? { chunkOf, before: known.document } : { chunkOf };
+  const document = readShaderDocument(model.getValue(), file, options);
+  readings.set(model, { version, file, document });
+  return document;
+}
+
+export function rangeOf({ start, end }: TextRange): IRange {
+  return new Range(start.line, start.column, end.line, end.column);
+}
+
+export function editOf(edit: TextEdit): { readonly range: IRange; readonly text: string } {
+  return { range: rangeOf(edit), text: edit.text };
+}

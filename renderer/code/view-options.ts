@@ -1,0 +1,25 @@
+import type { editor } from 'monaco-editor/editor';
+
+/** What every view of a shader's text looks like. */
+export function optionsFor(parent: HTMLElement): editor.IEditorOptions & editor.IGlobalEditorOptions {
+  return {
+    automaticLayout: true,
+    fontFamily: getComputedStyle(parent).getPropertyValue('--mono'),
+    fontSize: 12.5,
+    lineHeight: 19,
+    minimap: { enabled: false },
+    scrollBeyondLastLine: false,
+    renderLineHighlight: 'line',
+    padding: { top: 8, bottom: 8 },
+    tabSize: 2,
+    fixedOverflowWidgets: true,
+    overviewRulerLanes: 1,
+    stickyScroll: { enabled: false },
+    // Mistakes are to be seen in a text that is to be read, too.
+    renderValidationDecorations: 'on',
+    wordBasedSuggestions: 'off',
+    suggest: { showWords: false, preview: false },
+    // The text's own square before a colour is the one that opens sliders.
+    colorDecorators: false,
+  };
+}
