@@ -1,11 +1,13 @@
 import { readFile } from 'node:fs/promises';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { describeWithData } from '../support/shared-data.ts';
-import { PAGE, paint } from './glsl-kit.ts';
-import { applyShader, expectedPicture, type Params } from './shader-library-kit.ts';
+import { drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
+import { applyShader, expectedPicture, type Params, SHADERS } from './shader-library-kit.ts';
 
 /** Half a step of rounding on either side and one for single precision and for the linear filtering of textures. */
 const TOLERANCE = 2;
@@ -27,6 +29,8 @@ const CASES: Readonly<Record<string, Readonly<Record<string, Params>>>> = {
   tile: { plain: { columns: 4, rows: 2 }, mirrored: { columns: 2, rows: 8, mirror: 1 } },
   'radial-blur': { middle: {}, corner: { amount: 0.3, center: [0.2, 0.9] } },
   'spin-blur': { middle: {}, corner: { angle: 0.5, center: [0.2, 0.9] } },
+  'white-balance': { warm: {}, between: { warm: 2500, cold: 12000, balance: 0.7 } },
+  'anisotropic-kuwahara': { 6: {}, round: { radius: 4, sharpness: 2, stretch: 0 } },
   kuwahara: { 5: {}, soft: { radius: 3, sharpness: 2 } },
   bilateral: { 6: {}, wide: { radius: 10, colorRange: 0.6 } },
   'difference-of-gaussians': { ink: {}, over: { radius: 2.4, strength: 40, level: 0.5, hardness: 10, overPicture: 1 } },
@@ -36,6 +40,9 @@ const CASES: Readonly<Record<string, Readonly<Record<string, Params>>>> = {
 const EACH = Object.entries(CASES).flatMap(([filter, cases]) =>
   Object.entries(cases).map(([name, params]) => [filter, name, params] as const),
 );
+
+/** Pixels of the generated picture that may differ by more: at corners of flat squares a stroke has no one direction. */
+const STRAYS: Readonly<Record<string, number>> = { 'anisotropic-kuwahara-6': 32 };
 
 const chromium = useBrowser();
 let page: PageModule;
@@ -69,7 +76,8 @@ describe('over the generated picture', () => {
   test.each(EACH)('%s (%s) is what other software computes', async (filter, name, params) => {
     const drawn = await apply(filter, await expectedPicture('generated'), params);
     const file = `generated-${filter}-${name}`;
-    await expectSamePixels(file, drawn, await expectedPicture(file), { tolerance: TOLERANCE });
+    const pixels = STRAYS[`${filter}-${name}`] ?? 0;
+    await expectSamePixels(file, drawn, await expectedPicture(file), { tolerance: TOLERANCE, pixels });
   });
 });
 
@@ -79,7 +87,8 @@ describeWithData('over a photograph', 'images/astronaut.png', (path) => {
     picture = await photograph(path);
   });
 
-  test.each(EACH)('%s (%s) is what other software computes', async (filter, name, params) => {
+  // One of them is enough of those that take seconds.
+  test.each(EACH.filter(([, name]) => name !== 'round'))('%s (%s) is what other software computes', async (filter, name, params) => {
     const drawn = await apply(filter, picture, params);
     const file = `astronaut-${filter}-${name}`;
     await expectSamePixels(file, samplesOf(drawn), await expectedPicture(file), { tolerance: TOLERANCE });
@@ -109,3 +118,210 @@ test.each(Object.entries(IDENTITIES))('%s changes nothing at its identity', asyn
   const picture = await expectedPicture('generated');
   await expectSamePixels(`identity-${filter}`, await apply(filter, picture, params), picture, { tolerance: 1 });
 });
+
+/** What nobody can do in one pixel: 64 by 64 pixels, with a distance for each. */
+async function applyWithDepth(
+  filter: string,
+  inputImage: Picture,
+  metres: (x: number, y: number) => number,
+  params: Params,
+  of: 'inputImage' | 'room' = 'inputImage',
+): Promise<Picture> {
+  const file = `filters/${filter}.fs`;
+  const shader = made(readIsf(SHADERS[file] ?? '', file));
+  const { width, height } = inputImage;
+  // Bottom row first.
+  const values = Array.from({ length: width * height }, (_, i) => metres(i % width, height - 1 - Math.floor(i / width)));
+  return drawPicture(page, {
+    width,
+    height,
+    passes: made(linkIsf(shader, { node: 'test', ...(of === 'room' ? { withoutDepth: ['inputImage'] } : { absent: ['room'] }) })),
+    pictures: { inputImage: toPage(inputImage) },
+    depths: { [of]: { width, height, values } },
+    params: { ...Object.fromEntries(shader.inputs.map((input) => [input.name, input.default])), ...params },
+  });
+}
+
+describe('fog', () => {
+  const ramp = (x: number) => x / 4;
+  const blue = paint(64, 4, () => [0, 40, 200, 255]);
+  const HIDDEN = -Math.log(0.05);
+  const GROWTH = [
+    (x: number) => 1 - Math.exp(-HIDDEN * x),
+    (x: number) => 1 - Math.exp(-HIDDEN * x * x),
+    (x: number) => Math.min(x, 1),
+  ] as const;
+
+  test.each([
+    ['exponential', 0],
+    ['exponential squared', 1],
+    ['even', 2],
+  ] as const)('grows %s with metres, of the layer and of the room alike', async (_, falloff) => {
+    const [near, far] = [2, 10];
+    const fogged = (m: number) => GROWTH[falloff](Math.max(m - near, 0) / (far - near)) * 0.8;
+    const expected = paint(64, 4, (x) => {
+      const fog = x === 0 ? 0.5 * 0.8 : fogged(ramp(x));
+      return [255 * fog, 40 + (255 - 40) * fog, 200 + (127.5 - 200) * fog, 255];
+    });
+    const params = { near, far, falloff, empty: 0.5, color: [1, 1, 0.5, 0.8] };
+    for (const of of ['inputImage', 'room'] as const) {
+      const drawn = await applyWithDepth('fog', blue, ramp, params, of);
+      await expectSamePixels(`fog-${falloff}-${of}`, drawn, expected, { tolerance: TOLERANCE });
+    }
+  });
+
+  test('hides 95 % at the distance that is asked for', async () => {
+    const drawn = await applyWithDepth('fog', blue, () => 10, { near: 2, far: 10, color: [1, 1, 1, 1] });
+    expect(pixelAt(drawn, 0, 0)[0]).toBe(Math.round(0.95 * 255));
+  });
+});
+
+describe('depth of field', () => {
+  const LENS = { focus: 1.5, fStop: 1.8, focalLength: 0.1, sensor: 0.01, most: 16 };
+  /** A lens of 100 mm at f/1.8 that looks at 1.5 m shows a point at 3 m this wide on 64 pixels of a sensor 10 mm high. */
+  const RADIUS_PX = (((0.1 / 1.8) * 0.1 * (3 - 1.5)) / (3 * (1.5 - 0.1)) / 0.01 / 2) * 64;
+  const edge = paint(64, 64, (x) => (x < 32 ? [255, 255, 255, 255] : [0, 0, 0, 255]));
+
+  test('changes nothing at the focus', async () => {
+    const checks = paint(64, 64, (x, y) => ((x + y) % 2 === 0 ? [255, 120, 0, 255] : [0, 0, 90, 255]));
+    await expectSamePixels('dof-focus', await applyWithDepth('depth-of-field', checks, () => 1.5, LENS), checks, { tolerance: 0 });
+  });
+
+  test('turns an edge behind it into the profile of a disc as wide as the thin lens says', async () => {
+    expect(RADIUS_PX).toBeCloseTo(6.35, 2);
+    const drawn = await applyWithDepth('depth-of-field', edge, () => 3, LENS);
+    for (let x = 20; x < 44; x++) {
+      // How much of a disc about the pixel's centre lies left of the edge.
+      const t = Math.max(-1, Math.min(1, (32 - (x + 0.5)) / RADIUS_PX));
+      const left = 0.5 + (t * Math.sqrt(1 - t * t) + Math.asin(t)) / Math.PI;
+      expect(Math.abs((pixelAt(drawn, x, 32)[0] ?? 0) - 255 * left)).toBeLessThan(10);
+    }
+  });
+
+  test('keeps what is sharp in front free of what is blurred behind, and not the other way round', async () => {
+    const behind = await applyWithDepth('depth-of-field', edge, (x) => (x < 32 ? 1.5 : 3), LENS);
+    expect(pixelAt(behind, 30, 32)[0]).toBe(255);
+    const before = await applyWithDepth('depth-of-field', edge, (x) => (x < 32 ? 0.8 : 1.5), LENS);
+    expect(pixelAt(before, 35, 32)[0]).toBeGreaterThan(30);
+  });
+});
+
+test('white balance swings from one light to the other and back', async () => {
+  const grey = paint(2, 2, () => [128, 128, 128, 255]);
+  const swing = { warm: 3000, cold: 10_000, swing: 0.1 };
+  const at = async (params: Params, frames: number) => {
+    const file = 'filters/white-balance.fs';
+    const shader = made(readIsf(SHADERS[file] ?? '', file));
+    const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
+    const job = { width: 2, height: 2, passes: made(linkIsf(shader, { node: 'test' })), pictures: { inputImage: toPage(grey) }, frames };
+    return [...pixelAt(await drawPicture(page, { ...job, params: { ...defaults, ...params } }), 0, 0)];
+  };
+  const [warm, cold] = [await at({ ...swing, swing: 0, balance: 0 }, 1), await at({ ...swing, swing: 0, balance: 1 }, 1)];
+  expect(warm[0]).toBeGreaterThan((warm[2] ?? 0) + 60);
+  expect(cold[2]).toBeGreaterThan((cold[0] ?? 0) + 20);
+  // The seventh frame of 1/60 s is one whole swing of a tenth of a second, the fourth half of one.
+  expect(await at(swing, 7)).toEqual(warm);
+  expect(await at(swing, 4)).toEqual(cold);
+  expect(await at({ ...swing, balance: 1 }, 4)).toEqual(warm);
+});
+
+/**
+ * Patches marked by hand in the photographs, [left, top, width, height] in pixels: foreheads, cheeks, necks, backs of hands; and
+ * backgrounds, cloth of many colours, hair, wood. The hard rule of Chai and Ngan finds nearly all skin and takes light red and
+ * brown things for it as well, which its own paper says; orange cloth it leaves alone.
+ */
+const PATCHES = [
+  {
+    path: 'images/astronaut.png',
+    skin: [
+      [200, 95, 50, 20],
+      [195, 125, 20, 15],
+      [245, 120, 17, 20],
+      [218, 105, 18, 25],
+      [205, 172, 35, 13],
+    ],
+    other: [
+      [320, 20, 30, 80],
+      [80, 260, 50, 60],
+      [400, 420, 80, 60],
+      [10, 60, 40, 50],
+      [40, 190, 20, 40],
+      [180, 35, 80, 30],
+    ],
+    recall: 0.99,
+    precision: 0.35,
+  },
+  {
+    path: 'images/portrait.jpg',
+    skin: [
+      [344, 112, 112, 35],
+      [328, 208, 32, 56],
+      [448, 208, 32, 56],
+      [376, 312, 56, 32],
+      [176, 728, 48, 40],
+      [504, 680, 56, 48],
+    ],
+    other: [
+      [176, 448, 128, 192],
+      [344, 344, 32, 32],
+      [336, 464, 48, 64],
+      [8, 192, 88, 128],
+      [128, 160, 96, 192],
+      [704, 240, 48, 128],
+    ],
+    recall: 0.99,
+    precision: 0.38,
+  },
+  {
+    path: 'images/hands.jpg',
+    skin: [
+      [112, 214, 101, 90],
+      [495, 67, 112, 90],
+    ],
+    other: [
+      [287, 22, 90, 112],
+      [349, 225, 90, 135],
+    ],
+    recall: 0.88,
+    precision: 0.99,
+  },
+] as const;
+
+for (const { path: photo, skin, other, recall, precision } of PATCHES) {
+  describeWithData(`skin in ${photo}`, photo, (path) => {
+    test('is found, as often and as rightly as by hand', async () => {
+      const picture = await decodeInPage(path);
+      const mask = await apply('skin-mask', picture, { softness: 0 });
+      const count = (patches: readonly (readonly [number, number, number, number])[], white: boolean) =>
+        patches.reduce((sum, [left, top, width, height]) => {
+          let found = 0;
+          for (let i = 0; i < width * height; i++) {
+            if ((pixelAt(mask, left + (i % width), top + Math.floor(i / width))[0] ?? 0) > 127 === white) found += 1;
+          }
+          return sum + found;
+        }, 0);
+      const [hits, misses, wrong] = [count(skin, true), count(skin, false), count(other, true)];
+      expect(hits / (hits + misses)).toBeGreaterThan(recall);
+      expect(hits / (hits + wrong)).toBeGreaterThan(precision);
+    });
+  });
+}
+
+/** JPEG too: browsers can. */
+async function decodeInPage(path: string): Promise<Picture> {
+  const { width, height, data } = await page.page.evaluate(
+    async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes]));
+      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+      if (!context) throw new Error('The browser draws no pictures.');
+      context.drawImage(bitmap, 0, 0);
+      const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      let text = '';
+      for (const byte of data) text += String.fromCharCode(byte);
+      return { width: bitmap.width, height: bitmap.height, data: btoa(text) };
+    },
+    (await readFile(path)).toString('base64'),
+  );
+  return { width, height, data: new Uint8Array(Buffer.from(data, 'base64')) };
+}

@@ -81,7 +81,9 @@ describe.each(Object.keys(SHADERS))('%s', (file) => {
       'uniform vec2 RENDERSIZE;',
       'uniform int PASSINDEX;',
       'uniform float TIME;',
-      ...shader.inputs.filter((input) => input.type !== 'image').map((input) => `uniform ${types[input.type]} ${input.name};`),
+      ...shader.inputs
+        .filter((input) => input.type in types && input.type !== 'image')
+        .map((input) => `uniform ${types[input.type]} ${input.name};`),
       ...images.map((name) => `uniform sampler2D ${name};`),
       '#define IMG_NORM_PIXEL(image, uv) texture2D(image, uv)',
       '#define IMG_THIS_PIXEL(image) texture2D(image, isf_FragNormCoord)',

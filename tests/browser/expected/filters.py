@@ -1,6 +1,6 @@
 """Expected pictures for filters.test.ts, made without Scrim: with numpy, OpenCV, scikit-image, SciPy and colour-science.
 
-Run once, by hand, after a change: `python filters.py PATH_TO_ASTRONAUT_PNG` with numpy 2.4, opencv-python-headless 5.0.0,
+Run once, by hand, after a change: `python filters.py PATH_TO_ASTRONAUT_PNG [CASES THAT BEGIN SO…]` with numpy 2.4, opencv-python-headless 5.0.0,
 scikit-image 0.26, scipy 1.17 and colour-science 0.4.7. Tests read the PNG files beside this script and need no Python.
 
 generated.png is made by shader-library.py. astronaut.png is scikit-image's photograph of Eileen Collins by NASA, public domain;
@@ -124,6 +124,18 @@ def skin(rgba, softness, widen=0, cut_out=False):
     if cut_out:
         return premultiplied(straight(rgba), rgba[..., 3] * found)
     return recoloured(rgba, np.dstack([found] * 3))
+
+
+def planckian_xy(kelvin):
+    return colour.temperature.CCT_to_xy_Kang2002(kelvin)
+
+
+def white_balance(rgba, warm, cold, balance):
+    kelvin = 1 / ((1 - balance) / warm + balance / cold)
+    white, neutral = (colour.xy_to_XYZ(planckian_xy(k)) for k in (kelvin, 6500))
+    xyz = colour.RGB_to_XYZ(straight(rgba), 'sRGB', apply_cctf_decoding=True)
+    adapted = colour.adaptation.chromatic_adaptation_VonKries(xyz, neutral, white, transform='Bradford')
+    return recoloured(rgba, colour.XYZ_to_RGB(adapted, 'sRGB', apply_cctf_encoding=True))
 
 
 def exposure(rgba, stops, highlights=0):
@@ -250,6 +262,46 @@ def kuwahara(rgba, radius, sharpness):
     return total / weights
 
 
+def anisotropic_kuwahara(rgba, radius, sharpness, stretch=1):
+    up = rgba[::-1]
+    padded = np.pad(up, ((17, 17), (17, 17), (0, 0)), mode='edge')
+    height, width = up.shape[:2]
+
+    def near(i, j):
+        return padded[17 + j :, 17 + i :][:height, :width]
+
+    # Sobel's differences of the padded picture; OpenCV's own.
+    gx, gy = (cv2.Sobel(padded, cv2.CV_64F, *order, ksize=3, scale=0.25)[17:-17, 17:-17] for order in ((1, 0), (0, 1)))
+    tensor = np.dstack([(gx * gx).sum(-1), (gy * gy).sum(-1), (gx * gy).sum(-1)])
+    tensor = cv2.GaussianBlur(tensor, (13, 13), 2, borderType=cv2.BORDER_REPLICATE)
+    matrices = np.stack([tensor[..., [0, 2]], tensor[..., [2, 1]]], axis=-2)
+    values, vectors = np.linalg.eigh(matrices)
+    total = values.sum(-1)
+    anisotropy = stretch * np.divide(values[..., 1] - values[..., 0], total, out=np.zeros_like(total), where=total > 0)
+    way = vectors[..., 0]
+    longer, shorter = radius * (1 + anisotropy), radius / (1 + anisotropy)
+    zeta, shared = 2 / radius, 3 * np.pi / 16
+    eta = (zeta + np.cos(shared)) / np.sin(shared) ** 2
+    sums, squares = np.zeros((8, height, width, 4)), np.zeros((8, height, width, 4))
+    weights = np.zeros((8, height, width, 1))
+    for j in range(-16, 17):
+        for i in range(-16, 17):
+            v = (i * way[..., 0] + j * way[..., 1]) / longer + 1j * (j * way[..., 0] - i * way[..., 1]) / shorter
+            inside = np.abs(v) <= 1
+            if not inside.any():
+                continue
+            turned = v * np.exp(-0.25j * np.pi * np.arange(8))[:, None, None]
+            share = np.maximum(turned.real + zeta - eta * turned.imag**2, 0) ** 2
+            falloff = np.exp(-2 * np.abs(v) ** 2) * np.maximum(1 - np.abs(v) ** 4, 0)
+            share = (share * falloff / np.maximum(share.sum(0), 1e-12))[..., None]
+            color = near(i, j)
+            sums, squares, weights = sums + share * color, squares + share * color**2, weights + share
+    mean = sums / weights
+    deviation = 255 * np.sqrt(np.maximum(squares / weights - mean**2, 0).sum(-1, keepdims=True))
+    calm = 1 / (1 + deviation**sharpness)
+    return ((mean * calm).sum(0) / calm.sum(0))[::-1]
+
+
 def bilateral(rgba, radius, color_range):
     """OpenCV's own filter where nothing is transparent; it has no fourth channel."""
     if rgba[..., 3].min() == 1:
@@ -318,6 +370,8 @@ CASES = {
     'chroma-key-red': lambda p: chroma_key(p, (0.8, 0.2, 0.1), 0.1, 0.2, 1),
     'skin-mask-soft': lambda p: skin(p, 4),
     'skin-mask-cut': lambda p: skin(p, 20, 3, True),
+    'white-balance-warm': lambda p: white_balance(p, 3200, 9500, 0),
+    'white-balance-between': lambda p: white_balance(p, 2500, 12000, 0.7),
     'hdr-exposure-long': lambda p: exposure(p, 1.5),
     'hdr-exposure-kept': lambda p: exposure(p, 2.5, 1),
     'hdr-exposure-short': lambda p: exposure(p, -2),
@@ -337,6 +391,8 @@ CASES = {
     'spin-blur-corner': lambda p: spin_blur(p, 0.5, (0.2, 0.9)),
     'kuwahara-5': lambda p: kuwahara(p, 5, 8),
     'kuwahara-soft': lambda p: kuwahara(p, 3, 2),
+    'anisotropic-kuwahara-6': lambda p: anisotropic_kuwahara(p, 6, 8),
+    'anisotropic-kuwahara-round': lambda p: anisotropic_kuwahara(p, 4, 2, 0),
     'bilateral-6': lambda p: bilateral(p, 6, 0.2),
     'bilateral-wide': lambda p: bilateral(p, 10, 0.6),
     'difference-of-gaussians-ink': lambda p: dog_lines(p, 1, 20, 0.6, 4),
@@ -349,6 +405,8 @@ CASES = {
 def main():
     inputs = {'generated': read(os.path.join(HERE, 'generated.png')), 'astronaut': read(sys.argv[1])[:256, 128:384]}
     for case, apply in CASES.items():
+        if not case.startswith(tuple(sys.argv[2:] or [''])):
+            continue
         save(f'generated-{case}', apply(inputs['generated']))
         save(f'astronaut-{case}', apply(inputs['astronaut'])[7::8, 5::8])
 

@@ -1,0 +1,39 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Lets things fade into fog with their distance in metres, by the depth of the layer, or of the room where the layer has none.",
+  "CREDIT": "Scrim. Formulas: those of OpenGL 1.0 §3.10, set by the distance at which 95 % is hidden",
+  "CATEGORIES": ["Depth", "Fog", "Mist", "Haze", "Atmosphere"],
+  "SCRIM_DEPTH": "same",
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to lay fog over, with depth." },
+    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth such as the camera's picture.", "OPTIONAL": true },
+    { "NAME": "color", "TYPE": "color", "LABEL": "Colour", "DOC": "Colour of the fog; its opacity is that of the thickest fog.", "DEFAULT": [0.75, 0.79, 0.84, 1.0] },
+    { "NAME": "near", "TYPE": "float", "LABEL": "From", "DOC": "Distance at which the fog begins.", "MIN": 0.0, "MAX": 50.0, "DEFAULT": 0.5, "UNIT": "m" },
+    { "NAME": "far", "TYPE": "float", "LABEL": "Hidden at", "DOC": "Distance at which the fog hides 95 % of what is there; all of it, where it grows evenly.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 6.0, "UNIT": "m" },
+    { "NAME": "falloff", "TYPE": "long", "LABEL": "Growth", "DOC": "Exponential is as real fog; squared is clear up close and dense behind; even is a plain ramp.", "VALUES": [0, 1, 2], "LABELS": ["Exponential", "Exponential squared", "Even"], "DEFAULT": 0 },
+    { "NAME": "empty", "TYPE": "float", "LABEL": "Fog on nothing", "DOC": "How much fog lies where no distance is known, such as the sky.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" }
+  ]
+}*/
+
+// -ln(0.05): at "far" 5 % is left to see.
+const float HIDDEN = 2.9957323;
+const float LEAST_M = 0.001;
+
+// 0 where nobody knows.
+float distanceHere() {
+#ifdef SCRIM
+  float layer = LAYER_DEPTH(inputImage, isf_FragNormCoord);
+  return layer > 0.0 ? layer : ROOM_DEPTH(room, isf_FragNormCoord);
+#else
+  return 0.0;
+#endif
+}
+
+void main() {
+  vec4 picture = IMG_THIS_PIXEL(inputImage);
+  float m = distanceHere();
+  float x = max(m - near, 0.0) / max(far - near, LEAST_M);
+  float grown = falloff == 0 ? 1.0 - exp(-HIDDEN * x) : falloff == 1 ? 1.0 - exp(-HIDDEN * x * x) : min(x, 1.0);
+  float fog = m > 0.0 ? grown : empty;
+  gl_FragColor = vec4(mix(picture.rgb, color.rgb, fog * color.a), picture.a);
+}
