@@ -11,6 +11,7 @@ import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import type { Editor } from './editor.ts';
 import { showRefusal } from './files.ts';
+import { addCube } from './import-cube.ts';
 import { addShadertoy } from './import-shadertoy.ts';
 import { selectOnly } from './selection.ts';
 import { addToast } from './ui.ts';
@@ -24,6 +25,7 @@ const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly str
   { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
 ];
 const SHADERS = /\.(fs|glsl)$/i;
+const TABLES = /\.cube$/i;
 /** What sources of shadertoy.com are kept in. */
 const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;
 const VERTEX_SHADER = /\.vs$/i;
@@ -62,11 +64,15 @@ export async function addFiles(editor: Editor, files: readonly DroppedFile[], pl
       if (node !== null) added.push(node);
       continue;
     }
+    if (TABLES.test(file.name)) {
+      added.push(...(await addCube(editor, { name: file.name, text: await textOf(file) }, at)));
+      continue;
+    }
     const kind = kindOfFile(file.name);
     if (kind === null) {
       const text = VERTEX_SHADER.test(file.name)
         ? `${file.name} goes with a shader of its name: drop both together.`
-        : `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr) nor an ISF shader (.fs).`;
+        : `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr), a colour table (.cube) nor an ISF shader (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }

@@ -119,3 +119,14 @@ describe('first light', () => {
     }
   });
 });
+
+test('filters by distance ask for a layer with depth, or for the room', () => {
+  const studio = new TestStudio({ library: LIBRARY, readShader })
+    .add('video-a', 'source/camera-video')
+    .add('fog-a', 'filter/fog')
+    .add('screen-a', 'output/screen')
+    .wire('video-a.layer -> fog-a.inputImage', 'fog-a.layer -> screen-a.layer');
+  const warnings = ({ project }: TestStudio) => again({ project, library: LIBRARY }).diagnostics.map(({ code, port }) => [code, port]);
+  expect(warnings(studio)).toEqual([['SCR043', 'inputImage']]);
+  expect(warnings(studio.add('room-a', 'world/depth').wire('room-a.depth -> fog-a.room'))).toEqual([]);
+});

@@ -149,7 +149,7 @@ export const LAYERS: readonly Layer[] = [
     files: ['renderer/**'],
     imports: ['kit', 'graph', 'glsl', 'compiler', 'program', 'preview protocol', 'host client', 'registry of definitions'],
     types: ['contract'],
-    packages: ['react', 'react-dom', '@xyflow/react', 'elkjs', 'monaco-editor', 'zustand', 'immer'],
+    packages: ['react', 'react-dom', '@xyflow/react', 'elkjs', 'monaco-editor', 'zustand', 'immer', 'fast-png'],
   },
 
   {

@@ -25,7 +25,7 @@ export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
   const access = findAccess(shader);
   const inputs = portsOf(shader.inputs);
   const params = paramsOf(shader.inputs);
-  if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = FIT;
+  if (shader.kind === 'operator' && findInput(shader, FIT_PARAM) === undefined) params[FIT_PARAM] = { ...FIT, default: shader.fit };
   const title = shader.title ?? titleFrom(name);
   return {
     type: `${shader.kind}/${name}`,

@@ -32,6 +32,8 @@ export interface IsfShader {
   readonly premultiplied: boolean;
   /** `SCRIM_DEPTH`: what becomes of the first layer's depth; `auto` goes by the access. */
   readonly depth: 'auto' | 'same' | 'none' | 'over';
+  /** `SCRIM_FIT`: how an operator lays pictures of another size onto the view, unless the node says otherwise. */
+  readonly fit: 'cover' | 'contain' | 'stretch';
 }
 
 export interface VertexFile {

@@ -33,6 +33,7 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     imported: readImported(header),
     premultiplied: readWord(header, 'SCRIM_ALPHA', ['straight', 'premultiplied']) === 'premultiplied',
     depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
+    fit: readWord(header, 'SCRIM_FIT', ['cover', 'contain', 'stretch']),
   };
   return { output: hasErrors(diagnostics) ? null : shader, diagnostics };
 }

@@ -85,6 +85,7 @@ function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): Is
     imported: [],
     premultiplied: false,
     depth: 'none',
+    fit: 'cover',
   };
 }
 

@@ -411,4 +411,5 @@ def main():
         save(f'astronaut-{case}', apply(inputs['astronaut'])[7::8, 5::8])
 
 
-main()
+if __name__ == '__main__':
+    main()

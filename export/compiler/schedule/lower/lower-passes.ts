@@ -74,8 +74,13 @@ export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedP
   );
   const missing = [...asked].filter((port) => !hasDepth(lowering, node, port));
   if (missing.length === 0) return output;
-  for (const port of missing) warnOfMissingDepth(lowering, node, port);
+  if (!hasRoom(node)) for (const port of missing) warnOfMissingDepth(lowering, node, port);
   return lowering.shaders.link(asking.file, asking.source, asking.vertex, { ...asking.variant, withoutDepth: missing }).output ?? [];
+}
+
+/** Filters by distance take that of the room, where it is wired, for layers that have none. */
+function hasRoom(node: FlatNode): boolean {
+  return Object.entries(node.definition.inputs).some(([port, { type }]) => type === 'depth' && sourcesAt(node, port).length > 0);
 }
 
 function warnOfMissingDepth({ diagnostics }: Lowering, node: FlatNode, port: string): void {
