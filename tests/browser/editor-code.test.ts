@@ -10,8 +10,9 @@ test('by keys alone, the shader’s text completes a call, renames an input with
   try {
     await editor.settled();
     await editor.openCode('tint-aaaa');
-    await editor.findInText('gl_FragColor');
-    await editor.type('pixel.rgb = pai');
+    await editor.findInText('vec4 pixel');
+    await page.keyboard.press('End');
+    await editor.type(' pixel.rgb = pai');
     await page
       .locator('.suggest-widget.visible')
       .getByRole('option', { name: /^paint/ })
@@ -20,7 +21,7 @@ test('by keys alone, the shader’s text completes a call, renames an input with
     await page.locator('.parameter-hints-widget.visible').getByText('Paints it over.').waitFor();
     await editor.type('pixel.rgb, 0.1');
     await page.keyboard.press('ArrowRight');
-    await editor.type('; ');
+    await editor.type(';');
     await page.locator('.status-bar').getByText('No problems').waitFor();
 
     await editor.findInText('share * 0.50');
