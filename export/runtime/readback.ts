@@ -4,7 +4,8 @@ import { COPY_SAMPLER, COPY_SHADER, COPY_UV } from './gl/copy-shader.ts';
 import type { GlProgram } from './gl/program-cache.ts';
 import { prepareReadback } from './gl/upload.ts';
 import { setDecode } from './passes/depth-decode.ts';
-import { IDENTITY, type LiveResources } from './resources/resources.ts';
+import { IDENTITY } from './resources/identity.ts';
+import type { LiveResources } from './resources/resources.ts';
 import { createTargetBuffer, type TargetResource } from './targets/target-buffer.ts';
 
 /** Premultiplied display-referred sRGB, RGBA, rows from the top. */

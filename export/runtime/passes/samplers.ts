@@ -3,7 +3,8 @@ import type { LayerDepthRef, PassOperation, PassSampler } from '../../program/pr
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
-import { IDENTITY, type LiveResources, liveResource } from '../resources/resources.ts';
+import { IDENTITY } from '../resources/identity.ts';
+import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { SoundPicture } from '../sound/sound-picture.ts';
 import type { Target } from '../targets/target.ts';
 import { setDecode } from './depth-decode.ts';

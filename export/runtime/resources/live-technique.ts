@@ -4,7 +4,8 @@ import type { PassSampler, TechniqueResource, TechniqueUniform } from '../../pro
 import type { Engine } from '../engine.ts';
 import { fitted } from '../passes/fit.ts';
 import { createSlotView, type Slots } from '../values/slots.ts';
-import { IDENTITY, type LiveResources } from './resources.ts';
+import { IDENTITY } from './identity.ts';
+import type { LiveResources } from './resources.ts';
 
 /** A technique that lives on from program to program: those who drew with it see a new version when its text has changed. */
 export interface LiveTechnique {

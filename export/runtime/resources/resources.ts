@@ -6,6 +6,7 @@ import { createLiveSound, type LiveSound } from '../sound/live-sound.ts';
 import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
+import { IDENTITY } from './identity.ts';
 import { createLiveTechnique, type LiveTechnique } from './live-technique.ts';
 
 /** What stands behind a resource of the program while it is played. */
@@ -100,8 +101,6 @@ export function clearOutput(resource: LiveResource): void {
       break;
   }
 }
-
-export const IDENTITY: Float32Array = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveResource {
   switch (resource.kind) {
