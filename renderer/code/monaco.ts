@@ -60,6 +60,7 @@ export interface ShaderEditor {
   /** Marks the text shown. */
   mark(diagnostics: readonly Diagnostic[]): void;
   goTo(line: number, column: number): void;
+  focus(): void;
   /** Texts outlive their view, with their undo; this ends those whose names are not to be kept. */
   forget(keep: (name: string) => boolean): void;
   dispose(): void;
@@ -104,10 +105,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
       const state = viewStates.get(model);
       if (state) view.restoreViewState(state);
     }
-    // Another field takes the keys then, which the focus does not follow by itself.
-    const hadFocus = view.hasTextFocus();
     view.updateOptions({ readOnly: readOnly !== null, readOnlyMessage: { value: readOnly ?? '' } });
-    if (hadFocus) view.focus();
   };
   const openChunk = (file: string | null) => {
     const model = file === null ? null : chunkModel(file, chunkOf);
@@ -207,6 +205,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
       if (shown && view.getModel() !== shown.model) openChunk(null);
       reveal(line, column);
     },
+    focus: () => view.focus(),
     forget: forgetModels,
     dispose: () => {
       comparison?.dispose();

@@ -60,6 +60,12 @@ export function ShaderView({ node }: { readonly node: string }) {
     editor.ui.setState({ codePosition: null });
   }, [editor, tools, position]);
 
+  const onTakeBack = () => {
+    if (file !== null) takeBack(editor, file);
+    // The button is gone then, and the focus with it; the text takes keys from the next frame on.
+    editor.clock.nextFrame(() => editor.clock.nextFrame(() => tools?.view.focus()));
+  };
+
   return (
     <div className={form ? 'shader-view shader-view-with-form' : 'shader-view'}>
       <CodeHead
@@ -83,7 +89,7 @@ export function ShaderView({ node }: { readonly node: string }) {
         <p className="code-bar code-bar-outside">
           <Icon name="link" size={14} />
           <span>Another program has saved this shader: it is read only here, and follows what is saved there.</span>
-          <Button look="quiet" onPress={() => file !== null && takeBack(editor, file)}>
+          <Button look="quiet" onPress={onTakeBack}>
             Edit it here
           </Button>
         </p>
