@@ -47,4 +47,4 @@ test('a designer’s afternoon, in the browser', async () => {
 
   await visitExportedPage(browser.browser, exportTo);
   await expectPoster(browser.browser, exportTo);
-}, 180_000);
+});
