@@ -285,7 +285,6 @@ test('a shader that another program saves plays at once, and is read only here u
 
   await editor.press('Edit it here');
   await page.locator('.code-bar-outside').waitFor({ state: 'detached' });
-  await page.locator('.monaco-editor.focused').waitFor();
   await editor.findInText('vec3(0.9');
   await page.keyboard.press('End');
   await editor.type(' // here');
