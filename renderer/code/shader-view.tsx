@@ -33,7 +33,9 @@ export function ShaderView({ node }: { readonly node: string }) {
   const outside = useStore(editor.ui, (state) => file !== null && state.outside.includes(file));
   const form = useStore(editor.ui, (state) => state.headerForm);
   const [chunk, setChunk] = useState<string | null>(null);
-  const [comparing, setComparing] = useState(false);
+  /** The node whose text stands beside its original. */
+  const [compared, setCompared] = useState<string | null>(null);
+  const comparing = compared === node;
   const parent = useRef<HTMLDivElement>(null);
   const tools = useShaderEditor(parent, setChunk);
 
@@ -46,8 +48,6 @@ export function ShaderView({ node }: { readonly node: string }) {
 
   useEffect(() => tools?.view.forget((kept) => kept.startsWith(`${handle}/`)), [tools, handle]);
 
-  // The comparison is of one node's text.
-  useEffect(() => setComparing((was) => was && node === ''), [node]);
   useEffect(() => tools?.view.compare(comparing ? original : null), [tools, comparing, original]);
 
   useEffect(() => {
@@ -74,7 +74,7 @@ export function ShaderView({ node }: { readonly node: string }) {
         comparing={comparing}
         readOnly={outside}
         onForm={(headerForm) => editor.ui.setState({ headerForm })}
-        onCompare={setComparing}
+        onCompare={(on) => setCompared(on ? node : null)}
       />
       {chunk !== null && (
         <p className="code-bar">
