@@ -66,6 +66,11 @@ async function open(browser: Browser, url: string): Promise<{ page: Page; errors
   await page.addInitScript(() => {
     const asked: unknown[] = [];
     Object.assign(window, { asked });
+    // Playwright's own scripts, screenshots among them, count as a visitor's gesture: here only real presses do.
+    let hasBeenActive = false;
+    window.addEventListener('pointerdown', () => (hasBeenActive = true), true);
+    const userActivation = Object.defineProperty({}, 'hasBeenActive', { get: () => hasBeenActive });
+    Object.defineProperty(navigator, 'userActivation', { value: userActivation });
     const ask = navigator.mediaDevices.getUserMedia.bind(navigator.mediaDevices);
     navigator.mediaDevices.getUserMedia = (wishes) => {
       asked.push(wishes);
