@@ -1,12 +1,10 @@
 import { mkdtemp, readdir, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { projectText, writeProject } from '../../tests/support/project-kit.ts';
-import { installationAt } from '../services/installation.ts';
-import { runCli } from './run-cli.ts';
+import { scrim } from '../../tests/support/scrim.ts';
 
-const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 const OWN = `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
 `;
@@ -29,14 +27,6 @@ afterEach(async () => {
   else process.env.SCRIM_CHROMIUM = former;
   await rm(base, { recursive: true, force: true });
 });
-
-async function scrim(...args: string[]) {
-  const out: string[] = [];
-  const err: string[] = [];
-  const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
-  const status = await runCli(args, INSTALLATION, streams);
-  return { status, out: out.join('\n'), err: err.join('\n') };
-}
 
 describe('where no browser starts', () => {
   test('a check is done, and says that no driver was asked', async () => {

@@ -5,6 +5,7 @@ import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globa
 import { loadProject } from '../../export/graph/load.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { type ProjectText, projectText, writeProject } from '../../tests/support/project-kit.ts';
+import { scrim as scrimAsGiven } from '../../tests/support/scrim.ts';
 import { installationAt } from '../services/installation.ts';
 import { readProjectFiles } from '../services/project-files.ts';
 import { EXIT } from './command.ts';
@@ -53,13 +54,7 @@ async function write(text: ProjectText, files: Readonly<Record<string, string>> 
 /** A poster takes a browser and seconds, and so does compression: `tests/slow/page-poster.test.ts` has one drawn. */
 const quick = (args: readonly string[]): string[] => (args[0] === 'export' ? [...args, '--no-poster', '--no-compress'] : [...args]);
 
-async function scrim(...args: string[]) {
-  const out: string[] = [];
-  const err: string[] = [];
-  const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
-  const status = await runCli(quick(args), INSTALLATION, streams);
-  return { status, out: out.join('\n'), err: err.join('\n') };
-}
+const scrim = (...args: string[]) => scrimAsGiven(...quick(args));
 
 interface JsonAnswer {
   readonly ok: boolean;

@@ -1,16 +1,9 @@
 import { useRef } from 'react';
+import { ASSET_WORDS } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { acceptedNames, importAsset } from '../state/add-files.ts';
 import { IconButton } from '../ui/button.tsx';
-
-const NAMES: Readonly<Record<AssetKind, string>> = {
-  image: 'picture',
-  model: 'model',
-  video: 'video',
-  audio: 'sound',
-  environment: 'panorama',
-};
 
 interface AssetPickerProps {
   readonly id: string;
@@ -39,7 +32,7 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
           </option>
         ))}
       </select>
-      <IconButton icon="folder" label={`Import a ${NAMES[kind]}`} onPress={() => input.current?.click()} />
+      <IconButton icon="folder" label={`Import a ${ASSET_WORDS[kind]}`} onPress={() => input.current?.click()} />
       <input
         ref={input}
         type="file"

@@ -1,10 +1,8 @@
-import { type FormEvent, useId, useState } from 'react';
+import { useId, useState } from 'react';
 import { exportPage } from '../state/export-page.ts';
 import { saveAs } from '../state/files.ts';
-import { Button } from '../ui/button.tsx';
-import { Dialog } from '../ui/dialog.tsx';
+import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
-import './folder-dialog.css';
 
 interface FolderDialogProps {
   readonly purpose: 'save-as' | 'export';
@@ -34,45 +32,23 @@ export function FolderDialog({ purpose, onClose }: FolderDialogProps) {
   const [busy, setBusy] = useState(false);
   const words = WORDS[purpose];
   const go = async () => {
-    if (path.trim() === '') return;
     setBusy(true);
     await (purpose === 'export' ? exportPage : saveAs)(editor, path.trim());
     setBusy(false);
   };
   return (
-    <Dialog
-      title={words.title}
-      onClose={onClose}
-      actions={
-        <>
-          <Button look="quiet" onPress={onClose}>
-            Cancel
-          </Button>
-          <Button look="primary" disabled={busy || path.trim() === ''} onPress={() => void go()}>
-            {words.action}
-          </Button>
-        </>
-      }
-    >
-      <form
-        className="folder-form"
-        onSubmit={(event: FormEvent) => {
-          event.preventDefault();
-          void go();
-        }}
-      >
-        <label htmlFor={id}>Folder</label>
-        <input
-          id={id}
-          className="field"
-          data-autofocus=""
-          spellCheck={false}
-          placeholder={words.example}
-          value={path}
-          onChange={(event) => setPath(event.target.value)}
-        />
-        <p className="folder-note">{words.note}</p>
-      </form>
-    </Dialog>
+    <FormDialog title={words.title} action={words.action} ready={!busy && path.trim() !== ''} onGo={() => void go()} onClose={onClose}>
+      <label htmlFor={id}>Folder</label>
+      <input
+        id={id}
+        className="field"
+        data-autofocus=""
+        spellCheck={false}
+        placeholder={words.example}
+        value={path}
+        onChange={(event) => setPath(event.target.value)}
+      />
+      <p className="dialog-note">{words.note}</p>
+    </FormDialog>
   );
 }

@@ -5,7 +5,7 @@ import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useEditor } from './editor-context.ts';
-import './folder-dialog.css';
+import './open-dialog.css';
 
 /** A project folder: one of the examples, one picked in the shell's own dialog, or a path. */
 export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
@@ -52,7 +52,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
         </>
       }
     >
-      <form className="folder-form" onSubmit={submit}>
+      <form className="dialog-form" onSubmit={submit}>
         <label htmlFor={id}>Folder of the project</label>
         <input
           id={id}

@@ -1,10 +1,8 @@
-import { type FormEvent, useId, useMemo, useState } from 'react';
+import { useId, useMemo, useState } from 'react';
 import { convertShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { importShadertoy } from '../state/import-shadertoy.ts';
-import { Button } from '../ui/button.tsx';
-import { Dialog } from '../ui/dialog.tsx';
+import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
-import './folder-dialog.css';
 import './shadertoy-dialog.css';
 
 const DEFAULT_NAME = 'Shadertoy';
@@ -24,59 +22,37 @@ export function ShadertoyDialog({ onClose }: { readonly onClose: () => void }) {
     if (output !== null && importShadertoy(editor, { source, name: name.trim() || DEFAULT_NAME })) onClose();
   };
   return (
-    <Dialog
-      title="Import Shadertoy"
-      wide
-      onClose={onClose}
-      actions={
-        <>
-          <Button look="quiet" onPress={onClose}>
-            Cancel
-          </Button>
-          <Button look="primary" disabled={output === null} onPress={go}>
-            Import
-          </Button>
-        </>
-      }
-    >
-      <form
-        className="folder-form"
-        onSubmit={(event: FormEvent) => {
-          event.preventDefault();
-          go();
-        }}
-      >
-        <label htmlFor={`${id}-source`}>Code or JSON</label>
-        <textarea
-          id={`${id}-source`}
-          className="field shadertoy-source"
-          data-autofocus=""
-          spellCheck={false}
-          placeholder={
-            '// Common\n…\n// Buffer A\n// iChannel0: Buffer A\n…\n// Image\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) …'
-          }
-          value={source}
-          onChange={(event) => setSource(event.target.value)}
-        />
-        <p className="folder-note">{SEVERAL_TABS}</p>
-        <label htmlFor={`${id}-name`}>Name</label>
-        <input
-          id={`${id}-name`}
-          className="field"
-          spellCheck={false}
-          placeholder={output?.title || DEFAULT_NAME}
-          value={name}
-          onChange={(event) => setName(event.target.value)}
-        />
-        <div aria-live="polite">
-          {output !== null && <p className="folder-note">{`Credit: ${output.credit}. Licence: ${output.licence}.`}</p>}
-          {diagnostics.map(({ severity, message, fix = '' }) => (
-            <p key={message} className={`shadertoy-${severity}`}>
-              {message} {fix}
-            </p>
-          ))}
-        </div>
-      </form>
-    </Dialog>
+    <FormDialog title="Import Shadertoy" action="Import" ready={output !== null} onGo={go} onClose={onClose} wide>
+      <label htmlFor={`${id}-source`}>Code or JSON</label>
+      <textarea
+        id={`${id}-source`}
+        className="field shadertoy-source"
+        data-autofocus=""
+        spellCheck={false}
+        placeholder={
+          '// Common\n…\n// Buffer A\n// iChannel0: Buffer A\n…\n// Image\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord) …'
+        }
+        value={source}
+        onChange={(event) => setSource(event.target.value)}
+      />
+      <p className="dialog-note">{SEVERAL_TABS}</p>
+      <label htmlFor={`${id}-name`}>Name</label>
+      <input
+        id={`${id}-name`}
+        className="field"
+        spellCheck={false}
+        placeholder={output?.title || DEFAULT_NAME}
+        value={name}
+        onChange={(event) => setName(event.target.value)}
+      />
+      <div aria-live="polite">
+        {output !== null && <p className="dialog-note">{`Credit: ${output.credit}. Licence: ${output.licence}.`}</p>}
+        {diagnostics.map(({ severity, message, fix = '' }) => (
+          <p key={message} className={`shadertoy-${severity}`}>
+            {message} {fix}
+          </p>
+        ))}
+      </div>
+    </FormDialog>
   );
 }

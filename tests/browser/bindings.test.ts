@@ -1,7 +1,7 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
 import { lookTwice } from '../compile/graphs.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
 import { TestStudio } from '../support/test-studio.ts';
@@ -9,17 +9,7 @@ import type { Played } from './bindings.page.ts';
 
 /** From the document to the pixel: params bound to expressions and tracks, and subgraphs within subgraphs. */
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/bindings.page.ts');
-}, 60_000);
-
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/bindings.page.ts');
 
 const CAMERA = [100, 150, 200, 255];
 

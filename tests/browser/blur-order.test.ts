@@ -3,9 +3,8 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { decode } from 'fast-png';
-import { runCli } from '../../app/cli/run-cli.ts';
-import { installationAt } from '../../app/services/installation.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
+import { succeed } from '../support/scrim.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const WIDTH = 480;
@@ -76,12 +75,9 @@ describe('scenes A and B of the mixed-reality paper', () => {
     await writeProject(project, { 'project.scrim.json': projectText({ nodes: NODES, wires: [...SHARED_WIRES, ...wires], assets }) });
     await mkdir(join(project, 'assets'), { recursive: true });
     await copyFile(join(ROOT, 'examples/first-light/assets/robot.glb'), join(project, 'assets/robot.glb'));
-    const said: string[] = [];
-    const streams = { out: (text: string) => said.push(text), err: (text: string) => said.push(text), interactive: false };
     const out = join(base, `${name}.png`);
     const session = join(ROOT, 'examples/sessions/studio');
-    const args = ['render', project, '--out', out, '--session', session, '--size', `${WIDTH}x${HEIGHT}`, ...what];
-    if ((await runCli(args, installationAt(ROOT, '0'), streams)) !== 0) throw new Error(said.join('\n'));
+    await succeed('render', project, '--out', out, '--session', session, '--size', `${WIDTH}x${HEIGHT}`, ...what);
     return decode(await readFile(out));
   }
 

@@ -3,11 +3,9 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from '@jest/globals';
 import { decode, encode } from 'fast-png';
-import { runCli } from '../../app/cli/run-cli.ts';
-import { installationAt } from '../../app/services/installation.ts';
 import { type ProjectText, projectText, writeProject } from '../support/project-kit.ts';
+import { scrim } from '../support/scrim.ts';
 
-const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 const MODEL = resolve(import.meta.dirname, '../../examples/first-light/assets/robot.glb');
 
 const WIDTH = 32;
@@ -95,17 +93,14 @@ function recording(): Record<string, string | Uint8Array> {
   return files;
 }
 
+interface Answer {
+  readonly files?: readonly string[];
+  readonly diagnostics: readonly { readonly code: string; readonly message: string; readonly file?: string; readonly line?: number }[];
+}
+
 async function render(...args: string[]) {
-  const streams = { out: (text: string) => lines.push(text), err: (text: string) => lines.push(text), interactive: false };
-  const lines: string[] = [];
-  const status = await runCli(['render', ...args, '--json'], INSTALLATION, streams);
-  return {
-    status,
-    json: JSON.parse(lines.join('\n')) as {
-      files?: string[];
-      diagnostics: { code: string; message: string; file?: string; line?: number }[];
-    },
-  };
+  const { status, out } = await scrim('render', ...args, '--json');
+  return { status, json: JSON.parse(out) as Answer };
 }
 
 async function readPng(path: string) {

@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { test } from '@jest/globals';
 import { lutPicture } from '../../export/glsl/lut/lut-picture.ts';
 import { readCube } from '../../export/glsl/lut/read-cube.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { describeWithData } from '../support/shared-data.ts';
@@ -12,15 +12,7 @@ import { applyShader, expectedPicture } from './shader-library-kit.ts';
 /** Half a step of rounding in the table, in the result and in the expected picture, and single precision. */
 const TOLERANCE = 2;
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 async function tableOf(name: string) {
   const text = await readFile(`tests/browser/expected/${name}.cube`, 'utf8');

@@ -1,9 +1,8 @@
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterEach, describe, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
 import { centreOf } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { encodePicture } from '../support/picture.ts';
 
 /** The camera's picture goes to the screen; a number stands by. */
@@ -17,18 +16,8 @@ const SIMPLE: GraphText = {
   places: { 'video-aaaa': [0, 0], 'number-aaaa': [0, 200], 'screen-aaaa': [520, 0] },
 };
 
-const browser = useBrowser();
-let open: OpenEditor | null = null;
-const start = async (graph: GraphText = SIMPLE) => {
-  open = await openEditor(browser.browser, graph);
-  return open;
-};
-afterEach(async () => {
-  const errors = open?.errors ?? [];
-  await open?.close();
-  open = null;
-  expect(errors).toEqual([]);
-});
+const openEditor = useEditor();
+const start = (graph: GraphText = SIMPLE) => openEditor(graph);
 
 describe('wires', () => {
   test('a wire that cannot be is dimmed, says why beside the pointer, and again when let go', async () => {
@@ -198,17 +187,13 @@ describe('values', () => {
   });
 
   test('angles are shown in degrees and stored in radians', async () => {
-    const { page, editor, project } = await start();
-    await editor.addNode('transform');
-    await editor.inspector.getByRole('textbox', { name: 'Rotation Y' }).fill('90');
-    await page.keyboard.press('Enter');
-    await page.keyboard.press('Control+s');
-    await page.locator('.unsaved').waitFor({ state: 'detached' });
-    const saved = JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')) as {
-      graphs: { main: { nodes: Record<string, { type: string; params?: Record<string, number[]> }> } };
-    };
-    const transform = Object.values(saved.graphs.main.nodes).find(({ type }) => type === 'objects/transform');
-    expect(Object.values(transform?.params ?? {})[0]?.[1]).toBeCloseTo(Math.PI / 2, 9);
+    const open = await start();
+    await open.editor.addNode('transform');
+    await open.editor.inspector.getByRole('textbox', { name: 'Rotation Y' }).fill('90');
+    await open.page.keyboard.press('Enter');
+    const { main } = await saveGraphs(open);
+    const transform = Object.values(main?.nodes ?? {}).find(({ type }) => type === 'objects/transform');
+    expect((Object.values(transform?.params ?? {})[0] as number[])[1]).toBeCloseTo(Math.PI / 2, 9);
   });
 });
 

@@ -1,18 +1,10 @@
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterEach, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
-import { type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { expect, test } from '@jest/globals';
+import { useEditor } from '../support/open-editor.ts';
 import { pixelAt } from '../support/picture.ts';
 
-const browser = useBrowser();
-let open: OpenEditor | null = null;
-afterEach(async () => {
-  const errors = open?.errors ?? [];
-  await open?.close();
-  open = null;
-  expect(errors).toEqual([]);
-});
+const openEditor = useEditor();
 
 const HEADER = '/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/';
 
@@ -43,8 +35,7 @@ const GRAPH = {
 } as const;
 
 test('a shader that never ends leaves the editor live, the rest of the picture playing, and a mark on its line', async () => {
-  open = await openEditor(browser.browser, GRAPH);
-  const { page, editor, project } = open;
+  const { page, editor, project } = await openEditor(GRAPH);
   await editor.settled();
   const plain = await editor.rewind();
   await editor.press('Play');

@@ -1,13 +1,12 @@
-import { readFile } from 'node:fs/promises';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { beforeAll, describe, expect, test } from '@jest/globals';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { useModule } from '../support/browser.ts';
+import { type Picture, pixelAt } from '../support/picture.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { describeWithData } from '../support/shared-data.ts';
 import { drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
-import { applyShader, expectedPicture, type Params, SHADERS } from './shader-library-kit.ts';
+import { applyShader, expectedPicture, type Params, photograph, SHADERS, samplesOf } from './shader-library-kit.ts';
 
 /** Half a step of rounding on either side and one for single precision and for the linear filtering of textures. */
 const TOLERANCE = 2;
@@ -47,32 +46,10 @@ const STRAYS: Readonly<Record<string, number>> = { 'anisotropic-kuwahara-6': 32 
 /** Seconds over a photograph where the processor draws: `tests/slow/filters-photographs.test.ts` does it. */
 const SLOW = new Set(['anisotropic-kuwahara']);
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 function apply(filter: string, inputImage: Picture, params?: Params): Promise<Picture> {
   return applyShader(page, `filters/${filter}.fs`, { inputImage }, params);
-}
-
-/** The part of the photograph that `expected/filters.py` uses. */
-async function photograph(path: string): Promise<Picture> {
-  const whole = decodePicture(await readFile(path));
-  return paint(256, 256, (x, y) => pixelAt(whole, x + 128, y));
-}
-
-/** The pixels that it keeps of the result. */
-function samplesOf(picture: Picture): Picture {
-  const every = 8;
-  const [left, top] = [5, 7];
-  const count = (size: number, first: number) => Math.ceil((size - first) / every);
-  return paint(count(picture.width, left), count(picture.height, top), (x, y) => pixelAt(picture, left + x * every, top + y * every));
 }
 
 describe('over the generated picture', () => {

@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { beforeAll, describe, expect, test } from '@jest/globals';
 import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { hsvFromRgb } from '../../nodes/kit/color-math.ts';
@@ -7,13 +7,13 @@ import { makeGallery } from '../../tools/examples/gallery.ts';
 import { SECTIONS } from '../../tools/examples/gallery-cells.ts';
 import { BLEND_MODES } from '../../tools/examples/gallery-layers.ts';
 import { cellFootM, cellKey, RAIL_M } from '../../tools/examples/gallery-place.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { CellLook, Deed } from './gallery.page.ts';
 import { compileGallery, GALLERY_MOUNTS, loadGallery } from './gallery-kit.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
+const page = useModule('tests/browser/gallery.page.ts', { width: 408, height: 600, mounts: GALLERY_MOUNTS });
+beforeAll(() => page.call('begin', compileGallery(bare(loadGallery())), 'gallery/'));
 
 const CELLS = SECTIONS.flatMap(({ cells, row, column }) =>
   cells.map((cell, i) => ({ cell, key: cellKey(row, column + i), foot: cellFootM(row, column + i) })),
@@ -32,20 +32,6 @@ function bare({ graphs, ...rest }: Project): Project {
   const shown = { from: { node: 'wall-all', port: 'layer' }, to: { node: 'screen-all', port: 'layer' } };
   return { ...rest, graphs: { ...graphs, main: { ...main, wires: [...wires, shown] } } };
 }
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/gallery.page.ts', {
-    width: 408,
-    height: 600,
-    mounts: GALLERY_MOUNTS,
-  });
-  await page.call('begin', compileGallery(bare(loadGallery())), 'gallery/');
-}, 120_000);
-
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
 
 /** Cells as they look in a frame, by their keys. */
 async function lookAt(frame: number, deed: Deed = {}): Promise<Readonly<Record<string, CellLook>>> {

@@ -1,17 +1,9 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import { drawPicture, linkText, PAGE } from './glsl-kit.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 const HEADER = '/*{ "ISFVSN": "2" }*/\n';
 

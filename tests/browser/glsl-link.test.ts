@@ -1,18 +1,10 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import type { DrawJob } from './glsl.page.ts';
 import { drawFloats, drawPicture, linkText, PAGE, paint, toPage } from './glsl-kit.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 function header(fields: Readonly<Record<string, unknown>>): string {
   return `/*${JSON.stringify({ ISFVSN: '2', ...fields })}*/\n`;

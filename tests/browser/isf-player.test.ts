@@ -1,22 +1,14 @@
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { compile } from '../../export/compiler/compile.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { Played } from './runtime-examples.page.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/runtime-examples.page.ts', {
-    mounts: { '/nodes/': join(process.cwd(), 'nodes') },
-  });
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
+const page = useModule('tests/browser/runtime-examples.page.ts', {
+  mounts: { '/nodes/': join(process.cwd(), 'nodes') },
 });
 
 const SCREEN = { type: 'output/screen', version: 1 };

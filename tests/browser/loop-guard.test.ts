@@ -1,17 +1,7 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/loop-guard.page.ts');
-}, 60_000);
-
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/loop-guard.page.ts');
 
 const BLUE = [0, 0, 255, 255];
 /** The node's second pass halves what the first gives it. */

@@ -1,15 +1,7 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/object-mask.page.ts');
-}, 60_000);
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/object-mask.page.ts');
 
 const NOTHING = [0, 0, 0, 0];
 const WHITE = [255, 255, 255, 255];

@@ -1,21 +1,13 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { compile } from '../../export/compiler/compile.ts';
 import type { Program } from '../../export/program/program.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
 import { TestStudio } from '../support/test-studio.ts';
 import type { Act } from './previous-frame.page.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/previous-frame.page.ts');
-});
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/previous-frame.page.ts');
 
 type Color = readonly number[];
 const WHITE = [255, 255, 255, 255];

@@ -1,25 +1,15 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { compile } from '../../export/compiler/compile.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { Played } from './runtime-examples.page.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/runtime-examples.page.ts', {
-    mounts: { '/nodes/': join(process.cwd(), 'nodes') },
-  });
-}, 60_000);
-
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
+const page = useModule('tests/browser/runtime-examples.page.ts', {
+  mounts: { '/nodes/': join(process.cwd(), 'nodes') },
 });
 
 const CAMERA = [100, 150, 200, 255];

@@ -1,17 +1,7 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/runtime-nodes.page.ts');
-}, 60_000);
-
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/runtime-nodes.page.ts');
 
 const NO_ERROR = 0;
 const NOTHING = [0, 0, 0, 0];

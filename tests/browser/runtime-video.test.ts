@@ -1,16 +1,7 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/runtime-video.page.ts');
-});
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/runtime-video.page.ts');
 
 const FIX = 'Save it as MP4 with H.264, or as WebM with VP9, which browsers play everywhere.';
 

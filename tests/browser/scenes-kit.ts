@@ -1,4 +1,4 @@
-import { Box3, Matrix4, type Object3D, PerspectiveCamera, Sphere, Vector3 } from 'three';
+import { AnimationMixer, Box3, Matrix4, type Object3D, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import type { CreateSceneBackend, LoadedModel, SceneBackend } from '../../export/runtime/scene-backend.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import type {
@@ -280,4 +280,18 @@ export function room(gl: WebGL2RenderingContext, widthPx: number, heightPx: numb
   for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
   for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
   return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(uvFromViewUv), worldFromDepth: new Float32Array(16) };
+}
+
+/** A model in the midst of its first clip, and where it is to stand so that it is 0.45 m large, beside the middle and above the floor. */
+export function midStride(model: LoadedModel): { readonly root: Object3D; readonly at: Matrix4 } {
+  const root = model.instantiate();
+  const mixer = new AnimationMixer(root);
+  const [clip] = model.clips;
+  if (clip) mixer.clipAction(clip).play();
+  mixer.setTime(0.4);
+  root.updateMatrixWorld(true);
+  const at = normalising(root)
+    .premultiply(new Matrix4().makeScale(0.45, 0.45, 0.45))
+    .premultiply(translation(-0.3, 0.5, 0));
+  return { root, at };
 }

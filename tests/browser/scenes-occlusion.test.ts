@@ -1,16 +1,7 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/scenes-occlusion.page.ts');
-});
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/scenes-occlusion.page.ts');
 
 describe('occlusion while drawing', () => {
   test('hides what is farther than the room, wherever the UV transform says, and nothing where depth is unknown', async () => {

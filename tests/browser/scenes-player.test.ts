@@ -1,23 +1,14 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { compile } from '../../export/compiler/compile.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import type { Example } from './scenes-player.page.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/scenes-player.page.ts', { mounts: { '/nodes/': resolve('nodes') } });
-});
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/scenes-player.page.ts', { mounts: { '/nodes/': resolve('nodes') } });
 
 test('a scene and its shadow are played as layers, follow their params, and leave nothing behind', async () => {
   // 0.8 of white light from 45 degrees on red: 0.8 × cos 45° = 0.566, encoded 198. All colours mirror a little light.

@@ -1,5 +1,4 @@
 import {
-  AnimationMixer,
   BoxGeometry,
   type BufferGeometry,
   DataTexture,
@@ -24,7 +23,7 @@ import {
   lights,
   loadUrl,
   lookingAt,
-  normalising,
+  midStride,
   objects,
   pixel,
   project,
@@ -258,15 +257,7 @@ export function switching() {
 export async function animated(url: string) {
   const stand = createStand();
   const model = await loadUrl(stand.backend, url);
-  const root = model.instantiate();
-  const mixer = new AnimationMixer(root);
-  const [clip] = model.clips;
-  if (clip) mixer.clipAction(clip).play();
-  mixer.setTime(0.4);
-  root.updateMatrixWorld(true);
-  const at = normalising(root)
-    .premultiply(new Matrix4().makeScale(0.45, 0.45, 0.45))
-    .premultiply(translation(-0.3, 0.5, 0));
+  const { root, at } = midStride(model);
   const light = sun([-1, 1.5, 0.4], { shadow: SHADOW });
   const [x = 0, y = 1, z = 0] = light.towardsLightWorld;
   // Along the light to y = 0.001: x - y·lx/ly, z - y·lz/ly.

@@ -3,11 +3,8 @@ import { mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { runCli } from '../../app/cli/run-cli.ts';
-import { installationAt } from '../../app/services/installation.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
-
-const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
+import { scrim } from '../support/scrim.ts';
 
 const FILTER = '/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" } ] }*/';
 
@@ -111,14 +108,6 @@ afterAll(() => rm(folder, { recursive: true, force: true }));
 
 const check = (...args: string[]) => scrim('shader', 'check', ...args);
 
-async function scrim(...args: string[]) {
-  const out: string[] = [];
-  const err: string[] = [];
-  const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
-  const status = await runCli(args, INSTALLATION, streams);
-  return { status, out: out.join('\n'), err: err.join('\n') };
-}
-
 interface Report {
   readonly files: readonly { readonly path: string; readonly ok: boolean; readonly diagnostics: readonly Record<string, unknown>[] }[];
 }
@@ -159,7 +148,7 @@ describe('scrim shader check', () => {
   });
 
   test('takes what the library ships, what other hosts put up with, and heavy loops that end', async () => {
-    const library = join(INSTALLATION.root, 'shader-library');
+    const library = resolve(import.meta.dirname, '../../shader-library');
     const { status, out } = await check(join(folder, 'fine'), library, '--json');
     const { files } = JSON.parse(out) as Report;
     const errors = files.flatMap(({ diagnostics }) => diagnostics.filter(({ severity }) => severity === 'error'));

@@ -4,8 +4,8 @@ import { join } from 'node:path';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { PageModule } from '../support/browser.ts';
-import { decodePicture, type Picture } from '../support/picture.ts';
-import { drawPicture, made, toPage } from './glsl-kit.ts';
+import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
+import { drawPicture, made, paint, toPage } from './glsl-kit.ts';
 
 const FOLDER = 'shader-library';
 
@@ -44,4 +44,18 @@ export async function applyShader(
 /** One of the pictures in `tests/browser/expected/`; the scripts beside them say who made them. */
 export async function expectedPicture(name: string): Promise<Picture> {
   return decodePicture(await readFile(`tests/browser/expected/${name}.png`));
+}
+
+/** The part of a photograph of the shared data that `expected/filters.py` uses. */
+export async function photograph(path: string): Promise<Picture> {
+  const whole = decodePicture(await readFile(path));
+  return paint(256, 256, (x, y) => pixelAt(whole, x + 128, y));
+}
+
+/** The pixels that it keeps of the result. */
+export function samplesOf(picture: Picture): Picture {
+  const every = 8;
+  const [left, top] = [5, 7];
+  const count = (size: number, first: number) => Math.ceil((size - first) / every);
+  return paint(count(picture.width, left), count(picture.height, top), (x, y) => pixelAt(picture, left + x * every, top + y * every));
 }

@@ -1,11 +1,11 @@
 import { readFile } from 'node:fs/promises';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { isfDefinition, shaderName } from '../../export/glsl/isf/isf-definition.ts';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsfDepth } from '../../export/glsl/link/link-depth.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import over from '../../shader-library/operators/over.fs';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import { expectSamePixels } from '../support/pixels.ts';
 import { drawFloats, drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
@@ -14,15 +14,7 @@ import { applyShader, expectedPicture as expected, type Params, SHADERS } from '
 /** Half a step of rounding on either side and one for arithmetic in single precision. */
 const TOLERANCE = 2;
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 function apply(file: string, pictures: Readonly<Record<string, Picture>>, params?: Params) {
   return applyShader(page, file, pictures, params);

@@ -1,18 +1,10 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { convertShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 import { drawPicture, linkText, made, PAGE, paint, toPage } from './glsl-kit.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 interface Scene {
   readonly frames?: number;

@@ -1,5 +1,4 @@
 import {
-  AnimationMixer,
   BoxGeometry,
   BufferGeometry,
   CylinderGeometry,
@@ -15,7 +14,7 @@ import {
 } from 'three';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ObjectItem } from '../../nodes/kit/runtime.ts';
-import { item, loadUrl, lookingAt, normalising, sun, translation } from './scenes-kit.ts';
+import { item, loadUrl, lookingAt, midStride, sun, translation } from './scenes-kit.ts';
 import { type Agreement, bentArm, byBoth, compare, desk, LIGHTS, SIDES, SUN, stand, thing, toPicture } from './shadow-kit.ts';
 
 /** What casts: a lifted truck, or a can, as in the paper's Figure 6. */
@@ -113,15 +112,7 @@ export function views() {
 /** An animated model from a file. */
 export async function model(url: string, picture = false) {
   const loaded = await loadUrl(stand.backend, url);
-  const root = loaded.instantiate();
-  const mixer = new AnimationMixer(root);
-  const [clip] = loaded.clips;
-  if (clip) mixer.clipAction(clip).play();
-  mixer.setTime(0.4);
-  root.updateMatrixWorld(true);
-  const at = normalising(root)
-    .premultiply(new Matrix4().makeScale(0.45, 0.45, 0.45))
-    .premultiply(translation(-0.3, 0.5, 0));
+  const { root, at } = midStride(loaded);
   const told: Omit<Diagnostic, 'nodeId'>[] = [];
   const [map, volume] = byBoth({
     casters: [item(root, { at })],

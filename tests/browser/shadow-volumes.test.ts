@@ -1,17 +1,8 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 
 /** That they agree with shadow maps is proved in `tests/slow/shadow-methods.test.ts`. */
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/shadow-volumes.page.ts');
-}, 60_000);
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/shadow-volumes.page.ts');
 
 const FULL = 128;
 const HALF = 64;

@@ -1,23 +1,13 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import type { Program } from '../../export/program/program.ts';
 import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
 import { TestStudio } from '../support/test-studio.ts';
 import type { Drawn } from './shared-targets.page.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/shared-targets.page.ts');
-}, 60_000);
-
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/shared-targets.page.ts');
 
 /** A chain that branches, meets again, has buffers of its own sizes and one that lasts, and reads an early picture late. */
 const TRAILS = `/*{"ISFVSN":"2","INPUTS":[{"NAME":"inputImage","TYPE":"image"}],"PASSES":[{"TARGET":"trail","PERSISTENT":true},{}]}*/

@@ -1,23 +1,15 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
 import { driverDiagnostics } from '../../export/glsl/driver/driver-diagnostics.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { ShaderError } from '../../export/runtime/gl/program-cache.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
 import { TestStudio } from '../support/test-studio.ts';
 import type { Act } from './techniques-player.page.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/techniques-player.page.ts');
-}, 60_000);
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/techniques-player.page.ts');
 
 const FLAT = `/*{ "DESCRIPTION": "One colour.", "INPUTS": [{ "NAME": "tint", "TYPE": "color", "DEFAULT": [0, 0.5, 0, 1] }] }*/
 vec4 surface(const in Surface s) {

@@ -1,6 +1,5 @@
 import { expect, jest, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
-import { openEditor } from '../support/open-editor.ts';
+import { useEditor } from '../support/open-editor.ts';
 import { TINTED } from '../support/tinted.ts';
 import { type FramesSeen, watchFrames } from './watch-frames.ts';
 
@@ -8,36 +7,31 @@ jest.setTimeout(600_000);
 
 const TIMES = 50;
 
-const browser = useBrowser();
+const openEditor = useEditor();
 
 test(`a shader broken and mended ${TIMES} times by typing shows no black frame, loses no context and leaves no GL object behind`, async () => {
-  const { page, editor, errors, close } = await openEditor(browser.browser, TINTED, { before: watchFrames });
-  try {
-    await editor.settled();
-    await editor.openCode('tint-aaaa');
-    const preview = page.frames().find((frame) => frame !== page.mainFrame());
-    if (!preview) throw new Error('There is no preview.');
-    const seen = () => preview.evaluate(() => ({ ...(globalThis as unknown as { framesSeen: FramesSeen }).framesSeen }));
-    const mark = page.locator('.monaco-editor .squiggly-error').first();
-    await editor.findInText('pixel.a)');
-    const breakAndMend = async () => {
-      await editor.type('q');
-      await mark.waitFor();
-      await page.keyboard.press('Backspace');
-      await mark.waitFor({ state: 'detached' });
-      await page.locator('.status-bar').getByText('No problems').waitFor();
-    };
-    // Once for what is made only once.
-    await breakAndMend();
-    const before = await seen();
-    for (let i = 0; i < TIMES; i++) await breakAndMend();
-    const after = await seen();
-    expect(after.frames).toBeGreaterThan(before.frames + TIMES);
-    expect([after.black - before.black, after.lostContexts]).toEqual([0, 0]);
-    // The newest program may not have taken the place of the one before yet: two shaders and their program.
-    expect(after.alive - before.alive).toBeLessThanOrEqual(3);
-    expect(errors).toEqual([]);
-  } finally {
-    await close();
-  }
+  const { page, editor } = await openEditor(TINTED, { before: watchFrames });
+  await editor.settled();
+  await editor.openCode('tint-aaaa');
+  const preview = page.frames().find((frame) => frame !== page.mainFrame());
+  if (!preview) throw new Error('There is no preview.');
+  const seen = () => preview.evaluate(() => ({ ...(globalThis as unknown as { framesSeen: FramesSeen }).framesSeen }));
+  const mark = page.locator('.monaco-editor .squiggly-error').first();
+  await editor.findInText('pixel.a)');
+  const breakAndMend = async () => {
+    await editor.type('q');
+    await mark.waitFor();
+    await page.keyboard.press('Backspace');
+    await mark.waitFor({ state: 'detached' });
+    await page.locator('.status-bar').getByText('No problems').waitFor();
+  };
+  // Once for what is made only once.
+  await breakAndMend();
+  const before = await seen();
+  for (let i = 0; i < TIMES; i++) await breakAndMend();
+  const after = await seen();
+  expect(after.frames).toBeGreaterThan(before.frames + TIMES);
+  expect([after.black - before.black, after.lostContexts]).toEqual([0, 0]);
+  // The newest program may not have taken the place of the one before yet: two shaders and their program.
+  expect(after.alive - before.alive).toBeLessThanOrEqual(3);
 });

@@ -4,7 +4,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { AxeResults } from 'axe-core';
 import { useBrowser } from '../support/browser.ts';
 import { centreOf } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
 
 /** The camera's picture, blurred, goes to the screen; a sepia stands by. */
 const GRAPH: GraphText = {
@@ -35,18 +35,6 @@ function title(node: string) {
   return open.editor.node(node).locator('.node-title');
 }
 
-/** The graphs as the project's file has them. */
-async function saved(): Promise<
-  Record<
-    string,
-    { readonly nodes: Record<string, { readonly type: string; readonly params?: unknown }>; readonly wires: readonly string[] }
-  >
-> {
-  await open.page.keyboard.press('Control+s');
-  await open.page.locator('.unsaved').waitFor({ state: 'detached' });
-  return JSON.parse(await readFile(join(open.project, 'project.scrim.json'), 'utf8')).graphs;
-}
-
 /** The middle of a wire, where the pointer hits it. */
 async function middleOf(wire: string): Promise<{ readonly x: number; readonly y: number }> {
   return open.page.locator(`.react-flow__edge[data-id="${wire}"] .react-flow__edge-path`).evaluate((element) => {
@@ -70,13 +58,13 @@ test('a node that is dropped on a wire goes into it, in one step with its move',
   await page.locator('.wire-under').waitFor({ state: 'attached' });
   await page.mouse.up();
   await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
-  expect((await saved()).main?.wires).toEqual([
+  expect((await saveGraphs(open)).main?.wires).toEqual([
     'video-aaaa.layer -> gaussian-blur-aaaa.inputImage',
     'sepia-aaaa.layer -> screen-aaaa.layer',
     'gaussian-blur-aaaa.layer -> sepia-aaaa.inputImage',
   ]);
   await page.keyboard.press('Control+z');
-  expect((await saved()).main?.wires).toHaveLength(2);
+  expect((await saveGraphs(open)).main?.wires).toHaveLength(2);
   expect((await centreOf(title('sepia'))).y).toBeCloseTo(from.y, 0);
   await page.keyboard.press('Control+Shift+z');
   await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
@@ -119,7 +107,7 @@ test('selected nodes become a subgraph, with a name, opened by a double-click, w
   const amount = editor.inspector.getByRole('textbox', { name: 'Amount' });
   await amount.fill('0.25');
   await page.keyboard.press('Enter');
-  const graphs = await saved();
+  const graphs = await saveGraphs(open);
   expect(Object.keys(graphs)).toEqual(['main', 'old-film']);
   expect(Object.values(graphs.main?.nodes ?? {})).toContainEqual({ type: 'graph/old-film', version: 1, params: { amount: 0.25 } });
   expect(Object.keys(graphs['old-film']?.nodes ?? {})).toEqual(['gaussian-blur-aaaa', 'sepia-aaaa']);
@@ -129,18 +117,18 @@ test('selected nodes become a subgraph, with a name, opened by a double-click, w
 
 test('a subgraph is shared by copies, made independent, unpacked; undo goes through all of it', async () => {
   const { page, editor } = open;
-  const before = JSON.stringify(await saved());
+  const before = JSON.stringify(await saveGraphs(open));
   await title('subgraph').click();
   await page.keyboard.press('Control+Shift+d');
   await editor.inspector.getByText('2 nodes stand for it').waitFor();
   await editor.inspector.getByRole('button', { name: 'Make independent' }).click();
   await editor.inspector.getByText('2 nodes stand for it').waitFor({ state: 'detached' });
-  expect(Object.keys(await saved())).toEqual(['main', 'old-film', 'old-film-2']);
+  expect(Object.keys(await saveGraphs(open))).toEqual(['main', 'old-film', 'old-film-2']);
   await editor.inspector.getByRole('button', { name: 'Unpack' }).click();
   await page.getByRole('heading', { name: '2 nodes' }).waitFor();
   expect(await editor.node('sepia').count()).toBe(1);
   for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
-  expect(JSON.stringify(await saved())).toBe(before);
+  expect(JSON.stringify(await saveGraphs(open))).toBe(before);
 });
 
 test('another type keeps the wires; nodes collapse, are tidied up, and found', async () => {
@@ -225,7 +213,7 @@ test('a frame around selected nodes takes them along; a note is written beside t
   const corner = page.locator('.react-flow__resize-control.handle.bottom.right');
   const from = await centreOf(corner);
   await editor.drag(from, { x: from.x + 60, y: from.y + 40 });
-  await saved();
+  await saveGraphs(open);
   const layout = JSON.parse(await readFile(join(open.project, 'project.layout.json'), 'utf8'));
   const { frames, notes } = layout.graphs['old-film'];
   expect(Object.values(frames)).toEqual([expect.objectContaining({ title: 'Colours' })]);

@@ -1,9 +1,7 @@
-import { readFile } from 'node:fs/promises';
-import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { useBrowser } from '../support/browser.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
 
 /** The camera's picture, blurred, goes to the screen; a box stands by. */
 const GRAPH: GraphText = {
@@ -45,10 +43,7 @@ async function choose(param: string, action: string): Promise<void> {
 
 /** The params of a node as the project's file has them. */
 async function saved(node: string): Promise<unknown> {
-  await open.page.keyboard.press('Control+s');
-  await open.page.locator('.unsaved').waitFor({ state: 'detached' });
-  const { graphs } = JSON.parse(await readFile(join(open.project, 'project.scrim.json'), 'utf8'));
-  return graphs.main.nodes[node].params;
+  return (await saveGraphs(open)).main?.nodes[node]?.params;
 }
 
 test('sums are worked out, an expression binds the value, and the way back is one undo', async () => {

@@ -1,35 +1,24 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterEach, describe, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
+import { describe, expect, test } from '@jest/globals';
 import { centreOf } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { type GraphText, type OpenEditor, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { TINT_SHADER, TINTED } from '../support/tinted.ts';
 
-const browser = useBrowser();
-let open: OpenEditor | null = null;
-afterEach(async () => {
-  const errors = open?.errors ?? [];
-  await open?.close();
-  open = null;
-  expect(errors).toEqual([]);
-});
+const openEditor = useEditor();
 
 async function start(graph: GraphText = TINTED, node = 'tint-aaaa'): Promise<OpenEditor> {
-  open = await openEditor(browser.browser, graph);
+  const open = await openEditor(graph);
   await open.editor.settled();
   await open.editor.openCode(node);
   return open;
 }
 
-/** The project as it is written, after a save by keys. */
-async function saved({ page, project }: OpenEditor) {
-  await page.keyboard.press('Control+s');
-  await page.locator('.unsaved').waitFor({ state: 'detached' });
-  const { graphs } = JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')) as {
-    graphs: { main: { nodes: Record<string, { params?: Record<string, unknown> }>; wires: string[] } };
-  };
-  return { ...graphs.main, shader: await readFile(join(project, 'shaders/tint.fs'), 'utf8') };
+/** The main graph and the shader as they are written, after a save by keys. */
+async function saved(open: OpenEditor) {
+  const { main } = await saveGraphs(open);
+  if (!main) throw new Error('the project has lost its main graph');
+  return { ...main, shader: await readFile(join(open.project, 'shaders/tint.fs'), 'utf8') };
 }
 
 describe('the text helps', () => {

@@ -1,25 +1,16 @@
-import { afterEach, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
-import { type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { test } from '@jest/globals';
+import { useEditor } from '../support/open-editor.ts';
 
-const browser = useBrowser();
-let open: OpenEditor | null = null;
-afterEach(async () => {
-  const errors = open?.errors ?? [];
-  await open?.close();
-  open = null;
-  expect(errors).toEqual([]);
-});
+const openEditor = useEditor();
 
 type Losing = typeof globalThis & { lost?: WEBGL_lose_context | null };
 
 test('the preview of an emulated room comes back after the graphics device was lost, in the same session', async () => {
-  open = await openEditor(browser.browser, {
+  const { page, editor } = await openEditor({
     nodes: { 'video-aaaa': { type: 'source/camera-video' }, 'screen-aaaa': { type: 'output/screen' } },
     wires: ['video-aaaa.layer -> screen-aaaa.layer'],
     places: { 'video-aaaa': [0, 0], 'screen-aaaa': [520, 0] },
   });
-  const { page, editor } = open;
   await editor.settled();
   await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
   await editor.settled();

@@ -2,14 +2,13 @@ import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
-import { runCli } from '../../app/cli/run-cli.ts';
-import { installationAt } from '../../app/services/installation.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
+import { succeed } from '../support/scrim.ts';
 
 // Waits are for conditions; this ends what hangs, also on a busy machine.
 jest.setTimeout(300_000);
 
-const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '0.0.0');
+const TEMPLATES = resolve(import.meta.dirname, '../../examples/templates');
 
 let base = '';
 beforeAll(async () => {
@@ -17,17 +16,10 @@ beforeAll(async () => {
 });
 afterAll(() => rm(base, { recursive: true, force: true }));
 
-async function scrim(...args: string[]): Promise<void> {
-  const said: string[] = [];
-  const say = (text: string) => said.push(text);
-  const status = await runCli(args, INSTALLATION, { out: say, err: say, interactive: false });
-  if (status !== 0) throw new Error(said.join('\n'));
-}
-
 /** The first frame of a new project, in the studio that comes with Scrim. */
 async function draw(template: string): Promise<Picture> {
-  await scrim('new', join(base, template), '--template', template);
-  await scrim('render', join(base, template), '--out', join(base, `${template}.png`));
+  await succeed('new', join(base, template), '--template', template);
+  await succeed('render', join(base, template), '--out', join(base, `${template}.png`));
   return decodePicture(await readFile(join(base, `${template}.png`)));
 }
 
@@ -39,7 +31,7 @@ function share({ data }: Picture, passes: (r: number, g: number, b: number, i: n
 }
 
 test('every template shows what it is called after, beside the bare picture of the room', async () => {
-  const templates = await readdir(INSTALLATION.templatesDir);
+  const templates = await readdir(TEMPLATES);
   const pictures = Object.fromEntries(await inTurn(templates, async (name) => [name, await draw(name)] as const)) as Record<
     string,
     Picture

@@ -1,24 +1,15 @@
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { compile } from '../../export/compiler/compile.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Program } from '../../export/program/program.ts';
 import { RECIPES } from '../../tools/examples/paper/recipes.ts';
 import type { Played } from '../browser/runtime-examples.page.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { LIBRARY } from '../support/library.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/browser/runtime-examples.page.ts', { mounts: { '/examples/': resolve('examples') } });
-}, 120_000);
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/browser/runtime-examples.page.ts', { mounts: { '/examples/': resolve('examples') } });
 
 const CAMERA = [100, 150, 200, 255];
 const ROOM_M = 3;

@@ -6,9 +6,8 @@ import process from 'node:process';
 import { promisify } from 'node:util';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { decode } from 'fast-png';
-import { runCli } from '../../app/cli/run-cli.ts';
-import { installationAt } from '../../app/services/installation.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
+import { succeed } from '../support/scrim.ts';
 import { describeWithData } from '../support/shared-data.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -81,16 +80,8 @@ describeWithData('occlusion on a recorded room', 'sessions/icl-livingroom', (rec
     return frames;
   }
 
-  async function render(name: string, ...what: string[]): Promise<void> {
-    const said: string[] = [];
-    const streams = { out: (text: string) => said.push(text), err: (text: string) => said.push(text), interactive: false };
-    const out = join(base, name);
-    const status = await runCli(
-      ['render', join(base, 'project'), '--out', out, '--frames', `0..${POSES - 1}`, ...what],
-      installationAt(ROOT, '0'),
-      streams,
-    );
-    if (status !== 0) throw new Error(said.join('\n'));
+  function render(name: string, ...what: string[]): Promise<void> {
+    return succeed('render', join(base, 'project'), '--out', join(base, name), '--frames', `0..${POSES - 1}`, ...what);
   }
 
   /**

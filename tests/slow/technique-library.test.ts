@@ -1,19 +1,11 @@
 import { readdirSync } from 'node:fs';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { beforeAll, describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
 import type { Seen } from './technique-library.page.ts';
 
 /** Facts of the techniques that ship, from pictures; formulas of Gooch and toon are held in `tests/browser/techniques.test.ts`. */
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, 'tests/slow/technique-library.page.ts');
-  await page.call('prepare');
-}, 60_000);
-afterAll(async () => {
-  await page.close();
-  expect(page.errors).toEqual([]);
-});
+const page = useModule('tests/slow/technique-library.page.ts');
+beforeAll(() => page.call('prepare'));
 
 const NAMES = readdirSync('shader-library/techniques').map((file) => file.replace('.glsl', ''));
 

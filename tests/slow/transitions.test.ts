@@ -1,21 +1,13 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { readTransition } from '../../export/glsl/transition/read-transition.ts';
 import { drawPicture, made, PAGE, paint, toPage } from '../browser/glsl-kit.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 const WIDTH = 32;
 const HEIGHT = 18;

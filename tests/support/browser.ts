@@ -1,4 +1,4 @@
-import { afterAll, beforeAll } from '@jest/globals';
+import { afterAll, beforeAll, expect } from '@jest/globals';
 import { build } from 'esbuild';
 import type { Browser, Page } from 'playwright-core';
 import { findChromium } from '../../app/services/chromium.ts';
@@ -75,6 +75,35 @@ export async function openModule(browser: Browser, entry: string, options: PageO
       await page.close();
       await server.close();
     },
+  };
+}
+
+/**
+ * A bundled module, open for all tests of a file in a Chromium of its own. What it printed as an error fails the file.
+ */
+export function useModule(entry: string, options: PageOptions = {}): PageModule {
+  const chromium = useBrowser();
+  let opened: PageModule | undefined;
+  const module = (): PageModule => {
+    if (!opened) throw new Error('The page is only there inside tests.');
+    return opened;
+  };
+  beforeAll(async () => {
+    opened = await openModule(chromium.browser, entry, options);
+  });
+  afterAll(async () => {
+    await opened?.close();
+    expect(opened?.errors ?? []).toEqual([]);
+  });
+  return {
+    get page() {
+      return module().page;
+    },
+    get errors() {
+      return module().errors;
+    },
+    call: (name, ...args) => module().call(name, ...args),
+    close: () => module().close(),
   };
 }
 

@@ -1,10 +1,11 @@
-import { mkdir, mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
+import { afterEach, expect } from '@jest/globals';
 import type { Browser, Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
-import { collectErrors } from './browser.ts';
+import { collectErrors, useBrowser } from './browser.ts';
 import { EditorDriver } from './editor-driver.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -59,6 +60,34 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
       await rm(project, { recursive: true, force: true });
     },
   };
+}
+
+/** Opens editors, one per test: closed after it, and what it printed as an error fails it. */
+export function useEditor(): (graph: GraphText, options?: EditorPageOptions) => Promise<OpenEditor> {
+  const chromium = useBrowser();
+  let open: OpenEditor | null = null;
+  afterEach(async () => {
+    const errors = open?.errors ?? [];
+    await open?.close();
+    open = null;
+    expect(errors).toEqual([]);
+  });
+  return async (graph, options) => {
+    open = await openEditor(chromium.browser, graph, options);
+    return open;
+  };
+}
+
+export interface SavedGraph {
+  readonly nodes: Readonly<Record<string, { readonly type: string; readonly params?: Readonly<Record<string, unknown>> }>>;
+  readonly wires: readonly string[];
+}
+
+/** The graphs as the project's file has them, after a save by keys. */
+export async function saveGraphs({ page, project }: OpenEditor): Promise<Readonly<Record<string, SavedGraph>>> {
+  await page.keyboard.press('Control+s');
+  await page.locator('.unsaved').waitFor({ state: 'detached' });
+  return JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')).graphs;
 }
 
 function filesOf({ nodes, wires, places, shaders = {} }: GraphText): Record<string, string> {

@@ -44,7 +44,10 @@ export const LAYERS: readonly Layer[] = [
   // Build configurations may stand in the folder that they build; they belong to no layer of it.
   { name: 'configuration', files: ['**/*.config.{mjs,ts}', '*.d.ts'], packages: ['vite', '@vitejs/plugin-react', 'node:*'] },
 
-  { name: 'kit', files: ['nodes/kit/{choice-options,definition,diagnostics,expression,light-params,play-expression,wire-types}.ts'] },
+  {
+    name: 'kit',
+    files: ['nodes/kit/{asset-words,choice-options,definition,diagnostics,expression,light-params,play-expression,wire-types}.ts'],
+  },
   { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['program', 'three'] },
   { name: 'registry of definitions', files: ['nodes/generated/definitions.gen.ts'], imports: ['kit', 'node definition'] },
   { name: 'registry of runtimes', files: ['nodes/generated/runtimes.gen.ts'], imports: ['kit runtime', 'node'] },

@@ -37,21 +37,13 @@ void main() {
 `;
 
 function testText(name: string): string {
-  return `import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { openModule, type PageModule, useBrowser } from '../../support/browser.ts';
+  return `import { expect, test } from '@jest/globals';
+import { useModule } from '../../support/browser.ts';
 import { expectSamePixels } from '../../support/pixels.ts';
 import { PAGE, paint } from '../glsl-kit.ts';
 import { applyShader, type Params } from '../shader-library-kit.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 const WIDTH = 32;
 const HEIGHT = 16;

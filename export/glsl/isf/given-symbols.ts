@@ -1,3 +1,4 @@
+import type { BuiltinUniform, PassUniform } from '../../program/program.ts';
 import { isImageType } from '../check/glsl-type.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
 import { IMAGE_PROPERTY_TYPES } from './image-properties.ts';
@@ -19,14 +20,27 @@ export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   vector4: 'vec4',
 };
 
-/** ISF's automatic variables, the names that version 1 and other hosts have for them, and GLSL's own. */
-const BUILTINS: Readonly<Record<string, string>> = {
+/** ISF's automatic uniforms. */
+export const UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['type']>> = {
   TIME: 'float',
   TIMEDELTA: 'float',
   FRAMEINDEX: 'int',
   DATE: 'vec4',
   RENDERSIZE: 'vec2',
   PASSINDEX: 'int',
+};
+
+/** Its variables in a vertex shader, with the names that version 1 and other hosts have for them, and GLSL's own. */
+const VERTEX_BUILTINS: Readonly<Record<string, string>> = {
+  ...UNIFORM_TYPES,
+  isf_FragNormCoord: 'vec2',
+  vv_FragNormCoord: 'vec2',
+  gl_Position: 'vec4',
+};
+
+/** The same in a fragment shader. */
+const BUILTINS: Readonly<Record<string, string>> = {
+  ...UNIFORM_TYPES,
   isf_FragNormCoord: 'vec2',
   vv_FragNormCoord: 'vec2',
   isf_FragCoord: 'vec2',
@@ -34,19 +48,6 @@ const BUILTINS: Readonly<Record<string, string>> = {
   gl_FragCoord: 'vec4',
   gl_FragColor: 'vec4',
   gl_FragData: 'vec4[]',
-};
-
-/** The same in a vertex shader. */
-const VERTEX_BUILTINS: Readonly<Record<string, string>> = {
-  TIME: 'float',
-  TIMEDELTA: 'float',
-  FRAMEINDEX: 'int',
-  DATE: 'vec4',
-  RENDERSIZE: 'vec2',
-  PASSINDEX: 'int',
-  isf_FragNormCoord: 'vec2',
-  vv_FragNormCoord: 'vec2',
-  gl_Position: 'vec4',
 };
 
 /** Every variable that a shader may use without declaring it, made anew because the check writes into them. */

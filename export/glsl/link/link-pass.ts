@@ -1,4 +1,5 @@
 import type { LinkedShader } from '../../program/program.ts';
+import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import type { FunctionSymbol, VariableSymbol } from '../syntax/ast.ts';
 import { hashText } from './hash.ts';
 import { colorFunction, helpersFor, type Image, type ImageUse, imageText, samplerFor } from './images.ts';
@@ -19,7 +20,7 @@ import {
 import type { PrintContext } from './print-context.ts';
 import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
-import { builtinUniforms, GLSL_UNIFORM_TYPES, paramUniforms, usesFragCoord } from './uniforms.ts';
+import { builtinUniforms, paramUniforms, usesFragCoord } from './uniforms.ts';
 
 /** What `main` of this pass uses. */
 export function reachOfPass(unit: LinkUnit, pass: PlannedPass): Reach {
@@ -63,7 +64,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     FRAGMENT_HEAD,
     ...(unit.vertex === null ? [] : [`in vec2 ${NORM_COORD};`]),
     ...(context.loopBudget ? [LOOP_BUDGET_TEXT] : []),
-    ...builtins.map((name) => `uniform ${GLSL_UNIFORM_TYPES[name]} ${name};`),
+    ...builtins.map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
     ...params.map((uniform) => `uniform ${uniform.type} ${uniform.name};`),
     ...helpersFor(imageTexts.join('\n'), context.found.projects),
     ...imageTexts,
@@ -80,7 +81,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     target: pass.target,
     samplers: samplersOf(reaches, images),
     uniforms: [
-      ...builtinUniforms(...reaches).map((name) => ({ name, type: GLSL_UNIFORM_TYPES[name], source: { builtin: name } })),
+      ...builtinUniforms(...reaches).map((name) => ({ name, type: UNIFORM_TYPES[name], source: { builtin: name } })),
       ...paramUniforms(shader, needed, given, names, vertex?.needed),
     ],
   };

@@ -1,6 +1,7 @@
 import { GATE_TEXT, LOOP_BUDGET } from '../../program/loop-budget.ts';
 import type { LinkedShader, SourceMap } from '../../program/program.ts';
 import type { CheckedShader } from '../check/check-shader.ts';
+import { UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
 import { inFile } from '../syntax/token.ts';
 import { helpersFor, imageText } from './images.ts';
@@ -11,7 +12,7 @@ import { vertexHead, vertexMain } from './prelude.ts';
 import type { PrintContext } from './print-context.ts';
 import { printAuthorsText, printHoistedGlobals } from './print-shader.ts';
 import { findReach, type Reach } from './reach.ts';
-import { builtinUniforms, GLSL_UNIFORM_TYPES, paramUniforms } from './uniforms.ts';
+import { builtinUniforms, paramUniforms } from './uniforms.ts';
 
 /** The author's vertex shader as one pass needs it. */
 export interface LinkedVertex {
@@ -92,7 +93,7 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
     vertexHead(NORM_COORD),
     ...(options.loopBudget === true ? [GATE_TEXT] : []),
     ...(loopBudget ? [LOOPS_END] : []),
-    ...builtinUniforms(reach).map((name) => `uniform ${GLSL_UNIFORM_TYPES[name]} ${name};`),
+    ...builtinUniforms(reach).map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
     ...paramUniforms(shader, reach, given, names).map(({ type, name }) => `uniform ${type} ${name};`),
     ...helpersFor(imageTexts.join('\n'), context.found.projects),
     ...imageTexts,

@@ -1,25 +1,16 @@
 import type { BuiltinUniform, PassUniform } from '../../program/program.ts';
-import { INPUT_TYPES } from '../isf/given-symbols.ts';
+import { INPUT_TYPES, UNIFORM_TYPES } from '../isf/given-symbols.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import type { VariableSymbol } from '../syntax/ast.ts';
 import type { LinkedUniform } from './linked-pass.ts';
 import type { Names } from './names.ts';
 import type { Reach } from './reach.ts';
 
-export const GLSL_UNIFORM_TYPES: Readonly<Record<BuiltinUniform, PassUniform['type']>> = {
-  TIME: 'float',
-  TIMEDELTA: 'float',
-  FRAMEINDEX: 'int',
-  DATE: 'vec4',
-  RENDERSIZE: 'vec2',
-  PASSINDEX: 'int',
-};
-
 /** Automatic uniforms that a pass uses, in the table's order; a position in pixels needs the size. */
 export function builtinUniforms(...reaches: readonly Reach[]): BuiltinUniform[] {
   const used = new Set(reaches.flatMap(({ builtins }) => [...builtins]));
   if (reaches.some(usesFragCoord)) used.add('RENDERSIZE');
-  return (Object.keys(GLSL_UNIFORM_TYPES) as BuiltinUniform[]).filter((name) => used.has(name));
+  return (Object.keys(UNIFORM_TYPES) as BuiltinUniform[]).filter((name) => used.has(name));
 }
 
 export function usesFragCoord(reach: Reach): boolean {

@@ -1,3 +1,4 @@
+import { ASSET_WORDS } from '../../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/runtime.ts';
@@ -162,30 +163,22 @@ function decode({ kind, path }: ProgramAsset, bytes: ArrayBuffer, { objects, sou
   }
 }
 
-const NAMES: Readonly<Record<AssetKind, string>> = {
-  image: 'picture',
-  model: 'model',
-  video: 'video',
-  audio: 'sound',
-  environment: 'panorama',
-};
-
 function missing(id: string): Omit<Diagnostic, 'nodeId'> {
   return { code: 'SCR030', severity: 'error', message: `The asset "${id}" is not in the project.`, fix: 'Choose another one.' };
 }
 
 function wrongKind(asset: ProgramAsset, wanted: AssetKind): Omit<Diagnostic, 'nodeId'> {
-  const message = `"${asset.path}" is a ${NAMES[asset.kind]}, and the node needs a ${NAMES[wanted]}.`;
+  const message = `"${asset.path}" is a ${ASSET_WORDS[asset.kind]}, and the node needs a ${ASSET_WORDS[wanted]}.`;
   return { code: 'SCR033', severity: 'error', message, fix: 'Choose another asset.' };
 }
 
 function unreadable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
-  const message = `The ${NAMES[asset.kind]} "${asset.path}" cannot be read: ${reason(error)}.`;
+  const message = `The ${ASSET_WORDS[asset.kind]} "${asset.path}" cannot be read: ${reason(error)}.`;
   return { code: 'SCR030', severity: 'error', message, fix: 'Check that the file is in the project folder, or choose another one.' };
 }
 
 function undecodable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
-  const message = `The ${NAMES[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
+  const message = `The ${ASSET_WORDS[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
   const fix = error instanceof VideoError ? error.fix : 'Check that the file opens in another program, or save it anew.';
   return { code: 'SCR032', severity: 'error', message, fix };
 }

@@ -31,7 +31,7 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
   const nearest = objects.createSampler();
   setSampler(gl, linear, gl.LINEAR);
   setSampler(gl, nearest, gl.NEAREST);
-  const empty = createEmptyTexture(objects);
+  const empty = createEmptyTexture(objects, gl.TEXTURE_2D);
   let emptyCube: WebGLTexture | null = null;
   let vertices = TRIANGLE_VERTICES;
   let unitsUsed = 0;
@@ -55,7 +55,7 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
       if (unit >= unitsUsed) unitsUsed = unit + 1;
     },
     cube: (unit, location, texture) => {
-      emptyCube ??= texture === null ? createEmptyCube(objects) : null;
+      emptyCube ??= texture === null ? createEmptyTexture(objects, gl.TEXTURE_CUBE_MAP) : null;
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture ?? emptyCube);
       gl.bindSampler(unit, linear);
@@ -79,20 +79,11 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
 }
 
 /** All zero: transparent as colour, unknown as depth. */
-function createEmptyTexture(objects: GlObjects): WebGLTexture {
+function createEmptyTexture(objects: GlObjects, target: GLenum): WebGLTexture {
   const { gl } = objects;
   const texture = objects.createTexture();
   gl.activeTexture(gl.TEXTURE0);
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, 1, 1);
-  return texture;
-}
-
-function createEmptyCube(objects: GlObjects): WebGLTexture {
-  const { gl } = objects;
-  const texture = objects.createTexture();
-  gl.activeTexture(gl.TEXTURE0);
-  gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);
-  gl.texStorage2D(gl.TEXTURE_CUBE_MAP, 1, gl.RGBA8, 1, 1);
+  gl.bindTexture(target, texture);
+  gl.texStorage2D(target, 1, gl.RGBA8, 1, 1);
   return texture;
 }

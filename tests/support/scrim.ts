@@ -1,0 +1,28 @@
+import { resolve } from 'node:path';
+import { runCli } from '../../app/cli/run-cli.ts';
+import { installationAt } from '../../app/services/installation.ts';
+
+const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
+
+export interface Said {
+  /** Exit status. */
+  readonly status: number;
+  /** Lines of standard output and error. */
+  readonly out: string;
+  readonly err: string;
+}
+
+/** The command line, as from a script: not interactive, not coloured. */
+export async function scrim(...args: string[]): Promise<Said> {
+  const out: string[] = [];
+  const err: string[] = [];
+  const streams = { out: (text: string) => out.push(text), err: (text: string) => err.push(text), interactive: false };
+  const status = await runCli(args, INSTALLATION, streams);
+  return { status, out: out.join('\n'), err: err.join('\n') };
+}
+
+/** The same, where anything but success is the test's failure. */
+export async function succeed(...args: string[]): Promise<void> {
+  const { status, out, err } = await scrim(...args);
+  if (status !== 0) throw new Error(`scrim ${args.join(' ')}:\n${out}\n${err}`);
+}
