@@ -1,5 +1,7 @@
 import type { XRDevice } from 'iwer';
+import type { DepthState } from './depth/session-depth.ts';
 import type { Pixels } from './display/composite.ts';
+import type { LightState } from './light/session-light.ts';
 
 /** An installed device, and the hand that moves it. */
 export interface Emulator {
@@ -12,6 +14,10 @@ export interface Emulator {
   setSize(sizePx: readonly [width: number, height: number]): void;
   /** While false, frames come without a viewer pose. */
   setTracked(tracked: boolean): void;
+  /** From the next frame on: depth as it should be, none, or the last one again and again. */
+  setDepth(state: DepthState): void;
+  /** From the next frame on: what light estimation says. */
+  setLight(state: LightState): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
   /** The user re-centres: `local` and `local-floor` spaces begin anew where the viewer is, and say so with `reset`. */
   recenter(): void;

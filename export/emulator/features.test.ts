@@ -13,6 +13,7 @@ describe('the configuration of depth sensing', () => {
     ).toEqual({
       usage: 'gpu-optimized',
       format: 'luminance-alpha',
+      matchView: true,
     });
   });
 
@@ -20,6 +21,7 @@ describe('the configuration of depth sensing', () => {
     expect(chooseDepth({ usagePreference: [], dataFormatPreference: [] }, HEADSET)).toEqual({
       usage: 'gpu-optimized',
       format: 'unsigned-short',
+      matchView: true,
     });
   });
 

@@ -12,11 +12,14 @@ export interface SessionWishes {
 export interface DepthWishes {
   readonly usagePreference?: readonly string[];
   readonly dataFormatPreference?: readonly string[];
+  /** Depth of this frame as the view sees it; else of the depth camera, from when it was taken. Default: true. */
+  readonly matchDepthView?: boolean;
 }
 
 export interface DepthConfiguration {
   readonly usage: DepthUsage;
   readonly format: DepthFormat;
+  readonly matchView: boolean;
 }
 
 export type Grant =
@@ -51,7 +54,7 @@ export function grantFeatures(wishes: SessionWishes, supported: ReadonlySet<stri
 export function chooseDepth(wishes: DepthWishes, profile: DepthProfile): DepthConfiguration | null {
   const usage = choose(wishes.usagePreference ?? [], profile.usages);
   const format = choose(wishes.dataFormatPreference ?? [], profile.formats);
-  return usage && format ? { usage, format } : null;
+  return usage && format ? { usage, format, matchView: wishes.matchDepthView ?? true } : null;
 }
 
 /** Every usage of a profile goes with every format of it, so the two can be chosen apart. */

@@ -7,7 +7,15 @@ import type { Emulator, HeadPose } from './emulator.ts';
 import { createFreeSource, createManualSource } from './frame-source.ts';
 import { castRay } from './hit-test/cast-ray.ts';
 import { installGlobals } from './install-globals.ts';
-import { type DepthOptions, EMULATOR_DEFAULTS, type EmulatorOptions, type SettledDefaults, withDefaults } from './options.ts';
+import { LIGHT_DEFAULTS, type LightOptions } from './light/session-light.ts';
+import {
+  DEPTH_DEFAULTS,
+  type DepthOptions,
+  EMULATOR_DEFAULTS,
+  type EmulatorOptions,
+  type SettledDefaults,
+  withDefaults,
+} from './options.ts';
 import { P_EMULATED } from './private.ts';
 import { DEVICE_PROFILES } from './profiles.ts';
 import { createReadback } from './readback.ts';
@@ -42,6 +50,8 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
       return surroundings;
     },
     tracked: true,
+    depthState: 'working',
+    lightState: 'room',
     session: null,
   };
   const uninstallGlobals = installGlobals(device);
@@ -62,6 +72,12 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     },
     setTracked: (tracked) => {
       world.tracked = tracked;
+    },
+    setDepth: (state) => {
+      world.depthState = state;
+    },
+    setLight: (state) => {
+      world.lightState = state;
     },
     setVisibility: (state) => device.updateVisibilityState(state as Parameters<EmulatedDevice['updateVisibilityState']>[0]),
     recenter: () => recenter(world),
@@ -91,7 +107,8 @@ function settle(said: EmulatorOptions & SettledDefaults): WorldSettings {
     views: said.views ?? views,
     features: new Set([...features, ...said.extra].filter((feature) => !refused.has(feature))),
     sizePx: said.sizePx,
-    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, transform: {}, gpuValues: 'metres' }, said.depth ?? {}),
+    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, ...DEPTH_DEFAULTS }, said.depth ?? {}),
+    light: withDefaults<LightOptions, keyof LightOptions>(LIGHT_DEFAULTS, said.light ?? {}),
     display: said.display,
     requireGesture: said.requireGesture,
   };

@@ -1,5 +1,8 @@
 import type { FrameClock } from '../runtime/clock.ts';
+import type { DepthNoise } from './depth/depth-noise.ts';
+import type { DepthSensor } from './depth/depth-sensor.ts';
 import type { DepthTransform } from './depth/depth-transform.ts';
+import type { LightOptions } from './light/session-light.ts';
 import type { DeviceName } from './profiles.ts';
 import type { RoomSource } from './rooms/room-source.ts';
 
@@ -24,6 +27,7 @@ export interface EmulatorOptions {
   /** Feature descriptors granted beyond what the device's profile has: camera access on a headset, say. */
   readonly extra?: readonly string[];
   readonly depth?: DepthOptions;
+  readonly light?: LightOptions;
   /** `requestSession` needs a user gesture, as in browsers. */
   readonly requireGesture?: boolean;
   /** Copy the picture to the screen; off, frames are drawn for reading back alone. */
@@ -49,12 +53,22 @@ export interface DepthOptions {
    * an endless far plane, its first row at the bottom, and the attributes `depthNear`, `depthFar` and `isValid` that no specification has.
    */
   readonly gpuValues?: 'metres' | 'window';
+  /** The camera that measures, for pages that ask for `matchDepthView: false`; null: it stands where the view is, and sees as the view does. */
+  readonly sensor?: DepthSensor | null;
+  /** Frames by which depth comes late. Pages that ask for depth of the view get the late picture as if it were of now; others are told where it was taken. */
+  readonly lagFrames?: number;
+  /** Default: none, depth is exact. */
+  readonly noise?: DepthNoise | null;
+  /** Nothing is known of what is farther; null: no limit but the format's. */
+  readonly maxM?: number | null;
 }
+
+export const DEPTH_DEFAULTS = { transform: {}, gpuValues: 'metres', sensor: null, lagFrames: 0, noise: null, maxM: null } as const;
 
 export type DepthUsage = 'cpu-optimized' | 'gpu-optimized';
 export type DepthFormat = 'luminance-alpha' | 'unsigned-short' | 'float32';
 
-export type SettledDefaults = Required<Omit<EmulatorOptions, 'views' | 'fovYRad' | 'depth' | 'antialias'>>;
+export type SettledDefaults = Required<Omit<EmulatorOptions, 'views' | 'fovYRad' | 'depth' | 'light' | 'antialias'>>;
 
 export const EMULATOR_DEFAULTS: SettledDefaults = {
   device: 'phone',

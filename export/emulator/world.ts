@@ -1,9 +1,11 @@
 import type { XRDevice } from 'iwer';
+import type { DepthState } from './depth/session-depth.ts';
 import type { RoomView } from './display/room-view.ts';
 import type { Screen } from './display/screen.ts';
 import type { FrameSource } from './frame-source.ts';
 import type { ScreenInput } from './input/screen-input.ts';
 import type { RoomLight } from './light/room-light.ts';
+import type { LightOptions, LightState } from './light/session-light.ts';
 import type { DepthOptions } from './options.ts';
 import type { DeviceProfile } from './profiles.ts';
 import type { Room } from './rooms/room.ts';
@@ -21,6 +23,8 @@ export interface World {
   readonly surroundings: () => Surroundings;
   /** Whether the device knows where it is. */
   tracked: boolean;
+  depthState: DepthState;
+  lightState: LightState;
   session: EmulatedSession | null;
 }
 
@@ -30,6 +34,7 @@ export interface WorldSettings {
   /** Of the screen, while that may change; null: the window's when a layer is made. */
   sizePx: readonly [width: number, height: number] | null;
   readonly depth: Required<DepthOptions>;
+  readonly light: Required<LightOptions>;
   readonly display: boolean;
   readonly requireGesture: boolean;
 }

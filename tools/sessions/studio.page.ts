@@ -48,7 +48,7 @@ export async function film(camera: StudioCamera, poses: readonly (readonly numbe
     view.drawRoom([eye]);
     context.drawImage(view.canvas, 0, 0, camera.widthPx, camera.heightPx);
     const jpeg = await picture.convertToBlob({ type: 'image/jpeg', quality: camera.jpegQuality });
-    const metres = depth.measure(eye);
+    const metres = depth.measure({ worldFromDepth: eye.worldFromView, clipFromDepth: eye.clipFromView });
     frames.push({ jpeg: toBase64(new Uint8Array(await jpeg.arrayBuffer())), metres: toBase64(new Uint8Array(metres.buffer)) });
   }
   depth.dispose();

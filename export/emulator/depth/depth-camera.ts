@@ -1,12 +1,13 @@
 import { DoubleSide, FloatType, NearestFilter, NoBlending, RedFormat, ShaderMaterial, WebGLRenderTarget } from 'three';
-import { aimCamera, createEyeCamera, type Eye } from '../display/eye.ts';
+import { aimCamera, createEyeCamera } from '../display/eye.ts';
 import type { RoomView } from '../display/room-view.ts';
+import type { DepthCameraPose } from './depth-sensor.ts';
 import { type Affine, depthClipFromView } from './depth-transform.ts';
 
-/** Measures the room exactly: metres along the view's axis, drawn into a float target at the centres of the buffer's texels. */
+/** Measures the room exactly: metres along the camera's axis, drawn into a float target at the centres of the buffer's texels. */
 export interface DepthCamera {
-  /** Row-major from the top; 0 where the view's ray meets nothing. The same array every time. */
-  measure(eye: Eye): Float32Array;
+  /** Row-major from the top; 0 where the camera's ray meets nothing. The same array every time. */
+  measure(pose: DepthCameraPose): Float32Array;
   dispose(): void;
 }
 
@@ -33,9 +34,9 @@ void main() {
   const camera = createEyeCamera();
   const metres = new Float32Array(widthPx * heightPx);
   return {
-    measure: (eye) => {
+    measure: ({ worldFromDepth, clipFromDepth }) => {
       const { renderer, scene } = view;
-      aimCamera(camera, depthClipFromView(eye.clipFromView, map), eye.worldFromView);
+      aimCamera(camera, depthClipFromView(clipFromDepth, map), worldFromDepth);
       renderer.setRenderTarget(target);
       renderer.setClearColor(0x000000, 0);
       renderer.clear();

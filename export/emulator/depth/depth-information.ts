@@ -1,32 +1,30 @@
-import type { XRRigidTransform } from 'iwer';
+import { XRRigidTransform } from 'iwer';
+import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { DepthFormat } from '../options.ts';
+import { P_EYE } from '../private.ts';
 import type { EmulatedView } from '../session/emulated-view.ts';
 import { encodeDepth, readDepth } from './depth-encoding.ts';
 import { MatrixTransform } from './matrix-transform.ts';
-import type { SessionDepth } from './session-depth.ts';
+import type { DepthShot, SessionDepth } from './session-depth.ts';
 
-/** WebXR Depth Sensing §3.1. The depth camera is the view's own: `transform` and `projectionMatrix` are the view's. */
+/** WebXR Depth Sensing §3.1. `transform` and `projectionMatrix` are those of the view, unless the page asked for the depth camera's. */
 export class EmulatedDepthInformation {
   readonly width: number;
   readonly height: number;
   readonly normDepthBufferFromNormView: XRRigidTransform;
   readonly rawValueToMeters: number;
+  readonly transform: XRRigidTransform;
+  readonly projectionMatrix: Float32Array;
   readonly #view: EmulatedView;
 
-  constructor(view: EmulatedView, depth: SessionDepth, rawValueToMeters: number) {
+  constructor(view: EmulatedView, depth: SessionDepth, shot: DepthShot, rawValueToMeters: number) {
     this.width = depth.widthPx;
     this.height = depth.heightPx;
     this.normDepthBufferFromNormView = new MatrixTransform(depth.bufferFromView);
     this.rawValueToMeters = rawValueToMeters;
+    this.transform = depth.matchView ? view.transform : referenceFromDepth(view, shot);
+    this.projectionMatrix = depth.matchView ? view.projectionMatrix : Float32Array.from(shot.clipFromDepth);
     this.#view = view;
-  }
-
-  get transform(): XRRigidTransform {
-    return this.#view.transform;
-  }
-
-  get projectionMatrix(): Float32Array {
-    return this.#view.projectionMatrix;
   }
 
   /** "Attempting to access the depth buffer": only while the frame lasts. */
@@ -35,14 +33,25 @@ export class EmulatedDepthInformation {
   }
 }
 
+/** In the reference space that the view's pose was asked in. */
+function referenceFromDepth(view: EmulatedView, { worldFromDepth }: DepthShot): XRRigidTransform {
+  const viewFromWorld = new Matrix4().fromArray(Array.from(view[P_EYE].eye.worldFromView)).invert();
+  const reference = new Matrix4().fromArray(Array.from(view.transform.matrix));
+  const pose = reference.multiply(viewFromWorld).multiply(new Matrix4().fromArray(Array.from(worldFromDepth)));
+  const position = new Vector3();
+  const turn = new Quaternion();
+  pose.decompose(position, turn, new Vector3());
+  return new XRRigidTransform({ x: position.x, y: position.y, z: position.z, w: 1 }, { x: turn.x, y: turn.y, z: turn.z, w: turn.w });
+}
+
 /** WebXR Depth Sensing §3.2. */
 export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
   readonly #data: ArrayBuffer;
   readonly #format: DepthFormat;
 
-  constructor(view: EmulatedView, depth: SessionDepth, metres: Float32Array) {
-    const { data, rawValueToMeters } = encodeDepth(metres, depth.format);
-    super(view, depth, rawValueToMeters);
+  constructor(view: EmulatedView, depth: SessionDepth, shot: DepthShot) {
+    const { data, rawValueToMeters } = encodeDepth(shot.metres, depth.format);
+    super(view, depth, shot, rawValueToMeters);
     this.#data = data;
     this.#format = depth.format;
   }
@@ -81,12 +90,13 @@ export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
   constructor(
     view: EmulatedView,
     depth: SessionDepth,
+    shot: DepthShot,
     rawValueToMeters: number,
     texture: WebGLTexture,
     imageIndex: number | null,
     windowNearM: number | null,
   ) {
-    super(view, depth, rawValueToMeters);
+    super(view, depth, shot, rawValueToMeters);
     if (windowNearM !== null) Object.assign(this, { depthNear: windowNearM, depthFar: Number.POSITIVE_INFINITY, isValid: true });
     this.#texture = texture;
     this.imageIndex = imageIndex;

@@ -3,7 +3,18 @@ import type { RoomView } from '../display/room-view.ts';
 import type { DepthConfiguration } from '../features.ts';
 import type { DepthOptions } from '../options.ts';
 import { createDepthCamera } from './depth-camera.ts';
+import { addDepthNoise } from './depth-noise.ts';
+import { aimSensor, type DepthCameraPose } from './depth-sensor.ts';
 import { affineToMatrix, depthUvFromViewUv } from './depth-transform.ts';
+
+/** `stopped`: no depth any more. `frozen`: the last depth again and again. */
+export type DepthState = 'working' | 'stopped' | 'frozen';
+
+/** One picture of the depth camera, and where it was taken. */
+export interface DepthShot extends DepthCameraPose {
+  /** Row-major from the top, metres, 0 where unknown. */
+  readonly metres: Float32Array;
+}
 
 /** Depth sensing as one session was granted it. */
 export interface SessionDepth extends DepthConfiguration {
@@ -12,22 +23,66 @@ export interface SessionDepth extends DepthConfiguration {
   /** Column-major 4×4. */
   readonly bufferFromView: Float32Array;
   readonly gpuValues: 'metres' | 'window';
-  /** Metres, row-major from the top; the same array every time. */
-  measure(eye: Eye): Float32Array;
+  /** The page may pause depth sensing (WebXR Depth Sensing §2.3). */
+  active: boolean;
+  /** Once a frame, before the page is asked: where the eyes are by now. */
+  follow(eyes: readonly Eye[], nearM: number, farM: number, state: DepthState): void;
+  /** Of the view with this index: the same all through a frame. Null while there is none. */
+  shot(index: number): DepthShot | null;
   dispose(): void;
+}
+
+/** The eyes of one frame, and its number. */
+interface Stand {
+  readonly frame: number;
+  readonly poses: readonly DepthCameraPose[];
 }
 
 export function createSessionDepth(view: RoomView, granted: DepthConfiguration, options: Required<DepthOptions>): SessionDepth {
   const [widthPx, heightPx] = options.sizePx;
+  const { lagFrames, noise, maxM } = options;
   const map = depthUvFromViewUv(options.transform);
   const camera = createDepthCamera(view, widthPx, heightPx, map);
-  return {
+  const sensor = granted.matchView ? null : options.sensor;
+  const turned = (options.transform.turnDeg ?? 0) % 180 !== 0;
+  const aspect = turned ? heightPx / widthPx : widthPx / heightPx;
+  /** The newest last; the first is what the sensor shows by now. */
+  const stands: Stand[] = [];
+  const shots = new Map<number, DepthShot>();
+  let frames = 0;
+  let stopped = false;
+
+  const measure = (stand: Stand, index: number): DepthShot | null => {
+    const pose = stand.poses[index];
+    if (!pose) return null;
+    const metres = camera.measure(pose).slice();
+    if (maxM !== null) for (let i = 0; i < metres.length; i++) if ((metres[i] ?? 0) > maxM) metres[i] = 0;
+    if (noise) addDepthNoise(metres, noise, `${stand.frame}/${index}`);
+    return { ...pose, metres };
+  };
+  const depth: SessionDepth = {
     ...granted,
     widthPx,
     heightPx,
     bufferFromView: affineToMatrix(map),
     gpuValues: options.gpuValues,
-    measure: camera.measure,
+    active: true,
+    follow: (eyes, nearM, farM, state) => {
+      stopped = state === 'stopped';
+      const frame = frames++;
+      if (state === 'frozen' && stands.length > 0) return;
+      stands.push({ frame, poses: eyes.map((eye) => aimSensor(sensor, eye, aspect, nearM, farM)) });
+      if (stands.length > lagFrames + 1) stands.shift();
+      shots.clear();
+    },
+    shot: (index) => {
+      const [stand] = stands;
+      if (stopped || !depth.active || !stand) return null;
+      const known = shots.get(index) ?? measure(stand, index);
+      if (known) shots.set(index, known);
+      return known;
+    },
     dispose: camera.dispose,
   };
+  return depth;
 }

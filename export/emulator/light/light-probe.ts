@@ -1,5 +1,5 @@
 import type { XRSpace } from 'iwer';
-import type { RoomLight } from './room-light.ts';
+import type { SaidLight } from './session-light.ts';
 
 export type ReflectionFormat = 'srgba8' | 'rgba16f';
 
@@ -30,8 +30,11 @@ export class EmulatedLightEstimate {
   readonly primaryLightDirection: DOMPointReadOnly;
   readonly primaryLightIntensity: DOMPointReadOnly;
 
-  constructor({ sphericalHarmonics, directionWorld: [x, y, z], intensity: [r, g, b] }: RoomLight) {
-    this.sphericalHarmonicsCoefficients = Float32Array.from(sphericalHarmonics);
+  /** Where the device finds no direction or intensity: straight from above, and none. */
+  constructor({ sphericalHarmonics, directionWorld, intensity }: SaidLight) {
+    const [x, y, z] = directionWorld ?? [0, 1, 0];
+    const [r, g, b] = intensity ?? [0, 0, 0];
+    this.sphericalHarmonicsCoefficients = sphericalHarmonics;
     this.primaryLightDirection = new DOMPointReadOnly(x, y, z, 0);
     this.primaryLightIntensity = new DOMPointReadOnly(r, g, b, 1);
   }

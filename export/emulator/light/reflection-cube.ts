@@ -1,9 +1,9 @@
 import { DataUtils } from 'three';
 import type { ReflectionFormat } from './light-probe.ts';
-import type { RoomLight } from './room-light.ts';
+import type { ReflectionFaces } from './session-light.ts';
 
-/** The probe's cube map as a texture of the page's own context; the caller deletes it. */
-export function createReflectionCube(gl: WebGL2RenderingContext, light: RoomLight, format: ReflectionFormat): WebGLTexture {
+/** The probe's cube map as a texture of the page's own context. */
+export function createReflectionCube(gl: WebGL2RenderingContext, light: ReflectionFaces, format: ReflectionFormat): WebGLTexture {
   const texture = gl.createTexture();
   const size = light.cubeSizePx;
   gl.bindTexture(gl.TEXTURE_CUBE_MAP, texture);

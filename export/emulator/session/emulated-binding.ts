@@ -15,7 +15,8 @@ export class EmulatedBinding {
   readonly #session: EmulatedSession;
   readonly #gl: WebGL2RenderingContext;
   readonly #images: CameraImages;
-  readonly #cubes = new Map<EmulatedLightProbe, WebGLTexture>();
+  /** Each is the page's, which may delete it sooner. */
+  readonly #cubes: WebGLTexture[] = [];
   #depth: DepthTexture | null = null;
 
   constructor(session: EmulatedSession, context: WebGL2RenderingContext) {
@@ -37,9 +38,10 @@ export class EmulatedBinding {
     this.#checkView(view);
     if (depth.usage !== 'gpu-optimized') throw new DOMException('Depth was granted for the CPU.', 'InvalidStateError');
     const { world, eyes } = this.#session[P_EMULATED];
-    if (!world.tracked) return null;
-    const { frame, index } = view[P_EYE];
-    const metres = frame.measureDepth(view);
+    const { index } = view[P_EYE];
+    const shot = world.tracked ? depth.shot(index) : null;
+    if (!shot) return null;
+    const { metres } = shot;
     const windowNearM = depth.gpuValues === 'window' ? this.#session.renderState.depthNear : null;
     const encoded = windowNearM === null ? encodeDepth(metres, depth.format) : encodeWindowDepth(metres, depth.widthPx, windowNearM);
     const layers = eyes.length === 2 ? 2 : 1;
@@ -49,7 +51,15 @@ export class EmulatedBinding {
       this.#depth.upload(encoded, index);
       return this.#depth.texture;
     });
-    return new EmulatedWebGlDepthInformation(view, depth, encoded.rawValueToMeters, texture, layers === 2 ? index : null, windowNearM);
+    return new EmulatedWebGlDepthInformation(
+      view,
+      depth,
+      shot,
+      encoded.rawValueToMeters,
+      texture,
+      layers === 2 ? index : null,
+      windowNearM,
+    );
   }
 
   /** WebXR Raw Camera Access §3.3. Row 0 of the texture is the bottom of the picture. */
@@ -59,17 +69,16 @@ export class EmulatedBinding {
     return borrowGl(this.#gl, () => this.#images.update(this.#session[P_EMULATED].surroundings.view.canvas, view));
   }
 
-  /** WebXR Lighting Estimation §5.1. */
+  /** WebXR Lighting Estimation §5.1: a new texture each time. */
   getReflectionCubeMap(probe: EmulatedLightProbe): WebGLTexture | null {
+    if (this.#gl.isContextLost()) throw new DOMException('The WebGL context is lost.', 'InvalidStateError');
     if (this.#session[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
     const state = probeState(probe);
     if (state?.session !== this.#session) throw new DOMException('The light probe belongs to another session.', 'InvalidStateError');
-    const light = this.#session[P_EMULATED].surroundings.light();
-    if (!light) return null;
-    const known = this.#cubes.get(probe);
-    if (known) return known;
-    const cube = borrowGl(this.#gl, () => createReflectionCube(this.#gl, light, state.format));
-    this.#cubes.set(probe, cube);
+    const faces = this.#session[P_EMULATED].light.reflection();
+    if (!faces) return null;
+    const cube = borrowGl(this.#gl, () => createReflectionCube(this.#gl, faces, state.format));
+    this.#cubes.push(cube);
     return cube;
   }
 
@@ -82,7 +91,6 @@ export class EmulatedBinding {
   #dispose(): void {
     this.#images.dispose();
     this.#depth?.dispose();
-    for (const cube of this.#cubes.values()) this.#gl.deleteTexture(cube);
-    this.#cubes.clear();
+    for (const cube of this.#cubes.splice(0)) this.#gl.deleteTexture(cube);
   }
 }

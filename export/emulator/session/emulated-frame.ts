@@ -13,10 +13,9 @@ import { P_EMULATED, P_EYE } from '../private.ts';
 import type { EmulatedSession } from './emulated-session.ts';
 import { EmulatedView } from './emulated-view.ts';
 
-/** A frame whose answers are this frame's: depth and hits are worked out when asked for, from this frame's poses. */
+/** A frame whose answers are this frame's: hits are worked out when asked for, from this frame's poses. */
 export class EmulatedFrame extends XRFrame {
   readonly #session: EmulatedSession;
-  readonly #depths = new Map<number, Float32Array>();
 
   constructor(session: EmulatedSession, id: number, timeMs: number) {
     super(session, id, true, false, timeMs);
@@ -55,18 +54,8 @@ export class EmulatedFrame extends XRFrame {
     this.#check();
     if (!(view instanceof EmulatedView) || view[P_EYE].frame !== this) throw foreign('view');
     if (depth.usage !== 'cpu-optimized') throw new DOMException('Depth was granted for the GPU.', 'InvalidStateError');
-    if (!this.#session[P_EMULATED].world.tracked) return null as never;
-    return new EmulatedCpuDepthInformation(view, depth, this.measureDepth(view)) as never;
-  }
-
-  /** Measured once per view, whoever asks. */
-  measureDepth(view: EmulatedView): Float32Array {
-    const { eye, index } = view[P_EYE];
-    const known = this.#depths.get(index);
-    if (known) return known;
-    const measured = this.#session.requireDepth().measure(eye).slice();
-    this.#depths.set(index, measured);
-    return measured;
+    const shot = this.#session[P_EMULATED].world.tracked ? depth.shot(view[P_EYE].index) : null;
+    return (shot ? new EmulatedCpuDepthInformation(view, depth, shot) : null) as never;
   }
 
   // --- Light: WebXR Lighting Estimation §4.3 ---
@@ -74,7 +63,7 @@ export class EmulatedFrame extends XRFrame {
   getLightEstimate(probe: EmulatedLightProbe): EmulatedLightEstimate | null {
     this.#check();
     if (probeState(probe)?.session !== this.#session) throw foreign('light probe');
-    const light = this.#session[P_EMULATED].surroundings.light();
+    const light = this.#session[P_EMULATED].light.estimate();
     return light ? new EmulatedLightEstimate(light) : null;
   }
 

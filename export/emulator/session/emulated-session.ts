@@ -5,6 +5,7 @@ import type { Eye } from '../display/eye.ts';
 import type { DepthConfiguration } from '../features.ts';
 import { EmulatedHitTestSource, EmulatedTransientHitTestSource, type HitTestWishes } from '../hit-test/hit-test-source.ts';
 import { createLightProbe, type EmulatedLightProbe, probeState, type ReflectionFormat } from '../light/light-probe.ts';
+import { createSessionLight, type SessionLight } from '../light/session-light.ts';
 import type { DepthFormat, DepthUsage } from '../options.ts';
 import { P_EMULATED } from '../private.ts';
 import type { Surroundings, World } from '../world.ts';
@@ -16,6 +17,7 @@ export interface EmulatedSessionState {
   readonly world: World;
   readonly surroundings: Surroundings;
   readonly depth: SessionDepth | null;
+  readonly light: SessionLight;
   readonly overlayRoot: HTMLElement | null;
   readonly surfaces: Surfaces;
   readonly hitTests: { readonly active: Set<EmulatedHitTestSource>; readonly wishes: WeakMap<EmulatedHitTestSource, HitTestWishes> };
@@ -47,6 +49,7 @@ export class EmulatedSession extends XRSession {
       world,
       surroundings,
       depth: grant.depth ? createSessionDepth(surroundings.view, grant.depth, world.settings.depth) : null,
+      light: createSessionLight(surroundings.light, world.settings.light),
       overlayRoot: grant.overlayRoot,
       surfaces: createSurfaces(surroundings.room, world.device[P_DEVICE].globalSpace),
       hitTests: { active: new Set(), wishes: new WeakMap() },
@@ -107,8 +110,15 @@ export class EmulatedSession extends XRSession {
   }
 
   get depthActive(): boolean {
-    this.#depthConfiguration();
-    return true;
+    return this.#depthConfiguration().active;
+  }
+
+  pauseDepthSensing(): void {
+    this.#depthConfiguration().active = false;
+  }
+
+  resumeDepthSensing(): void {
+    this.#depthConfiguration().active = true;
   }
 
   /** @throws DOMException NotSupportedError when the session was not granted depth. */
@@ -141,11 +151,13 @@ export class EmulatedSession extends XRSession {
     return probe;
   }
 
-  /** Once per probe: the light in our rooms does not change. */
+  /** Once per probe, and again when the cube map is another one. */
   announceReflections(): void {
-    for (const probe of this[P_EMULATED].probes) {
+    const { light, probes, world } = this[P_EMULATED];
+    const another = light.follow(world.lightState);
+    for (const probe of probes) {
       const state = probeState(probe);
-      if (!state?.changed) continue;
+      if (!state || !(another || state.changed)) continue;
       state.changed = false;
       probe.dispatchEvent(new Event('reflectionchange'));
     }

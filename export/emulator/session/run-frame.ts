@@ -43,6 +43,7 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   if (state.hasPlanes) session[P_EMULATED].surfaces.addPlanes(frame);
   if (state.hasMeshes) session[P_EMULATED].surfaces.addMeshes(frame);
   session.announceReflections();
+  session[P_EMULATED].depth?.follow(session[P_EMULATED].eyes, state.renderState.depthNear, state.renderState.depthFar, world.depthState);
   frame.beginAnimation();
   runCallbacks(session, frame, timeS * 1000);
   frame[P_FRAME].active = false;
