@@ -10,6 +10,7 @@ import { createLoopProbe, type LoopProbe } from './gl/loop-probe.ts';
 import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
 import { createPictureStore, type PictureStore } from './gl/picture-store.ts';
 import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
+import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
 import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
@@ -68,18 +69,20 @@ export function createEngine(options: EngineOptions): Engine {
   };
   const tools = new Map<string, GlProgram>();
   let probe: LoopProbe | null = null;
+  let cameraMean: CameraMean | null = null;
   const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay });
+  const tool = (shader: LinkedShader): GlProgram => {
+    const made = tools.get(shader.id) ?? programs.acquire(shader);
+    tools.set(shader.id, made);
+    programs.finish(made);
+    return made;
+  };
   return {
     objects,
     programs,
     drawer,
     copy,
-    tool: (shader) => {
-      const tool = tools.get(shader.id) ?? programs.acquire(shader);
-      tools.set(shader.id, tool);
-      programs.finish(tool);
-      return tool;
-    },
+    tool,
     loopProbe: () => {
       probe ??= createLoopProbe(objects);
       return probe;
@@ -111,6 +114,10 @@ export function createEngine(options: EngineOptions): Engine {
         get light() {
           return state.frame.light;
         },
+        get cameraMean() {
+          cameraMean ??= createCameraMean({ objects, drawer, tool }, options.held ?? false);
+          return cameraMean.read(state.frame);
+        },
       },
       assets,
       board: options.board,
@@ -122,6 +129,7 @@ export function createEngine(options: EngineOptions): Engine {
       assets.dispose();
       backend?.dispose();
       probe?.dispose();
+      cameraMean?.dispose();
       drawer.dispose();
       programs.dispose();
     },

@@ -34,3 +34,43 @@ export const SHADOW_BIAS_PX = {
   step: 0.1,
   unit: 'px',
 } as const;
+
+/** What a map of parallel light covers. */
+export const SHADOW_AREA_M = {
+  type: 'number',
+  stage: 'uniform',
+  label: 'Shadow area',
+  doc: 'Side of the square around the objects in which they throw shadows, in metres. Smaller is sharper.',
+  default: 5,
+  min: 0.1,
+  max: 50,
+  step: 0.1,
+  unit: 'm',
+} as const;
+
+const MAP_SIZES = {
+  type: 'choice',
+  stage: 'structure',
+  label: 'Shadow resolution',
+  options: [
+    { value: '256', label: '256' },
+    { value: '512', label: '512' },
+    { value: '1024', label: '1024' },
+    { value: '2048', label: '2048' },
+    { value: '4096', label: '4096' },
+    { value: '8192', label: '8192' },
+  ],
+} as const;
+
+const MAP_SIZE_DOC =
+  'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB, and each step up four times as much. A device that cannot make it so large takes the largest it can.';
+
+/** Of parallel light. */
+export const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;
+
+/** Of a light in a cone. */
+export const CONE_MAP_SIZE = {
+  ...MAP_SIZES,
+  doc: `${MAP_SIZE_DOC} The map covers the whole cone, so a narrow one is sharper.`,
+  default: '1024',
+} as const;

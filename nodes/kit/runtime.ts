@@ -2,7 +2,7 @@ import type { AnimationClip, Matrix4, Object3D, Texture } from 'three';
 import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
 import type { SceneLook } from './scene-look.ts';
-import type { LightEstimate, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
+import type { LightEstimate, ReflectionCube, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
 import type { AudioAsset, SoundOutput } from './sound.ts';
 import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
 
@@ -159,7 +159,10 @@ export interface LightList {
   readonly items: LightItem[];
 }
 
-export type LightItem = DirectionalLightItem | PointLightItem | SpotLightItem | EnvironmentLightItem;
+export type LightItem = LampItem | EnvironmentLightItem | ProbeLightItem;
+
+/** What shines from one place or direction, and may throw shadows. */
+export type LampItem = DirectionalLightItem | PointLightItem | SpotLightItem;
 
 /** Light from one direction everywhere. */
 export interface DirectionalLightItem {
@@ -214,6 +217,18 @@ export interface EnvironmentLightItem {
   rotationRad: number;
   /** Whether it shows behind the objects. */
   visible: boolean;
+}
+
+/** Light from all sides as it was measured or guessed; without shadows. It takes the place of an environment. */
+export interface ProbeLightItem {
+  key: string;
+  readonly kind: 'probe';
+  /** 9 coefficients × RGB, coefficient by coefficient: linear-sRGB radiance in world space (WebXR Lighting Estimation §3.2). */
+  readonly sphericalHarmonics: Float32Array;
+  /** What shiny surfaces mirror; null: what the coefficients say. */
+  reflection: ReflectionCube | null;
+  /** Factor on all its radiance. */
+  intensity: number;
 }
 
 export interface LightShadow {
@@ -312,6 +327,11 @@ export interface Clock {
 export interface SessionService {
   readonly frame: SessionFrame;
   readonly light: LightEstimate | null;
+  /**
+   * Mean linear-sRGB colour of what the camera of the first view sees, where the session has its image; null where it has none, and
+   * until it has been measured. Measured while somebody asks, some frames late; at once while the clock is held.
+   */
+  readonly cameraMean: Readonly<Float32Array> | null;
 }
 
 /** Loads each asset once and shares it; handles are counted, and the last release frees it. */

@@ -124,4 +124,13 @@ export interface LightEstimate {
   readonly primaryDirectionWorld: Float32Array;
   /** Linear-sRGB, not normalised. */
   readonly primaryIntensity: Float32Array;
+  /** What shiny surfaces mirror; absent or null where the session knows none. */
+  readonly reflection?: ReflectionCube | null;
+}
+
+/** Radiance from all sides, as GL reads a cube map by directions of world space; linear where it is sampled, no mip levels. */
+export interface ReflectionCube {
+  readonly texture: WebGLTexture;
+  /** Raised when the texture is another one or shows something else. */
+  readonly version: number;
 }

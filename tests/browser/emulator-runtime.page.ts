@@ -32,6 +32,7 @@ export interface SeenBySession {
   /** Largest difference of a byte between the session's camera image and the room as shown, at the places. */
   readonly cameraError: number;
   readonly light: readonly number[] | null;
+  readonly hasReflection: boolean;
   readonly events: readonly string[];
   readonly diagnostics: readonly string[];
   readonly glError: number;
@@ -98,6 +99,7 @@ function readFrame(gl: WebGL2RenderingContext, emulator: Emulator, frame: Sessio
     depthErrorsM: depths.map(({ errorM }) => errorM),
     depthsM: depths.map(({ metres }) => metres),
     cameraError: Math.max(...camera),
+    hasReflection: gl.isTexture(frame.light?.reflection?.texture ?? null),
     light: frame.light && [...frame.light.sphericalHarmonics.slice(0, 3), ...frame.light.primaryDirectionWorld],
   };
 }

@@ -53,6 +53,7 @@ test.each<readonly [string, EmulatorOptions, number, readonly string[]]>([
   for (const error of seen.depthErrorsM) expect(Math.abs(error)).toBeLessThan(0.002);
   for (const metres of seen.depthsM) expect(metres).toBeGreaterThan(0.3);
   expect(seen.cameraError).toBe(0);
+  expect(seen.hasReflection).toBe(capabilities.includes('light-estimation'));
   if (capabilities.includes('light-estimation')) {
     expect(seen.light).toHaveLength(6);
     for (const coefficient of seen.light?.slice(0, 3) ?? []) expect(coefficient).toBeGreaterThan(0.1);

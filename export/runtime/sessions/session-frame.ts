@@ -1,4 +1,12 @@
-import type { CameraImage, LightEstimate, RoomDepth, SessionFrame, ViewFrame, Viewport } from '../../../nodes/kit/session.ts';
+import type {
+  CameraImage,
+  LightEstimate,
+  ReflectionCube,
+  RoomDepth,
+  SessionFrame,
+  ViewFrame,
+  Viewport,
+} from '../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../targets/target.ts';
 import { createSessionInput, type MutableInput } from './input/session-input.ts';
 import { createMatrix, FAR_M, NEAR_M } from './matrix.ts';
@@ -13,6 +21,7 @@ export type MutableFrame = Mutable<Omit<SessionFrame, 'views' | 'input'>> & {
 export type MutableCameraImage = Mutable<CameraImage>;
 export type MutableRoomDepth = Mutable<RoomDepth>;
 export type MutableLight = Mutable<LightEstimate>;
+export type MutableReflection = Mutable<ReflectionCube>;
 
 /** The one frame that a session fills again and again. */
 export function createSessionFrame(): MutableFrame {

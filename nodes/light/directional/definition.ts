@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { SHADOW_BIAS_PX } from '../../kit/light-params.ts';
+import { SHADOW_AREA_M, SHADOW_BIAS_PX, SHADOW_MAP_SIZE } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/directional',
@@ -51,30 +51,8 @@ export const definition = defineNode({
       doc: 'Whether objects in this light throw shadows.',
       default: true,
     },
-    areaM: {
-      type: 'number',
-      stage: 'uniform',
-      label: 'Shadow area',
-      doc: 'Side of the square around the objects in which they throw shadows, in metres. Smaller is sharper.',
-      default: 5,
-      min: 0.1,
-      max: 50,
-      step: 0.1,
-      unit: 'm',
-    },
-    mapSize: {
-      type: 'choice',
-      stage: 'structure',
-      label: 'Shadow resolution',
-      doc: 'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB.',
-      default: '2048',
-      options: [
-        { value: '512', label: '512' },
-        { value: '1024', label: '1024' },
-        { value: '2048', label: '2048' },
-        { value: '4096', label: '4096' },
-      ],
-    },
+    areaM: SHADOW_AREA_M,
+    mapSize: SHADOW_MAP_SIZE,
     biasPx: SHADOW_BIAS_PX,
   },
   lowering: { kind: 'geometry' },

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
+import { CONE_MAP_SIZE, LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/spot',
@@ -62,19 +62,7 @@ export const definition = defineNode({
     },
     rangeM: LAMP_RANGE_M,
     castShadow: LAMP_CASTS_SHADOW,
-    mapSize: {
-      type: 'choice',
-      stage: 'structure',
-      label: 'Shadow resolution',
-      doc: 'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB. The map covers the whole cone, so a narrow one is sharper.',
-      default: '1024',
-      options: [
-        { value: '512', label: '512' },
-        { value: '1024', label: '1024' },
-        { value: '2048', label: '2048' },
-        { value: '4096', label: '4096' },
-      ],
-    },
+    mapSize: CONE_MAP_SIZE,
     biasPx: SHADOW_BIAS_PX,
   },
   lowering: { kind: 'geometry' },

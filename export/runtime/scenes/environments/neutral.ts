@@ -1,18 +1,7 @@
-import {
-  BackSide,
-  BoxGeometry,
-  CubeCamera,
-  type CubeTexture,
-  HalfFloatType,
-  LinearMipmapLinearFilter,
-  LinearSRGBColorSpace,
-  Mesh,
-  NoBlending,
-  ShaderMaterial,
-  type Texture,
-  WebGLCubeRenderTarget,
-} from 'three';
+import type { Texture } from 'three';
 import type { SceneRenderer } from '../scene-renderer.ts';
+import { createCubeMaterial, createPmremTarget, type PmremTarget } from './pmrem-target.ts';
+import { withRoughness } from './prefilter.ts';
 
 /** The surroundings that light a scene besides its lamps, made when first asked for and shared by all scenes. */
 export interface NeutralEnvironment {
@@ -34,7 +23,7 @@ const ROUGHEST_FACE_PX = 8;
  * on SwiftShader; this takes 25 ms.
  */
 export function createNeutralEnvironment(renderer: SceneRenderer): NeutralEnvironment {
-  let target: WebGLCubeRenderTarget | null = null;
+  let target: PmremTarget | null = null;
   return {
     texture: () => {
       target ??= render(renderer);
@@ -44,65 +33,17 @@ export function createNeutralEnvironment(renderer: SceneRenderer): NeutralEnviro
   };
 }
 
-/** In three's own layout: one level per step of roughness, from a mirror to roughness 1 (`PMREMGenerator.fromScene`). */
-function render(renderer: SceneRenderer): WebGLCubeRenderTarget {
-  const target = new WebGLCubeRenderTarget(FACE_PX, {
-    type: HalfFloatType,
-    colorSpace: LinearSRGBColorSpace,
-    minFilter: LinearMipmapLinearFilter,
-    generateMipmaps: false,
-    depthBuffer: false,
-  });
-  const sizes: number[] = [];
-  for (let size = FACE_PX; size >= ROUGHEST_FACE_PX; size /= 2) sizes.push(size);
-  // Sizes are all that three reads of a target's levels.
-  target.texture.mipmaps = sizes.map((size) => ({ width: size, height: size })) as unknown as CubeTexture[];
-  target.texture.isPMREMTexture = true;
-
-  const uniforms = { roughness: { value: 0 } };
-  const material = new ShaderMaterial({
-    name: 'neutral environment',
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    uniforms,
-    side: BackSide,
-    blending: NoBlending,
-    depthTest: false,
-    depthWrite: false,
-  });
-  const box = new Mesh(new BoxGeometry(2, 2, 2), material);
-  const camera = new CubeCamera(0.1, 10, target);
-  renderer.work((three) => {
-    sizes.forEach((size, level) => {
-      uniforms.roughness.value = roughnessOf(level, sizes.length - 1);
-      target.viewport.set(0, 0, size, size);
-      camera.activeMipmapLevel = level;
-      camera.update(three, box);
-    });
-  });
-  target.viewport.set(0, 0, FACE_PX, FACE_PX);
-  box.geometry.dispose();
+function render(renderer: SceneRenderer): PmremTarget {
+  const target = createPmremTarget(FACE_PX, ROUGHEST_FACE_PX);
+  const material = createCubeMaterial('neutral environment', FRAGMENT, { roughness: { value: 0 } });
+  renderer.work((three) => target.draw(three, (roughness) => withRoughness(material, roughness)));
   material.dispose();
   return target;
 }
 
-/** `PMREMGenerator.lodToRoughness`, which the published types lack. */
-function roughnessOf(level: number, lastLevel: number): number {
-  return 1 - Math.sqrt(1 - level / lastLevel);
-}
-
-const VERTEX = /* glsl */ `
-varying vec3 direction;
-
-void main() {
-  direction = position;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
-}
-`;
-
 const FRAGMENT = /* glsl */ `
 uniform float roughness;
-varying vec3 direction;
+varying vec3 vDirection;
 
 // Mean radiance of the light from all around, how much more of it comes from above, and the lobes below, sum up to 1.
 #define AROUND 0.62
@@ -133,7 +74,7 @@ float softBox( vec3 at, vec3 center, float sharpness, float mean, float gatherin
 }
 
 void main() {
-  vec3 at = normalize( direction );
+  vec3 at = normalize( vDirection );
   float gathering = roughness < 0.001 ? 1e4 : gatheringSharpness();
   float radiance = AROUND + FROM_ABOVE * at.y * meanCosine( gathering );
   radiance += softBox( at, vec3( 0.4, 1.0, 0.3 ), 14.0, 0.16, gathering );

@@ -1,14 +1,5 @@
 import { PANORAMA_UV } from './panorama-uv.ts';
 
-export const PREFILTER_VERTEX = /* glsl */ `
-varying vec3 vDirection;
-
-void main() {
-  vDirection = position;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
-}
-`;
-
 export const UNFOLD_FRAGMENT = /* glsl */ `
 uniform sampler2D panorama;
 uniform float level;

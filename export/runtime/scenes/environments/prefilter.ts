@@ -1,20 +1,8 @@
-import {
-  BackSide,
-  BoxGeometry,
-  CubeCamera,
-  type CubeTexture,
-  HalfFloatType,
-  LinearMipmapLinearFilter,
-  LinearSRGBColorSpace,
-  Mesh,
-  NoBlending,
-  ShaderMaterial,
-  type Texture,
-  WebGLCubeRenderTarget,
-} from 'three';
+import { BoxGeometry, CubeCamera, Mesh, type ShaderMaterial, type Texture, type WebGLRenderer } from 'three';
 import type { EnvironmentAsset } from '../../../../nodes/kit/runtime.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
-import { PREFILTER_VERTEX, SAMPLED_FRAGMENT, SUMMED_FRAGMENT, UNFOLD_FRAGMENT } from './prefilter-shader.ts';
+import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem-target.ts';
+import { SAMPLED_FRAGMENT, SUMMED_FRAGMENT, UNFOLD_FRAGMENT } from './prefilter-shader.ts';
 
 /** A panorama as rough surfaces mirror it, one level per roughness, and as matt ones receive it, in the last. */
 export interface Prefiltered {
@@ -33,7 +21,7 @@ const SUMMED_LEVELS = 2;
 const SUMMED_FACE_PX = 16;
 
 /**
- * Filters a panorama for image-based lighting, in the layout that three's materials read (`PMREMGenerator.lodToRoughness`).
+ * Filters a panorama for image-based lighting, in the layout that three's materials read.
  *
  * three's own `PMREMGenerator` (r187) gives the same picture (`tests/slow/panoramas.test.ts` compares them), but for at least 256
  * pixels a face and with 256 samples each: 37 million in all, which took 10 s on a busy machine without a graphics processor. This
@@ -41,75 +29,44 @@ const SUMMED_FACE_PX = 16;
  */
 export function prefilter(renderer: SceneRenderer, { texture, widthPx }: EnvironmentAsset): Prefiltered {
   const facePx = Math.min(Math.max(2 ** Math.floor(Math.log2(widthPx / 4)), MIN_FACE_PX), MAX_FACE_PX);
-  const source = createTarget(facePx, true);
-  const target = createTarget(facePx, false);
-  const sizes: number[] = [];
-  for (let size = facePx; size >= ROUGHEST_FACE_PX; size /= 2) sizes.push(size);
-  // Sizes are all that three reads of a target's levels.
-  target.texture.mipmaps = sizes.map((size) => ({ width: size, height: size })) as unknown as CubeTexture[];
-  target.texture.isPMREMTexture = true;
-
-  const unfold = createMaterial('panorama to cube', UNFOLD_FRAGMENT, {
+  const levels = Math.log2(facePx / ROUGHEST_FACE_PX) + 1;
+  const source = createCubeTarget(facePx, true);
+  const target = createPmremTarget(facePx, ROUGHEST_FACE_PX);
+  const unfold = createCubeMaterial('panorama to cube', UNFOLD_FRAGMENT, {
     panorama: { value: texture },
     // Texels of the panorama for one of the cube's, seen at its middle.
     level: { value: Math.max(0, Math.log2(widthPx / (4 * facePx))) },
   });
   const cube = { value: source.texture };
-  const sampled = createMaterial('sampled roughness', SAMPLED_FRAGMENT, { cube, roughness: { value: 0 }, facePx: { value: facePx } });
-  const summed = createMaterial('summed roughness', SUMMED_FRAGMENT, {
+  const sampled = createSampledMaterial(cube, facePx);
+  const summed = createCubeMaterial('summed roughness', SUMMED_FRAGMENT, {
     cube,
     roughness: { value: 0 },
     facePx: { value: SUMMED_FACE_PX },
     level: { value: Math.log2(facePx / SUMMED_FACE_PX) },
   });
-  const box = new Mesh(new BoxGeometry(2, 2, 2), unfold);
   renderer.work((three) => {
-    new CubeCamera(0.1, 10, source).update(three, box);
-    const camera = new CubeCamera(0.1, 10, target);
-    sizes.forEach((size, level) => {
-      const roughness = roughnessOf(level, sizes.length - 1);
-      const material = level < sizes.length - SUMMED_LEVELS ? sampled : summed;
-      setUniform(material, 'roughness', roughness);
-      box.material = material;
-      target.viewport.set(0, 0, size, size);
-      camera.activeMipmapLevel = level;
-      camera.update(three, box);
-    });
+    fillCube(three, source, unfold);
+    target.draw(three, (roughness, level) => withRoughness(level < levels - SUMMED_LEVELS ? sampled : summed, roughness));
   });
-  target.viewport.set(0, 0, facePx, facePx);
-  for (const part of [source, box.geometry, unfold, sampled, summed]) part.dispose();
-  return { texture: target.texture, dispose: () => target.dispose() };
+  for (const part of [source, unfold, sampled, summed]) part.dispose();
+  return target;
 }
 
-/** `PMREMGenerator.lodToRoughness`, which the published types lack. */
-function roughnessOf(level: number, lastLevel: number): number {
-  return 1 - Math.sqrt(1 - level / lastLevel);
+/** What a rough surface mirrors of a cube map with mip levels, `facePx` a side. */
+export function createSampledMaterial(cube: { readonly value: Texture }, facePx: number): ShaderMaterial {
+  return createCubeMaterial('sampled roughness', SAMPLED_FRAGMENT, { cube, roughness: { value: 0 }, facePx: { value: facePx } });
 }
 
-function createTarget(facePx: number, generateMipmaps: boolean): WebGLCubeRenderTarget {
-  return new WebGLCubeRenderTarget(facePx, {
-    type: HalfFloatType,
-    colorSpace: LinearSRGBColorSpace,
-    minFilter: LinearMipmapLinearFilter,
-    generateMipmaps,
-    depthBuffer: false,
-  });
+export function withRoughness(material: ShaderMaterial, roughness: number): ShaderMaterial {
+  const uniform = material.uniforms.roughness;
+  if (uniform) uniform.value = roughness;
+  return material;
 }
 
-function createMaterial(name: string, fragmentShader: string, uniforms: ShaderMaterial['uniforms']): ShaderMaterial {
-  return new ShaderMaterial({
-    name,
-    vertexShader: PREFILTER_VERTEX,
-    fragmentShader,
-    uniforms,
-    side: BackSide,
-    blending: NoBlending,
-    depthTest: false,
-    depthWrite: false,
-  });
-}
-
-function setUniform(material: ShaderMaterial, name: string, value: number): void {
-  const uniform = material.uniforms[name];
-  if (uniform) uniform.value = value;
+/** All faces of the sharpest level; the others follow by themselves. */
+export function fillCube(three: WebGLRenderer, target: ReturnType<typeof createCubeTarget>, material: ShaderMaterial): void {
+  const box = new Mesh(new BoxGeometry(2, 2, 2), material);
+  new CubeCamera(0.1, 10, target).update(three, box);
+  box.geometry.dispose();
 }

@@ -1,10 +1,12 @@
 import type { Scene } from 'three';
-import type { EnvironmentAsset, EnvironmentLightItem, LightList, NumberView } from '../../../../nodes/kit/runtime.ts';
+import type { EnvironmentAsset, EnvironmentLightItem, LightList, NumberView, ProbeLightItem } from '../../../../nodes/kit/runtime.ts';
+import type { SceneRenderer } from '../scene-renderer.ts';
 import { type Backdrop, createBackdrop } from './backdrop.ts';
 import type { NeutralEnvironment } from './neutral.ts';
 import type { PanoramaStore } from './panorama-store.ts';
+import { createProbeEnvironment, type ProbeEnvironment } from './probe-environment.ts';
 
-/** What lights one scene from all sides: the first environment light that has loaded, else the neutral studio. */
+/** What lights one scene from all sides: the first environment light, once it has loaded, or light estimate; else the neutral studio. */
 export interface Surroundings {
   /** `lit`: whether anything in the scene takes light from its surroundings. */
   update(lists: readonly LightList[], lit: boolean): void;
@@ -12,6 +14,7 @@ export interface Surroundings {
 }
 
 export interface SurroundingsOptions {
+  readonly renderer: SceneRenderer;
   readonly scene: Scene;
   readonly neutral: NeutralEnvironment;
   readonly panoramas: PanoramaStore;
@@ -19,8 +22,9 @@ export interface SurroundingsOptions {
   readonly ambient: NumberView;
 }
 
-export function createSurroundings({ scene, neutral, panoramas, ambient }: SurroundingsOptions): Surroundings {
+export function createSurroundings({ renderer, scene, neutral, panoramas, ambient }: SurroundingsOptions): Surroundings {
   let backdrop: Backdrop | null = null;
+  let probe: ProbeEnvironment | null = null;
 
   function showBehind(environment: EnvironmentAsset, { visible, intensity }: EnvironmentLightItem): void {
     if (!visible) {
@@ -31,29 +35,49 @@ export function createSurroundings({ scene, neutral, panoramas, ambient }: Surro
     backdrop.show(environment, intensity, scene.environmentRotation);
   }
 
+  function lightByNeutral(lit: boolean): void {
+    if (lit) scene.environment = neutral.texture();
+    scene.environmentIntensity = ambient.value;
+    scene.environmentRotation.set(0, 0, 0);
+    backdrop?.hide();
+  }
+
+  function lightByProbe(light: ProbeLightItem, lit: boolean): void {
+    if (lit) {
+      probe ??= createProbeEnvironment(renderer);
+      probe.update(light);
+      scene.environment = probe.texture;
+    }
+    scene.environmentIntensity = light.intensity;
+    scene.environmentRotation.set(0, 0, 0);
+    backdrop?.hide();
+  }
+
   return {
     update: (lists, lit) => {
-      const light = findEnvironment(lists);
-      const environment = light?.environment ?? null;
-      if (light === null || environment === null) {
-        if (lit) scene.environment = neutral.texture();
-        scene.environmentIntensity = ambient.value;
-        scene.environmentRotation.set(0, 0, 0);
-        backdrop?.hide();
-        return;
+      const light = findSurrounding(lists);
+      const environment = light?.kind === 'environment' ? light.environment : null;
+      if (light?.kind === 'probe') {
+        lightByProbe(light, lit);
+      } else if (light === null || environment === null) {
+        lightByNeutral(lit);
+      } else {
+        scene.environment = panoramas.prefiltered(environment);
+        scene.environmentIntensity = light.intensity;
+        scene.environmentRotation.set(0, light.rotationRad, 0);
+        showBehind(environment, light);
       }
-      scene.environment = panoramas.prefiltered(environment);
-      scene.environmentIntensity = light.intensity;
-      scene.environmentRotation.set(0, light.rotationRad, 0);
-      showBehind(environment, light);
     },
-    dispose: () => backdrop?.dispose(),
+    dispose: () => {
+      backdrop?.dispose();
+      probe?.dispose();
+    },
   };
 }
 
-function findEnvironment(lists: readonly LightList[]): EnvironmentLightItem | null {
+function findSurrounding(lists: readonly LightList[]): EnvironmentLightItem | ProbeLightItem | null {
   for (const list of lists) {
-    for (const light of list.items) if (light.kind === 'environment') return light;
+    for (const light of list.items) if (light.kind === 'environment' || light.kind === 'probe') return light;
   }
   return null;
 }

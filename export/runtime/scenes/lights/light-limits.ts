@@ -1,5 +1,6 @@
 import type { LightItem, LightList } from '../../../../nodes/kit/runtime.ts';
 import type { DrawBinding } from '../../scene-backend.ts';
+import { isLamp } from './is-lamp.ts';
 import { shadowOf } from './light-map.ts';
 import { MAX_SHADOWS } from './shadow-maps.ts';
 
@@ -21,14 +22,14 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
       });
     }
     if (shown === 'shadows') return;
-    const surroundings = countLights(lists, (light) => light.kind === 'environment');
+    const surroundings = countLights(lists, (light) => !isLamp(light));
     if (surroundings > 1) {
       report({
         code: 'SCR023',
         severity: 'warning',
         port: 'lights',
-        message: `${surroundings} environment lights are wired here, and a scene has one: the first lights it, the others do nothing.`,
-        fix: 'Remove all wires of environment lights but one.',
+        message: `${surroundings} lights from all sides are wired here, Environment lights or Light estimates, and a scene has one: the first lights it, the others do not.`,
+        fix: 'Remove all wires of such lights but one.',
       });
     }
   };

@@ -15,6 +15,7 @@ import {
 } from 'three';
 import type { DirectionalLightItem, LightItem, LightShadow, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
+import { isLamp } from './is-lamp.ts';
 import { aimCone, aimFace, createLampFit, FACE_COUNT, fitReach, type LampFit } from './lamp-fit.ts';
 import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
 
@@ -48,7 +49,7 @@ export interface LightMap {
 
 /** Null where the light casts no shadow. */
 export function createLightMap(light: LightItem): LightMap | null {
-  if (light.kind === 'environment' || light.shadow === null) return null;
+  if (!isLamp(light) || light.shadow === null) return null;
   switch (light.kind) {
     case 'directional':
       return createSunMap(light, light.shadow);
@@ -61,7 +62,7 @@ export function createLightMap(light: LightItem): LightMap | null {
 
 /** Settings that the map was made for, as they are now; null where the light casts none any more. */
 export function shadowOf(light: LightItem): DirectionalLightItem['shadow'] | PointLightItem['shadow'] {
-  return light.kind === 'environment' ? null : light.shadow;
+  return isLamp(light) ? light.shadow : null;
 }
 
 function createSunMap(light: DirectionalLightItem, shadow: LightShadow): LightMap {

@@ -73,6 +73,7 @@ function createLight(item: LightItem): RigLight | null {
     case 'spot':
       return createSpot(item);
     case 'environment':
+    case 'probe':
       return null;
   }
 }

@@ -1,8 +1,6 @@
 import { Vector3, Vector4 } from 'three';
-import type { EnvironmentLightItem, LightItem } from '../../../../nodes/kit/runtime.ts';
+import type { LampItem } from '../../../../nodes/kit/runtime.ts';
 import { MIN_PENUMBRA } from '../lights/light-rig.ts';
-
-export type Lamp = Exclude<LightItem, EnvironmentLightItem>;
 
 /** Lamps as `shadow-catcher-shader.ts` reads them. */
 export interface LampUniforms {
@@ -24,7 +22,7 @@ export function createLampUniforms(): LampUniforms {
 }
 
 /** Makes the lamp the one at `i`. */
-export function setLamp({ lightPlace, lightCone, lightFall }: LampUniforms, i: number, light: Lamp): void {
+export function setLamp({ lightPlace, lightCone, lightFall }: LampUniforms, i: number, light: LampItem): void {
   lightPlace.value[i] ??= new Vector4();
   lightCone.value[i] ??= new Vector4();
   lightFall.value[i] ??= new Vector3();
@@ -35,7 +33,7 @@ export function setLampCount({ lightPlace, lightCone, lightFall }: LampUniforms,
   for (const { value } of [lightPlace, lightCone, lightFall]) value.length = count;
 }
 
-function describe(light: Lamp, place: Vector4, cone: Vector4, fall: Vector3): void {
+function describe(light: LampItem, place: Vector4, cone: Vector4, fall: Vector3): void {
   cone.set(0, 0, 0, NO_CONE);
   if (light.kind === 'directional') {
     const [x = 0, y = 0, z = 0] = light.towardsLightWorld;

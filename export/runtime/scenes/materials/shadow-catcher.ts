@@ -11,6 +11,7 @@ import {
   Vector4,
 } from 'three';
 import type { DrawView, LightList, NumberView, ObjectItem, ObjectList, VectorView } from '../../../../nodes/kit/runtime.ts';
+import { isLamp } from '../lights/is-lamp.ts';
 import type { ShadowMap } from '../lights/light-map.ts';
 import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
 import { type Drawable, materialsOf } from '../proxies/drawable.ts';
@@ -80,7 +81,7 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
   function addLights(wanted: ShadowMap['kind'] | null): void {
     for (const list of lightLists) {
       for (const light of list.items) {
-        if (light.kind === 'environment') continue;
+        if (!isLamp(light)) continue;
         const map = maps?.mapOf(light) ?? null;
         if ((map?.kind ?? null) !== wanted) continue;
         setLamp(lamps, counts.flat + counts.cube + counts.plain, light);

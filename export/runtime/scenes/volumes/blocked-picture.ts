@@ -13,10 +13,11 @@ import {
   WebGLRenderTarget,
   ZeroStencilOp,
 } from 'three';
-import type { DrawView, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import type { DrawView, LampItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
+import { isLamp } from '../lights/is-lamp.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
-import { createLampUniforms, type Lamp, setLamp, setLampCount } from '../materials/lamp-uniforms.ts';
+import { createLampUniforms, setLamp, setLampCount } from '../materials/lamp-uniforms.ts';
 import { catchesShadows, followSides } from '../materials/shadow-catcher.ts';
 import { blockedFragment, CATCHER_VERTEX } from '../materials/shadow-catcher-shader.ts';
 import { createTwinCache, type Twin } from '../materials/twins.ts';
@@ -73,7 +74,7 @@ export function createBlockedPicture({ renderer, casters, catches, tellShaped }:
   const volumes = createVolumeSet(scene, casters, tellShaped);
   const uniforms = createLampUniforms();
   const watch = createVersionWatch();
-  let lamps: readonly Lamp[] = [];
+  let lamps: readonly LampItem[] = [];
   let volumeLamps: readonly VolumeLamp[] = [];
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
@@ -128,7 +129,7 @@ export function createBlockedPicture({ renderer, casters, catches, tellShaped }:
 
   function takeOver(lists: readonly LightList[]): void {
     for (const lamp of volumeLamps) lamp.dispose();
-    lamps = lists.flatMap(({ items }) => items.filter((light) => light.kind !== 'environment'));
+    lamps = lists.flatMap(({ items }) => items.filter(isLamp));
     volumeLamps = lamps.map((lamp, i) => createVolumeLamp(lamp, STEPS * i + 1));
     setLampCount(uniforms, lamps.length);
   }

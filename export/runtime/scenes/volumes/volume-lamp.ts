@@ -1,5 +1,5 @@
 import { type ShaderMaterial, Vector4 } from 'three';
-import type { Lamp } from '../materials/lamp-uniforms.ts';
+import type { LampItem } from '../../../../nodes/kit/runtime.ts';
 import { createVolumeMaterial } from './volume-material.ts';
 
 /** A light, as its shadow volumes need it. */
@@ -15,7 +15,7 @@ export interface VolumeLamp {
   dispose(): void;
 }
 
-export function createVolumeLamp(light: Lamp, renderOrder: number): VolumeLamp {
+export function createVolumeLamp(light: LampItem, renderOrder: number): VolumeLamp {
   const lightWorld = { value: new Vector4() };
   const materials = [createVolumeMaterial('back', lightWorld), createVolumeMaterial('front', lightWorld)] as const;
   return {

@@ -1,9 +1,10 @@
-import type { MutableLight } from '../session-frame.ts';
-import type { XrFrameWithLight, XrLightProbe, XrSessionWithLight } from './webxr-types.ts';
+import type { MutableLight, MutableReflection } from '../session-frame.ts';
+import type { XrBinding, XrFrameWithLight, XrLightProbe, XrSessionWithLight } from './webxr-types.ts';
 
 /** The light that the browser estimates, in world space; null while it has none. */
 export interface WebXrLight {
-  read(frame: XRFrame, world: XRReferenceSpace): MutableLight | null;
+  /** `binding`: of the context that draws; null where the browser has none. */
+  read(frame: XRFrame, world: XRReferenceSpace, binding: XrBinding | null): MutableLight | null;
 }
 
 /**
@@ -12,20 +13,36 @@ export interface WebXrLight {
  */
 export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
   let probe: XrLightProbe | null = null;
-  session.requestLightProbe?.().then(
+  /** Of which binding the cube map was taken; a context that was lost and is back has another. */
+  let reflectedBy: XrBinding | null = null;
+  const format = session.preferredReflectionFormat;
+  session.requestLightProbe?.(format ? { reflectionFormat: format } : {}).then(
     (granted) => {
       probe = granted;
+      granted.addEventListener('reflectionchange', () => {
+        reflectedBy = null;
+      });
     },
     // Not granted: there is no light, as the program's need says.
     () => {},
   );
+  let reflection: MutableReflection | null = null;
   const light: MutableLight = {
     sphericalHarmonics: new Float32Array(27),
     primaryDirectionWorld: new Float32Array(3),
     primaryIntensity: new Float32Array(3),
+    reflection: null,
+  };
+  const readReflection = (from: XrLightProbe, binding: XrBinding | null): MutableReflection | null => {
+    if (binding === null || binding === reflectedBy) return binding === null ? null : reflection;
+    reflectedBy = binding;
+    const texture = binding.getReflectionCubeMap?.(from) ?? null;
+    // One that shows something else is told by its version, whether or not it is another texture.
+    reflection = texture === null ? null : { texture, version: (reflection?.version ?? 0) + 1 };
+    return reflection;
   };
   return {
-    read: (frame: XrFrameWithLight, world) => {
+    read: (frame: XrFrameWithLight, world, binding) => {
       const estimate = probe ? frame.getLightEstimate?.(probe) : null;
       if (!probe || !estimate) return null;
       light.sphericalHarmonics.set(estimate.sphericalHarmonicsCoefficients);
@@ -42,6 +59,7 @@ export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
       light.primaryIntensity[0] = estimate.primaryLightIntensity.x;
       light.primaryIntensity[1] = estimate.primaryLightIntensity.y;
       light.primaryIntensity[2] = estimate.primaryLightIntensity.z;
+      light.reflection = readReflection(probe, binding);
       return light;
     },
   };

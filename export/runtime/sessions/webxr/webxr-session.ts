@@ -70,7 +70,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     frame.framebuffer = layer.framebuffer;
     frame.framebufferWidthPx = layer.framebufferWidth;
     frame.framebufferHeightPx = layer.framebufferHeight;
-    frame.light = light?.read(xrFrame, world) ?? null;
+    frame.light = light?.read(xrFrame, world, surface.binding) ?? null;
     fillViews(surface, xrFrame, pose);
     if (frame.viewCount === 0) return;
     input.fill(frame.input, xrFrame);

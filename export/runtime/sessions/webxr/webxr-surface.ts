@@ -7,6 +7,8 @@ import type { XrBinding } from './webxr-types.ts';
 export interface WebXrSurface {
   readonly layer: XRWebGLLayer;
   readonly sources: ViewSources;
+  /** Null where the browser has none. */
+  readonly binding: XrBinding | null;
   readonly room: AuthoredRoom | null;
   dispose(): void;
 }
@@ -36,5 +38,5 @@ export async function createSurface(gl: WebGL2RenderingContext, session: XRSessi
     sources.dispose();
     room?.dispose();
   };
-  return { layer, sources, room, dispose };
+  return { layer, sources, binding, room, dispose };
 }

@@ -13,6 +13,8 @@ export interface XrViewWithCamera extends XRView {
 /** WebXR Raw Camera Access §4 and Depth Sensing §3.3. */
 export interface XrBinding {
   getCameraImage?(camera: XrCamera): WebGLTexture | null;
+  /** WebXR Lighting Estimation §5.1. The texture stays the browser's. */
+  getReflectionCubeMap?(probe: XrLightProbe): WebGLTexture | null;
   getDepthInformation?(view: XRView): XrGpuDepthInformation | null | undefined;
 }
 
@@ -26,7 +28,7 @@ export interface XrGpuDepthInformation extends XRWebGLDepthInformation {
 }
 
 /** WebXR Lighting Estimation §3. */
-export interface XrLightProbe {
+export interface XrLightProbe extends EventTarget {
   readonly probeSpace: XRSpace;
 }
 
@@ -37,7 +39,8 @@ export interface XrLightEstimate {
 }
 
 export interface XrSessionWithLight extends XRSession {
-  requestLightProbe?(): Promise<XrLightProbe>;
+  readonly preferredReflectionFormat?: 'srgba8' | 'rgba16f';
+  requestLightProbe?(options?: { readonly reflectionFormat?: 'srgba8' | 'rgba16f' }): Promise<XrLightProbe>;
 }
 
 export interface XrFrameWithLight extends XRFrame {

@@ -1,0 +1,93 @@
+import {
+  BackSide,
+  BoxGeometry,
+  CubeCamera,
+  type CubeTexture,
+  HalfFloatType,
+  LinearMipmapLinearFilter,
+  LinearSRGBColorSpace,
+  Mesh,
+  NoBlending,
+  ShaderMaterial,
+  type Texture,
+  WebGLCubeRenderTarget,
+  type WebGLRenderer,
+} from 'three';
+
+/**
+ * A cube map in the layout that three's materials light with: one level per step of roughness, from a mirror to roughness 1, which
+ * holds irradiance too (`PMREMGenerator.fromScene`, r187).
+ */
+export interface PmremTarget {
+  readonly texture: Texture;
+  /** Draws all levels; `materialFor` gives the material of `createCubeMaterial` for the roughness of each. */
+  draw(three: WebGLRenderer, materialFor: (roughness: number, level: number) => ShaderMaterial): void;
+  dispose(): void;
+}
+
+/** Both sides are powers of two; there are as many levels as halvings lead from the one to the other. */
+export function createPmremTarget(facePx: number, roughestFacePx: number): PmremTarget {
+  const target = createCubeTarget(facePx, false);
+  const sizes: number[] = [];
+  for (let size = facePx; size >= roughestFacePx; size /= 2) sizes.push(size);
+  // Sizes are all that three reads of a target's levels.
+  target.texture.mipmaps = sizes.map((size) => ({ width: size, height: size })) as unknown as CubeTexture[];
+  target.texture.isPMREMTexture = true;
+  const box = new Mesh(new BoxGeometry(2, 2, 2));
+  const camera = new CubeCamera(0.1, 10, target);
+  return {
+    texture: target.texture,
+    draw: (three, materialFor) => {
+      for (let level = 0; level < sizes.length; level++) {
+        const size = sizes[level] ?? facePx;
+        box.material = materialFor(roughnessOf(level, sizes.length - 1), level);
+        target.viewport.set(0, 0, size, size);
+        camera.activeMipmapLevel = level;
+        camera.update(three, box);
+      }
+      target.viewport.set(0, 0, facePx, facePx);
+    },
+    dispose: () => {
+      box.geometry.dispose();
+      target.dispose();
+    },
+  };
+}
+
+/** `PMREMGenerator.lodToRoughness`, which the published types lack. */
+function roughnessOf(level: number, lastLevel: number): number {
+  return 1 - Math.sqrt(1 - level / lastLevel);
+}
+
+export function createCubeTarget(facePx: number, generateMipmaps: boolean): WebGLCubeRenderTarget {
+  return new WebGLCubeRenderTarget(facePx, {
+    type: HalfFloatType,
+    colorSpace: LinearSRGBColorSpace,
+    minFilter: LinearMipmapLinearFilter,
+    generateMipmaps,
+    depthBuffer: false,
+  });
+}
+
+/** Fills cube maps: the fragment finds the direction that it is for in `vDirection`. */
+export function createCubeMaterial(name: string, fragmentShader: string, uniforms: ShaderMaterial['uniforms']): ShaderMaterial {
+  return new ShaderMaterial({
+    name,
+    vertexShader: VERTEX,
+    fragmentShader,
+    uniforms,
+    side: BackSide,
+    blending: NoBlending,
+    depthTest: false,
+    depthWrite: false,
+  });
+}
+
+const VERTEX = /* glsl */ `
+varying vec3 vDirection;
+
+void main() {
+  vDirection = position;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}
+`;
