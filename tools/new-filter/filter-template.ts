@@ -37,7 +37,7 @@ void main() {
 `;
 
 function testText(name: string): string {
-  return `import { expect, test } from '@jest/globals';
+  return `import { test } from '@jest/globals';
 import { useModule } from '../../support/browser.ts';
 import { expectSamePixels } from '../../support/pixels.ts';
 import { PAGE, paint } from '../glsl-kit.ts';
