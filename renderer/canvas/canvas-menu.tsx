@@ -7,8 +7,9 @@ import { selectOnly } from '../state/selection.ts';
 import { selectedSubgraph } from '../state/subgraphs.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
-import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import type { CanvasNode } from './project-canvas.ts';
 import type { ItemNode } from './project-items.ts';
+import type { CanvasWire } from './project-wires.ts';
 
 interface OpenMenu {
   readonly x: number;

@@ -17,12 +17,15 @@ import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
 import './canvas.css';
 import './far-view.css';
 import { ConnectionHint } from './connection-hint.tsx';
+import { DetailProvider, detailOf } from './detail.ts';
 import { useFileDrop } from './file-drop.ts';
 import { FrameView, NoteView } from './item-view.tsx';
 import { NodeView } from './node-view.tsx';
+import { OverviewWires } from './overview-wires.tsx';
 import { PaletteHost } from './palette-host.tsx';
-import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import type { CanvasNode } from './project-canvas.ts';
 import type { ItemNode } from './project-items.ts';
+import type { CanvasWire } from './project-wires.ts';
 import { useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
 import { useMiddle } from './use-middle.ts';
@@ -32,6 +35,7 @@ import { WireInHand, WireView } from './wire-view.tsx';
 
 const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView };
 const WIRE_VIEWS = { scrim: WireView };
+const NO_WIRES: CanvasWire[] = [];
 const SNAP: [number, number] = [8, 8];
 /** Further out than this, names are all that can be read. */
 const FAR_ZOOM = 0.5;
@@ -61,69 +65,73 @@ function CanvasInside() {
   useReveal();
   useMiddle(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
+  const detail = useFlowStore((state) => detailOf(state.transform[2], nodes.length));
 
   return (
     <div ref={root} tabIndex={-1} className={far ? 'canvas canvas-far' : 'canvas'} {...drop.handlers}>
-      <ReactFlow<CanvasNode | ItemNode, CanvasWire>
-        nodes={all}
-        edges={wires}
-        nodeTypes={NODE_TYPES}
-        edgeTypes={WIRE_VIEWS}
-        connectionLineComponent={WireInHand}
-        onNodesChange={handlers.onNodesChange}
-        onEdgesChange={handlers.onWiresChange}
-        onConnect={handlers.onConnect}
-        onConnectStart={handlers.onConnectStart}
-        onConnectEnd={handlers.onConnectEnd}
-        onReconnectStart={handlers.onReconnectStart}
-        onReconnect={handlers.onReconnect}
-        onReconnectEnd={handlers.onReconnectEnd}
-        isValidConnection={handlers.isValidConnection}
-        onNodeMouseEnter={handlers.onNodeEnter}
-        onNodeMouseLeave={handlers.onNodeLeave}
-        onNodeContextMenu={menu.onNode}
-        onEdgeContextMenu={menu.onWire}
-        onPaneContextMenu={menu.onPane}
-        onNodeDoubleClick={handlers.onNodeDoubleClick}
-        onEdgeDoubleClick={handlers.onWireDoubleClick}
-        onDoubleClick={handlers.onDoubleClick}
-        connectionRadius={24}
-        reconnectRadius={14}
-        onlyRenderVisibleElements
-        elevateNodesOnSelect={false}
-        snapToGrid
-        snapGrid={SNAP}
-        minZoom={0.1}
-        maxZoom={2.5}
-        fitView
-        fitViewOptions={{ padding: 0.15, maxZoom: 1 }}
-        panOnDrag={[1]}
-        panOnScroll={panOnScroll}
-        zoomOnScroll={!panOnScroll}
-        zoomOnDoubleClick={false}
-        selectionOnDrag
-        selectionMode={SelectionMode.Partial}
-        multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
-        selectionKeyCode={null}
-        deleteKeyCode={null}
-        proOptions={{ hideAttribution: true }}
-        ariaLabelConfig={ARIA_LABELS}
-        aria-label="Graph"
-      >
-        <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
-        <MiniMap<CanvasNode | ItemNode>
-          position="bottom-right"
-          pannable
-          zoomable
-          ariaLabel="Overview of the graph"
-          nodeColor={minimapColor}
-          nodeBorderRadius={6}
-          maskColor="var(--minimap-mask)"
-        />
-        <CanvasControls />
-        <ConnectionHint />
-        <Breadcrumb />
-      </ReactFlow>
+      <DetailProvider value={detail}>
+        <ReactFlow<CanvasNode | ItemNode, CanvasWire>
+          nodes={all}
+          edges={detail === 'overview' ? NO_WIRES : wires}
+          nodeTypes={NODE_TYPES}
+          edgeTypes={WIRE_VIEWS}
+          connectionLineComponent={WireInHand}
+          onNodesChange={handlers.onNodesChange}
+          onEdgesChange={handlers.onWiresChange}
+          onConnect={handlers.onConnect}
+          onConnectStart={handlers.onConnectStart}
+          onConnectEnd={handlers.onConnectEnd}
+          onReconnectStart={handlers.onReconnectStart}
+          onReconnect={handlers.onReconnect}
+          onReconnectEnd={handlers.onReconnectEnd}
+          isValidConnection={handlers.isValidConnection}
+          onNodeMouseEnter={handlers.onNodeEnter}
+          onNodeMouseLeave={handlers.onNodeLeave}
+          onNodeContextMenu={menu.onNode}
+          onEdgeContextMenu={menu.onWire}
+          onPaneContextMenu={menu.onPane}
+          onNodeDoubleClick={handlers.onNodeDoubleClick}
+          onEdgeDoubleClick={handlers.onWireDoubleClick}
+          onDoubleClick={handlers.onDoubleClick}
+          connectionRadius={24}
+          reconnectRadius={14}
+          onlyRenderVisibleElements
+          elevateNodesOnSelect={false}
+          snapToGrid
+          snapGrid={SNAP}
+          minZoom={0.1}
+          maxZoom={2.5}
+          fitView
+          fitViewOptions={{ padding: 0.15, maxZoom: 1 }}
+          panOnDrag={[1]}
+          panOnScroll={panOnScroll}
+          zoomOnScroll={!panOnScroll}
+          zoomOnDoubleClick={false}
+          selectionOnDrag
+          selectionMode={SelectionMode.Partial}
+          multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
+          selectionKeyCode={null}
+          deleteKeyCode={null}
+          proOptions={{ hideAttribution: true }}
+          ariaLabelConfig={ARIA_LABELS}
+          aria-label="Graph"
+        >
+          <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
+          <MiniMap<CanvasNode | ItemNode>
+            position="bottom-right"
+            pannable
+            zoomable
+            ariaLabel="Overview of the graph"
+            nodeColor={minimapColor}
+            nodeBorderRadius={6}
+            maskColor="var(--minimap-mask)"
+          />
+          <CanvasControls />
+          <ConnectionHint />
+          <Breadcrumb />
+          {detail === 'overview' && <OverviewWires nodes={nodes} wires={wires} />}
+        </ReactFlow>
+      </DetailProvider>
       {all.length === 0 && <EmptyCanvas />}
       {drop.over && <div className="canvas-drop">Drop models, pictures or ISF shaders here</div>}
       <CanvasMenu menu={menu.open} onClose={menu.close} />

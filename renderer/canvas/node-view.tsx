@@ -4,14 +4,36 @@ import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { toggleExpanded } from '../state/canvas.ts';
 import { Icon } from '../ui/icon.tsx';
+import { useDetail } from './detail.ts';
 import './node-view.css';
 import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from './node-shape.ts';
 import { PortMark } from './port-mark.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
 import { useDimmedPorts } from './use-dimmed-ports.ts';
 
-/** One node: head, ports, and nothing that is not seen. Three thousand of these are on a large canvas. */
+/** One node. Three thousand of these are on a large canvas, so it has nothing that is not seen. */
 export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps<CanvasNode>) {
+  const overview = useDetail() === 'overview';
+  return overview ? <Patch id={id} data={data} selected={selected} /> : <WholeNode id={id} data={data} selected={selected} />;
+});
+
+type FaceProps = Pick<NodeProps<CanvasNode>, 'id' | 'data' | 'selected'>;
+
+/** Seen from afar: where it is, and what it is about. */
+function Patch({ id, data, selected }: FaceProps) {
+  const state = data.problem?.severity === 'error' ? ' patch-error' : data.muted ? ' patch-muted' : '';
+  const color = data.type ? WIRE_TYPES[data.type].color : 'var(--text-3)';
+  return (
+    <div
+      className={`patch${state}${selected ? ' patch-selected' : ''}`}
+      style={{ ['--port' as string]: color }}
+      data-node={id}
+      data-tip={data.title}
+    />
+  );
+}
+
+function WholeNode({ id, data, selected }: FaceProps) {
   const dimmed = useDimmedPorts(id, data.shape.ports);
   return (
     <div className={classOf(data, selected, dimmed === 'all')} data-node={id}>
@@ -36,7 +58,7 @@ export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps
       <Expander id={id} data={data} />
     </div>
   );
-});
+}
 
 interface PortProps {
   readonly port: PortView;

@@ -1,6 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import type { Graph, GraphLayout } from '../../export/graph/project.ts';
 import { LIBRARY } from '../../tests/support/library.ts';
+import { detailOf } from './detail.ts';
+import { createOverviewPaths } from './overview-paths.ts';
 import { type CanvasInput, createCanvasProjection } from './project-canvas.ts';
 
 const GRAPH: Graph = {
@@ -63,7 +65,7 @@ describe('the canvas as data', () => {
     const moved = byId(after.nodes, 'blur-aaaa');
     expect(moved.position).toEqual({ x: 310, y: 20 });
     expect(moved.data).toBe(byId(before.nodes, 'blur-aaaa').data);
-    after.wires.forEach((wire, index) => void expect(wire).toBe(before.wires[index]));
+    expect(after.wires).toBe(before.wires);
   });
 
   test('the ports that React Flow is told of lie on the node’s rim, on their lines', () => {
@@ -93,5 +95,25 @@ describe('the canvas as data', () => {
     const project = createCanvasProjection();
     expect(project({ ...INPUT, graph }).wires.map(({ data }) => data?.order)).toEqual([1, 2]);
     expect(project({ ...INPUT, graph: { ...graph, wires: wires.slice(0, 1) } }).wires.map(({ data }) => data?.order)).toEqual([null]);
+  });
+
+  test('from afar each wire is drawn between its ports, in the path of its colour, and follows a drag', () => {
+    const project = createCanvasProjection();
+    const pathsOf = createOverviewPaths();
+    const paths = (input: CanvasInput) => {
+      const { nodes, wires } = project(input);
+      return pathsOf(nodes, wires);
+    };
+    const before = paths(INPUT);
+    expect([...before.keys()]).toEqual(['layer', 'number']);
+    // The video's only output is on the first line: 30 + 6 + 11 below its top, at its right side.
+    expect(before.get('layer')).toMatch(/^M184,47 C.* 300,47/);
+    const after = paths({ ...INPUT, dragged: { 'blur-aaaa': { x: 310, y: 20 } } });
+    expect(after.get('layer')).toMatch(/^M184,47 C.* 310,67M/);
+    expect(after.get('layer')?.match(/M/g)).toHaveLength(2);
+  });
+
+  test('only large graphs are drawn as patches, and only where nothing can be read', () => {
+    expect([detailOf(0.2, 1000), detailOf(0.2, 20), detailOf(0.5, 1000)]).toEqual(['overview', 'whole', 'whole']);
   });
 });

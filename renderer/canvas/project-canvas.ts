@@ -1,11 +1,11 @@
-import type { Edge, Node, NodeHandle } from '@xyflow/react';
+import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphName } from '../../export/graph/names.ts';
-import type { Graph, GraphLayout, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
-import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { GraphLayout, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
+import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { portWords } from '../state/plain-words.ts';
 import { type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
+import { type CanvasWire, createWiresProjection, sameParts as same, type WiresInput } from './project-wires.ts';
 import { valueText } from './value-text.ts';
 
 /** What one node on the canvas shows; the same object while none of it changed. */
@@ -29,34 +29,20 @@ export interface NodeProblem {
   readonly text: string;
 }
 
-export interface WireData extends Record<string, unknown> {
-  readonly from: WireType;
-  readonly to: WireType;
-  /** From 1, where the port takes several wires and has more than one. */
-  readonly order: number | null;
-  /** What is let go now goes into it. */
-  readonly under: boolean;
-}
-
 export type CanvasNode = Node<NodeData, 'scrim'>;
-export type CanvasWire = Edge<WireData, 'scrim'>;
 
-export interface CanvasInput {
-  readonly graph: Graph;
+export interface CanvasInput extends WiresInput {
   readonly layout: GraphLayout;
-  readonly library: NodeLibrary;
   readonly selectedNodes: ReadonlySet<string>;
-  readonly selectedWires: ReadonlySet<string>;
   readonly expanded: ReadonlySet<string>;
   /** Where nodes are while they are dragged. */
   readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
   readonly problems: ReadonlyMap<string, NodeProblem>;
-  /** The wire that the dragged node would go into. */
-  readonly wireUnder?: string | null;
 }
 
 export interface CanvasView {
   readonly nodes: CanvasNode[];
+  /** The same list while none of them changed. */
   readonly wires: CanvasWire[];
 }
 
@@ -71,9 +57,10 @@ interface CachedNode {
  */
 export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
   let nodes = new Map<string, CachedNode>();
-  let wires = new Map<string, { readonly key: readonly unknown[]; readonly wire: CanvasWire }>();
+  const projectWires = createWiresProjection();
+  const wiredPortsOf = remembered(wiredPorts);
   return (input) => {
-    const wiredOf = wiredPorts(input.graph.wires);
+    const wiredOf = wiredPortsOf(input.graph.wires);
     const nextNodes = new Map<string, CachedNode>();
     for (const [id, node] of Object.entries(input.graph.nodes)) {
       const wired = wiredOf.get(id) ?? NO_PORTS;
@@ -89,31 +76,8 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
     }
     nodes = nextNodes;
 
-    const typeOf = portTypes(input);
-    const count = new Map<string, number>();
-    for (const wire of input.graph.wires) count.set(portKey(wire.to), (count.get(portKey(wire.to)) ?? 0) + 1);
-    const seen = new Map<string, number>();
-    const nextWires: typeof wires = new Map();
-    for (const wire of input.graph.wires) {
-      const id = wireId(wire);
-      const place = (seen.get(portKey(wire.to)) ?? 0) + 1;
-      seen.set(portKey(wire.to), place);
-      const order = (count.get(portKey(wire.to)) ?? 0) > 1 ? place : null;
-      const from = typeOf(wire.from.node, wire.from.port, 'output');
-      const to = typeOf(wire.to.node, wire.to.port, 'input');
-      const label = wireLabel(input, wire);
-      const key = [from ?? to, to ?? from, order, input.selectedWires.has(id), label, input.wireUnder === id];
-      const known = wires.get(id);
-      nextWires.set(id, known && same(known.key, key) ? known : { key, wire: canvasWire(wire, key) });
-    }
-    wires = nextWires;
-    return { nodes: [...nodes.values()].map(({ node }) => node), wires: [...wires.values()].map(({ wire }) => wire) };
+    return { nodes: [...nodes.values()].map(({ node }) => node), wires: projectWires(input) };
   };
-}
-
-/** As the document writes it: unique, because two wires never join the same two ports. */
-export function wireId({ from, to }: Wire): string {
-  return `${from.node}.${from.port} -> ${to.node}.${to.port}`;
 }
 
 interface WiredPorts {
@@ -202,61 +166,19 @@ function handleOf(shape: NodeShape, port: NodeShape['ports'][number]): NodeHandl
   };
 }
 
-function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
-  const [from, to, order, selected, ariaLabel, under] = key as [
-    WireType | undefined,
-    WireType | undefined,
-    number | null,
-    boolean,
-    string,
-    boolean,
-  ];
-  return {
-    id: wireId(wire),
-    type: 'scrim',
-    source: wire.from.node,
-    sourceHandle: wire.from.port,
-    target: wire.to.node,
-    targetHandle: wire.to.port,
-    selected,
-    data: { from: from ?? 'number', to: to ?? 'number', order, under },
-    ariaLabel,
-  };
-}
-
-function wireLabel({ graph, library }: CanvasInput, { from, to }: Wire): string {
-  const words = ({ node, port }: Wire['from']) => {
-    const definition = library.definition(graph.nodes[node]?.type ?? '');
-    return definition ? portWords(definition, port) : node;
-  };
-  return `Wire from ${words(from)} to ${words(to)}`;
-}
-
-function portTypes({ graph, library }: CanvasInput): (node: string, port: string, side: 'input' | 'output') => WireType | undefined {
-  return (id, port, side) => {
-    const definition = library.definition(graph.nodes[id]?.type ?? '');
-    if (side === 'output') return definition?.outputs[port]?.type;
-    const param = definition?.params[port];
-    return definition?.inputs[port]?.type ?? (param && paramType(param));
-  };
-}
-
-function paramType(param: NodeDefinition['params'][string]): WireType | undefined {
-  return param.type === 'choice' ? 'number' : param.type === 'asset' ? undefined : param.type;
-}
-
 function positionOf(layout: NodeLayout | undefined): { x: number; y: number } {
   return layout ? { x: layout.x, y: layout.y } : { x: 0, y: 0 };
 }
 
-function portKey({ node, port }: Wire['to']): string {
-  return `${node}.${port}`;
-}
-
-function same(a: readonly unknown[], b: readonly unknown[]): boolean {
-  return a.length === b.length && a.every((value, index) => value === b[index]);
-}
-
 function sameData(a: NodeData, b: NodeData): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
+}
+
+/** Works anew only for another argument than last time. */
+function remembered<A extends object, R>(work: (argument: A) => R): (argument: A) => R {
+  let last: { readonly argument: A; readonly result: R } | null = null;
+  return (argument) => {
+    if (last?.argument !== argument) last = { argument, result: work(argument) };
+    return last.result;
+  };
 }

@@ -10,8 +10,9 @@ import { dropOnWire } from '../state/insert-on-wire.ts';
 import { boxOfItem, contentOf, itemOf, moveAll } from '../state/layout-items.ts';
 import { changeSelection, type SelectionChange } from '../state/selection.ts';
 import { openSubgraph } from '../state/subgraphs.ts';
-import type { CanvasNode, CanvasWire } from './project-canvas.ts';
+import type { CanvasNode } from './project-canvas.ts';
 import type { ItemNode } from './project-items.ts';
+import type { CanvasWire } from './project-wires.ts';
 import { wireBehind } from './wire-behind.ts';
 
 /** What pointer and keys on the canvas do: selection, wires, places. */

@@ -1,8 +1,9 @@
-import { BaseEdge, type ConnectionLineComponentProps, type EdgeProps, getBezierPath, Position } from '@xyflow/react';
+import { BaseEdge, type ConnectionLineComponentProps, type EdgeProps } from '@xyflow/react';
 import { memo } from 'react';
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
 import { PORT_SIZE } from './node-shape.ts';
-import type { CanvasWire } from './project-canvas.ts';
+import type { CanvasWire } from './project-wires.ts';
+import { wirePath } from './wire-path.ts';
 import './wire-view.css';
 
 /** A wire in its type's colour; a converting one runs from one colour into the other. */
@@ -46,20 +47,6 @@ export function WireInHand({ fromX, fromY, toX, toY, fromHandle, connectionStatu
   const type = typeOfPort(fromNode.data, fromHandle.id ?? '', output ? 'output' : 'input');
   const color = type ? WIRE_TYPES[type].color : 'var(--text-3)';
   return <path className={`wire wire-in-hand wire-${connectionStatus ?? 'open'}`} d={path} style={{ stroke: color }} />;
-}
-
-/** From an output to an input: leaves to the right, arrives from the left. */
-function wirePath(sourceX: number, sourceY: number, targetX: number, targetY: number): string {
-  const [path] = getBezierPath({
-    sourceX,
-    sourceY,
-    sourcePosition: Position.Right,
-    targetX,
-    targetY,
-    targetPosition: Position.Left,
-    curvature: 0.35,
-  });
-  return path;
 }
 
 function typeOfPort(data: Record<string, unknown>, name: string, side: 'input' | 'output'): WireType | undefined {

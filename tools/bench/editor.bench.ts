@@ -1,14 +1,13 @@
-import { type ChildProcess, spawn } from 'node:child_process';
+import type { ChildProcess } from 'node:child_process';
 import { once } from 'node:events';
 import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import process from 'node:process';
-import { createInterface } from 'node:readline';
 import type { Browser, Page } from 'playwright-core';
 import type { ToolContext } from '../lib/tool.ts';
 import { type Bench, timeMs } from './bench.ts';
 import { startBenchBrowser } from './open-page.ts';
+import { openServer } from './open-server.ts';
 
 const PREVIEW = 'iframe[title="Preview"]';
 /** Below the strip where the editor may put a flag; small, so that looking takes little time. */
@@ -76,18 +75,6 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
 }
 
 let digits = 0;
-
-async function openServer(root: string, project: string): Promise<{ server: ChildProcess; url: string }> {
-  const server = spawn(process.execPath, [join(root, 'bin', 'scrim.mjs'), 'open', project, '--browser'], {
-    env: { ...process.env, DISPLAY: '', BROWSER: 'none' },
-    stdio: ['ignore', 'pipe', 'ignore'],
-  });
-  for await (const line of createInterface(server.stdout)) {
-    const url = /http:\/\/127\S+/.exec(line)?.[0];
-    if (url !== undefined) return { server, url };
-  }
-  throw new Error('The editor did not start.');
-}
 
 async function drawn(page: Page): Promise<void> {
   await page.locator(PREVIEW).waitFor();

@@ -1,0 +1,48 @@
+import type { WireType } from '../../nodes/kit/wire-types.ts';
+import { portCentre } from './node-shape.ts';
+import type { CanvasNode } from './project-canvas.ts';
+import type { CanvasWire } from './project-wires.ts';
+import { wirePath } from './wire-path.ts';
+
+interface KnownPath {
+  readonly source: CanvasNode;
+  readonly target: CanvasNode;
+  readonly path: string;
+}
+
+/** Remembers each wire's path for as long as neither end moves. */
+export function createOverviewPaths(): (nodes: readonly CanvasNode[], wires: readonly CanvasWire[]) => ReadonlyMap<WireType, string> {
+  let known = new Map<string, KnownPath>();
+  return (nodes, wires) => {
+    const byId = new Map(nodes.map((node) => [node.id, node]));
+    const next: typeof known = new Map();
+    const parts = new Map<WireType, string[]>();
+    for (const wire of wires) {
+      const source = byId.get(wire.source);
+      const target = byId.get(wire.target);
+      if (!source || !target) continue;
+      const before = known.get(wire.id);
+      const path = before?.source === source && before.target === target ? before : { source, target, path: pathOf(wire, source, target) };
+      next.set(wire.id, path);
+      const type = wire.data?.from ?? 'number';
+      const list = parts.get(type) ?? [];
+      list.push(path.path);
+      parts.set(type, list);
+    }
+    known = next;
+    return new Map([...parts].map(([type, list]) => [type, list.join('')]));
+  };
+}
+
+function pathOf(wire: CanvasWire, source: CanvasNode, target: CanvasNode): string {
+  const from = placeOf(source, wire.sourceHandle, 'output');
+  const to = placeOf(target, wire.targetHandle, 'input');
+  return from && to ? wirePath(from.x, from.y, to.x, to.y) : '';
+}
+
+function placeOf({ position, data }: CanvasNode, name: string | null | undefined, side: 'input' | 'output') {
+  const port = data.shape.ports.find((candidate) => candidate.side === side && candidate.name === name);
+  if (!port) return null;
+  const centre = portCentre(data.shape, port);
+  return { x: position.x + centre.x, y: position.y + centre.y };
+}

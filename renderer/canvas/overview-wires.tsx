@@ -1,0 +1,26 @@
+import { ViewportPortal } from '@xyflow/react';
+import { useMemo, useState } from 'react';
+import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
+import { createOverviewPaths } from './overview-paths.ts';
+import type { CanvasNode } from './project-canvas.ts';
+import type { CanvasWire } from './project-wires.ts';
+
+interface OverviewWiresProps {
+  readonly nodes: readonly CanvasNode[];
+  readonly wires: readonly CanvasWire[];
+}
+
+/** All wires of a large graph seen from afar: one path a colour, to look at and not to point at. */
+export function OverviewWires({ nodes, wires }: OverviewWiresProps) {
+  const [pathsOf] = useState(createOverviewPaths);
+  const paths = useMemo(() => pathsOf(nodes, wires), [pathsOf, nodes, wires]);
+  return (
+    <ViewportPortal>
+      <svg className="overview-wires" aria-hidden="true">
+        {[...paths].map(([type, path]) => (
+          <path key={type} d={path} style={{ stroke: WIRE_TYPES[type].color }} />
+        ))}
+      </svg>
+    </ViewportPortal>
+  );
+}

@@ -1,0 +1,135 @@
+import { once } from 'node:events';
+import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Page } from 'playwright-core';
+import type { ToolContext } from '../lib/tool.ts';
+import type { Bench } from './bench.ts';
+import { GRID_ROWS, type GridGraph, gridGraph } from './grid-graph.ts';
+import { startBenchBrowser } from './open-page.ts';
+import { openServer } from './open-server.ts';
+
+const FRAMES = 120;
+/** Pointer moves are as far apart as a hand's. */
+const STEP_PX = 3;
+
+interface Case {
+  readonly name: string;
+  readonly nodes: number;
+  /** Columns that are dragged; 0: one node, at the scale at which ports are wired. */
+  readonly columns: number;
+}
+
+const CASES: readonly Case[] = [
+  { name: 'dragging 25 of 50 nodes, all in view', nodes: 50, columns: 1 },
+  { name: 'dragging 100 of 1,000 nodes, all in view', nodes: 1000, columns: 4 },
+  { name: 'dragging one of 50 nodes, zoomed in', nodes: 50, columns: 0 },
+  { name: 'dragging one of 1,000 nodes, zoomed in', nodes: 1000, columns: 0 },
+];
+
+/** How evenly the canvas moves: times between paints while a hand drags, with the preview held. */
+export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  let browser: Browser | undefined;
+  return CASES.map((what, index): Bench => {
+    let frames: number[] | undefined;
+    return {
+      name: `canvas, frame while ${what.name}`,
+      unit: 'ms',
+      samples: FRAMES,
+      sample: async () => {
+        browser ??= await startBenchBrowser();
+        frames ??= await framesOf(root, browser, what);
+        return frames.pop() ?? Number.NaN;
+      },
+      dispose: async () => {
+        if (index === CASES.length - 1) await browser?.close();
+      },
+    };
+  });
+}
+
+async function framesOf(root: string, browser: Browser, what: Case): Promise<number[]> {
+  const folder = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
+  await writeProject(folder, gridGraph(what.nodes));
+  const { server, url } = await openServer(root, folder);
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  try {
+    await page.goto(url);
+    await page.locator('.react-flow__node').first().waitFor();
+    await page.getByRole('button', { name: 'Pause', exact: true }).click();
+    const from = what.columns === 0 ? await oneNode(page) : await selectColumns(page, what.columns);
+    return await drag(page, from);
+  } finally {
+    await page.close();
+    server.kill();
+    await once(server, 'exit');
+    await rm(folder, { recursive: true, force: true });
+  }
+}
+
+async function writeProject(folder: string, { nodes, wires, places }: GridGraph): Promise<void> {
+  const graph = { nodes: Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { ...node, version: 1 }])), wires };
+  const layout = { nodes: Object.fromEntries(Object.entries(places).map(([id, [x, y]]) => [id, { x, y }])) };
+  const write = (file: string, content: object) => writeFile(join(folder, file), JSON.stringify(content));
+  await write('project.scrim.json', { format: 'scrim-project', version: 1, title: 'Grid', graphs: { main: graph } });
+  await write('project.layout.json', { format: 'scrim-layout', version: 1, graphs: { main: layout } });
+}
+
+interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Boxes in columns in the middle, as a hand would, and gives a point in what is then selected. */
+async function selectColumns(page: Page, columns: number): Promise<Point> {
+  const box = await page.evaluate((count) => {
+    const boxes = [...document.querySelectorAll('.react-flow__node')].map((element) => element.getBoundingClientRect());
+    const lefts = [...new Set(boxes.map(({ left }) => Math.round(left)))].sort((a, b) => a - b);
+    const first = Math.floor((lefts.length - count) / 2);
+    const [from = 0, to = 0] = [lefts[first], lefts[first + count - 1]];
+    const wanted = boxes.filter(({ left }) => left > from - 2 && left < to + 2);
+    const edge = (side: 'left' | 'top' | 'right' | 'bottom', pick: (...values: number[]) => number) => pick(...wanted.map((b) => b[side]));
+    return { left: edge('left', Math.min), top: edge('top', Math.min), right: edge('right', Math.max), bottom: edge('bottom', Math.max) };
+  }, columns);
+  await page.mouse.move(box.right + 3, box.top - 6);
+  await page.mouse.down();
+  await page.mouse.move(box.left + 3, box.bottom - 1, { steps: 4 });
+  await page.mouse.up();
+  await page.getByRole('heading', { name: new RegExp(`^${columns * GRID_ROWS} nodes`) }).waitFor();
+  return { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 };
+}
+
+/** Zooms in to the first node. */
+async function oneNode(page: Page): Promise<Point> {
+  await page.locator('[data-node="node-a2"]').click();
+  await page.keyboard.press('Shift+F');
+  const title = page.locator('[data-node="node-a2"] .node-title');
+  await page.waitForFunction(() => (document.querySelector('[data-node="node-a2"]')?.getBoundingClientRect().width ?? 0) > 150);
+  const box = await title.boundingBox();
+  if (!box) throw new Error('The node is not on screen.');
+  return { x: box.x + 8, y: box.y + box.height / 2 };
+}
+
+/** Milliseconds between paints while the pointer moves to and fro. */
+async function drag(page: Page, from: Point): Promise<number[]> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x - 12, from.y, { steps: 3 });
+  await page.evaluate((wanted) => {
+    const times: number[] = [];
+    Object.assign(window, { benchFrames: times });
+    const look = (nowMs: number) => {
+      times.push(nowMs);
+      if (times.length <= wanted) requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  }, FRAMES + 1);
+  const count = () => page.evaluate(() => (window as unknown as { benchFrames: number[] }).benchFrames.length);
+  for (let at = 0; at % 40 !== 0 || (await count()) <= FRAMES + 1; at++) {
+    const away = Math.abs((at % 40) - 20) * STEP_PX;
+    await page.mouse.move(from.x - 12 - away, from.y - away / 2);
+  }
+  await page.mouse.up();
+  const times = await page.evaluate(() => (window as unknown as { benchFrames: number[] }).benchFrames);
+  return times.slice(1).map((time, i) => time - (times[i] ?? time));
+}

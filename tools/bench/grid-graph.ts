@@ -1,0 +1,26 @@
+/** A project's main graph, with node types and places by id. */
+export interface GridGraph {
+  readonly nodes: Readonly<Record<string, { readonly type: string }>>;
+  readonly wires: readonly string[];
+  readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
+}
+
+/** Nodes stand in columns of so many, as far apart as tidying up puts them. */
+export const GRID_ROWS = 25;
+const SPACING = { x: 264, y: 120 };
+const FILTERS = ['filter/sepia', 'filter/threshold', 'filter/gaussian-blur', 'filter/color-temperature'];
+
+/** Rows of filters that nothing on screen depends on, beside a camera's picture that goes to the screen. */
+export function gridGraph(count: number): GridGraph {
+  const nodes: Record<string, { type: string }> = {};
+  const places: Record<string, [number, number]> = {};
+  const wires = ['node-a0.layer -> node-a1.layer'];
+  for (let i = 0; i < count; i++) {
+    const id = `node-a${i}`;
+    nodes[id] = { type: i === 0 ? 'source/camera-video' : i === 1 ? 'output/screen' : (FILTERS[i % FILTERS.length] ?? '') };
+    places[id] = [Math.floor(i / GRID_ROWS) * SPACING.x, (i % GRID_ROWS) * SPACING.y];
+    const left = i - GRID_ROWS;
+    if (left > 1) wires.push(`node-a${left}.layer -> ${id}.inputImage`);
+  }
+  return { nodes, wires, places };
+}

@@ -1,0 +1,17 @@
+import { type ChildProcess, spawn } from 'node:child_process';
+import { join } from 'node:path';
+import process from 'node:process';
+import { createInterface } from 'node:readline';
+
+/** The editor on loopback, started as people start it, and its address. */
+export async function openServer(root: string, project: string): Promise<{ server: ChildProcess; url: string }> {
+  const server = spawn(process.execPath, [join(root, 'bin', 'scrim.mjs'), 'open', project, '--browser'], {
+    env: { ...process.env, DISPLAY: '', BROWSER: 'none' },
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  for await (const line of createInterface(server.stdout)) {
+    const url = /http:\/\/127\S+/.exec(line)?.[0];
+    if (url !== undefined) return { server, url };
+  }
+  throw new Error('The editor did not start.');
+}
