@@ -5,6 +5,7 @@ import type { SceneLook } from './scene-look.ts';
 import type { LightEstimate, ReflectionCube, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
 import type { AudioAsset, SoundOutput } from './sound.ts';
 import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
+import type { VideoAsset } from './video.ts';
 
 /**
  * The contract between a node's `runtime.ts` and the player. Types only.
@@ -369,27 +370,6 @@ export interface EnvironmentAsset {
   readonly texture: Texture;
   readonly widthPx: number;
   readonly heightPx: number;
-}
-
-export interface VideoAsset {
-  readonly durationS: number;
-  readonly widthPx: number;
-  readonly heightPx: number;
-  /** Each call makes a playback with a time of its own. `onProblem` is told what hinders it, in words, and what to do. */
-  open(onProblem: (problem: { readonly message: string; readonly fix: string }) => void): VideoPlayback;
-}
-
-export interface VideoPlayback {
-  /** The newest picture that is there; null before the first. */
-  readonly picture: ImageAsset | null;
-  /**
-   * Asks for the picture at `timeS` of the file, in [0, durationS]; every frame. A `rate` above 0 lets the video run on by itself
-   * at this speed, `loop` from its end to its start, and puts it right where it strays; 0 asks for exactly this picture.
-   */
-  follow(timeS: number, rate: number, loop: boolean): void;
-  /** As `NodeRuntime.settle`. */
-  settle(): Promise<void> | null;
-  dispose(): void;
 }
 
 /** Where `draw` draws. */

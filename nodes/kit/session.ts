@@ -42,7 +42,42 @@ export interface SessionFrame {
   readonly framebufferWidthPx: number;
   readonly framebufferHeightPx: number;
   readonly light: LightEstimate | null;
+  /** Absent or null where the session detects none. */
+  readonly surfaces?: DetectedSurfaces | null;
   readonly input: SessionInput;
+}
+
+/** Real surfaces as the device has found them so far; they grow, join and go while it looks around. */
+export interface DetectedSurfaces {
+  readonly planes: readonly DetectedPlane[];
+  readonly meshes: readonly DetectedMesh[];
+}
+
+/** What all detected surfaces have. The object is the same as long as the device takes the surface for the same. */
+export interface DetectedSurface {
+  /** Unique within the session. */
+  readonly id: string;
+  /** Raised when its shape changes; its pose may change in every frame. */
+  readonly version: number;
+  /** WebXR's semantic label (`floor`, `wall`, `table`, …), or empty. */
+  readonly label: string;
+  /** Column-major 4×4, rigid. */
+  readonly worldFromSurface: Float32Array;
+}
+
+/** A flat part of a real surface: its y axis is the normal, its outline lies in its own x–z plane. */
+export interface DetectedPlane extends DetectedSurface {
+  readonly orientation: 'horizontal' | 'vertical' | 'other';
+  /** Corners in order, x and z in turn, metres. */
+  readonly outlineXZ: Float32Array;
+}
+
+/** A scanned real thing, or a whole room. */
+export interface DetectedMesh extends DetectedSurface {
+  /** x, y, z in turn, metres. */
+  readonly positions: Float32Array;
+  /** Three for each triangle; which side is its front is not said. */
+  readonly indices: Uint32Array;
 }
 
 /** What the visitor did since the frame before, and holds now. */

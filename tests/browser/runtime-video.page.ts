@@ -1,7 +1,8 @@
 import { type LoadedVideo, loadVideo } from '../../export/runtime/assets/video/load-video.ts';
 import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { createGlObjects, type GlObjects } from '../../export/runtime/gl/gl-objects.ts';
-import type { ImageAsset, VideoAsset, VideoPlayback } from '../../nodes/kit/runtime.ts';
+import type { ImageAsset } from '../../nodes/kit/runtime.ts';
+import type { VideoAsset, VideoPlayback } from '../../nodes/kit/video.ts';
 import { encodeFilm, type FilmPicture } from '../../tools/examples/encode-film.ts';
 import { createGl } from './runtime-kit.ts';
 

@@ -49,7 +49,12 @@ async function enter(options: EmulatorOptions, plays: Program, without: string[]
     (frame) => {
       player.draw(frame);
       frames.push(
-        structuredClone({ ...frame, framebuffer: null, views: frame.views.map((view) => ({ ...view, depth: null, cameraImage: null })) }),
+        structuredClone({
+          ...frame,
+          framebuffer: null,
+          light: frame.light && { ...frame.light, reflection: null },
+          views: frame.views.map((view) => ({ ...view, depth: null, cameraImage: null })),
+        }),
       );
     },
     (event) =>

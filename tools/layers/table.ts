@@ -46,7 +46,9 @@ export const LAYERS: readonly Layer[] = [
 
   {
     name: 'kit',
-    files: ['nodes/kit/{asset-words,choice-options,definition,diagnostics,expression,light-params,play-expression,wire-types}.ts'],
+    files: [
+      'nodes/kit/{asset-words,choice-options,definition,diagnostics,expression,light-params,play-expression,surface-params,wire-types}.ts',
+    ],
   },
   { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['program', 'three'] },
   { name: 'registry of definitions', files: ['nodes/generated/definitions.gen.ts'], imports: ['kit', 'node definition'] },

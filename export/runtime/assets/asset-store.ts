@@ -1,8 +1,9 @@
 import { ASSET_WORDS } from '../../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/runtime.ts';
+import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset } from '../../../nodes/kit/runtime.ts';
 import type { AudioAsset } from '../../../nodes/kit/sound.ts';
+import type { VideoAsset } from '../../../nodes/kit/video.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';

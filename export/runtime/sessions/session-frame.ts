@@ -35,6 +35,7 @@ export function createSessionFrame(): MutableFrame {
     framebufferWidthPx: 0,
     framebufferHeightPx: 0,
     light: null,
+    surfaces: null,
     input: createSessionInput(),
   };
 }

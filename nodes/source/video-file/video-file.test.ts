@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
-import type { AssetHandle, AssetService, ImageAsset, LayerTexture, VideoAsset, Writable } from '../../kit/runtime.ts';
+import type { AssetHandle, AssetService, ImageAsset, LayerTexture, Writable } from '../../kit/runtime.ts';
+import type { VideoAsset } from '../../kit/video.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

@@ -1,4 +1,4 @@
-import type { VideoAsset } from '../../../../nodes/kit/runtime.ts';
+import type { VideoAsset } from '../../../../nodes/kit/video.ts';
 import type { FrameClock } from '../../clock.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { createPlayback } from './playback.ts';

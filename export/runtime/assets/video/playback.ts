@@ -1,4 +1,4 @@
-import type { VideoAsset, VideoPlayback } from '../../../../nodes/kit/runtime.ts';
+import type { VideoAsset, VideoPlayback } from '../../../../nodes/kit/video.ts';
 import type { FrameClock } from '../../clock.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { createVideoElement, videoError } from './video-element.ts';

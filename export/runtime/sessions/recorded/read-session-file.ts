@@ -42,6 +42,7 @@ function checkFile(json: unknown, problems: string[]): void {
   }
   if (!isPositive(file.frameRateHz)) problems.push('"frameRateHz" has to be a number above 0.');
   if (file.light !== undefined) checkLight(file.light, 'light', problems);
+  if (file.surfaces !== undefined) checkSurfaces(file.surfaces, problems);
   if (!Array.isArray(file.frames) || file.frames.length === 0) {
     problems.push('"frames" has to be a list of at least one frame.');
     return;
@@ -67,6 +68,28 @@ function checkFrame(value: unknown, place: string, hasDepth: boolean, problems: 
     problems.push(`"${place}.depth" names a picture, but the file has no "depth" that describes it.`);
   if (!isNumbers(frame?.worldFromCamera, 16)) problems.push(`"${place}.worldFromCamera" has to be 16 numbers.`);
   if (frame?.light !== undefined) checkLight(frame.light, `${place}.light`, problems);
+}
+
+function checkSurfaces(value: unknown, problems: string[]): void {
+  if (!Array.isArray(value)) {
+    problems.push('"surfaces" has to be a list.');
+    return;
+  }
+  const ids = new Set<unknown>();
+  value.forEach((surface: unknown, i) => {
+    const { id, kind, orientation, worldFromPlane, polygonXZ } = asObject(surface) ?? {};
+    const place = `surfaces[${i}]`;
+    if (typeof id !== 'string' || ids.has(id)) problems.push(`"${place}.id" has to be a text that no other surface has.`);
+    ids.add(id);
+    if (kind !== 'plane') problems.push(`"${place}.kind" has to be "plane".`);
+    if (orientation !== 'horizontal' && orientation !== 'vertical') {
+      problems.push(`"${place}.orientation" has to be "horizontal" or "vertical".`);
+    }
+    if (!isNumbers(worldFromPlane, 16)) problems.push(`"${place}.worldFromPlane" has to be 16 numbers.`);
+    if (!Array.isArray(polygonXZ) || polygonXZ.length < 3 || !polygonXZ.every((corner) => isNumbers(corner, 2))) {
+      problems.push(`"${place}.polygonXZ" has to be at least three corners of two numbers.`);
+    }
+  });
 }
 
 function checkPictures(value: unknown, place: string, problems: string[]): void {

@@ -83,6 +83,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     frame.timeS = timeS;
     frame.deltaS = deliveredS === null ? 0 : Math.max(0, timeS - deliveredS);
     frame.light = current.lights[decoded.index] ?? null;
+    frame.surfaces = current.surfaces;
     deliveredS = timeS;
     current.view.fill(frame, decoded);
     input?.fill(frame);
@@ -117,6 +118,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     capabilities.add('camera-image');
     if (file.depth) capabilities.add('depth');
     if (recording.lights.some((light) => light !== null)) capabilities.add('light-estimation');
+    if (recording.surfaces) capabilities.add('planes');
     if (onFrame) playback?.start();
     return { output: { title: file.title, frameCount: file.frames.length, durationS: recording.durationS }, diagnostics };
   };

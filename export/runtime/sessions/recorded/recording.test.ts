@@ -9,6 +9,17 @@ const LIGHT = {
   primaryIntensity: [1, 2, 3],
 } as const;
 
+const FLOOR = {
+  kind: 'plane',
+  orientation: 'horizontal',
+  worldFromPlane: UPRIGHT,
+  polygonXZ: [
+    [-1, -2],
+    [1, -2],
+    [0, 2],
+  ],
+} as const;
+
 const FILE: SessionFile = {
   format: 'scrim-session',
   version: 1,
@@ -22,6 +33,7 @@ const FILE: SessionFile = {
     { timeS: 5.3, color: 'color/2.jpg', depth: 'depth/2.png', worldFromCamera: UPRIGHT },
   ],
   light: LIGHT,
+  surfaces: [{ ...FLOOR, id: 'floor', label: 'floor' }],
 };
 
 function open(text: string): ReturnType<typeof openRecording> {
@@ -38,11 +50,12 @@ function changed(path: readonly (string | number)[], value: unknown): string {
 }
 
 describe('a session folder', () => {
-  test('is read with its times and lights', async () => {
+  test('is read with its times, lights and surfaces', async () => {
     const { output, diagnostics } = await open(JSON.stringify(FILE));
     expect(diagnostics).toEqual([]);
     expect(output?.durationS).toBeCloseTo(0.4, 9);
     expect(output?.lights.map((light) => light?.primaryIntensity[0])).toEqual([1, 9, 1]);
+    expect(output?.surfaces?.planes).toMatchObject([{ id: 'floor', label: 'floor', outlineXZ: Float32Array.of(-1, -2, 1, -2, 0, 2) }]);
     expect(timeOfFrame(FILE, 2)).toBeCloseTo(0.3, 9);
   });
 
@@ -70,6 +83,9 @@ describe('a session folder', () => {
     ['a backslash', changed(['frames', 0, 'color'], 'a\\..\\b.jpg'), 'frames[0].color'],
     ['depth that nothing describes', changed(['depth'], undefined), 'frames[0].depth'],
     ['half a light', changed(['light', 'sphericalHarmonics'], [1]), 'light.sphericalHarmonics'],
+    ['a surface of two corners', changed(['surfaces', 0, 'polygonXZ'], FLOOR.polygonXZ.slice(0, 2)), 'surfaces[0].polygonXZ'],
+    ['a slanting surface', changed(['surfaces', 0, 'orientation'], 'slanting'), 'surfaces[0].orientation'],
+    ['surfaces that are called alike', changed(['surfaces', 1], { ...FLOOR, id: 'floor' }), 'surfaces[1].id'],
   ])('with %s is broken, and says where', async (_name, text, place) => {
     const { output, diagnostics } = await open(text);
     expect(output).toBeNull();

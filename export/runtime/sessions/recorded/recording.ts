@@ -1,7 +1,7 @@
 import type { Result } from '../../../../nodes/kit/diagnostics.ts';
-import type { LightEstimate } from '../../../../nodes/kit/session.ts';
+import type { DetectedSurfaces, LightEstimate } from '../../../../nodes/kit/session.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
-import type { SessionFile, SessionFileLight } from '../format.ts';
+import type { SessionFile, SessionFileLight, SessionFileSurface } from '../format.ts';
 import { brokenSession, readSessionFile, SESSION_FILE } from './read-session-file.ts';
 
 /** A session folder that has been read, its pictures not yet. */
@@ -11,6 +11,8 @@ export interface Recording {
   readonly durationS: number;
   /** Light of each frame. */
   readonly lights: readonly (LightEstimate | null)[];
+  /** Of all frames; null where none were found. */
+  readonly surfaces: DetectedSurfaces | null;
 }
 
 export async function openRecording(files: AssetSource): Promise<Result<Recording>> {
@@ -21,7 +23,8 @@ export async function openRecording(files: AssetSource): Promise<Result<Recordin
   const { output: file, diagnostics } = readSessionFile(json.output.value);
   if (!file) return { output: null, diagnostics };
   const durationS = timeOfFrame(file, file.frames.length - 1) + 1 / file.frameRateHz;
-  return { output: { file, durationS, lights: file.frames.map((frame) => toLight(frame.light ?? file.light)) }, diagnostics };
+  const lights = file.frames.map((frame) => toLight(frame.light ?? file.light));
+  return { output: { file, durationS, lights, surfaces: toSurfaces(file.surfaces ?? []) }, diagnostics };
 }
 
 /** Seconds since the first frame. */
@@ -66,4 +69,17 @@ function toLight(light: SessionFileLight | undefined): LightEstimate | null {
     primaryDirectionWorld: Float32Array.from(light.primaryDirectionWorld),
     primaryIntensity: Float32Array.from(light.primaryIntensity),
   };
+}
+
+function toSurfaces(surfaces: readonly SessionFileSurface[]): DetectedSurfaces | null {
+  if (surfaces.length === 0) return null;
+  const planes = surfaces.map(({ id, orientation, label, worldFromPlane, polygonXZ }) => ({
+    id,
+    version: 0,
+    label: label ?? '',
+    worldFromSurface: Float32Array.from(worldFromPlane),
+    orientation,
+    outlineXZ: Float32Array.from(polygonXZ.flat()),
+  }));
+  return { planes, meshes: [] };
 }

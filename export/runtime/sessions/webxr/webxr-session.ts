@@ -7,6 +7,7 @@ import { createSessionFrame } from '../session-frame.ts';
 import { createWebXrInput } from './webxr-input.ts';
 import { createWebXrLight } from './webxr-light.ts';
 import type { WebXrSurface } from './webxr-surface.ts';
+import { createWebXrSurfaces } from './webxr-surfaces.ts';
 
 export interface WebXrSessionParts {
   readonly gl: WebGL2RenderingContext;
@@ -26,6 +27,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   /** Null while the context is lost. */
   let surface: WebXrSurface | null = parts.surface;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
+  const surfaces = createWebXrSurfaces(capabilities);
   const input = createWebXrInput(session, world);
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
@@ -71,6 +73,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     frame.framebufferWidthPx = layer.framebufferWidth;
     frame.framebufferHeightPx = layer.framebufferHeight;
     frame.light = light?.read(xrFrame, world, surface.binding) ?? null;
+    frame.surfaces = surfaces?.read(xrFrame, world) ?? null;
     fillViews(surface, xrFrame, pose);
     if (frame.viewCount === 0) return;
     input.fill(frame.input, xrFrame);

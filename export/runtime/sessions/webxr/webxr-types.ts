@@ -46,3 +46,22 @@ export interface XrSessionWithLight extends XRSession {
 export interface XrFrameWithLight extends XRFrame {
   getLightEstimate?(probe: XrLightProbe): XrLightEstimate | null;
 }
+
+/** WebXR Plane Detection §2.1. */
+export interface XrPlane {
+  readonly planeSpace: XRSpace;
+  readonly polygon: readonly DOMPointReadOnly[];
+  /** Absent where it is neither. */
+  readonly orientation?: 'horizontal' | 'vertical' | null;
+  readonly semanticLabel?: string;
+  readonly lastChangedTime: number;
+}
+
+/** WebXR Mesh Detection §2.1. */
+export interface XrMesh {
+  readonly meshSpace: XRSpace;
+  readonly vertices: Float32Array;
+  readonly indices: Uint32Array;
+  readonly semanticLabel?: string;
+  readonly lastChangedTime: number;
+}
