@@ -96,6 +96,7 @@ function layOut(
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
   const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
   const licences: PageFile = { path: LICENCES_FILE, kind: 'licences', bytes: toBytes(licencesText(program.title, credits)) };
+  const { workers } = programUse(program);
   const files = layOutPage({
     title: program.title,
     ...page,
@@ -112,7 +113,11 @@ function layOut(
       credits,
       decoders: Object.fromEntries(decoderFiles.map(({ file, path }) => [file, path])),
     },
-    powers: { wasm: decoders.length > 0, workers: decoderFiles.length > 0, media: assets.some(({ asset }) => asset.kind === 'video') },
+    powers: {
+      wasm: decoders.length > 0,
+      workers: workers || decoderFiles.length > 0,
+      media: assets.some(({ asset }) => asset.kind === 'video'),
+    },
   });
   return credits.length > 0 && !singleFile ? [...files, licences] : files;
 }

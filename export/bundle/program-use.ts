@@ -10,6 +10,8 @@ export interface ProgramUse {
   readonly panoramas: boolean;
   /** Whether visitors can set something. */
   readonly controls: boolean;
+  /** Whether filters work in workers of their own. */
+  readonly workers: boolean;
   /** Ids of the assets that some operation names. */
   readonly assets: ReadonlySet<string>;
 }
@@ -26,6 +28,7 @@ export function programUse(program: Program): ProgramUse {
       program.operations.some(({ kind }) => kind === 'geometry' || kind === 'draw' || kind === 'shadow-maps') ||
       uses('model', 'environment'),
     panoramas: uses('environment'),
+    workers: program.operations.some(({ kind }) => kind === 'cpu'),
     controls: (program.controls ?? []).length > 0,
     assets,
   };

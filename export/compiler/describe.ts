@@ -1,4 +1,4 @@
-import type { DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
+import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
 import { bindingInWords, needInWords, tierInWords } from './plan-words.ts';
 import { REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
@@ -52,6 +52,8 @@ function describeOperation(operation: Operation, program: Program): string {
       return `${operation.id}: shadow maps of ${operation.casters.join(', ')} for ${operation.lights.join(', ')}`;
     case 'draw':
       return describeDraw(operation as DrawOperation);
+    case 'cpu':
+      return describeCpu(operation as CpuOperation);
     case 'value':
       return bindingInWords(operation) ?? `${operation.id}: computes ${Object.keys(operation.outputs).join(', ')} (${operation.type})`;
     case 'source':
@@ -76,6 +78,10 @@ function describeDraw({ id, type, target, shadowMaps, occlusion }: DrawOperation
     ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer, by ${occlusion.node}`]),
   ];
   return `${parts.join(', ')} (${type})`;
+}
+
+function describeCpu({ id, type, picture, target }: CpuOperation): string {
+  return `${id}: sends ${picture} to a worker, and draws what came back of an earlier one into ${target} (${type})`;
 }
 
 function pictures(program: Program, reference: ReferenceSize): string[] {

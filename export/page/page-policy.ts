@@ -2,7 +2,7 @@
 export interface PagePowers {
   /** Compiling WebAssembly: every decoder of models is made of it. */
   readonly wasm: boolean;
-  /** Workers that are made from text: most decoders work in one. */
+  /** Workers that are made from text: most decoders work in one, and CPU filters in one each. */
   readonly workers: boolean;
   /** Videos, played from bytes. */
   readonly media: boolean;

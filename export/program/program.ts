@@ -206,7 +206,7 @@ interface OperationBase {
  * word per key for the way to the next; `repeat`).
  */
 export interface NodeOperation extends OperationBase {
-  readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw';
+  readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw' | 'cpu';
   readonly type: string;
   readonly inputs: Readonly<Record<string, readonly InputRef[]>>;
   /** Input ports that take several wires: the node's runtime sees an array for these, else one view or null. */
@@ -239,6 +239,16 @@ export interface DrawOperation extends NodeOperation {
   readonly shadowMaps: ResourceId | null;
   /** Fragments behind the room are discarded while drawing; the params are those of the occlusion node. */
   readonly occlusion: DrawOcclusion | null;
+}
+
+/**
+ * Sends a picture to a worker, and draws what came back of an earlier one; the picture itself while there is none. Both are targets of
+ * the same size.
+ */
+export interface CpuOperation extends NodeOperation {
+  readonly kind: 'cpu';
+  readonly picture: ResourceId;
+  readonly target: ResourceId;
 }
 
 export interface DrawOcclusion {
@@ -300,7 +310,7 @@ export interface PassUniform {
 /** ISF's automatic uniforms (docs.isf.video, "Automatically Created Uniforms"). */
 export type BuiltinUniform = 'TIME' | 'TIMEDELTA' | 'FRAMEINDEX' | 'DATE' | 'RENDERSIZE' | 'PASSINDEX';
 
-export type Operation = NodeOperation | DrawOperation | ShadowMapOperation | PassOperation;
+export type Operation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | PassOperation;
 
 /** GLSL ES 3.00, complete. Equal sources are stored once. */
 export interface LinkedShader {

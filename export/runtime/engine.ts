@@ -1,8 +1,9 @@
-import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { PlayedModule } from '../../nodes/kit/cpu-filter.ts';
 import type { LinkedShader } from '../program/program.ts';
 import type { AssetSource } from './assets/asset-source.ts';
 import { type AssetStore, createAssetStore } from './assets/asset-store.ts';
 import type { FrameClock } from './clock.ts';
+import { type StartWorker, startBlobWorker } from './cpu/worker-source.ts';
 import type { DiagnosticsBoard } from './diagnostics-board.ts';
 import { COPY_SHADER } from './gl/copy-shader.ts';
 import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
@@ -45,7 +46,7 @@ export interface PlayerCounts extends GlCounts {
 export interface EngineOptions {
   readonly gl: WebGL2RenderingContext;
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
-  readonly modules: Readonly<Record<string, NodeModule>>;
+  readonly modules: Readonly<Record<string, PlayedModule>>;
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
   readonly seed: number;
@@ -53,6 +54,7 @@ export interface EngineOptions {
   readonly board: DiagnosticsBoard;
   readonly state: PlayState;
   readonly held?: boolean;
+  readonly startWorker?: StartWorker;
 }
 
 export function createEngine(options: EngineOptions): Engine {
@@ -121,6 +123,7 @@ export function createEngine(options: EngineOptions): Engine {
       },
       assets,
       board: options.board,
+      cpu: { objects, drawer, copy, clock, startWorker: options.startWorker ?? startBlobWorker },
       scenes,
     },
     scenesIfMade: () => backend,

@@ -1,9 +1,10 @@
+import type { PlayedModule } from '../../nodes/kit/cpu-filter.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
 import type { AssetSource } from './assets/asset-source.ts';
 import { createBrowserClock, type FrameClock } from './clock.ts';
+import type { StartWorker } from './cpu/worker-source.ts';
 import { createDiagnosticsBoard } from './diagnostics-board.ts';
 import { createEngine, type Engine, type PlayerCounts } from './engine.ts';
 import type { ShaderError } from './gl/program-cache.ts';
@@ -21,7 +22,7 @@ export interface PlayerOptions {
   readonly canvas: HTMLCanvasElement | OffscreenCanvas;
   readonly program: Program;
   /** Runtimes of the node types that the program names. */
-  readonly modules: Readonly<Record<string, NodeModule>>;
+  readonly modules: Readonly<Record<string, PlayedModule>>;
   /** Null for pages whose program neither draws objects nor loads models. */
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
@@ -32,6 +33,8 @@ export interface PlayerOptions {
   readonly clock?: FrameClock;
   /** Frames come one by one, however long each takes, as in a render: videos are sought instead of played. */
   readonly held?: boolean;
+  /** Of CPU filters; from blobs unless given. */
+  readonly startWorker?: StartWorker;
 }
 
 /** How a program was received. */

@@ -57,6 +57,7 @@ export const DIAGNOSTICS = {
   SCR044: 'The loops of the shader do not end in time',
   SCR045: 'The Shadertoy source cannot be converted as it is',
   SCR046: 'The licence of a work forbids commercial use',
+  SCR047: 'An effect that the processor works out has failed',
   // Sessions
   SCR050: 'This browser has no WebXR',
   SCR051: 'The device or the visitor refused',

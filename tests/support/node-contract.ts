@@ -136,7 +136,11 @@ function controlProblems({ control, params }: NodeDefinition): string[] {
   });
 }
 
-function loweringProblems({ lowering, inputs, params }: NodeDefinition, isShader: (name: string) => boolean): string[] {
+function loweringProblems({ lowering, inputs, outputs, params }: NodeDefinition, isShader: (name: string) => boolean): string[] {
+  if (lowering.kind === 'cpu') {
+    const one = [inputs, outputs].every((ports) => Object.values(ports).filter(({ type }) => type === 'layer').length === 1);
+    return one && Object.keys(inputs).length === 1 ? [] : ['a CPU filter takes one layer and gives one'];
+  }
   if (lowering.kind === 'image' || lowering.kind === 'technique')
     return isShader(lowering.shader) ? [] : [`there is no shader ${lowering.shader}`];
   if (lowering.kind !== 'geometry' || lowering.shadowMap === undefined) return [];

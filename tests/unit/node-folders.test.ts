@@ -38,11 +38,14 @@ describe.each(FOLDERS)('nodes/%s', (type) => {
     expect(definition && definitionProblems(definition, (name) => Object.hasOwn(SHADERS, name))).toEqual([]);
   });
 
-  test('has a runtime, unless a shader or the screen is all there is to it', () => {
+  test('has a runtime, unless a shader, a worker or the screen is all there is to it', () => {
     const kind = definition?.lowering.kind;
-    const needsNone = kind === 'image' || kind === 'present';
-    expect(existsSync(join(folder, 'runtime.ts'))).toBe(!needsNone);
-    expect(typeof RUNTIMES[type]?.create).toBe(needsNone ? 'undefined' : 'function');
+    const hasRuntime = kind !== 'image' && kind !== 'present' && kind !== 'cpu';
+    expect(existsSync(join(folder, 'runtime.ts'))).toBe(hasRuntime);
+    expect(existsSync(join(folder, 'worker.ts'))).toBe(kind === 'cpu');
+    const played = RUNTIMES[type] ?? {};
+    expect('create' in played && typeof played.create === 'function').toBe(hasRuntime);
+    expect('worker' in played && played.worker !== '').toBe(kind === 'cpu');
   });
 
   test('has a test', () => {

@@ -45,6 +45,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Paste every tab whole, with a line such as `// Buffer A` before each and `// iChannel0: Buffer A` below it. Sound, cube maps and the keyboard have no counterpart: mend the converted file by hand.',
   SCR046:
     'Ask the author of the work for other terms, use another work, or publish the page for no business. Works under “NC” licences may be shown, with their credit, where no money is made.',
+  SCR047:
+    'The picture is shown without the effect. Load the page again; where the browser starts no workers, as under a policy of the site that forbids them, leave the effect out. If it is an effect of your own, the message has the words of the error in its `worker.ts`.',
   SCR050: 'Open the page in a browser with WebXR, such as Chrome on an AR phone; elsewhere the page shows the picture without AR.',
   SCR051: 'Allow what the page asks for in the browser’s site settings, and start again.',
   SCR052: 'Start the session again.',

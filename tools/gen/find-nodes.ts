@@ -7,6 +7,8 @@ export interface NodeFolder {
   /** `CATEGORY/NAME`, which is also the node's type. */
   readonly type: string;
   readonly hasRuntime: boolean;
+  /** Changes pixels in a worker (`worker.ts`). */
+  readonly hasWorker: boolean;
 }
 
 /** A shader text with the name that `lowering.shader` knows it by. */
@@ -36,7 +38,7 @@ export async function findNodes(root: string): Promise<Found> {
   const nodes = inFolders
     .filter((path) => path.endsWith('/definition.ts'))
     .map((path) => path.slice(0, -'/definition.ts'.length))
-    .map((type) => ({ type, hasRuntime: present.has(`${type}/runtime.ts`) }));
+    .map((type) => ({ type, hasRuntime: present.has(`${type}/runtime.ts`), hasWorker: present.has(`${type}/worker.ts`) }));
   const bindings = inFolders.flatMap((path) => /^(binding\/[^/]+)\/runtime\.ts$/.exec(path)?.[1] ?? []);
   return {
     nodes,

@@ -91,6 +91,42 @@ describe('gen', () => {
     expect(RUNTIME_FILES).toEqual({ 'binding/track': 'nodes/binding/track/runtime.ts' });
   });
 
+  test('a worker is among the runtimes as one text, which runs by itself; one that is gone leaves nothing behind', async () => {
+    await write({
+      'nodes/kit/serve-pixels.ts': await readFile('nodes/kit/serve-pixels.ts', 'utf8'),
+      'nodes/filter/cpu-negate/definition.ts': definitionFile('filter/cpu-negate'),
+      'nodes/filter/cpu-negate/worker.ts':
+        'import { most } from "./most.ts";\nexport function process({ data }: { data: Uint8Array }) { data[0] = most - data[0]!; }\n',
+      'nodes/filter/cpu-negate/most.ts': 'export const most = 255;\n',
+    });
+    expect(await gen()).toBe(0);
+    const { RUNTIMES } = await load<{ RUNTIMES: Record<string, { worker: string }> }>('runtimes.gen.ts');
+    const { RUNTIME_FILES } = await load<{ RUNTIME_FILES: Record<string, string> }>('runtime-files.gen.ts');
+    const file = RUNTIME_FILES['filter/cpu-negate'] ?? '';
+    expect(file).toBe('nodes/generated/workers/filter-cpu-negate.gen.ts');
+    const answers: { buffer: ArrayBuffer; failure: string | null }[] = [];
+    const scope: { onmessage?: (event: unknown) => void; postMessage: (answer: never) => void } = {
+      postMessage: (answer) => answers.push(answer),
+    };
+    new Function('self', RUNTIMES['filter/cpu-negate']?.worker ?? '')(scope);
+    scope.onmessage?.({ data: { view: 0, turn: 0, buffer: Uint8Array.of(55, 1, 2, 3).buffer, widthPx: 1, heightPx: 1, params: {} } });
+    expect(answers[0]?.failure).toBe(null);
+    expect([...new Uint8Array(answers[0]?.buffer ?? new ArrayBuffer(0))]).toEqual([200, 1, 2, 3]);
+    await rm(join(root, 'nodes/filter'), { recursive: true });
+    expect(await gen()).toBe(0);
+    await expect(stat(join(root, file))).rejects.toThrow('ENOENT');
+  });
+
+  test('a worker that cannot be bundled fails with its file', async () => {
+    await write({
+      'nodes/kit/serve-pixels.ts': 'export function servePixels() {}\n',
+      'nodes/filter/cpu-x/definition.ts': definitionFile('filter/cpu-x'),
+      'nodes/filter/cpu-x/worker.ts': 'export function other() {}\n',
+    });
+    expect(await gen()).toBe(1);
+    expect(errors.mock.calls[0]?.[0]).toMatch(/^nodes\/filter\/cpu-x\/worker\.ts: .*process/s);
+  });
+
   test('nothing is written when nothing changed, and a changed shader is seen', async () => {
     await write({ 'shader-library/filters/negate.fs': FILTER });
     await gen();

@@ -4,6 +4,7 @@ import type { ToolContext } from '../lib/tool.ts';
 import { findNodes } from './find-nodes.ts';
 import { isfDefinitions } from './isf.ts';
 import { printDefinitions, printRuntimeFiles, printRuntimes } from './print.ts';
+import { writeWorkers } from './workers.ts';
 
 /**
  * Writes `nodes/generated/`: the registry of node types, made from folders so that nothing registers itself (ADR 4). A library
@@ -13,7 +14,8 @@ export async function main(_args: readonly string[], context: ToolContext): Prom
   const { root } = context;
   const found = await findNodes(root);
   const folder = join(root, 'nodes', 'generated');
-  const { definitions, problems } = await isfDefinitions(found.library, context);
+  const { definitions, problems: shaderProblems } = await isfDefinitions(found.library, context);
+  const problems = [...shaderProblems, ...(await writeWorkers(root, found))];
   for (const problem of problems) console.error(problem);
   await writeIfChanged(join(folder, 'definitions.gen.ts'), printDefinitions(found, definitions));
   await writeIfChanged(join(folder, 'runtimes.gen.ts'), printRuntimes(found));

@@ -1,7 +1,7 @@
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { Found } from './find-nodes.ts';
-
-const HEADER = '// Made by `npm run gen` from nodes/ and shader-library/; not committed. Change the folders, not this file.\n';
+import { HEADER } from './header.ts';
+import { WORKERS_FOLDER, workerFile } from './workers.ts';
 
 /** `definitions.gen.ts`: what every node type is, and the shader texts, as data: nothing is parsed when it is imported. */
 export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefinition[]): string {
@@ -29,11 +29,11 @@ export function printRuntimes(found: Found): string {
   const played = playedTypes(found);
   return [
     HEADER,
-    "import type { NodeModule } from '../kit/runtime.ts';\n",
-    ...played.map((type) => `import * as ${identifier(type)} from '../${type}/runtime.ts';\n`),
+    "import type { PlayedModule } from '../kit/cpu-filter.ts';\n",
+    ...played.map(({ type, file }) => `import * as ${identifier(type)} from '${relative(file)}';\n`),
     '\n/** Node type → its behaviour; also of what params are bound to. Nodes that are only a shader, or only a sink, have none. */\n',
-    'export const RUNTIMES: Readonly<Record<string, NodeModule>> = {\n',
-    ...played.map((type) => `  ${JSON.stringify(type)}: ${identifier(type)},\n`),
+    'export const RUNTIMES: Readonly<Record<string, PlayedModule>> = {\n',
+    ...played.map(({ type }) => `  ${JSON.stringify(type)}: ${identifier(type)},\n`),
     '};\n',
   ].join('');
 }
@@ -44,13 +44,31 @@ export function printRuntimeFiles(found: Found): string {
     HEADER,
     '\n/** Node type → path of its runtime, relative to the repository. */\n',
     'export const RUNTIME_FILES: Readonly<Record<string, string>> = {\n',
-    ...playedTypes(found).map((type) => `  ${JSON.stringify(type)}: ${JSON.stringify(`nodes/${type}/runtime.ts`)},\n`),
+    ...playedTypes(found).map(({ type, file }) => `  ${JSON.stringify(type)}: ${JSON.stringify(`nodes/${file}`)},\n`),
     '};\n',
   ].join('');
 }
 
-function playedTypes({ nodes, bindings }: Found): string[] {
-  return [...nodes.filter(({ hasRuntime }) => hasRuntime).map(({ type }) => type), ...bindings];
+interface Played {
+  readonly type: string;
+  /** Below `nodes/`. */
+  readonly file: string;
+}
+
+function playedTypes({ nodes, bindings }: Found): Played[] {
+  const runtime = (type: string): Played => ({ type, file: `${type}/runtime.ts` });
+  return [
+    ...nodes.flatMap(({ type, hasRuntime, hasWorker }) => {
+      if (hasWorker) return [{ type, file: `generated/${WORKERS_FOLDER}/${workerFile(type)}` }];
+      return hasRuntime ? [runtime(type)] : [];
+    }),
+    ...bindings.map(runtime),
+  ];
+}
+
+/** From `nodes/generated/`. */
+function relative(file: string): string {
+  return file.startsWith('generated/') ? file.replace('generated/', './') : `../${file}`;
 }
 
 /** `layer/depth-occlusion` → `layerDepthOcclusion`. */

@@ -51,7 +51,7 @@ async function copySources(root: string, outside: string): Promise<readonly stri
 }
 
 /** What the app bundles while it runs: pages, and workers beside itself. The emulator is in neither. */
-const BUNDLED_LATER = /^(?:export\/(?!emulator\/)|nodes\/(?!generated\/)).*\.ts$/;
+const BUNDLED_LATER = /^(?:export\/(?!emulator\/)|nodes\/(?:generated\/workers\/|(?!generated\/))).*\.ts$/;
 
 /** The npm packages that files import. */
 async function importedBy(folder: string, paths: readonly string[]): Promise<Set<string>> {

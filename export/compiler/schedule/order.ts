@@ -35,7 +35,7 @@ function runs(view: 'once' | 'each') {
   return ({ operation }: Step) => operation.view === view;
 }
 
-const ONCE_KINDS: readonly ScheduledOperation['kind'][] = ['value', 'source', 'behaviour', 'geometry', 'shadow-maps', 'pass'];
+const ONCE_KINDS: readonly ScheduledOperation['kind'][] = ['value', 'source', 'behaviour', 'geometry', 'shadow-maps', 'pass', 'cpu'];
 
 function orderOnce(steps: readonly Step[]): Step[] {
   const rank = ({ operation }: Step) => ONCE_KINDS.indexOf(operation.kind);

@@ -1,9 +1,9 @@
-import type { DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
+import type { CpuOperation, DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
 
 /** A pass that holds its shader itself; *link* puts an index in its place. */
 export type ScheduledPass = Omit<PassOperation, 'shader'> & { readonly shader: LinkedShader };
 
-export type ScheduledOperation = NodeOperation | DrawOperation | ShadowMapOperation | ScheduledPass;
+export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ScheduledPass;
 
 /** A shader to try a technique with, and the technique's node. */
 export interface ScheduledTrial {

@@ -1,9 +1,11 @@
+import type { PlayedModule } from '../../../nodes/kit/cpu-filter.ts';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { PULSE_CAPACITY } from '../../../nodes/kit/pulse-capacity.ts';
-import type { Clock, NodeContext, NodeModule, NodeRuntime, SceneService, SessionService } from '../../../nodes/kit/runtime.ts';
+import type { Clock, NodeContext, NodeRuntime, SceneService, SessionService } from '../../../nodes/kit/runtime.ts';
 import type { DrawOperation, NodeOperation, ProgramAsset } from '../../program/program.ts';
 import type { AssetStore } from '../assets/asset-store.ts';
+import { type CpuMeans, createCpuFilter } from '../cpu/cpu-filter.ts';
 import type { DiagnosticsBoard } from '../diagnostics-board.ts';
 import { createRandom } from '../random.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
@@ -30,12 +32,13 @@ export interface NodeInstance {
 /** What all nodes of a player share. */
 export interface NodeHost {
   readonly gl: WebGL2RenderingContext;
-  readonly modules: Readonly<Record<string, NodeModule>>;
+  readonly modules: Readonly<Record<string, PlayedModule>>;
   readonly seed: number;
   readonly clock: Clock;
   readonly session: SessionService;
   readonly assets: AssetStore;
   readonly board: DiagnosticsBoard;
+  readonly cpu: CpuMeans;
   /** Makes the backend when the first node asks. */
   scenes(): SceneBackend;
 }
@@ -91,7 +94,13 @@ export function createNodeInstance(
       report(overflow(port));
     };
   }
-  const runtime = module.create(context as unknown as NodeContext<NodeDefinition>);
+  const runtime = create(module);
+
+  function create(played: PlayedModule): NodeRuntime {
+    if ('create' in played) return played.create(context as unknown as NodeContext<NodeDefinition>);
+    const params = ports.params as Readonly<Record<string, { readonly value: unknown }>>;
+    return createCpuFilter(played, { id: node, params, config: operation.config, held: host.clock.held, report }, host.cpu);
+  }
 
   return {
     key,

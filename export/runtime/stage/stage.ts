@@ -1,6 +1,7 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { Program } from '../../program/program.ts';
+import { createCpuStep, isCpu } from '../cpu/cpu-step.ts';
 import type { Engine } from '../engine.ts';
 import type { LoadedProgram } from '../loading.ts';
 import { isDraw } from '../operations/node-key.ts';
@@ -191,6 +192,9 @@ function createSteps(
     } else if (isDraw(operation)) {
       const instance = cast.nodes.get(operation.id);
       if (instance) steps.push(createDrawStep(engine, operation, instance, resources));
+    } else if (isCpu(operation)) {
+      const instance = cast.nodes.get(operation.id);
+      if (instance) steps.push(createCpuStep(operation, instance.runtime, resources));
     }
   }
   return steps;

@@ -3,6 +3,7 @@ import type { Demand } from '../demand.ts';
 import { isDraw, layerOutput } from '../layers.ts';
 import type { Leaf } from '../screen-plan.ts';
 import { lowerCopyToScreen } from './lower-copy.ts';
+import { isCpu, lowerCpu } from './lower-cpu.ts';
 import { isDelayed, lowerCaptures, lowerDelayed } from './lower-delayed.ts';
 import { isPlayed, lowerDraw, lowerNode } from './lower-node.ts';
 import { type LoweredPasses, lowerLastPassAgain, lowerPasses } from './lower-passes.ts';
@@ -28,6 +29,7 @@ export function lowerShown(lowering: Lowering, order: readonly FlatNode[], leave
     const draw = sunkInto ?? (isDraw(node) && !sinking.has(node.id) ? node : null);
     if (isTechnique(node)) lowerTechnique(lowering, node);
     else if (isPlayed(node)) lowerNode(lowering, node);
+    else if (isCpu(node)) lowerCpu(lowering, node);
     else if (isDelayed(node)) lowerDelayed(lowering, node);
     else if (draw) {
       lowerDraw(lowering, {
@@ -68,6 +70,7 @@ export function lowerTapped(lowering: Lowering, order: readonly FlatNode[], dema
       if (!lowering.computedBy.has(node.id)) lowerNode(lowering, node);
     } else if (sunkInto) lowerDraw(lowering, { node: sunkInto, occlusion: node, target: 'picture', extra: true });
     else if (!isPicture) continue;
+    else if (isCpu(node)) lowerCpu(lowering, node);
     else if (isDelayed(node)) lowerDelayed(lowering, node);
     else if (isDraw(node)) lowerDraw(lowering, { node, occlusion: null, target: 'picture', extra: true });
     else if (ended) lowerLastPassAgain(lowering, node, ended);

@@ -16,7 +16,8 @@ type NodeKind = 'value' | 'source' | 'behaviour' | 'geometry';
 /** A node that its runtime plays, and that draws nothing. */
 export function lowerNode(lowering: Lowering, node: FlatNode): void {
   const { kind } = node.definition.lowering;
-  if (kind === 'image' || kind === 'technique' || kind === 'present') throw new Error(`${node.id} is not played by a runtime of its own.`);
+  if (kind === 'image' || kind === 'technique' || kind === 'cpu' || kind === 'present')
+    throw new Error(`${node.id} is not played by a runtime of its own.`);
   const outputs: Record<string, OutputRef> = {};
   const writes: ResourceId[] = [];
   for (const [port, { type }] of Object.entries(node.definition.outputs)) {
@@ -104,13 +105,15 @@ function drawOcclusion(lowering: Lowering, occlusion: FlatNode): NonNullable<Dra
 }
 
 /** All of the operation but its outputs. */
-function nodeOperation<K extends NodeKind | 'draw'>(
+export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   lowering: Lowering,
   node: FlatNode,
   id: string,
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
-  const { type, inputs: ports, params, delay } = node.definition;
+  const { type, params, delay } = node.definition;
+  // A CPU filter has its one layer as a picture of its own.
+  const ports = kind === 'cpu' ? {} : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const inputs = Object.fromEntries(
     Object.entries(ports).map(([port, { type: wire }]) => [port, sourcesAt(node, port).map((source) => inputRef(lowering, source, wire))]),
@@ -191,5 +194,5 @@ function outputResource({ layers }: Lowering, source: Source, type: WireType): R
 /** Whether a node is one of these. */
 export function isPlayed(node: FlatNode): boolean {
   const { kind } = node.definition.lowering;
-  return kind !== 'image' && kind !== 'technique' && kind !== 'present' && !isDraw(node);
+  return kind !== 'image' && kind !== 'technique' && kind !== 'cpu' && kind !== 'present' && !isDraw(node);
 }

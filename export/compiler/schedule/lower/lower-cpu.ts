@@ -1,0 +1,52 @@
+import type { CpuOperation, Resource, ResourceId } from '../../../program/program.ts';
+import { type FlatNode, portKey } from '../../flat-graph.ts';
+import { layerInputs, layerOutput } from '../layers.ts';
+import { copyOf } from './lower-copy.ts';
+import { nodeOperation } from './lower-node.ts';
+import { addResource, addStep, type Lowering, valueSteps } from './lowering.ts';
+import { sizeOf } from './pass-parts.ts';
+
+/**
+ * A filter that works in a worker: a copy of its layer, as bytes can be read of it whatever the layer is, and the operation that sends
+ * the copy away and draws what came back.
+ */
+export function lowerCpu(lowering: Lowering, node: FlatNode): void {
+  const output = layerOutput(node);
+  const [layer] = layerInputs(node);
+  if (!output || !layer) throw new Error(`${node.id} has to take and to give a layer.`);
+  const key = portKey(output);
+  const domain = lowering.layers.get(key)?.domain ?? 'view';
+  const view = domain === 'image' ? 'once' : 'each';
+  const size = sizeOf(lowering, node, null, null);
+  const target = (id: string): Resource => ({
+    id,
+    kind: 'target',
+    domain,
+    size,
+    format: 'rgba8',
+    depth: 'none',
+    samples: 1,
+    lifetime: 'frame',
+  });
+  const picture: ResourceId = addResource(lowering, target(`${node.id}.picture`));
+  addResource(lowering, target(key));
+  lowering.writerOf.set(picture, picture);
+  lowering.resourceOf.set(key, key);
+  lowering.writerOf.set(key, node.id);
+  const copy = copyOf(lowering, layer, 'none');
+  addStep(lowering, { ...copy, id: picture, node: node.id, view, writes: [picture], target: picture, blend: 'replace' });
+  const operation: CpuOperation = {
+    ...nodeOperation(lowering, node, node.id, 'cpu'),
+    view,
+    reads: [picture],
+    writes: [key],
+    outputs: {},
+    picture,
+    target: key,
+  };
+  addStep(lowering, operation, valueSteps(lowering, node));
+}
+
+export function isCpu({ definition }: FlatNode): boolean {
+  return definition.lowering.kind === 'cpu';
+}

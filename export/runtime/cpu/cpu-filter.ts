@@ -1,0 +1,167 @@
+import type { CpuAnswer, WorkerModule } from '../../../nodes/kit/cpu-filter.ts';
+import type { NodeContext, NodeRuntime } from '../../../nodes/kit/runtime.ts';
+import type { FrameClock } from '../clock.ts';
+import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
+import type { GlObjects } from '../gl/gl-objects.ts';
+import type { PassDrawer } from '../gl/pass-drawer.ts';
+import type { GlProgram } from '../gl/program-cache.ts';
+import { IDENTITY } from '../resources/identity.ts';
+import { MAX_VIEWS } from '../targets/target.ts';
+import type { TargetBuffer } from '../targets/target-buffer.ts';
+import { createViewExchange } from './view-exchange.ts';
+import type { CpuWorker, StartWorker } from './worker-source.ts';
+
+/** Plays a node whose pixels a worker changes (ADR 22). */
+export interface CpuFilter extends NodeRuntime {
+  /** Once per view and frame: draws what came back last, or the picture itself, and sends the picture if the worker is free. */
+  exchange(viewIndex: number, picture: TargetBuffer, into: TargetBuffer): void;
+}
+
+/** What it draws and works with, of the engine. */
+export interface CpuMeans {
+  readonly objects: GlObjects;
+  readonly drawer: PassDrawer;
+  /** Linked. */
+  readonly copy: GlProgram;
+  readonly clock: FrameClock;
+  readonly startWorker: StartWorker;
+}
+
+export interface CpuNode {
+  readonly id: string;
+  /** Live values of the uniform params. */
+  readonly params: Readonly<Record<string, { readonly value: unknown }>>;
+  /** Values of the structure params. */
+  readonly config: Readonly<Record<string, unknown>>;
+  /** Frames wait for what they show, as in a render. */
+  readonly held: boolean;
+  readonly report: NodeContext<never>['report'];
+}
+
+/** How often the GPU is asked between frames whether it has read a picture: about the shortest that browsers' timers keep. */
+const POLL_S = 0.004;
+/** A worker that has not answered over so many frames, or in a render for so long, never will. */
+const PATIENCE_FRAMES = 600;
+const PATIENCE_S = 30;
+
+export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, means: CpuMeans): CpuFilter {
+  const { objects, drawer, copy, clock, startWorker } = means;
+  const views = Array.from({ length: MAX_VIEWS }, () => ({ exchange: createViewExchange(objects), framesAway: 0 }));
+  const params = Object.entries(node.params);
+  const values: Record<string, unknown> = { ...node.config };
+  const task = { view: 0, turn: 0, buffer: new ArrayBuffer(0), widthPx: 0, heightPx: 0, params: values };
+  let worker: CpuWorker | null = null;
+  /** It failed, or is disposed: pictures stay as they are. */
+  let ended = false;
+  /** Raised by a reset: what was sent before is no result after it. */
+  let turn = 0;
+  let polling = false;
+  const waiting: (() => void)[] = [];
+
+  const isAway = (): boolean => !ended && views.some(({ exchange }) => exchange.state === 'away');
+  const wakeAll = (): void => {
+    if (isAway()) return;
+    for (const wake of waiting.splice(0)) wake();
+  };
+  const end = (): void => {
+    ended = true;
+    worker?.dispose();
+    worker = null;
+    for (const { exchange } of views) exchange.forget();
+    wakeAll();
+  };
+  const fail = (reason: string): void => {
+    if (ended) return;
+    end();
+    node.report({
+      code: 'SCR047',
+      severity: 'warning',
+      message: `The processor’s work for ${node.id} has failed, so its picture stays as it was: ${reason}.`,
+      fix: 'Load the page again. If that does not help, leave the effect out.',
+    });
+  };
+  const onAnswer = ({ view, turn: itsTurn, buffer, failure }: CpuAnswer): void => {
+    if (ended) return;
+    if (failure !== null) {
+      fail(failure);
+      return;
+    }
+    views[view]?.exchange.giveBack(buffer, itsTurn === turn);
+    wakeAll();
+  };
+  const send = (viewIndex: number, wait: boolean): void => {
+    const view = views[viewIndex];
+    const bytes = ended ? null : view?.exchange.collect(wait);
+    if (!view || !bytes) return;
+    view.framesAway = 0;
+    task.view = viewIndex;
+    task.turn = turn;
+    task.buffer = bytes.buffer;
+    task.widthPx = bytes.widthPx;
+    task.heightPx = bytes.heightPx;
+    for (const [name, view] of params) values[name] = view.value;
+    try {
+      worker ??= startWorker(text, { onAnswer, onFailure: fail });
+      worker.post(task);
+    } catch (error) {
+      fail(error instanceof Error ? error.message : String(error));
+    }
+  };
+  const poll = (): void => {
+    polling = false;
+    if (ended) return;
+    for (let i = 0; i < views.length; i++) {
+      send(i, false);
+      if (views[i]?.exchange.state === 'reading') pollSoon();
+    }
+  };
+  function pollSoon(): void {
+    if (!polling) void clock.delay(POLL_S).then(poll);
+    polling = true;
+  }
+  const draw = (texture: WebGLTexture, into: TargetBuffer): void => {
+    drawer.begin(into.framebuffer, 0, 0, into.widthPx, into.heightPx, 'replace');
+    drawer.use(copy);
+    const location = copy.uniform(COPY_SAMPLER);
+    if (location) drawer.texture(0, location, texture, 'linear');
+    objects.gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, IDENTITY);
+    drawer.draw();
+    drawer.end();
+  };
+  const giveUp = (): void => fail('its worker does not answer');
+  return {
+    update: () => {},
+    exchange: (viewIndex, picture, into) => {
+      const view = views[viewIndex];
+      if (!view) return;
+      const { exchange } = view;
+      send(viewIndex, false);
+      if (exchange.state === 'away' && ++view.framesAway > PATIENCE_FRAMES) giveUp();
+      const result = exchange.show();
+      if (!ended && exchange.state === 'idle') {
+        exchange.read(picture);
+        if (node.held) send(viewIndex, true);
+        else pollSoon();
+      }
+      draw(result ?? picture.color, into);
+    },
+    settle: () => {
+      if (!isAway()) return null;
+      const answered = new Promise<void>((resolve) => {
+        waiting.push(resolve);
+      });
+      const patience = clock.delay(PATIENCE_S).then(() => {
+        if (isAway()) giveUp();
+      });
+      return Promise.race([answered, patience]);
+    },
+    reset: () => {
+      turn++;
+      for (const { exchange } of views) exchange.forget();
+    },
+    dispose: () => {
+      end();
+      for (const { exchange } of views) exchange.dispose();
+    },
+  };
+}

@@ -1,0 +1,46 @@
+import { defineNode } from '../../kit/definition.ts';
+
+export const definition = defineNode({
+  type: 'filter/cpu-equalize-histogram',
+  version: 1,
+  title: 'Equalize histogram',
+  doc: 'Spreads the brightness of a picture over all there is, so that each shade covers as much of the picture as any other: it brings out what is hidden in dim, foggy or flat pictures, and in noisy ones the noise too. The processor works it out beside the picture, so the result is one frame late and has no depth.',
+  keywords: ['contrast', 'histogram', 'equalise', 'equalize', 'levels', 'auto', 'cpu', 'worker', 'fog', 'night'],
+  inputs: {
+    inputImage: { type: 'layer', label: 'Layer', doc: 'The picture to spread. What is transparent does not count.', required: true },
+  },
+  outputs: {
+    layer: {
+      type: 'layer',
+      label: 'Layer',
+      doc: 'The picture of the frame before, spread; the first frame shows it as it is.',
+      domain: 'same',
+      depth: false,
+    },
+  },
+  params: {
+    amount: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Amount',
+      doc: '0 leaves the picture as it is, 1 spreads it wholly.',
+      default: 1,
+      min: 0,
+      max: 1,
+      step: 0.01,
+      unit: 'ratio',
+    },
+    spread: {
+      type: 'choice',
+      stage: 'uniform',
+      label: 'Spread',
+      doc: 'Brightness alone keeps the hues; each channel by itself takes a tint of the light away as well.',
+      default: 0,
+      options: [
+        { value: 0, label: 'Brightness' },
+        { value: 1, label: 'Each channel' },
+      ],
+    },
+  },
+  lowering: { kind: 'cpu' },
+});

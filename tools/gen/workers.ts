@@ -1,0 +1,59 @@
+import { readdir, rm } from 'node:fs/promises';
+import { join } from 'node:path';
+import { build } from 'esbuild';
+import { writeIfChanged } from '../lib/files.ts';
+import type { Found } from './find-nodes.ts';
+import { HEADER } from './header.ts';
+
+/** Below `nodes/generated/`. */
+export const WORKERS_FOLDER = 'workers';
+
+/** `filter/cpu-x` → `filter-cpu-x.gen.ts`. */
+export function workerFile(type: string): string {
+  return `${type.replace('/', '-')}.gen.ts`;
+}
+
+/**
+ * One module per `worker.ts`, with the text of a whole worker: pages start it from a blob, because those opened from a disk get none
+ * from a file. Gives what is wrong with those that cannot be bundled.
+ */
+export async function writeWorkers(root: string, { nodes }: Found): Promise<string[]> {
+  const folder = join(root, 'nodes', 'generated', WORKERS_FOLDER);
+  const types = nodes.flatMap(({ type, hasWorker }) => (hasWorker ? [type] : []));
+  const kept = new Set(types.map(workerFile));
+  for (const file of await readdir(folder).catch(() => [])) if (!kept.has(file)) await rm(join(folder, file));
+  const problems: string[] = [];
+  for (const type of types) {
+    try {
+      const text = await bundleWorker(root, type);
+      await writeIfChanged(join(folder, workerFile(type)), `${HEADER}\nexport const worker = ${JSON.stringify(text)};\n`);
+    } catch (error) {
+      problems.push(`nodes/${type}/worker.ts: ${error instanceof Error ? error.message : String(error)}`);
+    }
+  }
+  return problems;
+}
+
+async function bundleWorker(root: string, type: string): Promise<string> {
+  const { outputFiles } = await build({
+    stdin: {
+      contents: `import { servePixels } from './nodes/kit/serve-pixels.ts';
+import { process } from './nodes/${type}/worker.ts';
+servePixels(self, process);
+`,
+      resolveDir: root,
+      sourcefile: `${type}.ts`,
+      loader: 'ts',
+    },
+    absWorkingDir: root,
+    bundle: true,
+    write: false,
+    minify: true,
+    format: 'iife',
+    platform: 'browser',
+    target: 'es2022',
+    charset: 'utf8',
+    logLevel: 'silent',
+  });
+  return outputFiles[0]?.text ?? '';
+}
