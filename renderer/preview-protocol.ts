@@ -17,6 +17,13 @@ export type ToPreview =
   | { readonly kind: 'session'; readonly source: PreviewSource }
   /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. */
   | { readonly kind: 'poster'; readonly widthPx: number; readonly heightPx: number }
+  /**
+   * Show tapped layers instead of the screen: one left of `split`, in parts of each view's width, and one right of it. Null, and
+   * layers that are not tapped: the screen.
+   */
+  | { readonly kind: 'look'; readonly left: string | null; readonly right: string | null; readonly split: number }
+  /** What is under a point of the picture, parts of its size from the top left? `layer`: whose depth, where it is tapped. */
+  | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
@@ -37,8 +44,23 @@ export type FromPreview =
   /** At most ten times a second. */
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
+  | { readonly kind: 'probed'; readonly probe: PreviewProbe }
   /** Null where nothing is shown. */
   | { readonly kind: 'poster'; readonly bytes: Uint8Array<ArrayBuffer> | null };
+
+export interface PreviewProbe {
+  /** As the question named it. */
+  readonly x: number;
+  readonly y: number;
+  /** Display-referred sRGB with alpha, as shown, each in [0, 255]. */
+  readonly color: readonly [number, number, number, number];
+  /** Nearest of what has depth there; null where nothing has. */
+  readonly depth: {
+    readonly of: 'layer' | 'room';
+    readonly metres: number;
+    readonly positionWorld: readonly [number, number, number];
+  } | null;
+}
 
 export interface PreviewShaderError {
   /** As in the program's `shaders`. */

@@ -4,6 +4,7 @@ import { COPY_SAMPLER, COPY_SHADER, COPY_UV } from './gl/copy-shader.ts';
 import type { GlProgram } from './gl/program-cache.ts';
 import { prepareReadback } from './gl/upload.ts';
 import { setDecode } from './passes/depth-decode.ts';
+import type { PlayState } from './play-state.ts';
 import { IDENTITY } from './resources/identity.ts';
 import type { LiveResources } from './resources/resources.ts';
 import { createTargetBuffer, type TargetResource } from './targets/target-buffer.ts';
@@ -22,17 +23,20 @@ export interface LayerDepth {
   readonly metres: Float32Array<ArrayBuffer>;
 }
 
-const DEPTH_SHADER: LinkedShader = {
+/** Metres of a depth texture into the red channel, through the UV matrix of `COPY_SHADER`. */
+export const DEPTH_SHADER: LinkedShader = {
   id: 'scrim:read-depth',
   vertex: COPY_SHADER.vertex,
   fragment: `#version 300 es
 precision highp float;
 uniform highp sampler2D depth;
 uniform vec4 depth_decode;
+uniform mat3 picture_uvFromViewUv;
 in vec2 viewUv;
 out vec4 metres;
 void main() {
-  float d = texture(depth, viewUv).r;
+  vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
+  float d = texture(depth, uv.xy / uv.z).r;
   float m = depth_decode.w == 0.0 ? d : d < 1.0 ? depth_decode.y / (2.0 * d - 1.0 + depth_decode.x) : 0.0;
   metres = vec4(m, 0.0, 0.0, 1.0);
 }
@@ -47,7 +51,7 @@ export function readColor(
   viewIndex: number,
   heightPx?: number,
 ): LayerPixels | null {
-  const picture = findPicture(engine, resources, layer.color, viewIndex);
+  const picture = findPicture(engine.state, resources, layer.color, viewIndex);
   if (!picture) return null;
   const scale = heightPx === undefined ? 1 : heightPx / picture.heightPx;
   const width = Math.max(1, Math.round(picture.widthPx * scale));
@@ -88,10 +92,11 @@ export function readDepth(engine: Engine, resources: LiveResources, layer: Layer
     const decode = program.uniform('depth_decode');
     if (location) engine.drawer.texture(0, location, texture, 'nearest');
     if (decode) setDecode(gl, decode, depth.encoding, engine.state.frame.views[viewIndex]?.clipFromView);
+    gl.uniformMatrix3fv(program.uniform(COPY_UV), false, IDENTITY);
   });
 }
 
-interface Picture {
+export interface Picture {
   readonly texture: WebGLTexture;
   /** Where its bytes can be read without drawing. */
   readonly framebuffer: WebGLFramebuffer | null;
@@ -100,7 +105,8 @@ interface Picture {
   readonly uvFromViewUv: Float32Array;
 }
 
-function findPicture(engine: Engine, resources: LiveResources, id: ResourceId, viewIndex: number): Picture | null {
+/** The texture that a layer is now; null where it has not been drawn. */
+export function findPicture(state: PlayState, resources: LiveResources, id: ResourceId, viewIndex: number): Picture | null {
   const resource = resources.get(id);
   if (resource?.kind === 'target') {
     const buffer = resource.target.peek(resource.domain === 'view' ? viewIndex : 0);
@@ -113,13 +119,13 @@ function findPicture(engine: Engine, resources: LiveResources, id: ResourceId, v
   const view = resource.layer.views[resource.domain === 'view' ? viewIndex : 0];
   if (!view?.texture) return null;
   // A layer of the view domain has the view's size, whatever that of its texture.
-  const viewport = resource.domain === 'view' ? engine.state.frame.views[viewIndex]?.viewport : undefined;
+  const viewport = resource.domain === 'view' ? state.frame.views[viewIndex]?.viewport : undefined;
   const { widthPx, heightPx } = viewport ?? view;
   return { texture: view.texture, framebuffer: null, widthPx, heightPx, uvFromViewUv: view.uvFromViewUv };
 }
 
 /** Draws into a target that lives as long as `read` takes. */
-function drawn<T>(
+export function drawn<T>(
   engine: Engine,
   shader: LinkedShader,
   format: TargetResource['format'],
@@ -147,7 +153,7 @@ function scratchTarget(format: TargetResource['format']): TargetResource {
 }
 
 /** RGBA rows into `out`, the top one first. */
-function readRows<T extends Uint8Array | Float32Array>(
+export function readRows<T extends Uint8Array | Float32Array>(
   gl: WebGL2RenderingContext,
   framebuffer: WebGLFramebuffer,
   widthPx: number,

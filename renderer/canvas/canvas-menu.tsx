@@ -34,6 +34,8 @@ const ON_NODE = [
   'graph.subgraph',
   'graph.frame',
   'line',
+  'view.pin',
+  'view.compare',
   'view.code',
   'view.fit-selection',
   'line',

@@ -12,6 +12,8 @@ export const ROW_HEIGHT = 22;
 export const BODY_PADDING = 6;
 /** What the pointer can hit of a port; the drawn shape is half of it. */
 export const PORT_SIZE = 22;
+/** What a node's picture adds to its height. */
+export const PICTURE_HEIGHT = 104;
 
 export interface PortView {
   readonly name: string;
@@ -35,6 +37,8 @@ export interface NodeShape {
   readonly hiddenParams: number;
   /** Nothing of it is shown but its head. */
   readonly collapsed?: true;
+  /** The layer whose picture stands below the ports. */
+  readonly picture: string | null;
 }
 
 export interface ShapeOptions {
@@ -44,9 +48,15 @@ export interface ShapeOptions {
   readonly expanded: boolean;
   /** Shows the head alone; all wires end at its sides. */
   readonly collapsed?: boolean;
+  /** Shows the first layer that it gives. */
+  readonly pictured?: boolean;
 }
 
-export function nodeShape(definition: NodeDefinition, node: GraphNode, { wired, expanded, collapsed = false }: ShapeOptions): NodeShape {
+export function nodeShape(
+  definition: NodeDefinition,
+  node: GraphNode,
+  { wired, expanded, collapsed = false, pictured = false }: ShapeOptions,
+): NodeShape {
   const inputs = Object.entries(definition.inputs);
   const outputs = Object.entries(definition.outputs);
   const ports: PortView[] = [];
@@ -94,9 +104,11 @@ export function nodeShape(definition: NodeDefinition, node: GraphNode, { wired, 
     ports.push({ name, label: param.label, doc: param.doc, type, side: 'input', row, multiple: false, required: false, param });
     row++;
   }
-  if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed };
+  if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed, picture: null };
   const rows = Math.max(row, 1);
-  return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams };
+  const picture = pictured ? (outputs.find(([, { type }]) => type === 'layer')?.[0] ?? null) : null;
+  const height = HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT + (picture === null ? 0 : PICTURE_HEIGHT);
+  return { width: NODE_WIDTH, height, ports, hiddenParams, picture };
 }
 
 /** For a node whose type is not in the library: as many ports as its wires name, so that nothing of it is lost from sight. */
@@ -117,7 +129,7 @@ export function unknownShape(wiredInputs: readonly string[], wiredOutputs: reado
     ...wiredOutputs.map((name, row) => port(name, 'output', row)),
   ];
   const rows = Math.max(wiredInputs.length, wiredOutputs.length, 1);
-  return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams: 0 };
+  return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams: 0, picture: null };
 }
 
 /** Centre of a port, relative to the node's top left corner. */

@@ -6,6 +6,7 @@ import { toggleExpanded } from '../state/canvas.ts';
 import { Icon } from '../ui/icon.tsx';
 import { useDetail } from './detail.ts';
 import './node-view.css';
+import { NodePicture } from './node-picture.tsx';
 import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from './node-shape.ts';
 import { PortMark } from './port-mark.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
@@ -55,6 +56,7 @@ function WholeNode({ id, data, selected }: FaceProps) {
           dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
         />
       ))}
+      {data.shape.picture !== null && <NodePicture node={id} port={data.shape.picture} />}
       <Expander id={id} data={data} />
     </div>
   );

@@ -35,6 +35,8 @@ export interface CanvasInput extends WiresInput {
   readonly layout: GraphLayout;
   readonly selectedNodes: ReadonlySet<string>;
   readonly expanded: ReadonlySet<string>;
+  /** Nodes that give layers show them. */
+  readonly pictured?: boolean;
   /** Where nodes are while they are dragged. */
   readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
   readonly problems: ReadonlyMap<string, NodeProblem>;
@@ -69,7 +71,18 @@ export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
       const definition = input.library.definition(node.type);
       const selected = input.selectedNodes.has(id);
       const problem = input.problems.get(id) ?? null;
-      const key = [node, definition, layout, input.dragged[id], wired.key, selected, expanded, problem?.severity, problem?.text];
+      const key = [
+        node,
+        definition,
+        layout,
+        input.dragged[id],
+        wired.key,
+        selected,
+        expanded,
+        problem?.severity,
+        problem?.text,
+        input.pictured,
+      ];
       const known = nodes.get(id);
       const fresh = known && same(known.key, key) ? known : { key, node: canvasNode(id, node, definition, wired, input, known?.node) };
       nextNodes.set(id, fresh);
@@ -113,9 +126,9 @@ function canvasNode(
   before: CanvasNode | undefined,
 ): CanvasNode {
   const expanded = input.expanded.has(id);
-  const shape = definition
-    ? nodeShape(definition, node, { wired: wired.inputs, expanded, collapsed: input.layout.nodes[id]?.collapsed === true })
-    : unknownShape([...wired.inputs], [...wired.outputs]);
+  const collapsed = input.layout.nodes[id]?.collapsed === true;
+  const options = { wired: wired.inputs, expanded, collapsed, pictured: input.pictured ?? false };
+  const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired.inputs], [...wired.outputs]);
   const values: Record<string, string> = {};
   for (const port of shape.ports) {
     if (port.param && !wired.inputs.has(port.name)) values[port.name] = valueText(port.param, node.params[port.name]);

@@ -15,6 +15,7 @@ export function useCanvasView(): CanvasView & { readonly items: readonly ItemNod
   const library = useDocument((state) => state.library);
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged, wireUnder, resized } = useStore(editor.canvas);
+  const pictured = useStore(editor.look, (state) => state.thumbnails);
   const problems = useNodeProblems();
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
   const projectItems = useMemo(createItemsProjection, []);
@@ -31,11 +32,12 @@ export function useCanvasView(): CanvasView & { readonly items: readonly ItemNod
         selectedNodes: selection.nodes,
         selectedWires: selection.wires,
         expanded: shown,
+        pictured,
         dragged,
         problems,
         wireUnder,
       }),
-    [project, graph, layout, library, selection, shown, dragged, problems, wireUnder],
+    [project, graph, layout, library, selection, shown, pictured, dragged, problems, wireUnder],
   );
   return useMemo(() => ({ ...view, items }), [view, items]);
 }

@@ -12,11 +12,11 @@ const scope = self as unknown as {
 const compiler = createCompiler();
 const libraries = createLibraries({ definitions: DEFINITIONS, shaders: SHADERS });
 
-scope.onmessage = ({ data: { revision, project } }) => {
+scope.onmessage = ({ data: { revision, project, taps } }) => {
   const startMs = workerClock.nowMs();
   // A type whose header is broken at the moment is the one it was: its header's mistake is said, not that nothing is known of it.
   const library = libraries.withoutSubgraphs(project);
   // No loop may hold up the GPU that the editor itself is drawn with.
-  const { output, diagnostics } = compiler.compile({ project, library, options: { loopBudget: true } });
+  const { output, diagnostics } = compiler.compile({ project, library, options: { loopBudget: true, taps } });
   scope.postMessage({ revision, program: output, diagnostics, tookMs: workerClock.nowMs() - startMs });
 };

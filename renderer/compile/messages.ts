@@ -5,6 +5,8 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 export interface CompileRequest {
   readonly revision: number;
   readonly project: ProjectLogic;
+  /** Layers to keep for looking at them; see `CompileOptions`. */
+  readonly taps: readonly string[];
 }
 
 export interface CompileAnswer {

@@ -8,6 +8,7 @@ import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.
 import { createHouse, type House } from './house.ts';
 import { type OpenSession, openSession } from './open-session.ts';
 import { createPosters, type PosterPlace, type PosterSize } from './posters.ts';
+import { createProbes } from './probes.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
@@ -53,8 +54,11 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   let playerProblems: readonly Diagnostic[] = [];
 
   const posters = createPosters(send, () => clock.wake());
+  const probes = createProbes(send, () => clock.wake());
+  let look: Extract<ToPreview, { kind: 'look' }> = { kind: 'look', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
+    probes.beforeFrame(posterPlace());
     if (!posters.busy) house?.fitter.update();
   });
   const status = createStatus(base, send);
@@ -85,6 +89,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
       send({ kind: 'playing', revision });
     }
     if (playerProblems.length > 0) tellProblems();
+    thumbnails.anew();
     clock.wake();
   };
 
@@ -143,8 +148,10 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     status.begin();
     house.player.draw(frame);
     status.end(frame);
+    if (!posters.busy) showLook(house.player, frame, look);
     if (plays) posters.afterFrame();
-    thumbnails.afterFrame(house.player);
+    probes.afterFrame(house.player, frame, posterPlace());
+    if (thumbnails.afterFrame(house.player)) clock.wake();
   };
   const settle = createTurns(async () => {
     if (!wanted || !source) return;
@@ -192,6 +199,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           return;
         case 'param':
           house?.player.setParam(message.node, message.param, message.value);
+          thumbnails.anew();
           clock.wake();
           return;
         case 'session':
@@ -203,6 +211,14 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           return;
         case 'thumbnails':
           thumbnails.want(message.ports, message.heightPx);
+          clock.wake();
+          return;
+        case 'look':
+          look = message;
+          clock.wake();
+          return;
+        case 'probe':
+          probes.ask(message);
           return;
         case 'transport':
           transport(message.action);
@@ -218,6 +234,13 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
       });
     },
   };
+}
+
+function showLook(player: House['player'], frame: SessionFrame, { left, right, split }: Extract<ToPreview, { kind: 'look' }>): void {
+  for (let view = 0; view < frame.viewCount; view++) {
+    if (left !== null) player.showLayer(left, view, 0, split);
+    if (right !== null) player.showLayer(right, view, split, 1);
+  }
 }
 
 function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {

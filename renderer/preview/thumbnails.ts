@@ -5,32 +5,48 @@ import type { FromPreview } from '../preview-protocol.ts';
 /** Small copies of tapped layers, one a turn, so that looking at many costs no more than looking at one. */
 export interface Thumbnails {
   want(ports: readonly string[], heightPx: number): void;
-  afterFrame(player: Pick<Player, 'readLayer'>): void;
+  /** The layers may have changed though time stands still. */
+  anew(): void;
+  /** Whether another frame is needed for those that have not been looked at since something changed. */
+  afterFrame(player: Pick<Player, 'readLayer'>): boolean;
 }
 
-/** Reading pixels back waits for the GPU. */
-const INTERVAL_S = 0.1;
+/** Reading pixels back waits for the GPU: at most this part of the time goes into it. */
+const SHARE = 0.1;
 
-export function createThumbnails(clock: FrameClock, send: (message: FromPreview, transfer: Transferable[]) => void): Thumbnails {
+type Send = (message: FromPreview, transfer: Transferable[]) => void;
+
+export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send): Thumbnails {
   let ports: readonly string[] = [];
   let heightPx = 0;
   let next = 0;
-  let lastS = Number.NEGATIVE_INFINITY;
+  let restUntilS = Number.NEGATIVE_INFINITY;
+  let left = 0;
   return {
     want: (wanted, height) => {
       ports = wanted;
       heightPx = height;
+      left = ports.length;
+    },
+    anew: () => {
+      left = ports.length;
     },
     afterFrame: (player) => {
-      if (ports.length === 0 || clock.nowS() - lastS < INTERVAL_S) return;
-      lastS = clock.nowS();
+      const beganS = clock.nowS();
+      if (ports.length === 0) return false;
+      if (beganS < restUntilS) return left > 0;
       next = (next + 1) % ports.length;
+      left = Math.max(0, left - 1);
       const port = ports[next];
       const layer = port === undefined ? null : player.readLayer(port, 0, heightPx);
-      if (port === undefined || layer === null) return;
-      // Pixels of `ImageData` are straight, those of a layer premultiplied.
-      const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);
-      void createImageBitmap(image).then((bitmap) => send({ kind: 'thumbnail', port, image: bitmap }, [bitmap]));
+      if (port !== undefined && layer !== null) {
+        // Pixels of `ImageData` are straight, those of a layer premultiplied.
+        const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);
+        void createImageBitmap(image).then((bitmap) => send({ kind: 'thumbnail', port, image: bitmap }, [bitmap]));
+      }
+      const nowS = clock.nowS();
+      restUntilS = nowS + (nowS - beganS) * (1 / SHARE - 1);
+      return left > 0;
     },
   };
 }

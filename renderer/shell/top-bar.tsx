@@ -67,7 +67,22 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
   },
   {
     label: 'View',
-    entries: ['view.find', 'view.fit', 'view.fit-selection', 'line', 'view.code', 'view.problems', 'line', 'help.shortcuts'],
+    entries: [
+      'view.find',
+      'view.fit',
+      'view.fit-selection',
+      'line',
+      'view.thumbnails',
+      'view.pin',
+      'view.compare',
+      'view.screen',
+      'view.probe',
+      'line',
+      'view.code',
+      'view.problems',
+      'line',
+      'help.shortcuts',
+    ],
   },
 ];
 

@@ -3,9 +3,11 @@ import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
+import { runCommand } from '../state/app-commands.ts';
 import { chosenSource } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { LookLayer } from './look-layer.tsx';
 import { connectPreview } from './preview-link.ts';
 import './stage.css';
 
@@ -16,6 +18,7 @@ export function Stage({ previewUrl }: { readonly previewUrl: string }) {
       <div className="stage-picture">
         <PreviewFrame url={previewUrl} />
         <Notice />
+        <LookLayer />
       </div>
       <Transport />
     </section>
@@ -78,6 +81,7 @@ function Transport() {
         <span>{status ? status.frame : ''}</span>
       </output>
       <span className="transport-gap" />
+      <ProbeToggle />
       <ViewsToggle />
       <SourcePicker />
     </div>
@@ -113,6 +117,12 @@ function SourcePicker() {
       )}
     </select>
   );
+}
+
+function ProbeToggle() {
+  const editor = useEditor();
+  const probing = useStore(editor.look, (look) => look.probing);
+  return <IconButton icon="probe" label="Pixel probe" keys="Q" pressed={probing} onPress={() => runCommand(editor, 'view.probe')} />;
 }
 
 /** A headset has two views; recordings have the one they were made with. */

@@ -8,6 +8,7 @@ import type { Editor } from './editor.ts';
 import { exportPage } from './export-page.ts';
 import { newProject, openProject, save, saveAs } from './files.ts';
 import { addFrame, addNote } from './layout-items.ts';
+import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
 import { type BottomTab, revealNodes } from './ui.ts';
@@ -114,6 +115,26 @@ const COMMANDS = {
     chords: ['Shift+F'],
     enabled: hasNodes,
     run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes], 'fit'),
+  },
+  'view.thumbnails': {
+    label: 'Pictures on nodes',
+    chords: ['T'],
+    enabled: isOpen,
+    run: ({ look }) => look.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
+  },
+  'view.pin': { label: 'Show in the preview', chords: ['P'], enabled: hasOneNode, run: pinSelected },
+  'view.compare': { label: 'Compare in the preview', chords: ['Shift+P'], enabled: hasOneNode, run: compareSelected },
+  'view.screen': {
+    label: 'Show the screen again',
+    chords: [],
+    enabled: ({ look }) => look.getState().left !== null,
+    run: ({ look }) => lookAtNothing(look),
+  },
+  'view.probe': {
+    label: 'Pixel probe',
+    chords: ['Q'],
+    enabled: isOpen,
+    run: ({ look }) => look.setState(({ probing }) => ({ probing: !probing, probed: null })),
   },
   'view.code': {
     label: 'Shader source',

@@ -33,6 +33,7 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
   const { nodes, wires } = graphOf(state);
   const places = layoutOf(state).nodes;
   const { expanded } = editor.canvas.getState();
+  const { thumbnails: pictured } = editor.look.getState();
   const wiredOf = new Map<string, Set<string>>();
   for (const { to } of wires) wiredOf.set(to.node, (wiredOf.get(to.node) ?? new Set()).add(to.port));
   return Object.entries(nodes)
@@ -40,7 +41,7 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
     .map(([id, node]) => {
       const definition = state.library.definition(node.type);
       const wired = wiredOf.get(id) ?? NO_PORTS;
-      const options = { wired, expanded: expanded.has(id), collapsed: own(places, id)?.collapsed === true };
+      const options = { wired, expanded: expanded.has(id), collapsed: own(places, id)?.collapsed === true, pictured };
       const { width, height } = definition ? nodeShape(definition, node, options) : { width: 184, height: 64 };
       const { x, y } = own(places, id) ?? { x: 0, y: 0 };
       return { id, x, y, width, height };

@@ -4,6 +4,7 @@ import { type CanvasStore, createCanvasState } from './canvas.ts';
 import { type CompileStore, createCompileState } from './compile.ts';
 import { createDocument, type DocumentStore } from './document.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
+import { createLayerPictures, createLookState, type LookStore, type Pictures } from './looks.ts';
 import { createPreviewState, type PreviewStore } from './preview.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type PanelSizes, type UiStore } from './ui.ts';
@@ -33,13 +34,14 @@ export interface Editor {
   /** Take over at once what is being typed; run before files are made of the document. */
   readonly unfinished: Set<() => void>;
   /** Takes a picture of what the preview shows, as JPEG, or null where it shows nothing; set while there is a preview. */
-  readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null };
+  readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null; readonly layers: Pictures };
   readonly document: DocumentStore;
   readonly selection: SelectionStore;
   readonly canvas: CanvasStore;
   readonly ui: UiStore;
   readonly compile: CompileStore;
   readonly preview: PreviewStore;
+  readonly look: LookStore;
 }
 
 export interface EditorOptions {
@@ -62,12 +64,13 @@ export function createEditor({ host, clock, random, library, mac, clipboard, siz
     clipboard,
     libraries,
     unfinished: new Set(),
-    pictures: { take: null },
+    pictures: { take: null, layers: createLayerPictures() },
     document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),
     ui: createUi(sizes),
     compile: createCompileState(),
     preview: createPreviewState(),
+    look: createLookState(),
   };
 }

@@ -8,6 +8,8 @@ import type { CompileAnswer } from '../compile/messages.ts';
 import type { FromPreview, PreviewShaderError, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { consequenceOf, type ParamEdit } from './changes.ts';
 import type { Editor } from './editor.ts';
+import { createLooking } from './looking.ts';
+import { lookAtNothing } from './looks.ts';
 import { createPictures } from './pictures.ts';
 import { chosenSource } from './preview.ts';
 
@@ -35,6 +37,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   let pending: PendingEdit[] = [];
   const post = (message: ToPreview) => send?.(message);
   const pictures = createPictures(editor, post);
+  const looking = createLooking(editor, post, () => compile());
   const postEdit = ({ node, param, value }: ParamEdit) => post({ kind: 'param', node, param, value });
 
   const postProgram = () => {
@@ -58,13 +61,14 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     if (open === null) return;
     const { layout: _, ...logic } = project;
     editor.compile.setState({ busy: true });
-    compiler.request({ revision, project: logic });
+    compiler.request({ revision, project: logic, taps: looking.taps() });
   };
 
   const stopDocument = editor.document.subscribe((state, before) => {
     const reopened = state.open?.handle !== before.open?.handle;
     if (state.project === before.project && !reopened) return;
     if (reopened) {
+      lookAtNothing(editor.look);
       pending = [];
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
       editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null });
@@ -102,15 +106,19 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     },
     receive: (message) => {
       if (message.kind === 'poster') return pictures.answer(message.bytes);
+      if (message.kind === 'thumbnail') return editor.pictures.layers.deliver(message.port, message.image);
+      if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
       takeMessage(editor, message);
       if (message.kind !== 'ready') return;
       postSource();
       postProgram();
+      looking.tell();
     },
     send: post,
     dispose: () => {
       stopDocument();
       stopSource();
+      looking.dispose();
       compiler.dispose();
     },
   };
@@ -132,7 +140,10 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
   editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
 }
 
-function takeMessage({ preview, compile, document }: Editor, message: Exclude<FromPreview, { kind: 'poster' }>): void {
+function takeMessage(
+  { preview, compile, document }: Editor,
+  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' }>,
+): void {
   switch (message.kind) {
     case 'ready':
       preview.setState({ ready: true });
@@ -153,9 +164,6 @@ function takeMessage({ preview, compile, document }: Editor, message: Exclude<Fr
     }
     case 'status':
       preview.setState({ status: message.status });
-      return;
-    case 'thumbnail':
-      message.image.close();
       return;
   }
 }

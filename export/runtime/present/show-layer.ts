@@ -1,0 +1,47 @@
+import type { LayerRef } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
+import { clearRectangle } from '../gl/clear.ts';
+import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
+import { findPicture } from '../readback.ts';
+import type { LiveResources } from '../resources/resources.ts';
+
+const CLEAR = new Float32Array(4);
+
+/**
+ * Draws a layer over a view of the frame's framebuffer, between two parts of its width; pictures of another shape lie in its middle,
+ * whole. False where the layer has not been drawn: the screen stays as it is.
+ */
+export function showLayer(
+  { state, objects, drawer, copy }: Engine,
+  resources: LiveResources,
+  layer: LayerRef,
+  viewIndex: number,
+  from: number,
+  to: number,
+): boolean {
+  const { gl } = objects;
+  const view = state.frame.views[viewIndex];
+  const picture = findPicture(state, resources, layer.color, viewIndex);
+  const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
+  if (!view || !picture || !location) return false;
+  const { x, y, widthPx, heightPx } = view.viewport;
+  const leftPx = Math.round(widthPx * from);
+  const partPx = Math.round(widthPx * to) - leftPx;
+  if (partPx < 1 || heightPx < 1) return true;
+  clearRectangle(gl, state.frame.framebuffer, x + leftPx, y, partPx, heightPx, CLEAR);
+  const scale = Math.min(widthPx / picture.widthPx, heightPx / picture.heightPx);
+  const width = Math.round(picture.widthPx * scale);
+  const height = Math.round(picture.heightPx * scale);
+  const left = x + Math.round((widthPx - width) / 2);
+  const bottom = y + Math.round((heightPx - height) / 2);
+  drawer.begin(state.frame.framebuffer, left, bottom, width, height, 'replace');
+  gl.enable(gl.SCISSOR_TEST);
+  gl.scissor(x + leftPx, y, partPx, heightPx);
+  drawer.use(copy);
+  drawer.texture(0, location, picture.texture, 'linear');
+  gl.uniformMatrix3fv(copy.uniform(COPY_UV), false, picture.uvFromViewUv);
+  drawer.draw();
+  drawer.end();
+  gl.disable(gl.SCISSOR_TEST);
+  return true;
+}

@@ -1,0 +1,82 @@
+import type { LayerRef } from '../program/program.ts';
+import type { Engine } from './engine.ts';
+import { COPY_UV } from './gl/copy-shader.ts';
+import { setDecode } from './passes/depth-decode.ts';
+import { DEPTH_SHADER, drawn, readRows } from './readback.ts';
+import type { LiveResources } from './resources/resources.ts';
+
+/** What has depth at a point of a view. */
+export interface ProbedDepth {
+  readonly of: 'layer' | 'room';
+  /** Along the view's axis. */
+  readonly metres: number;
+  readonly positionWorld: readonly [x: number, y: number, z: number];
+}
+
+/**
+ * The nearer of a layer and the room at a point of a view, parts of its size from the bottom left; null where nothing is known to be.
+ * The room's depth is taken to be the view's own: where a device measures it from beside, it is as good as the two are near.
+ */
+export function probeDepth(
+  engine: Engine,
+  resources: LiveResources | null,
+  layer: LayerRef | null,
+  viewIndex: number,
+  u: number,
+  v: number,
+): ProbedDepth | null {
+  const view = engine.state.frame.views[viewIndex];
+  if (!view || !engine.objects.limits.floatTargets) return null;
+  const ofLayer = resources && layer ? layerMetres(engine, resources, layer, viewIndex, u, v) : 0;
+  const ofRoom = view.depth ? metresAt(engine, view.depth.texture, 'metres', viewIndex, pointIn(view.depth.uvFromViewUv, u, v)) : 0;
+  const isLayer = ofLayer > 0 && (ofRoom <= 0 || ofLayer <= ofRoom);
+  const metres = isLayer ? ofLayer : ofRoom;
+  if (metres <= 0) return null;
+  return { of: isLayer ? 'layer' : 'room', metres, positionWorld: worldAt(view.clipFromView, view.worldFromView, u, v, metres) };
+}
+
+/** Inverse of a projection whose rows for x and y mix nothing but z in, as all of WebXR's do. */
+export function worldAt(
+  clipFromView: Float32Array,
+  worldFromView: Float32Array,
+  u: number,
+  v: number,
+  metres: number,
+): readonly [number, number, number] {
+  const at = (matrix: Float32Array, index: number) => matrix[index] ?? 0;
+  const x = ((2 * u - 1 + at(clipFromView, 8)) * metres) / at(clipFromView, 0);
+  const y = ((2 * v - 1 + at(clipFromView, 9)) * metres) / at(clipFromView, 5);
+  const row = (r: number) =>
+    at(worldFromView, r) * x + at(worldFromView, 4 + r) * y - at(worldFromView, 8 + r) * metres + at(worldFromView, 12 + r);
+  return [row(0), row(1), row(2)];
+}
+
+function layerMetres(engine: Engine, resources: LiveResources, { depth }: LayerRef, viewIndex: number, u: number, v: number): number {
+  const resource = depth ? resources.get(depth.resource) : undefined;
+  const buffer = resource?.kind === 'target' ? resource.target.peek(resource.domain === 'view' ? viewIndex : 0) : null;
+  const texture = depth?.encoding === 'window' ? buffer?.depth : buffer?.color;
+  return depth && texture ? metresAt(engine, texture, depth.encoding, viewIndex, pointIn(null, u, v)) : 0;
+}
+
+/** A UV matrix that gives one point wherever it is asked. */
+function pointIn(uvFromViewUv: Float32Array | null, u: number, v: number): Float32Array {
+  if (uvFromViewUv === null) return new Float32Array([0, 0, 0, 0, 0, 0, u, v, 1]);
+  const row = (r: number) => (uvFromViewUv[r] ?? 0) * u + (uvFromViewUv[3 + r] ?? 0) * v + (uvFromViewUv[6 + r] ?? 0);
+  return new Float32Array([0, 0, 0, 0, 0, 0, row(0), row(1), row(2)]);
+}
+
+function metresAt(engine: Engine, texture: WebGLTexture, encoding: 'window' | 'metres', viewIndex: number, uv: Float32Array): number {
+  const { gl } = engine.objects;
+  const read = (framebuffer: WebGLFramebuffer): number => {
+    const rgba = new Float32Array(4);
+    readRows(gl, framebuffer, 1, 1, rgba);
+    return rgba[0] ?? 0;
+  };
+  return drawn(engine, DEPTH_SHADER, 'r32f', 1, 1, read, (program) => {
+    const location = program.uniform('depth');
+    const decode = program.uniform('depth_decode');
+    if (location) engine.drawer.texture(0, location, texture, 'nearest');
+    if (decode) setDecode(gl, decode, encoding, engine.state.frame.views[viewIndex]?.clipFromView);
+    gl.uniformMatrix3fv(program.uniform(COPY_UV), false, uv);
+  });
+}

@@ -1,0 +1,32 @@
+import { expect, test } from '@jest/globals';
+import { createThumbnails } from './thumbnails.ts';
+
+test('layers are read in turn, and reading takes a tenth of the time at most; while held, each is read once more when something changed', () => {
+  let nowS = 0;
+  const read: [string, number][] = [];
+  const thumbnails = createThumbnails({ nowS: () => nowS }, () => {});
+  const player = {
+    // Reading takes 5 ms, and gives nothing where nothing is tapped yet.
+    readLayer: (layer: string) => {
+      read.push([layer, Math.round(nowS * 1000)]);
+      nowS += 0.005;
+      return null;
+    },
+  };
+  const frames = (until: number, more: boolean[] = []) => {
+    for (; nowS < until; nowS += 1 / 60) more.push(thumbnails.afterFrame(player));
+    return more;
+  };
+  frames(0.1);
+  expect(read).toEqual([]);
+  thumbnails.want(['a', 'b', 'c'], 96);
+  const more = frames(1.1);
+  expect(read.map(([layer]) => layer).slice(0, 4)).toEqual(['b', 'c', 'a', 'b']);
+  expect(read.length * 0.005).toBeLessThanOrEqual(0.1);
+  expect(read.length).toBeGreaterThan(10);
+  // Until all three were read, a held preview has to go on.
+  expect(more.indexOf(false)).toBeGreaterThan(2);
+  expect(more.at(-1)).toBe(false);
+  thumbnails.anew();
+  expect(thumbnails.afterFrame(player)).toBe(true);
+});

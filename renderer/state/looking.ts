@@ -1,0 +1,53 @@
+import { debounce } from '../clock.ts';
+import type { ToPreview } from '../preview-protocol.ts';
+import type { Editor } from './editor.ts';
+import { lookedAt } from './looks.ts';
+
+/** Of thumbnails: as large as a node shows them on a screen of two pixels a point. */
+const THUMBNAIL_HEIGHT_PX = 192;
+/** While the canvas is panned, nodes come and go; programs are made for those that stay. */
+const PAUSE_MS = 200;
+
+/** Keeps the program and the preview up with what is looked at besides the screen. */
+export interface Looking {
+  /** Layers that the next program has to keep. */
+  taps(): readonly string[];
+  /** A preview page came anew. */
+  tell(): void;
+  dispose(): void;
+}
+
+/** A fused pass is split for its picture only while somebody looks: that is another program, which `compile` asks for. */
+export function createLooking(editor: Editor, post: (message: ToPreview) => void, compile: () => void): Looking {
+  let asked = '';
+  const taps = () => {
+    const layers = lookedAt(editor);
+    asked = layers.join();
+    return layers;
+  };
+  const tell = () => {
+    const { left, right, split } = editor.look.getState();
+    post({ kind: 'thumbnails', ports: editor.pictures.layers.wanted(), heightPx: THUMBNAIL_HEIGHT_PX });
+    post({ kind: 'look', left, right, split: split ?? 1 });
+  };
+  const settle = debounce(editor.clock, PAUSE_MS, () => {
+    tell();
+    if (lookedAt(editor).join() !== asked) compile();
+  });
+  editor.pictures.layers.onChange.run = settle.trigger;
+  const stop = editor.look.subscribe((state, before) => {
+    if (state.left === before.left && state.right === before.right && state.split === before.split && state.probing === before.probing)
+      return;
+    tell();
+    if (lookedAt(editor).join() !== asked) compile();
+  });
+  return {
+    taps,
+    tell,
+    dispose: () => {
+      stop();
+      settle.cancel();
+      editor.pictures.layers.onChange.run = null;
+    },
+  };
+}

@@ -1,0 +1,123 @@
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { useBrowser } from '../support/browser.ts';
+import { centreOf, FLAG_PX } from '../support/editor-driver.ts';
+import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { decodePicture, type Picture } from '../support/picture.ts';
+
+/** The camera's picture through two filters that are one pass while nobody looks between them; another one has no input. */
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'sepia-aaaa': { type: 'filter/sepia' },
+    'threshold-aaaa': { type: 'filter/threshold' },
+    'screen-aaaa': { type: 'output/screen' },
+    'sobel-aaaa': { type: 'filter/sobel-edges' },
+  },
+  wires: [
+    'video-aaaa.layer -> sepia-aaaa.inputImage',
+    'sepia-aaaa.layer -> threshold-aaaa.inputImage',
+    'threshold-aaaa.layer -> screen-aaaa.layer',
+  ],
+  places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [240, 0], 'threshold-aaaa': [480, 0], 'screen-aaaa': [720, 0], 'sobel-aaaa': [240, 260] },
+};
+
+const browser = useBrowser();
+let open: OpenEditor;
+beforeAll(async () => {
+  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+  await open.editor.settled();
+  await open.editor.rewind();
+});
+afterAll(async () => {
+  expect(open.errors).toEqual([]);
+  await open.close();
+});
+
+/** How much of a picture is grey, and how much warmer than blue the rest is. */
+function tints({ width, height, data }: Picture, from = 0, to = 1) {
+  let grey = 0;
+  let warm = 0;
+  let count = 0;
+  for (let y = 0; y < height; y++) {
+    for (let x = Math.floor(from * width); x < to * width; x++) {
+      const at = (y * width + x) * 4;
+      const [r = 0, g = 0, b = 0] = [data[at], data[at + 1], data[at + 2]];
+      count++;
+      if (Math.max(r, g, b) - Math.min(r, g, b) < 6) grey++;
+      if (r > b + 8 && r >= g && g >= b) warm++;
+    }
+  }
+  return { grey: grey / count, warm: warm / count };
+}
+
+test('nodes show their layers, also between filters that are one pass, and only while somebody looks', async () => {
+  const { page, editor } = open;
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('t');
+  for (const node of ['video', 'sepia', 'threshold']) {
+    await page.waitForFunction(
+      (stem) => (document.querySelector<HTMLCanvasElement>(`[data-node^="${stem}"] .node-picture canvas`)?.width ?? 0) > 100,
+      node,
+    );
+  }
+  // Nothing comes in, so nothing comes out.
+  expect(await editor.node('sobel').locator('canvas').getAttribute('width')).toBe('0');
+  const pixels = await editor.node('sepia').locator('.node-picture').screenshot();
+  expect(tints(decodePicture(pixels), 0.1, 0.9).warm).toBeGreaterThan(0.8);
+  await page.keyboard.press('t');
+  await page.locator('.node-picture').first().waitFor({ state: 'detached' });
+});
+
+test('the preview shows any layer, and wipes between two', async () => {
+  const { page, editor } = open;
+  const screen = await editor.restingPicture();
+  expect(tints(screen).grey).toBeGreaterThan(0.95);
+  await editor.node('sepia').locator('.node-title').click();
+  await page.keyboard.press('p');
+  await page.locator('.look-pinned').getByText('Sepia').waitFor();
+  const sepia = await editor.pictureOtherThan(screen);
+  expect(tints(sepia).warm).toBeGreaterThan(0.8);
+
+  await editor.node('threshold').locator('.node-title').click({ button: 'right' });
+  await page.getByRole('menuitem', { name: 'Compare in the preview' }).click();
+  await page.locator('.look-pinned').getByText('Sepia | Threshold').waitFor();
+  const both = await editor.pictureOtherThan(sepia);
+  expect(tints(both, 0, 0.47).warm).toBeGreaterThan(0.8);
+  expect(tints(both, 0.53, 1).grey).toBeGreaterThan(0.95);
+
+  const wipe = page.getByRole('slider', { name: 'Wipe between the two layers' });
+  const at = await centreOf(wipe);
+  await editor.drag({ x: at.x, y: at.y - 60 }, { x: at.x - 100, y: at.y - 60 });
+  await page.keyboard.press('ArrowLeft');
+  expect(Number(await wipe.getAttribute('aria-valuenow'))).toBeLessThan(30);
+  const moved = await editor.pictureOtherThan(both);
+  expect(tints(moved, 0.33, 1).grey).toBeGreaterThan(0.95);
+
+  await page.getByRole('button', { name: 'Show the screen again' }).click();
+  await editor.pictureSameAs(screen, 'screen-again');
+});
+
+test('the probe tells colour, distance and place of what is under the pointer', async () => {
+  const { page, editor } = open;
+  const picture = await editor.restingPicture();
+  await page.getByRole('button', { name: 'Pixel probe' }).click();
+  const frame = await page.locator('iframe[title="Preview"]').boundingBox();
+  if (!frame) throw new Error('There is no preview.');
+  const at = { x: Math.round(frame.width * 0.62), y: Math.round(frame.height * 0.55) };
+  await page.mouse.move(frame.x + at.x + 0.5, frame.y + at.y + 0.5);
+  const output = page.getByRole('status', { name: 'Under the pointer' });
+  await output.waitFor();
+  const index = ((at.y - FLAG_PX) * picture.width + at.x) * 4;
+  const shown = [...picture.data.slice(index, index + 3)].join(' ');
+  await output.getByText(shown).waitFor();
+  const text = (await output.textContent()) ?? '';
+  const metres = Number(/(\d+\.\d+) m, the room/.exec(text)?.[1]);
+  expect(metres).toBeGreaterThan(0.5);
+  expect(metres).toBeLessThan(8);
+  // The floor is at 0, and a hand above it the table and what stands on it.
+  const height = Number(/y (-?\d+\.\d+)/.exec(text)?.[1]);
+  expect(height).toBeGreaterThan(-0.1);
+  expect(height).toBeLessThan(2.6);
+  await page.getByRole('button', { name: 'Pixel probe' }).click();
+  await output.waitFor({ state: 'detached' });
+});
