@@ -1,15 +1,22 @@
 import { editor } from 'monaco-editor/editor';
 import { GLSL_LANGUAGE } from './glsl-language.ts';
-import { optionsFor } from './view-options.ts';
+import { optionsFor, readOnlyOptions } from './view-options.ts';
+
+export interface Comparison {
+  /** `null` where the text can be typed in, else why not. */
+  setReadOnly(reason: string | null): void;
+  focus(): void;
+  dispose(): void;
+}
 
 /** Shows a text over the editor, beside the one that it was copied from. The text itself can still be typed in. */
 export function compareWith(
   parent: HTMLElement,
   original: string,
   model: editor.ITextModel,
-  readOnly: boolean,
+  readOnly: string | null,
   onLeave: () => void,
-): { dispose(): void } {
+): Comparison {
   const place = document.createElement('div');
   place.className = 'code-view code-compare';
   parent.append(place);
@@ -17,7 +24,7 @@ export function compareWith(
   const view = editor.createDiffEditor(place, {
     ...optionsFor(parent),
     originalEditable: false,
-    readOnly,
+    ...readOnlyOptions(readOnly),
     renderSideBySide: true,
     useInlineViewWhenSpaceIsLimited: true,
     renderSideBySideInlineBreakpoint: 620,
@@ -33,6 +40,8 @@ export function compareWith(
     view.revealFirstDiff();
   });
   return {
+    setReadOnly: (reason) => view.updateOptions(readOnlyOptions(reason)),
+    focus: () => view.getModifiedEditor().focus(),
     dispose: () => {
       first.dispose();
       blurred.dispose();

@@ -30,14 +30,14 @@ import 'monaco-editor/editor/contrib/gotoSymbol/browser/goToCommands';
 import 'monaco-editor/editor/contrib/suggest/browser/suggestController';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { createColourMarks } from './colour-marks.ts';
-import { compareWith } from './compare.ts';
+import { type Comparison, compareWith } from './compare.ts';
 import { registerGlslLanguage } from './glsl-language.ts';
 import { markDiagnostics } from './markers.ts';
 import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
 import { type ChunkOf, chunkFileOf, chunkModel, forgetModels, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
-import { optionsFor } from './view-options.ts';
+import { optionsFor, readOnlyOptions } from './view-options.ts';
 
 export interface ShownText {
   /** Names the text for as long as it lives, with its caret and its undo. */
@@ -88,7 +88,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
   parent.append(place);
   const view = editor.create(place, { ...optionsFor(parent), ariaLabel: 'Shader source', model: null });
   let shown: { readonly name: string; readonly model: editor.ITextModel; readonly readOnly: string | null } | null = null;
-  let comparison: { dispose(): void } | null = null;
+  let comparison: Comparison | null = null;
   let ours = false;
   let tuning = false;
   let stepNext = false;
@@ -105,7 +105,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
       const state = viewStates.get(model);
       if (state) view.restoreViewState(state);
     }
-    view.updateOptions({ readOnly: readOnly !== null, readOnlyMessage: { value: readOnly ?? '' } });
+    view.updateOptions(readOnlyOptions(readOnly));
   };
   const openChunk = (file: string | null) => {
     const model = file === null ? null : chunkModel(file, chunkOf);
@@ -188,6 +188,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
       ours = true;
       if (model.getValue() !== text) model.pushEditOperations([], [{ range: model.getFullModelRange(), text }], () => null);
       ours = false;
+      comparison?.setReadOnly(readOnly);
       // A chunk that is being read stays.
       if (stays) return;
       setModel(model, readOnly);
@@ -196,7 +197,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
     showChunk: openChunk,
     compare: (original) => {
       comparison?.dispose();
-      comparison = original === null || !shown ? null : compareWith(parent, original, shown.model, shown.readOnly !== null, onLeave);
+      comparison = original === null || !shown ? null : compareWith(parent, original, shown.model, shown.readOnly, onLeave);
     },
     mark: (diagnostics) => {
       if (shown) markDiagnostics(shown.model, diagnostics);
@@ -205,7 +206,7 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
       if (shown && view.getModel() !== shown.model) openChunk(null);
       reveal(line, column);
     },
-    focus: () => view.focus(),
+    focus: () => (comparison ?? view).focus(),
     forget: forgetModels,
     dispose: () => {
       comparison?.dispose();

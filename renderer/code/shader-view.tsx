@@ -62,8 +62,8 @@ export function ShaderView({ node }: { readonly node: string }) {
 
   const onTakeBack = () => {
     if (file !== null) takeBack(editor, file);
-    // The button is gone then, and the focus with it; the text takes keys from the next frame on.
-    editor.clock.nextFrame(() => editor.clock.nextFrame(() => tools?.view.focus()));
+    // The button goes with the bar that it is on: the focus has to have left it by then, or it is lost.
+    tools?.view.focus();
   };
 
   return (

@@ -23,3 +23,8 @@ export function optionsFor(parent: HTMLElement): editor.IEditorOptions & editor.
     colorDecorators: false,
   };
 }
+
+/** Whether the text can be typed in; where it cannot, what is said to someone who tries. */
+export function readOnlyOptions(reason: string | null): editor.IEditorOptions {
+  return { readOnly: reason !== null, readOnlyMessage: { value: reason ?? '' } };
+}

@@ -264,6 +264,11 @@ test('a shader that another program saves plays at once, and is read only here u
   await page.keyboard.press('Alt+Enter');
   expect(await editor.lineText()).toBe('  return mix(colour, vec3(0.9, 0.2, 0.1), much);');
   expect(await page.locator('.tuner').count()).toBe(0);
+  // What says so lies over the text, and takes no press from it.
+  await editor.type('7');
+  const { x, y } = await centreOf(page.locator('.monaco-editor-overlaymessage', { hasText: 'Another program has saved this shader.' }));
+  await page.mouse.click(x, y);
+  expect(await page.locator('.monaco-editor.focused').count()).toBe(1);
 
   // A broken one is marked, and the last good one plays on.
   await write(red.replace('much);', 'munch);'));
@@ -274,6 +279,8 @@ test('a shader that another program saves plays at once, and is read only here u
 
   await editor.press('Edit it here');
   await page.locator('.code-bar-outside').waitFor({ state: 'detached' });
+  // Keys go to the text at once.
+  expect(await page.locator('.monaco-editor.focused').count()).toBe(1);
   await editor.findInText('vec3(0.9');
   await page.keyboard.press('End');
   await editor.type(' // here');

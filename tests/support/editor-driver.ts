@@ -10,8 +10,6 @@ const REST_MS = 300;
 const RESTING_PICTURES = 2;
 /** A fast typist's; the text editor reads keys between two paints. */
 const KEY_MS = 15;
-/** How long a press on the text is given to take the focus. */
-const PRESS_MS = 2000;
 
 /** Hands and eyes on a running editor: pointer and keys in, what is on the page out. */
 export class EditorDriver {
@@ -114,7 +112,8 @@ export class EditorDriver {
   /** Puts the caret before a text of the shader, where it is first found: Monaco's own search leads there, as it would a person. */
   async findInText(text: string): Promise<void> {
     const { page } = this;
-    await this.pressCode();
+    await page.locator('.code-text').click({ position: { x: 300, y: 60 } });
+    await page.locator('.monaco-editor.focused').waitFor();
     await page.keyboard.press('Control+Home');
     await page.keyboard.press('Control+f');
     const search = page.locator('.monaco-editor .find-widget.visible');
@@ -125,21 +124,6 @@ export class EditorDriver {
     await page.locator('.monaco-editor.focused').waitFor();
     // What was found is selected.
     await page.keyboard.press('ArrowLeft');
-  }
-
-  /** A press that comes while the panel is laid out anew is lost: people press once more. */
-  private async pressCode(): Promise<void> {
-    const focused = this.page.locator('.monaco-editor.focused');
-    const endMs = Date.now() + WAIT_MS;
-    for (;;) {
-      await this.page.locator('.code-text').click({ position: { x: 300, y: 60 } });
-      const took = await focused.waitFor({ timeout: PRESS_MS }).then(
-        () => true,
-        () => false,
-      );
-      if (took) return;
-      if (Date.now() > endMs) throw new Error('The shader’s text does not take the focus.');
-    }
   }
 
   async type(text: string): Promise<void> {
