@@ -1,4 +1,5 @@
-import type { Program, Resource, SizeExpression, SizeToken } from '../program/program.ts';
+import type { Program, Resource, SizeExpression } from '../program/program.ts';
+import { applySizeOperation, SIZE_STACK_BOTTOM } from '../program/size-operation.ts';
 
 /** At which sizes are given in pixels and bytes, per view. */
 export interface ReferenceSize {
@@ -37,40 +38,16 @@ export function targetBytes(target: Target, program: Program, reference: Referen
   return size.widthPx * size.heightPx * perSample * samples * copies;
 }
 
-type Operator = Extract<SizeToken, { op: string }>['op'];
-
-const UNARY: Readonly<Partial<Record<Operator, (x: number) => number>>> = {
-  negate: (x) => -x,
-  floor: Math.floor,
-  ceil: Math.ceil,
-  abs: Math.abs,
-  round: Math.round,
-  sqrt: Math.sqrt,
-};
-
-const BINARY: Readonly<Partial<Record<Operator, (a: number, b: number) => number>>> = {
-  '+': (a, b) => a + b,
-  '-': (a, b) => a - b,
-  '*': (a, b) => a * b,
-  '/': (a, b) => a / b,
-  '%': (a, b) => a % b,
-  min: Math.min,
-  max: Math.max,
-};
-
 /** Postfix, as the runtime evaluates it each frame. */
 function evaluate(expression: SizeExpression, width: number, height: number, slotNumber: (slot: number) => number): number {
-  const stack: number[] = [];
+  const stack = new Float64Array(SIZE_STACK_BOTTOM + expression.length);
+  let top = SIZE_STACK_BOTTOM - 1;
   for (const token of expression) {
-    if (typeof token === 'number') stack.push(token);
-    else if ('slot' in token) stack.push(slotNumber(token.slot));
-    else if (token.op === 'width') stack.push(width);
-    else if (token.op === 'height') stack.push(height);
-    else {
-      const b = stack.pop() ?? Number.NaN;
-      const unary = UNARY[token.op];
-      stack.push(unary ? unary(b) : (BINARY[token.op]?.(stack.pop() ?? Number.NaN, b) ?? Number.NaN));
-    }
+    if (typeof token === 'number') stack[++top] = token;
+    else if ('slot' in token) stack[++top] = slotNumber(token.slot);
+    else if (token.op === 'width') stack[++top] = width;
+    else if (token.op === 'height') stack[++top] = height;
+    else top = applySizeOperation(token.op, stack, top);
   }
-  return stack.pop() ?? Number.NaN;
+  return stack[top] ?? Number.NaN;
 }

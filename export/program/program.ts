@@ -154,7 +154,10 @@ export interface TargetSize {
   readonly height: SizeExpression;
 }
 
-/** Postfix over the base's `$WIDTH` and `$HEIGHT`, constants and slots, so that no parser is needed at run time. */
+/**
+ * Postfix over the base's `$WIDTH` and `$HEIGHT`, constants and slots, so that no parser is needed at run time;
+ * `size-operation.ts` says what each operation does.
+ */
 export type SizeExpression = readonly (number | SizeToken)[];
 export type SizeToken =
   | { readonly slot: number }
@@ -167,6 +170,14 @@ export type SizeToken =
         | '*'
         | '/'
         | '%'
+        | '^'
+        | '<'
+        | '<='
+        | '=='
+        | '&&'
+        | '||'
+        | '!'
+        | '?:'
         | 'negate'
         | 'floor'
         | 'ceil'
@@ -174,7 +185,8 @@ export type SizeToken =
         | 'max'
         | 'abs'
         | 'round'
-        | 'sqrt';
+        | 'sqrt'
+        | 'log2';
     };
 
 /** A layer is a colour resource and, where it has one, a depth resource: two ids, because filters keep the depth they get. */

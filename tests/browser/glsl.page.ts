@@ -9,6 +9,7 @@ import {
   readProbe,
 } from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
+import { applySizeOperation, SIZE_STACK_BOTTOM } from '../../export/program/size-operation.ts';
 
 /**
  * Plays linked passes as `export/program/program.ts` says, in a few lines of plain WebGL 2 and without the runtime: what the
@@ -334,36 +335,14 @@ function read(output: Buffer | null, last: LinkedPass | undefined): Pick<Drawing
 
 function evaluateSize(size: NamedSize | null, whole: number, job: DrawJob): number {
   if (size === null) return whole;
-  const stack: number[] = [];
+  const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
+  let top = SIZE_STACK_BOTTOM - 1;
   for (const item of size) {
-    if (typeof item === 'number') stack.push(item);
-    else if ('param' in item) stack.push(Number(job.params?.[item.param]));
-    else if (item.op === 'width') stack.push(job.width);
-    else if (item.op === 'height') stack.push(job.height);
-    else stack.push(applySize(item.op, stack));
+    if (typeof item === 'number') stack[++top] = item;
+    else if ('param' in item) stack[++top] = Number(job.params?.[item.param]);
+    else if (item.op === 'width') stack[++top] = job.width;
+    else if (item.op === 'height') stack[++top] = job.height;
+    else top = applySizeOperation(item.op, stack, top);
   }
-  return Math.max(1, Math.round(stack.at(-1) ?? whole));
-}
-
-function applySize(op: string, stack: number[]): number {
-  const b = stack.pop() ?? 0;
-  if (op === 'floor' || op === 'ceil' || op === 'round' || op === 'abs' || op === 'sqrt') return Math[op](b);
-  if (op === 'negate') return -b;
-  const a = stack.pop() ?? 0;
-  switch (op) {
-    case '+':
-      return a + b;
-    case '-':
-      return a - b;
-    case '*':
-      return a * b;
-    case '/':
-      return a / b;
-    case '%':
-      return a % b;
-    case 'min':
-      return Math.min(a, b);
-    default:
-      return Math.max(a, b);
-  }
+  return Math.max(1, Math.round(stack[top] ?? whole));
 }

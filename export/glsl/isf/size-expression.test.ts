@@ -1,5 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
+import { applySizeOperation, SIZE_STACK_BOTTOM } from '../../program/size-operation.ts';
 import type { NamedSize } from './isf-shader.ts';
 import { isSizeProblem, parseSizeExpression } from './size-expression.ts';
 
@@ -13,23 +14,17 @@ function evaluate(text: string, width = 640, height = 360): number {
 
 /** The stack machine that the program format describes. */
 function run(size: NamedSize, width: number, height: number): number {
-  const stack: number[] = [];
+  const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
+  let top = SIZE_STACK_BOTTOM - 1;
   for (const item of size) {
-    if (typeof item === 'number') stack.push(item);
-    else if ('param' in item) stack.push(PARAMS.get(item.param) ?? Number.NaN);
-    else if (item.op === 'width') stack.push(width);
-    else if (item.op === 'height') stack.push(height);
-    else if (item.op === 'negate') stack.push(-(stack.pop() ?? 0));
-    else if (item.op === 'floor' || item.op === 'ceil' || item.op === 'round' || item.op === 'abs' || item.op === 'sqrt') {
-      stack.push(Math[item.op](stack.pop() ?? 0));
-    } else {
-      const b = stack.pop() ?? 0;
-      const a = stack.pop() ?? 0;
-      stack.push({ '+': a + b, '-': a - b, '*': a * b, '/': a / b, '%': a % b, min: Math.min(a, b), max: Math.max(a, b) }[item.op]);
-    }
+    if (typeof item === 'number') stack[++top] = item;
+    else if ('param' in item) stack[++top] = PARAMS.get(item.param) ?? Number.NaN;
+    else if (item.op === 'width') stack[++top] = width;
+    else if (item.op === 'height') stack[++top] = height;
+    else top = applySizeOperation(item.op, stack, top);
   }
-  expect(stack).toHaveLength(1);
-  return stack[0] ?? Number.NaN;
+  expect(top).toBe(SIZE_STACK_BOTTOM);
+  return stack[top] ?? Number.NaN;
 }
 
 describe('size expressions', () => {
@@ -44,6 +39,17 @@ describe('size expressions', () => {
     ['min(1e2, abs(-.5e1)) % 3', 2],
     ['round(sqrt(ceil(8.2)))', 3],
     ['2 * -3 + +9', 3],
+    ['pow(2, $radius) + 2 ^ 3 ^ 2 - 512', 8],
+    ['-2 ^ 2 + 2 * 3 ^ 2', 14],
+    ['log2($WIDTH / 10)', 6],
+    ['mod($WIDTH, 7)', 3],
+    ['$WIDTH > $HEIGHT ? $WIDTH : $HEIGHT', 640],
+    ['$radius == 1 ? 1 : $radius == 3 ? 30 : 5', 30],
+    ['(1 < 2) + (2 <= 2) + (3 >= 3) + (4 > 3) + (1 != 2) + (1 == 1)', 6],
+    ['(2 < 1) + (2 <= 1) + (2 >= 3) + (3 > 3) + (2 != 2) + (1 == 2)', 0],
+    ['1 + 1 == 2 && !(1 > 2 || 0) ? 4 : 8', 4],
+    ['0 || 1 && 0', 0],
+    ['max($WIDTH > 100 ? 2 : 1, 1)', 2],
   ])('%s', (text, value) => {
     expect(evaluate(text)).toBe(value);
   });
@@ -53,7 +59,11 @@ describe('size expressions', () => {
     ['$WIDTH +', 8],
     ['$NOTHING', 0],
     ['2 $WIDTH', 2],
-    ['pow(2, 3)', 0],
+    ['sin(2)', 0],
+    ['1 ? 2', 5],
+    ['1 = 2', 2],
+    ['1 < ', 4],
+    ['2 !', 2],
     ['max(1)', 5],
     ['(1 + 2', 6],
     ['1 + #', 4],

@@ -6,24 +6,56 @@ export interface SizeProblem {
   readonly message: string;
 }
 
-/** With how many values each takes. */
-const FUNCTIONS: ReadonlyMap<string, number> = new Map([
-  ['floor', 1],
-  ['ceil', 1],
-  ['round', 1],
-  ['abs', 1],
-  ['sqrt', 1],
-  ['min', 2],
-  ['max', 2],
+type SizeOp = Extract<NamedSize[number], { op: string }>['op'];
+
+interface SizeFunction {
+  /** How many values it takes. */
+  readonly takes: number;
+  /** What is done with them, one after the other. */
+  readonly does: readonly SizeOp[];
+}
+
+const FUNCTIONS: ReadonlyMap<string, SizeFunction> = new Map([
+  ['floor', { takes: 1, does: ['floor'] }],
+  ['ceil', { takes: 1, does: ['ceil'] }],
+  ['round', { takes: 1, does: ['round'] }],
+  ['abs', { takes: 1, does: ['abs'] }],
+  ['sqrt', { takes: 1, does: ['sqrt'] }],
+  ['log2', { takes: 1, does: ['log2'] }],
+  ['min', { takes: 2, does: ['min'] }],
+  ['max', { takes: 2, does: ['max'] }],
+  ['mod', { takes: 2, does: ['%'] }],
+  ['pow', { takes: 2, does: ['^'] }],
 ]);
 
+const POWER = 8;
+
+/** How tightly signs between two values bind, and what stands for them; powers bind from right to left, the others from left to right. */
+const SIGNS: ReadonlyMap<string, { readonly binds: number; readonly does: readonly SizeOp[] }> = new Map([
+  ['||', { binds: 1, does: ['||'] }],
+  ['&&', { binds: 2, does: ['&&'] }],
+  ['==', { binds: 3, does: ['=='] }],
+  ['!=', { binds: 3, does: ['==', '!'] }],
+  ['<', { binds: 4, does: ['<'] }],
+  ['<=', { binds: 4, does: ['<='] }],
+  ['>', { binds: 4, does: ['<=', '!'] }],
+  ['>=', { binds: 4, does: ['<', '!'] }],
+  ['+', { binds: 5, does: ['+'] }],
+  ['-', { binds: 5, does: ['-'] }],
+  ['*', { binds: 6, does: ['*'] }],
+  ['/', { binds: 6, does: ['/'] }],
+  ['%', { binds: 6, does: ['%'] }],
+  ['^', { binds: POWER, does: ['^'] }],
+]);
+
+/** Of a sign before a value: below powers, so that `-2 ^ 2` is -4. */
+const BEFORE = POWER - 1;
+
 const TOKEN =
-  /\s+|(?<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|\$(?<name>[A-Za-z_][A-Za-z0-9_]*)|(?<word>[A-Za-z_][A-Za-z0-9_]*)|(?<sign>[-+*/%(),])/gy;
+  /\s+|(?<number>(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)|\$(?<name>[A-Za-z_][A-Za-z0-9_]*)|(?<word>[A-Za-z_][A-Za-z0-9_]*)|(?<sign>[<>=!]=|&&|\|\||[-+*/%^(),<>!?:])/gy;
 
 /** Bounds the stack, whatever text comes in. */
 const MAX_LENGTH = 500;
-
-type SizeOp = Extract<NamedSize[number], { op: string }>['op'];
 
 interface Lexeme {
   readonly kind: 'number' | 'name' | 'word' | 'sign' | 'end';
@@ -33,7 +65,8 @@ interface Lexeme {
 
 /**
  * Reads an ISF size expression such as `floor(max($WIDTH * 0.25, 1.0))`: numbers, `$WIDTH` and `$HEIGHT` of the layer, other
- * `$inputs`, `+ - * / %`, brackets and `floor ceil round abs sqrt min max`.
+ * `$inputs`, the operators of C and `^` for powers, `? :`, brackets and the functions above. The specification names no grammar:
+ * hosts take what their library for arithmetic does.
  */
 export function parseSizeExpression(text: string, isParam: (name: string) => boolean): NamedSize | SizeProblem {
   try {
@@ -75,31 +108,44 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
     throw new SizeFault(peek().offset, message);
   }
 
-  function sum(): void {
-    product();
-    for (let sign = peek().text; accept('+') || accept('-'); sign = peek().text) {
-      product();
-      output.push({ op: sign as '+' | '-' });
-    }
+  function apply(operations: readonly SizeOp[]): void {
+    for (const op of operations) output.push({ op });
   }
 
-  function product(): void {
+  /** A whole value, with `? :`, which binds least and from right to left. */
+  function value(): void {
+    operation(0);
+    if (!accept('?')) return;
+    value();
+    if (!accept(':')) fail('A ":" is missing after the "?" in the size.');
+    value();
+    apply(['?:']);
+  }
+
+  /** Whatever binds more tightly than `least`. */
+  function operation(least: number): void {
     factor();
-    for (let sign = peek().text; accept('*') || accept('/') || accept('%'); sign = peek().text) {
-      factor();
-      output.push({ op: sign as '*' | '/' | '%' });
+    for (;;) {
+      const sign = peek().kind === 'sign' ? SIGNS.get(peek().text) : undefined;
+      if (sign === undefined || sign.binds <= least) return;
+      position += 1;
+      operation(sign.binds === POWER ? POWER - 1 : sign.binds);
+      apply(sign.does);
     }
   }
 
   function factor(): void {
     const lexeme = peek();
     if (accept('-')) {
-      factor();
-      output.push({ op: 'negate' });
+      operation(BEFORE);
+      apply(['negate']);
+    } else if (accept('!')) {
+      operation(BEFORE);
+      apply(['!']);
     } else if (accept('+')) {
-      factor();
+      operation(BEFORE);
     } else if (accept('(')) {
-      sum();
+      value();
       if (!accept(')')) fail('A ")" is missing in the size.');
     } else if (lexeme.kind === 'number') {
       position += 1;
@@ -122,20 +168,20 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
   }
 
   function call(lexeme: Lexeme): void {
-    const parameters = FUNCTIONS.get(lexeme.text) ?? 0;
-    if (parameters === 0) fail(`"${lexeme.text}" is not known in a size: use ${[...FUNCTIONS.keys()].join(', ')} or a $input.`);
+    const called = FUNCTIONS.get(lexeme.text);
+    if (called === undefined) fail(`"${lexeme.text}" is not known in a size: use ${[...FUNCTIONS.keys()].join(', ')} or a $input.`);
     position += 1;
     if (!accept('(')) fail(`A "(" is missing after "${lexeme.text}".`);
-    sum();
-    for (let i = 1; i < parameters; i += 1) {
-      if (!accept(',')) fail(`"${lexeme.text}" takes ${parameters} values in a size.`);
-      sum();
+    value();
+    for (let i = 1; i < called.takes; i += 1) {
+      if (!accept(',')) fail(`"${lexeme.text}" takes ${called.takes} values in a size.`);
+      value();
     }
     if (!accept(')')) fail(`A ")" is missing after the values of "${lexeme.text}".`);
-    output.push({ op: lexeme.text as SizeOp });
+    apply(called.does);
   }
 
-  sum();
+  value();
   if (peek().kind !== 'end') fail(`"${peek().text}" is not expected here in the size.`);
   return output;
 }

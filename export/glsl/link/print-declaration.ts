@@ -111,7 +111,9 @@ export function printFunctionHead(declaration: FunctionDeclaration, instance: In
 
 function printParameter(parameter: Parameter, context: PrintContext): void {
   const { writer, names } = context;
-  for (const qualifier of parameter.qualifiers) writer.write(`${qualifier.text} `, qualifier);
+  // ES 3.00 has `const` before `in`, desktop GLSL either way.
+  const constFirst = [...parameter.qualifiers].sort((a, b) => Number(b.text === 'const') - Number(a.text === 'const'));
+  for (const qualifier of constFirst) writer.write(`${qualifier.text} `, qualifier);
   printTypeName(parameter.type, context);
   // A prototype's parameters have no symbols, and need no names.
   if (parameter.name !== null && parameter.symbol !== null) {

@@ -29,6 +29,11 @@ describe('a size expression', () => {
     ['abs(-(5 + 2))', [5, 2, op('+'), op('negate'), op('abs')], 7],
     ['ceil(sqrt(50))', [50, op('sqrt'), op('ceil')], 8],
     ['round(2.5)', [2.5, op('round')], 3],
+    ['pow(2, 5)', [2, 5, op('^')], 32],
+    ['log2(1024)', [1024, op('log2')], 10],
+    ['$WIDTH < $HEIGHT ? 3 : 4', [op('width'), op('height'), op('<'), 3, 4, op('?:')], 4],
+    ['!($WIDTH <= 5) && 1 == 1 ? 3 : 4', [op('width'), 5, op('<='), op('!'), 1, 1, op('=='), op('&&'), 3, 4, op('?:')], 3],
+    ['(0 || 0) + 2', [0, 0, op('||'), 2, op('+')], 2],
     ['$slot1 * 10', [{ slot: 1 }, 10, op('*')], 30],
   ])('%s', (_text, expression, expected) => {
     expect(size(...expression)).toBe(expected);
@@ -51,5 +56,6 @@ describe('a size expression', () => {
     expect(size()).toBe(1);
     expect(size(1, 2)).toBe(1);
     expect(size(op('+'))).toBe(1);
+    expect(size(op('?:'))).toBe(1);
   });
 });

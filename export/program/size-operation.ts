@@ -1,0 +1,116 @@
+import type { SizeToken } from './program.ts';
+
+/** An operation of a size, on numbers that others have left; those of the layer's sides leave one of their own. */
+export type SizeOperation = Exclude<Extract<SizeToken, { op: string }>['op'], 'width' | 'height'>;
+
+/** How many numbers each takes; it leaves one. */
+const TAKES: Readonly<Record<SizeOperation, number>> = {
+  '+': 2,
+  '-': 2,
+  '*': 2,
+  '/': 2,
+  '%': 2,
+  '^': 2,
+  '<': 2,
+  '<=': 2,
+  '==': 2,
+  '&&': 2,
+  '||': 2,
+  '!': 1,
+  '?:': 3,
+  negate: 1,
+  floor: 1,
+  ceil: 1,
+  min: 2,
+  max: 2,
+  abs: 1,
+  round: 1,
+  sqrt: 1,
+  log2: 1,
+};
+
+/** Places that lie empty below the first number of a stack, so that no operation looks for one outside of it. */
+export const SIZE_STACK_BOTTOM = 3;
+
+/** Does an operation with the numbers at the top of the stack, and leaves what comes out in their place: the new top. */
+export function applySizeOperation(op: SizeOperation, stack: Float64Array, top: number): number {
+  const at = top + 1 - TAKES[op];
+  const a = stack[at] ?? 0;
+  const b = stack[at + 1] ?? 0;
+  const c = stack[at + 2] ?? 0;
+  switch (op) {
+    case '+':
+      stack[at] = a + b;
+      break;
+    case '-':
+      stack[at] = a - b;
+      break;
+    case '*':
+      stack[at] = a * b;
+      break;
+    case '/':
+      stack[at] = a / b;
+      break;
+    case '%':
+      stack[at] = a % b;
+      break;
+    case '^':
+      stack[at] = a ** b;
+      break;
+    case '<':
+      stack[at] = a < b ? 1 : 0;
+      break;
+    case '<=':
+      stack[at] = a <= b ? 1 : 0;
+      break;
+    case '==':
+      stack[at] = a === b ? 1 : 0;
+      break;
+    case '&&':
+      stack[at] = a && b ? 1 : 0;
+      break;
+    case '||':
+      stack[at] = a || b ? 1 : 0;
+      break;
+    case '!':
+      stack[at] = a ? 0 : 1;
+      break;
+    case '?:':
+      stack[at] = a ? b : c;
+      break;
+    case 'negate':
+      stack[at] = -a;
+      break;
+    case 'floor':
+      stack[at] = Math.floor(a);
+      break;
+    case 'ceil':
+      stack[at] = Math.ceil(a);
+      break;
+    case 'min':
+      stack[at] = Math.min(a, b);
+      break;
+    case 'max':
+      stack[at] = Math.max(a, b);
+      break;
+    case 'abs':
+      stack[at] = Math.abs(a);
+      break;
+    case 'round':
+      stack[at] = Math.round(a);
+      break;
+    case 'sqrt':
+      stack[at] = Math.sqrt(a);
+      break;
+    case 'log2':
+      stack[at] = Math.log2(a);
+      break;
+    default:
+      exhaustive(op);
+  }
+  return at;
+}
+
+function exhaustive(op: never): never {
+  throw new Error(`Unknown size operation ${String(op)}.`);
+}
