@@ -1,3 +1,5 @@
+import type { SizeOperation } from './size-operation.ts';
+
 /**
  * The program: what the compiler prints and the only thing the runtime plays. Plain JSON, versioned, and free of everything
  * that belongs to the editor. This folder imports nothing, so the format can be read on its own.
@@ -159,35 +161,7 @@ export interface TargetSize {
  * `size-operation.ts` says what each operation does.
  */
 export type SizeExpression = readonly (number | SizeToken)[];
-export type SizeToken =
-  | { readonly slot: number }
-  | {
-      readonly op:
-        | 'width'
-        | 'height'
-        | '+'
-        | '-'
-        | '*'
-        | '/'
-        | '%'
-        | '^'
-        | '<'
-        | '<='
-        | '=='
-        | '&&'
-        | '||'
-        | '!'
-        | '?:'
-        | 'negate'
-        | 'floor'
-        | 'ceil'
-        | 'min'
-        | 'max'
-        | 'abs'
-        | 'round'
-        | 'sqrt'
-        | 'log2';
-    };
+export type SizeToken = { readonly slot: number } | { readonly op: 'width' | 'height' | SizeOperation };
 
 /** A layer is a colour resource and, where it has one, a depth resource: two ids, because filters keep the depth they get. */
 export interface LayerRef {

@@ -1,10 +1,5 @@
-import type { SizeToken } from './program.ts';
-
-/** An operation of a size, on numbers that others have left; those of the layer's sides leave one of their own. */
-export type SizeOperation = Exclude<Extract<SizeToken, { op: string }>['op'], 'width' | 'height'>;
-
-/** How many numbers each takes; it leaves one. */
-const TAKES: Readonly<Record<SizeOperation, number>> = {
+/** How many numbers each operation takes; it leaves one. */
+const TAKES = {
   '+': 2,
   '-': 2,
   '*': 2,
@@ -27,7 +22,10 @@ const TAKES: Readonly<Record<SizeOperation, number>> = {
   round: 1,
   sqrt: 1,
   log2: 1,
-};
+} as const;
+
+/** An operation of a size expression, on numbers that stand before it; `!` and comparisons leave 1 or 0. */
+export type SizeOperation = keyof typeof TAKES;
 
 /** Places that lie empty below the first number of a stack, so that no operation looks for one outside of it. */
 export const SIZE_STACK_BOTTOM = 3;

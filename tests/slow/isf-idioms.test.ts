@@ -1,21 +1,13 @@
-import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { describe, expect, test } from '@jest/globals';
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { drawPicture, linkText, made, PAGE } from '../browser/glsl-kit.ts';
-import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { useModule } from '../support/browser.ts';
 import { pixelAt } from '../support/picture.ts';
 import { CONVERSIONS, type ExpressionIdiom, NAMES, STATEMENTS, WORDS } from './isf-idioms/expressions.ts';
 import { FILES } from './isf-idioms/files.ts';
 
-const chromium = useBrowser();
-let page: PageModule;
-beforeAll(async () => {
-  page = await openModule(chromium.browser, PAGE);
-});
-afterAll(async () => {
-  expect(page.errors).toEqual([]);
-  await page.close();
-});
+const page = useModule(PAGE);
 
 describe.each<readonly [string, readonly ExpressionIdiom[]]>([
   ['conversions', CONVERSIONS],
