@@ -10,8 +10,6 @@ export interface FrameSource {
   readonly manual: boolean;
 }
 
-const FRAMES_PER_SECOND = 60;
-
 /** Frames with the display, carrying its time. */
 export function createFreeSource(clock: FrameClock): FrameSource {
   let handle: number | null = null;
@@ -34,8 +32,8 @@ export function createFreeSource(clock: FrameClock): FrameSource {
   };
 }
 
-/** Frame N of a session at N/60 s, whenever `step` is called: the same script gives the same pictures. */
-export function createManualSource(): FrameSource {
+/** Frame N of a session at N/`framesPerSecond`, whenever `step` is called: the same script gives the same pictures. */
+export function createManualSource(framesPerSecond: number): FrameSource {
   let run: ((timeS: number) => boolean) | null = null;
   let index = 0;
   return {
@@ -49,7 +47,7 @@ export function createManualSource(): FrameSource {
     },
     step: () => {
       if (!run) throw new Error('There is no session to step.');
-      if (!run(index / FRAMES_PER_SECOND)) throw new Error('The session has no base layer yet: nothing can be drawn.');
+      if (!run(index / framesPerSecond)) throw new Error('The session has no base layer yet: nothing can be drawn.');
       index++;
     },
   };

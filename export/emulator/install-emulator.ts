@@ -42,7 +42,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     device,
     profile,
     settings: settle(said),
-    frames: said.clock === 'manual' ? createManualSource() : createFreeSource(said.frameClock ?? createBrowserClock()),
+    frames: said.clock === 'manual' ? createManualSource(said.framesPerSecond) : createFreeSource(said.frameClock ?? createBrowserClock()),
     screen: createScreen(said.container),
     screenInput: device.screenInput,
     surroundings: () => {

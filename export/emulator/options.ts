@@ -15,8 +15,10 @@ export interface EmulatorOptions {
   readonly modes?: readonly ('immersive-ar' | 'immersive-vr')[];
   /** What the device sees; null is an endless void without depth or surfaces. */
   readonly room?: RoomSource | null;
-  /** `manual`: frames come from `stepFrame` alone, frame N at N/60 s. `free`: with the display. */
+  /** `manual`: frames come from `stepFrame` alone, frame N at N/`framesPerSecond`. `free`: with the display. */
   readonly clock?: 'free' | 'manual';
+  /** Of a manual clock: few make long waits short. Default: 60. */
+  readonly framesPerSecond?: number;
   /** Framebuffer, both views together; default: that of the container or window when the layer is made. */
   readonly sizePx?: readonly [width: number, height: number] | null;
   /** Vertical field of view. Default: the device's. */
@@ -75,6 +77,7 @@ export const EMULATOR_DEFAULTS: SettledDefaults = {
   modes: ['immersive-ar', 'immersive-vr'],
   room: null,
   clock: 'free',
+  framesPerSecond: 60,
   sizePx: null,
   ipdM: 0.063,
   refuse: [],

@@ -1,3 +1,4 @@
+import type { Capability } from '../../nodes/kit/definition.ts';
 import type { Result } from '../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
@@ -67,7 +68,7 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
   const onEvent = (way: Way, event: SessionEvent) => {
     switch (event.kind) {
       case 'ended':
-        for (const topic of ['tracking', 'missing', 'hint']) notices.clear(topic);
+        for (const topic of ['tracking', 'missing', 'hint', ...Object.keys(SILENT)]) notices.clear(topic);
         offer();
         stage.setWay(null);
         if (event.by === 'page') return;
@@ -80,6 +81,12 @@ export function createVisit({ page, stage, program, ways, ...parts }: VisitOptio
         // It tells to turn the device.
         if (way === 'camera' && !event.tracked) notices.clear('hint');
         return;
+      case 'sensing': {
+        const text = SILENT[event.capability];
+        if (event.working) notices.clear(event.capability);
+        else if (text !== undefined) notices.show(event.capability, { text, tone: 'hint' });
+        return;
+      }
       case 'problem':
         notices.show('session', { text: event.message, tone: 'problem' });
         return;
@@ -143,6 +150,12 @@ const UNTRACKED: Readonly<Record<Way, string>> = {
   ar: 'Looking for the room: move slowly, with enough light.',
   camera: 'This device does not tell how it is turned: drag to look around.',
   vr: 'The headset does not know where it is. Look around slowly, with enough light.',
+};
+
+/** What a capability's silence means for the picture. */
+const SILENT: Readonly<Partial<Record<Capability, string>>> = {
+  depth: 'The device measures no depth at the moment, so real things hide nothing. Move it slowly from side to side.',
+  'light-estimation': 'The device does not measure the light of the room at the moment: things are lit by a guess.',
 };
 
 const CAMERA_HINT = 'Turn the device to look around. Pinch or scroll to step closer.';

@@ -26,6 +26,8 @@ export type SessionEvent =
   | { readonly kind: 'ended'; readonly by: 'user' | 'system' | 'page' }
   | { readonly kind: 'visibility'; readonly visible: boolean }
   | { readonly kind: 'tracking'; readonly tracked: boolean }
+  /** A capability that was granted has brought nothing for a while, or brings it again. */
+  | { readonly kind: 'sensing'; readonly capability: Capability; readonly working: boolean }
   /** World space was re-centred or the recording started over: state that depends on poses is void. */
   | { readonly kind: 'reset' }
   | { readonly kind: 'problem'; readonly message: string };

@@ -4,6 +4,7 @@ import { MAX_VIEWS } from '../../targets/target.ts';
 import { createFrameTime } from '../frame-time.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
+import { createSensorWatch } from './sensor-watch.ts';
 import { createWebXrInput } from './webxr-input.ts';
 import { createWebXrLight } from './webxr-light.ts';
 import type { WebXrSurface } from './webxr-surface.ts';
@@ -28,6 +29,9 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   let surface: WebXrSurface | null = parts.surface;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
   const surfaces = createWebXrSurfaces(capabilities);
+  const watchOf = (capability: Capability) => createSensorWatch((working) => onEvent?.({ kind: 'sensing', capability, working }));
+  const depthWatch = capabilities.has('depth') ? watchOf('depth') : null;
+  const lightWatch = light ? watchOf('light-estimation') : null;
   const input = createWebXrInput(session, world);
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
@@ -76,6 +80,8 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     frame.surfaces = surfaces?.read(xrFrame, world) ?? null;
     fillViews(surface, xrFrame, pose);
     if (frame.viewCount === 0) return;
+    lightWatch?.update(frame.timeS, frame.light !== null);
+    depthWatch?.update(frame.timeS, hasDepth(frame));
     input.fill(frame.input, xrFrame);
     onFrame?.(frame);
     frame.index++;
@@ -140,4 +146,9 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
       return ended;
     },
   };
+}
+
+function hasDepth({ views, viewCount }: SessionFrame): boolean {
+  for (let i = 0; i < viewCount; i++) if (views[i]?.depth) return true;
+  return false;
 }
