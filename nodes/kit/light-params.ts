@@ -74,3 +74,50 @@ export const CONE_MAP_SIZE = {
   doc: `${MAP_SIZE_DOC} The map covers the whole cone, so a narrow one is sharper.`,
   default: '1024',
 } as const;
+
+const FILTERS = [
+  { value: 'basic', label: 'Hard' },
+  { value: 'pcf', label: 'Filtered' },
+  { value: 'soft', label: 'Soft' },
+] as const;
+
+const FILTER_DOC =
+  'How the edges of shadows on real things look. Hard: the pixels of the map show. Filtered: these are smoothed. Soft: a little wider.';
+
+const FILTER = { type: 'choice', stage: 'structure', label: 'Shadow edges', default: 'soft' } as const;
+
+/** Of lights with one map: on virtual things, shadows are always a little soft. */
+export const SHADOW_FILTER = {
+  ...FILTER,
+  doc: `${FILTER_DOC} Variance: blurred evenly, the dearest. Contact-hardening: sharp where a thing touches what its shadow falls on, and the wider, the farther away it is, as real shadows are.`,
+  options: [...FILTERS, { value: 'vsm', label: 'Variance' }, { value: 'pcss', label: 'Contact-hardening' }],
+} as const;
+
+/** Of lights with six. */
+export const POINT_SHADOW_FILTER = { ...FILTER, doc: FILTER_DOC, options: FILTERS } as const;
+
+/** How large parallel light seems. */
+export const SHADOW_SOURCE_RAD = {
+  type: 'number',
+  stage: 'uniform',
+  label: 'Size of the light',
+  doc: 'The angle that the light fills, for contact-hardening shadows: the sun half a degree, a ceiling lamp five, a window thirty.',
+  default: 0.1,
+  min: 0,
+  max: 1.5,
+  step: 0.01,
+  unit: 'rad',
+} as const;
+
+/** How large a lamp is. */
+export const SHADOW_SOURCE_M = {
+  type: 'number',
+  stage: 'uniform',
+  label: 'Size of the lamp',
+  doc: 'How wide the lamp is, for contact-hardening shadows: a bulb 6 cm, a shade 30 cm.',
+  default: 0.1,
+  min: 0,
+  max: 2,
+  step: 0.01,
+  unit: 'm',
+} as const;

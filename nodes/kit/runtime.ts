@@ -1,6 +1,7 @@
 import type { AnimationClip, Matrix4, Object3D, Texture } from 'three';
 import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
+import type { LampShadow, LightShadow } from './light-shadow.ts';
 import type { SceneLook } from './scene-look.ts';
 import type { LightEstimate, ReflectionCube, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
 import type { AudioAsset, SoundOutput } from './sound.ts';
@@ -230,23 +231,6 @@ export interface ProbeLightItem {
   reflection: ReflectionCube | null;
   /** Factor on all its radiance. */
   intensity: number;
-}
-
-export interface LightShadow {
-  /** Side of the square that the map covers around the casters, metres. */
-  areaM: number;
-  mapSizePx: number;
-  /** Normalised depth added against acne, and metres along the normal. */
-  bias: number;
-  normalBiasM: number;
-}
-
-/** The shadow of a lamp with a place: its map covers all that it shines on. */
-export interface LampShadow {
-  /** Side of the map; a point light has six. */
-  mapSizePx: number;
-  /** How far the shadow is held off its surface, in the map's pixels there. */
-  biasPx: number;
 }
 
 /** A panorama on its way to the lights. */

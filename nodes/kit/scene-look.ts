@@ -1,5 +1,5 @@
 import type { Object3D } from 'three';
-import type { NumberView, ObjectItem, ObjectList, VectorView } from './runtime.ts';
+import type { NumberView, ObjectItem, ObjectList, RoomDepthOutput, VectorView } from './runtime.ts';
 
 /** What a scene draws each of its objects with. */
 export type SceneLook =
@@ -24,4 +24,9 @@ export interface ShadowCatcherLook {
   readonly on?: 'phantoms' | 'everything';
   /** What casts, where shadow volumes are to be used; absent, the shadow maps of the operation are. */
   readonly volumesOf?: readonly ObjectList[];
+  /**
+   * Depth of the real room, and how far behind it something may lie and still catch shadows: what the depth shows catches them where
+   * nothing else does, by shadow maps, and what lies behind it catches none.
+   */
+  readonly room?: { readonly depth: RoomDepthOutput; readonly toleranceM: NumberView };
 }

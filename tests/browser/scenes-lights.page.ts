@@ -10,7 +10,8 @@ import {
   SRGBColorSpace,
   WebGLRenderer,
 } from 'three';
-import type { LampShadow, LightItem, LightShadow, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LampShadow, LightShadow } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,

@@ -13,7 +13,8 @@ import {
   RGBAFormat,
   SphereGeometry,
 } from 'three';
-import type { LightItem, LightShadow, ObjectItem, ObjectList, Writable } from '../../nodes/kit/runtime.ts';
+import type { LightShadow } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem, ObjectList, Writable } from '../../nodes/kit/runtime.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   createStand,

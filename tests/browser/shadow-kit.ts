@@ -13,7 +13,9 @@ import {
   Vector3,
 } from 'three';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { LampShadow, LightItem, LightShadow, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LampShadow, LightShadow } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { ShadowCatcherLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
   createStand,
@@ -30,6 +32,8 @@ import {
   translation,
   viewOf,
 } from './scenes-kit.ts';
+
+type SceneRoom = NonNullable<ShadowCatcherLook['room']>;
 
 export type Method = 'map' | 'volume';
 
@@ -61,6 +65,9 @@ export interface Shot {
   readonly on?: 'phantoms' | 'everything';
   readonly camera?: PerspectiveCamera;
   readonly told?: Omit<Diagnostic, 'nodeId'>[];
+  /** Depth of the real room, with the tolerance. */
+  readonly room?: SceneRoom;
+  readonly strength?: number;
   /** Two halves of the target, each with a camera of its own. */
   readonly second?: PerspectiveCamera;
 }
@@ -74,10 +81,11 @@ export function shoot({ backend, layer }: Stand, shot: Shot): Uint8Array {
   const report = (diagnostic: Omit<Diagnostic, 'nodeId'>): void => void shot.told?.push(diagnostic);
   const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null, report }).createScene({
     kind: 'shadow-catcher',
-    strength: { value: 0.5 },
+    strength: { value: shot.strength ?? 0.5 },
     color: { value: Float64Array.of(0, 0, 0, 1) },
     on: shot.on ?? 'phantoms',
     ...(volumes ? { volumesOf: [casters] } : {}),
+    ...(shot.room ? { room: shot.room } : {}),
   });
   scene.update([objects(...shot.receivers)], [lightList]);
   backend.invalidateState();

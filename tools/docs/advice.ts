@@ -25,6 +25,8 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
     'Mend the expression at the character that the message names. What can be written is in the description of the node “Expression”.',
   SCR023: 'Let fewer lights cast shadows, or remove lights that the message says do nothing.',
   SCR024: 'Choose “Shadow map” as the method of the shadow, or use a model whose shape is in its triangles.',
+  SCR025:
+    'The device has its limits: a largest picture, or none of 32-bit floats. Shadows are drawn as well as it can; choose a smaller resolution or “Soft” edges, so that all devices show the same.',
   SCR030: 'Import the file into the project, or choose another in the inspector.',
   SCR031: 'Copy the file into the project’s `assets` folder and choose it from there.',
   SCR032: 'Open the file in the program that made it and save it again: pictures as PNG, JPEG or WebP, models as glTF 2.0 (.glb).',

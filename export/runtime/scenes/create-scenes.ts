@@ -3,7 +3,7 @@ import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '..
 import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore } from './environments/panorama-store.ts';
 import { type ReadRadiance, readRadiance } from './environments/read-radiance.ts';
-import { createLightLimits } from './lights/light-limits.ts';
+import { createLightLimits, mapLimitsOf } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createMaskScene } from './mask-scene.ts';
 import { createOcclusionPatch } from './materials/occlusion-patch.ts';
@@ -30,6 +30,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
   const renderer = createSceneRenderer(host);
   const neutral = createNeutralEnvironment(renderer);
   const panoramas = createPanoramaStore(renderer, tools.readRadiance ?? null);
+  const limits = mapLimitsOf(renderer.three);
   return {
     serviceFor: (binding) => {
       const shadowMaps = binding.shadowMaps === null ? null : rendered(binding.shadowMaps);
@@ -45,10 +46,10 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
                 ambient: look.ambient ?? FULL_AMBIENT,
                 shadowMaps,
                 occlusion,
-                watchLimits: createLightLimits(binding.report, 'all'),
+                watchLimits: createLightLimits(binding.report, 'all', limits),
               });
             case 'shadow-catcher':
-              return createShadowLayer({ renderer, look, maps: shadowMaps, occlusion, report: binding.report });
+              return createShadowLayer({ renderer, look, maps: shadowMaps, occlusion, limits, report: binding.report });
             case 'mask':
               return createMaskScene({ renderer, shows: look.shows, occlusion });
           }

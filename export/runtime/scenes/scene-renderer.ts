@@ -17,8 +17,10 @@ export interface SceneRenderer {
   readonly three: ThreeRenderer;
   /** Draws over what the view's framebuffer holds, and leaves that framebuffer bound. */
   draw(view: DrawView, scene: Scene, camera: Camera): void;
-  /** Clears the depth of a target of three's own, or of one face of a cube, and draws into it; leaves no framebuffer bound. */
+  /** Clears a target of three's own, or one face of a cube, to depth 1 and colour 0, and draws into it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
+  /** Draws over what a target of three's own holds, which has to be covered; leaves no framebuffer bound. */
+  drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
   /** Clears the corner of a target of three's own, depth and stencil too, and draws into it; leaves no framebuffer bound. */
   drawCorner(target: WebGLRenderTarget, widthPx: number, heightPx: number, scene: Scene, camera: Camera): void;
   /** Lets three do other work on the GPU, at any time between draws; leaves no framebuffer bound. */
@@ -97,9 +99,17 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       if (compiling) {
         compiling.push(three.compileAsync(scene, camera));
       } else {
-        three.clear(false, true, false);
+        three.setClearColor(0x000000, 0);
+        three.clear(true, true, false);
         three.render(scene, camera);
       }
+      three.setRenderTarget(null);
+    },
+    drawOver: (overTarget, scene, camera) => {
+      restoreState();
+      three.setRenderTarget(overTarget);
+      if (compiling) compiling.push(three.compileAsync(scene, camera));
+      else three.render(scene, camera);
       three.setRenderTarget(null);
     },
     drawCorner: (cornerTarget, widthPx, heightPx, scene, camera) => {

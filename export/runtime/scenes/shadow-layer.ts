@@ -2,8 +2,10 @@ import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
 import type { ShadowCatcherLook } from '../../../nodes/kit/scene-look.ts';
 import type { DrawBinding } from '../scene-backend.ts';
 import { createLightLimits } from './lights/light-limits.ts';
+import type { MapLimits } from './lights/light-map.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import { createRoomSurface } from './materials/room-surface.ts';
 import { createMapCatcher } from './materials/shadow-catcher.ts';
 import type { SceneRenderer } from './scene-renderer.ts';
 import { createShadowScene } from './shadow-scene.ts';
@@ -14,20 +16,22 @@ export interface ShadowLayerOptions {
   readonly look: ShadowCatcherLook;
   readonly maps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
+  readonly limits: MapLimits;
   readonly report: DrawBinding['report'];
 }
 
 /** The scene of a shadow layer, by the method that its look asks for. Nothing else depends on the method. */
-export function createShadowLayer({ renderer, look, maps, occlusion, report }: ShadowLayerOptions): DrawnScene {
-  const { strength, color, volumesOf } = look;
+export function createShadowLayer({ renderer, look, maps, occlusion, limits, report }: ShadowLayerOptions): DrawnScene {
+  const { strength, color, volumesOf, room } = look;
   const catches = (item: ObjectItem): boolean => look.on === 'everything' || item.role === 'phantom';
-  const shared = { strength, color, occlusion };
+  const surface = room ? createRoomSurface(room.depth, room.toleranceM) : null;
+  const shared = { strength, color, occlusion: [occlusion, surface?.clip ?? null].filter((patch) => patch !== null) };
   if (!volumesOf) {
     const catcher = createMapCatcher({ ...shared, maps });
-    return createShadowScene({ renderer, catcher, catches, occlusion, watchLimits: createLightLimits(report, 'shadows') });
+    return createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits: createLightLimits(report, 'shadows', limits) });
   }
   const catcher = createVolumeCatcher({ ...shared, renderer, casters: volumesOf, catches, tellShaped: createTellShaped(report) });
-  return createShadowScene({ renderer, catcher, catches, occlusion, watchLimits: () => {} });
+  return createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits: () => {} });
 }
 
 function createTellShaped(report: DrawBinding['report']): (name: string) => void {

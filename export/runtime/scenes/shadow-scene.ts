@@ -1,10 +1,12 @@
-import { Scene } from 'three';
+import { type Material, Mesh, PlaneGeometry, Scene } from 'three';
 import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
 import type { LightLimits } from './lights/light-limits.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
+import type { RoomSurface } from './materials/room-surface.ts';
+import { patchMaterial } from './materials/shader-patch.ts';
 import { catchesShadows, type ShadowCatcher } from './materials/shadow-catcher.ts';
-import { createTwinCache } from './materials/twins.ts';
+import { createTwinCache, type Twin } from './materials/twins.ts';
 import { type Drawable, mapMaterials, programFeatures } from './proxies/drawable.ts';
 import type { ProxyPlan } from './proxies/proxy.ts';
 import { createProxySet } from './proxies/proxy-set.ts';
@@ -17,24 +19,34 @@ export interface ShadowSceneOptions {
   /** What takes part. Where it is phantoms alone, virtual objects hide nothing: what they stand before is covered by the layer above. */
   readonly catches: (item: ObjectItem) => boolean;
   readonly occlusion: OcclusionPatch | null;
+  /** What room depth shows catches shadows where nothing else does, and hides what lies behind it. */
+  readonly surface: RoomSurface | null;
   readonly watchLimits: LightLimits;
 }
 
 const receivesShadow = (item: ObjectItem): boolean => item.receivesShadow;
 
 /** Objects as shadow catchers. */
-export function createShadowScene({ renderer, catcher, catches, occlusion, watchLimits }: ShadowSceneOptions): DrawnScene {
+export function createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits }: ShadowSceneOptions): DrawnScene {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
   const twins = createTwinCache();
   const proxies = createProxySet(scene, plan);
 
+  const room = surface ? createRoomMesh(scene, catcher, surface) : null;
+
+  function createDepth(master: Material, use: 'surface' | 'solid'): Twin {
+    const twin = createDepthTwin(master, use);
+    if (surface) patchMaterial(twin.material, null, [surface.clip]);
+    return twin;
+  }
+
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     if (!catches(item)) return [];
     const features = programFeatures(master);
     const use = item.role === 'phantom' ? 'surface' : 'solid';
-    const depth = mapMaterials(master, (part) => twins.get(part, `${features}|${use}`, () => createDepthTwin(part, use)));
+    const depth = mapMaterials(master, (part) => twins.get(part, `${features}|${use}`, () => createDepth(part, use)));
     if (!catchesShadows(master, item)) return [{ material: depth, renderOrder: 0 }];
     const shadow = mapMaterials(master, (part) => twins.get(part, features, () => catcher.createTwin(part)));
     return [
@@ -54,12 +66,38 @@ export function createShadowScene({ renderer, catcher, catches, occlusion, watch
       catcher.beforeDraw(drawView);
       view.set(drawView.view);
       occlusion?.bind(drawView);
+      const known = surface?.bind(drawView) ?? false;
+      if (room) room.mesh.visible = known;
       renderer.draw(drawView, scene, view.camera);
     },
     dispose: () => {
       proxies.dispose();
+      room?.dispose();
       catcher.dispose();
       twins.dispose();
+    },
+  };
+}
+
+/** After the depth of all that catches shadows. */
+const ROOM_LAST = 1;
+
+/** One quad over the whole view; null where the method of shadows cannot do it. */
+function createRoomMesh(scene: Scene, catcher: ShadowCatcher, surface: RoomSurface): { readonly mesh: Mesh; dispose(): void } | null {
+  const material = catcher.createRoomMaterial(surface.uniforms);
+  if (!material) return null;
+  const mesh = new Mesh(new PlaneGeometry(2, 2), material);
+  mesh.frustumCulled = false;
+  mesh.matrixAutoUpdate = false;
+  mesh.matrixWorldAutoUpdate = false;
+  mesh.renderOrder = ROOM_LAST;
+  scene.add(mesh);
+  return {
+    mesh,
+    dispose: () => {
+      scene.remove(mesh);
+      mesh.geometry.dispose();
+      material.dispose();
     },
   };
 }

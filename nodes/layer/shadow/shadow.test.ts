@@ -27,3 +27,22 @@ test('draws its phantoms, not its casters, and frees its scene', () => {
   set('strength', 0.9);
   expect(look).toMatchObject({ kind: 'shadow-catcher', strength: { value: 0.9 } });
 });
+
+test('with room depth needs nothing else to fall on; with neither says so', () => {
+  const depth = { views: [] };
+  let look: SceneLook | null = null;
+  const scenes = {
+    createScene: (wanted: SceneLook) => {
+      look = wanted;
+      return { update: () => {}, draw: () => {}, dispose: () => {} };
+    },
+  };
+  const without = fakeContext(definition, { inputs: { casters: [], receivers: [], lights: [] }, services: { scenes } });
+  create(without.ctx).update({} as never);
+  expect(without.reports).toEqual([expect.objectContaining({ code: 'SCR015', port: 'receivers' })]);
+  expect(look).not.toHaveProperty('room');
+  const within = fakeContext(definition, { inputs: { casters: [], receivers: [], lights: [], depth }, services: { scenes } });
+  create(within.ctx).update({} as never);
+  expect(within.reports).toEqual([]);
+  expect(look).toMatchObject({ room: { depth, toleranceM: { value: 0.05 } } });
+});

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { SHADOW_AREA_M, SHADOW_BIAS_PX, SHADOW_MAP_SIZE } from '../../kit/light-params.ts';
+import { SHADOW_AREA_M, SHADOW_BIAS_PX, SHADOW_FILTER, SHADOW_MAP_SIZE, SHADOW_SOURCE_RAD } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/directional',
@@ -54,6 +54,8 @@ export const definition = defineNode({
     areaM: SHADOW_AREA_M,
     mapSize: SHADOW_MAP_SIZE,
     biasPx: SHADOW_BIAS_PX,
+    filter: SHADOW_FILTER,
+    sourceRad: SHADOW_SOURCE_RAD,
   },
   lowering: { kind: 'geometry' },
 });

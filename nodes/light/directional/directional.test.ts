@@ -32,7 +32,7 @@ describe('light/directional', () => {
 
   test('shadows can be turned off and on, and the map set up, while running', () => {
     const { node, light, set } = make({ areaM: 2, mapSize: '1024', biasPx: 3 });
-    expect(light.shadow).toEqual({ areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: (3 * 2) / 1024 });
+    expect(light.shadow).toEqual({ areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: (3 * 2) / 1024, filter: 'soft', sourceRad: 0.1 });
     const { shadow } = light;
     set('castShadow', false);
     node.update({} as never);

@@ -1,5 +1,6 @@
 import { Color } from 'three';
-import type { DirectionalLightItem, LightShadow, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
+import type { LightShadow } from '../../kit/light-shadow.ts';
+import type { DirectionalLightItem, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /** A matt surface sends back 1/π of the light that meets it: this much light makes a white one white. */
@@ -9,11 +10,11 @@ const WHITE_ON_WHITE = Math.PI;
 const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { color, intensity, azimuthRad, elevationRad, castShadow, areaM, biasPx } = ctx.params;
+  const { color, intensity, azimuthRad, elevationRad, castShadow, areaM, biasPx, sourceRad } = ctx.params;
   const mapSizePx = Number(ctx.config.mapSize);
   // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
   // shadow's filter, so it is counted in the map's pixels.
-  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0 };
+  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0, filter: ctx.config.filter, sourceRad: 0 };
   const light: DirectionalLightItem = {
     key: 'light',
     kind: 'directional',
@@ -33,6 +34,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       light.towardsLightWorld[1] = Math.sin(elevationRad.value);
       light.towardsLightWorld[2] = horizontal * Math.cos(azimuthRad.value);
       shadow.areaM = areaM.value;
+      shadow.sourceRad = sourceRad.value;
       shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
       light.shadow = castShadow.value ? shadow : null;
     },

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
+import { LAMP_CASTS_SHADOW, LAMP_RANGE_M, POINT_SHADOW_FILTER, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/point',
@@ -39,12 +39,14 @@ export const definition = defineNode({
       doc: 'Side of each of the six shadow maps in pixels. Finer takes more memory and time: 1024 needs 30 MB, and objects are drawn six times.',
       default: '1024',
       options: [
+        { value: '256', label: '256' },
         { value: '512', label: '512' },
         { value: '1024', label: '1024' },
         { value: '2048', label: '2048' },
       ],
     },
     biasPx: SHADOW_BIAS_PX,
+    filter: POINT_SHADOW_FILTER,
   },
   lowering: { kind: 'geometry' },
 });

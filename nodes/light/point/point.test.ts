@@ -22,7 +22,7 @@ describe('light/point', () => {
 
   test('moves, and its shadow is turned off and on, while running', () => {
     const { node, light, set } = make({ mapSize: '512', biasPx: 3 });
-    expect(light.shadow).toEqual({ mapSizePx: 512, biasPx: 3 });
+    expect(light.shadow).toEqual({ mapSizePx: 512, biasPx: 3, filter: 'soft' });
     const { shadow } = light;
     set('castShadow', false);
     set('positionM', [0, 5, 0]);

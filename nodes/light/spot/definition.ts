@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { CONE_MAP_SIZE, LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
+import { CONE_MAP_SIZE, LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX, SHADOW_FILTER, SHADOW_SOURCE_M } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/spot',
@@ -64,6 +64,8 @@ export const definition = defineNode({
     castShadow: LAMP_CASTS_SHADOW,
     mapSize: CONE_MAP_SIZE,
     biasPx: SHADOW_BIAS_PX,
+    filter: SHADOW_FILTER,
+    sourceM: SHADOW_SOURCE_M,
   },
   lowering: { kind: 'geometry' },
 });

@@ -1,5 +1,6 @@
 import { Color, Vector3 } from 'three';
-import type { LampShadow, NodeContext, NodeRuntime, SpotLightItem } from '../../kit/runtime.ts';
+import type { LampShadow } from '../../kit/light-shadow.ts';
+import type { NodeContext, NodeRuntime, SpotLightItem } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 // Read by the call that fills them, before anything else can.
@@ -8,8 +9,8 @@ const scratchTowards = new Vector3();
 const scratchTarget = new Vector3();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { color, intensityCd, positionM, targetM, angleRad, penumbra, rangeM, castShadow, biasPx } = ctx.params;
-  const shadow: LampShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0 };
+  const { color, intensityCd, positionM, targetM, angleRad, penumbra, rangeM, castShadow, biasPx, sourceM } = ctx.params;
+  const shadow: LampShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter, sourceM: 0 };
   const light: SpotLightItem = {
     key: 'light',
     kind: 'spot',
@@ -36,6 +37,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       light.penumbra = penumbra.value;
       light.rangeM = rangeM.value;
       shadow.biasPx = biasPx.value;
+      shadow.sourceM = sourceM.value;
       light.shadow = castShadow.value ? shadow : null;
     },
     dispose: () => {},

@@ -29,7 +29,7 @@ describe('light/spot', () => {
 
   test('its shadow is turned off and on while running, and keeps its map', () => {
     const { node, light, set } = make({ mapSize: '2048', biasPx: 1 });
-    expect(light.shadow).toEqual({ mapSizePx: 2048, biasPx: 1 });
+    expect(light.shadow).toEqual({ mapSizePx: 2048, biasPx: 1, filter: 'soft', sourceM: 0.1 });
     const { shadow } = light;
     set('castShadow', false);
     node.update({} as never);

@@ -86,7 +86,7 @@ describe('world/light-estimate', () => {
     expect(around.reflection).toBeNull();
   });
 
-  test('has a stated light where there is neither, and takes over the first picture at once', () => {
+  test('has a stated light where there is neither, and takes over the first picture and the first estimate at once', () => {
     const seen: Seen = { light: null, cameraMean: null };
     const { step, primary } = make(seen);
     step(0);
@@ -94,6 +94,9 @@ describe('world/light-estimate', () => {
     seen.cameraMean = Float32Array.of(0.1, 0.1, 0.1);
     step(0.016);
     expect(rounded(primary.radiance)).toEqual(rounded(new Array(3).fill(0.08 * Math.PI)));
+    seen.light = estimate(3);
+    step(0);
+    expect(rounded(primary.radiance)).toEqual([6, 6, 6]);
   });
 
   test('its shadow is set up and turned off while running; a reset takes the next light at once', () => {

@@ -1,4 +1,5 @@
-import type { DirectionalLightItem, LightShadow, NodeContext, NodeRuntime, ProbeLightItem, Writable } from '../../kit/runtime.ts';
+import type { LightShadow } from '../../kit/light-shadow.ts';
+import type { DirectionalLightItem, NodeContext, NodeRuntime, ProbeLightItem, Writable } from '../../kit/runtime.ts';
 import type { LightEstimate } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 import { createRoomLight, DEFAULT_MEAN, guessLight, type RoomLight } from './guess-light.ts';
@@ -10,10 +11,10 @@ import { createRoomLight, DEFAULT_MEAN, guessLight, type RoomLight } from './gue
 const HOLD_S = 2;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { intensity, smoothingS, castShadow, areaM, biasPx } = ctx.params;
+  const { intensity, smoothingS, castShadow, areaM, biasPx, sourceRad } = ctx.params;
   const { mapSize } = ctx.config;
   const mapSizePx = Number(mapSize);
-  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0 };
+  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0, filter: ctx.config.filter, sourceRad: 0 };
   const primary: DirectionalLightItem = {
     key: 'primary',
     kind: 'directional',
@@ -42,6 +43,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   function findTarget(light: LightEstimate | null): void {
     const { timeS } = ctx.clock;
     if (light) {
+      // Nor is the first estimate one that the light has to come near to.
+      if (estimatedS === null) fresh = true;
       estimatedS = timeS;
       takeOver(target, light);
       around.reflection = light.reflection ?? null;
@@ -72,6 +75,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       primary.towardsLightWorld.set(now.directionWorld);
       for (let c = 0; c < 3; c++) primary.radiance[c] = (now.irradiance[c] ?? 0) * intensity.value;
       shadow.areaM = areaM.value;
+      shadow.sourceRad = sourceRad.value;
       shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
       primary.shadow = castShadow.value ? shadow : null;
     },

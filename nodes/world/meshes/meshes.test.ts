@@ -19,7 +19,7 @@ function scan(id: string, more: Partial<Scan> = {}): Scan {
   };
 }
 
-/** The shadows on them are proved in `tests/browser/real-surfaces.test.ts`. */
+/** The shadows on them are proved in `tests/slow/real-surfaces.test.ts`. */
 test('makes scanned shapes phantoms where they stand, anew when they change, and none of what has no triangle', () => {
   const { ctx, set } = fakeContext(definition);
   const node = create(ctx);

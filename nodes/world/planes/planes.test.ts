@@ -53,7 +53,7 @@ function measure({ items }: ReturnType<typeof make>['objects'], i = 0) {
   return { area, normal: normal.normalize().toArray().map(Math.round) };
 }
 
-/** The shadows on them are proved in `tests/browser/real-surfaces.test.ts`. */
+/** The shadows on them are proved in `tests/slow/real-surfaces.test.ts`. */
 describe('world/planes', () => {
   test('makes each plane a phantom that is seen from the side of its normal, whichever way its outline turns', () => {
     const { objects, see } = make();

@@ -1,14 +1,20 @@
+import type { WebGLRenderer } from 'three';
 import type { LightItem, LightList } from '../../../../nodes/kit/runtime.ts';
 import type { DrawBinding } from '../../scene-backend.ts';
 import { isLamp } from './is-lamp.ts';
-import { shadowOf } from './light-map.ts';
-import { MAX_SHADOWS } from './shadow-maps.ts';
+import { type MapLimits, needsFloats, shadowOf } from './light-map.ts';
+
+/**
+ * Lights of one set of maps that cast shadows, the first ones in their order. WebGL 2 promises 16 texture units and 15 varyings;
+ * three takes one of each per shadow, and the richest of its materials ten.
+ */
+export const MAX_SHADOWS = 6;
 
 /** Tells the node that draws when it is wired more lights than can be drawn; every frame, because shadows are switched while running. */
 export type LightLimits = (lists: readonly LightList[]) => void;
 
 /** `shadows`: of a layer that shows nothing else. */
-export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 'shadows'): LightLimits {
+export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 'shadows', limits: MapLimits): LightLimits {
   return (lists) => {
     if (!report) return;
     const shadows = countLights(lists, (light) => shadowOf(light) !== null);
@@ -19,6 +25,24 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         port: 'lights',
         message: `${shadows} lights cast shadows here, and ${MAX_SHADOWS} can: the first ${MAX_SHADOWS} do, the others shine through things.`,
         fix: 'Turn “Cast shadows” off at the lights where it matters least.',
+      });
+    }
+    if (countLights(lists, (light) => (shadowOf(light)?.mapSizePx ?? 0) > limits.maxSizePx) > 0) {
+      report({
+        code: 'SCR025',
+        severity: 'info',
+        port: 'lights',
+        message: `This device makes no shadow map larger than ${limits.maxSizePx} pixels a side: maps that should be larger are as large as that.`,
+        fix: 'Choose a smaller “Shadow resolution”, or a smaller “Shadow area”, so that all devices show the same.',
+      });
+    }
+    if (shown === 'shadows' && !limits.floats && countLights(lists, (light) => needsFloats(shadowOf(light)?.filter)) > 0) {
+      report({
+        code: 'SCR025',
+        severity: 'info',
+        port: 'lights',
+        message: 'This device cannot filter shadow maps by variance or harden them at contacts: such shadows are as of “Soft”.',
+        fix: 'Choose “Soft” as the shadow edges, so that all devices show the same.',
       });
     }
     if (shown === 'shadows') return;
@@ -33,6 +57,11 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
       });
     }
   };
+}
+
+export function mapLimitsOf({ capabilities, extensions }: WebGLRenderer): MapLimits {
+  const floats = extensions.has('EXT_color_buffer_float') && extensions.has('OES_texture_float_linear');
+  return { maxSizePx: Math.min(capabilities.maxTextureSize, capabilities.maxCubemapSize), floats };
 }
 
 function countLights(lists: readonly LightList[], counts: (light: LightItem) => boolean): number {

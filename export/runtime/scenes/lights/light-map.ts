@@ -2,6 +2,7 @@ import {
   Camera,
   CubeDepthTexture,
   DepthTexture,
+  FloatType,
   LessEqualCompare,
   LinearFilter,
   Matrix4,
@@ -9,14 +10,18 @@ import {
   RedFormat,
   type Scene,
   type Sphere,
+  type Texture,
   UnsignedIntType,
+  Vector2,
   WebGLCubeRenderTarget,
   WebGLRenderTarget,
 } from 'three';
-import type { DirectionalLightItem, LightItem, LightShadow, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
+import type { LampShadow, LightShadow, ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
+import type { DirectionalLightItem, LightItem, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { isLamp } from './is-lamp.ts';
 import { aimCone, aimFace, createLampFit, FACE_COUNT, fitReach, type LampFit } from './lamp-fit.ts';
+import { createMoments } from './moments.ts';
 import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
 
 /** One light's depth map of this frame. */
@@ -32,9 +37,19 @@ export interface ShadowMap {
   readonly bias: number;
   /** Metres along the receiver's normal; of a lamp with a place, per metre from it. */
   readonly normalBias: number;
-  /** Of a lamp with a place. */
+  readonly filter: ShadowFilter;
+  /** Of `pcss`: 1 less the depth, in red, not filtered; else null. */
+  readonly depths: Texture | null;
+  /** Of `vsm`: see `moments.ts`; else null. */
+  readonly moments: Texture | null;
+  /** Of a lamp with a place, metres; 0 and the whole range for parallel light. */
   readonly nearM: number;
   readonly farM: number;
+  /**
+   * Of `pcss`: x, half the size of the light: of parallel light the radius of the penumbra in UV per metre between what casts and what
+   * receives, else metres. y: UV per metre across the map, one metre away from a lamp with a place; 0 for parallel light.
+   */
+  readonly source: Vector2;
 }
 
 /** A light with a shadow, and its map. */
@@ -43,20 +58,29 @@ export interface LightMap {
   /** Made for these settings; other ones need another map. */
   readonly shadow: object;
   readonly map: ShadowMap;
+  readonly askedSizePx: number;
   /** Draws the casters as the light sees them. */
   render(renderer: SceneRenderer, scene: Scene, castersWorld: readonly Sphere[]): void;
+  dispose(): void;
+}
+
+/** What the device can make of what a light asks for. */
+export interface MapLimits {
+  readonly maxSizePx: number;
+  /** Draws and filters 32-bit floats; without, maps that would need them are filtered as `soft`. */
+  readonly floats: boolean;
 }
 
 /** Null where the light casts no shadow. */
-export function createLightMap(light: LightItem): LightMap | null {
+export function createLightMap(light: LightItem, limits: MapLimits): LightMap | null {
   if (!isLamp(light) || light.shadow === null) return null;
   switch (light.kind) {
     case 'directional':
-      return createSunMap(light, light.shadow);
+      return createSunMap(light, light.shadow, limits);
     case 'spot':
-      return createConeMap(light, light.shadow);
+      return createConeMap(light, light.shadow, limits);
     case 'point':
-      return createCubeMap(light, light.shadow);
+      return createCubeMap(light, light.shadow, limits);
   }
 }
 
@@ -65,15 +89,17 @@ export function shadowOf(light: LightItem): DirectionalLightItem['shadow'] | Poi
   return isLamp(light) ? light.shadow : null;
 }
 
-function createSunMap(light: DirectionalLightItem, shadow: LightShadow): LightMap {
+function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: MapLimits): LightMap {
   const fit = createShadowFit();
-  const target = createFlatTarget(shadow.mapSizePx);
+  const flat = createFlatTarget(shadow, limits);
+  const source = new Vector2();
   return {
     light,
     shadow,
+    askedSizePx: shadow.mapSizePx,
     map: {
+      ...flat.part,
       kind: 'flat',
-      target,
       mapFromWorld: fit.mapFromWorld,
       get bias() {
         return shadow.bias;
@@ -82,39 +108,84 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow): LightMa
         return shadow.normalBiasM;
       },
       nearM: 0,
-      farM: 0,
+      get farM() {
+        return fit.farM;
+      },
+      source,
     },
     render: (renderer, scene, castersWorld) => {
-      fitShadow(fit, light.towardsLightWorld, castersWorld, shadow.areaM, shadow.mapSizePx);
-      renderer.drawDepth(target, scene, cameraOf(fit));
+      fitShadow(fit, light.towardsLightWorld, castersWorld, shadow.areaM, flat.part.target.width);
+      source.set(Math.tan((shadow.sourceRad ?? 0) / 2) / shadow.areaM, 0);
+      flat.render(renderer, scene, cameraOf(fit));
     },
+    dispose: flat.dispose,
   };
 }
 
-function createConeMap(light: SpotLightItem, shadow: NonNullable<SpotLightItem['shadow']>): LightMap {
+function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimits): LightMap {
   const fit = createLampFit();
-  const target = createFlatTarget(shadow.mapSizePx);
+  const flat = createFlatTarget(shadow, limits);
   const mapFromWorld = new Matrix4();
+  const source = new Vector2();
   return {
     light,
     shadow,
-    map: lampMap('flat', target, mapFromWorld, fit, () => (shadow.biasPx * 2 * Math.tan(light.halfAngleRad)) / shadow.mapSizePx),
+    askedSizePx: shadow.mapSizePx,
+    map: {
+      ...flat.part,
+      kind: 'flat',
+      mapFromWorld,
+      bias: 0,
+      get normalBias() {
+        return (shadow.biasPx * 2 * Math.tan(light.halfAngleRad)) / flat.part.target.width;
+      },
+      get nearM() {
+        return fit.nearM;
+      },
+      get farM() {
+        return fit.farM;
+      },
+      source,
+    },
     render: (renderer, scene, castersWorld) => {
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       aimCone(fit, light.positionWorld, light.towardsLightWorld, light.halfAngleRad, mapFromWorld);
-      renderer.drawDepth(target, scene, cameraOf(fit));
+      source.set((shadow.sourceM ?? 0) / 2, 0.5 / Math.tan(light.halfAngleRad));
+      flat.render(renderer, scene, cameraOf(fit));
     },
+    dispose: flat.dispose,
   };
 }
 
-function createCubeMap(light: PointLightItem, shadow: NonNullable<PointLightItem['shadow']>): LightMap {
+const NO_SOURCE = new Vector2();
+
+function createCubeMap(light: PointLightItem, shadow: LampShadow, { maxSizePx }: MapLimits): LightMap {
   const fit = createLampFit();
-  const target = createCubeTarget(shadow.mapSizePx);
+  const target = createCubeTarget(Math.min(shadow.mapSizePx, maxSizePx));
   const mapFromWorld = new Matrix4();
   return {
     light,
     shadow,
-    map: lampMap('cube', target, mapFromWorld, fit, () => (shadow.biasPx * 2) / shadow.mapSizePx),
+    askedSizePx: shadow.mapSizePx,
+    map: {
+      kind: 'cube',
+      target,
+      mapFromWorld,
+      filter: shadow.filter ?? 'soft',
+      depths: null,
+      moments: null,
+      bias: 0,
+      get normalBias() {
+        return (shadow.biasPx * 2) / target.width;
+      },
+      get nearM() {
+        return fit.nearM;
+      },
+      get farM() {
+        return fit.farM;
+      },
+      source: NO_SOURCE,
+    },
     render: (renderer, scene, castersWorld) => {
       const [x = 0, y = 0, z = 0] = light.positionWorld;
       mapFromWorld.makeTranslation(-x, -y, -z);
@@ -124,30 +195,7 @@ function createCubeMap(light: PointLightItem, shadow: NonNullable<PointLightItem
         renderer.drawDepth(target, scene, cameraOf(fit), face);
       }
     },
-  };
-}
-
-function lampMap(
-  kind: ShadowMap['kind'],
-  target: WebGLRenderTarget,
-  mapFromWorld: Matrix4,
-  fit: LampFit,
-  normalBias: () => number,
-): ShadowMap {
-  return {
-    kind,
-    target,
-    mapFromWorld,
-    bias: 0,
-    get normalBias() {
-      return normalBias();
-    },
-    get nearM() {
-      return fit.nearM;
-    },
-    get farM() {
-      return fit.farM;
-    },
+    dispose: () => target.dispose(),
   };
 }
 
@@ -168,11 +216,38 @@ function createCamera(): Camera {
   return camera;
 }
 
-/** A colour buffer is of no use, but three insists on one: the smallest. */
+/** Where a colour buffer is of no use, three insists on one: the smallest. */
 const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestFilter, generateMipmaps: false } as const;
 
-function createFlatTarget(sizePx: number): WebGLRenderTarget {
-  return new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, depthTexture: comparing(new DepthTexture(sizePx, sizePx, UnsignedIntType)) });
+interface FlatTarget {
+  readonly part: Pick<ShadowMap, 'target' | 'filter' | 'depths' | 'moments'>;
+  render(renderer: SceneRenderer, scene: Scene, camera: Camera): void;
+  dispose(): void;
+}
+
+/** With whatever the filter reads beside depth that compares. */
+function createFlatTarget({ mapSizePx, filter: asked = 'soft' }: LightShadow | LampShadow, { maxSizePx, floats }: MapLimits): FlatTarget {
+  const sizePx = Math.min(mapSizePx, maxSizePx);
+  const filter = needsFloats(asked) && !floats ? 'soft' : asked;
+  const depthTexture = comparing(new DepthTexture(sizePx, sizePx, UnsignedIntType));
+  const target = new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, ...(needsFloats(filter) ? { type: FloatType } : {}), depthTexture });
+  const moments = filter === 'vsm' ? createMoments(target.texture, sizePx) : null;
+  return {
+    part: { target, filter, depths: filter === 'pcss' ? target.texture : null, moments: moments?.texture ?? null },
+    render: (renderer, scene, camera) => {
+      renderer.drawDepth(target, scene, camera);
+      moments?.update(renderer);
+    },
+    dispose: () => {
+      target.dispose();
+      moments?.dispose();
+    },
+  };
+}
+
+/** Of depth that is read, and not compared alone. */
+export function needsFloats(filter: ShadowFilter | undefined): boolean {
+  return filter === 'vsm' || filter === 'pcss';
 }
 
 function createCubeTarget(sizePx: number): WebGLCubeRenderTarget {

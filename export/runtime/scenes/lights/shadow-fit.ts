@@ -14,6 +14,8 @@ export interface ShadowFit {
   readonly clipFromLight: Matrix4;
   /** Map UV and depth, each in [0, 1], from world. */
   readonly mapFromWorld: Matrix4;
+  /** How far from the camera depth is 1, metres. */
+  farM: number;
 }
 
 export function createShadowFit(): ShadowFit {
@@ -22,6 +24,7 @@ export function createShadowFit(): ShadowFit {
     worldFromLight: new Matrix4(),
     clipFromLight: new Matrix4(),
     mapFromWorld: new Matrix4(),
+    farM: REACH_M,
   };
 }
 
@@ -85,8 +88,8 @@ export function fitShadow(
   fit.worldFromLight.makeBasis(scratchRight, scratchUp, scratchBack).setPosition(scratchCenter);
   fit.lightFromWorld.copy(fit.worldFromLight).invert();
   const half = areaM / 2;
-  const farM = maxZ - minZ + NEAR_M + REACH_M;
-  fit.clipFromLight.makeOrthographic(-half, half, half, -half, 0, farM);
+  fit.farM = maxZ - minZ + NEAR_M + REACH_M;
+  fit.clipFromLight.makeOrthographic(-half, half, half, -half, 0, fit.farM);
   fit.mapFromWorld.multiplyMatrices(UV_FROM_CLIP, fit.clipFromLight).multiply(fit.lightFromWorld);
 }
 

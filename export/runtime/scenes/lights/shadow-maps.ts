@@ -6,13 +6,8 @@ import { createTwinCache } from '../materials/twins.ts';
 import { boundsInObject, mapMaterials, programFeatures } from '../proxies/drawable.ts';
 import { createProxySet } from '../proxies/proxy-set.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
+import { MAX_SHADOWS, mapLimitsOf } from './light-limits.ts';
 import { createLightMap, type LightMap, type ShadowMap, shadowOf } from './light-map.ts';
-
-/**
- * Lights of one set of maps that cast shadows, the first ones in their order. WebGL 2 promises 16 texture units and 15 varyings;
- * three takes one of each per shadow, and the richest of its materials ten.
- */
-export const MAX_SHADOWS = 6;
 
 /** The maps of one set of casters, by light. */
 export interface RenderedShadowMaps extends ShadowMaps {
@@ -35,6 +30,7 @@ export function createShadowMaps(
     const material = mapMaterials(master, (part) => twins.get(part, features, () => createDepthTwin(part, 'shadow')));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
+  const limits = mapLimitsOf(renderer.three);
   const maps: LightMap[] = [];
   const bounds: Sphere[] = [];
   const shown: Sphere[] = [];
@@ -64,13 +60,13 @@ export function createShadowMaps(
     const known = find(light);
     if (known && isCurrent(known)) return known;
     if (known) remove(known);
-    const made = createLightMap(light);
+    const made = createLightMap(light, limits);
     if (made) maps.push(made);
     return made;
   }
 
   function remove(map: LightMap): void {
-    map.map.target.dispose();
+    map.dispose();
     maps.splice(maps.indexOf(map), 1);
   }
 
@@ -118,7 +114,7 @@ export function createShadowMaps(
 }
 
 /** Whether a map is the one that its light asks for now. */
-function isCurrent({ light, shadow, map }: LightMap): boolean {
+function isCurrent({ light, shadow, askedSizePx }: LightMap): boolean {
   const wanted = shadowOf(light);
-  return wanted === shadow && wanted.mapSizePx === map.target.width;
+  return wanted === shadow && wanted.mapSizePx === askedSizePx;
 }

@@ -1,4 +1,4 @@
-import { DoubleSide, type Material, MeshDepthMaterial, type MeshStandardMaterial, type Texture } from 'three';
+import { BasicDepthPacking, DoubleSide, type Material, MeshDepthMaterial, type MeshStandardMaterial, type Texture } from 'three';
 import type { Twin } from './twins.ts';
 
 /** Below this, a surface that is blended lets light through rather than stopping it. */
@@ -15,7 +15,9 @@ const SOLID_ALPHA = 0.5;
  */
 export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid'): Twin {
   const material = new MeshDepthMaterial();
-  material.colorWrite = false;
+  // In a shadow map, some filters read what it writes: 1 less the depth.
+  material.depthPacking = BasicDepthPacking;
+  material.colorWrite = use === 'shadow';
   material.polygonOffset = use !== 'shadow';
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;

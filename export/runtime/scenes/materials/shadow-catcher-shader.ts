@@ -1,3 +1,6 @@
+import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
+import { cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
+
 /**
  * The surface of a phantom as a shadow: premultiplied colour, whose alpha is the blocked part of the light that would reach it.
  *
@@ -37,11 +40,12 @@ const ARRIVING = /* glsl */ `
 // Cosine below which light counts as grazing: 6 degrees.
 #define GRAZING 0.1
 
-varying vec3 vPositionWorld;
+// Of the surface.
+vec3 positionWorld;
 
 // x: light that a matt surface receives; y: cosine to its normal.
 vec2 arriving( const in vec3 normal, const in vec4 place, const in vec4 cone, const in vec3 fall ) {
-  vec3 way = place.xyz - place.w * vPositionWorld;
+  vec3 way = place.xyz - place.w * positionWorld;
   float distanceM = length( way );
   vec3 towards = way / distanceM;
   float facing = dot( normal, towards );
@@ -62,7 +66,11 @@ float unlessGrazing( const in vec2 light, const in float lit ) {
 }
 `;
 
-const NORMAL = 'vec3 normal = normalize( cross( dFdx( vPositionWorld ), dFdy( vPositionWorld ) ) );';
+const GEOMETRY = {
+  declarations: 'varying vec3 vPositionWorld;',
+  find: `positionWorld = vPositionWorld;
+  vec3 normal = normalize( cross( dFdx( vPositionWorld ), dFdy( vPositionWorld ) ) );`,
+};
 
 function arrives(light: number): string {
   return `light = arriving( normal, lightPlace[ ${light} ], lightCone[ ${light} ], lightFall[ ${light} ] );`;
@@ -75,32 +83,39 @@ function writeShadow(blockedPart: string): string {
 
 /** Lights that a catcher is written for: those with a map of one side, with a cube of six, and with none, in this order. */
 export interface CatcherLights {
-  readonly flat: number;
-  readonly cube: number;
+  readonly flat: readonly FlatLight[];
+  readonly cube: readonly ShadowFilter[];
   readonly plain: number;
 }
 
+/** How a catcher finds the point and the normal of its surface: declarations, and statements that set `positionWorld` and `normal`. */
+export type CatcherSurface = typeof GEOMETRY;
+
 /** Written out light by light, because samplers in arrays take constant indices only. */
-export function catcherFragment({ flat, cube, plain }: CatcherLights): string {
-  const count = flat + cube + plain;
-  const lines = (from: number, number: number, line: (light: number, map: number) => string): string =>
-    Array.from({ length: number }, (_, i) => line(from + i, i)).join('\n  ');
+export function catcherFragment({ flat, cube, plain }: CatcherLights, { declarations, find }: CatcherSurface = GEOMETRY): string {
+  const count = flat.length + cube.length + plain;
+  const extras = flat.filter(({ extra }) => extra >= 0).length;
+  const add = 'all += light.x; blocked += unlessGrazing( light, lit );';
+  const lines = [
+    ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add}`),
+    ...cube.map((filter, i) => `${arrives(flat.length + i)} ${cubeLit(filter, i, flat.length + i)} ${add}`),
+    ...Array.from({ length: plain }, (_, i) => `${arrives(flat.length + cube.length + i)} all += light.x;`),
+  ];
   return /* glsl */ `
 ${SHADOW_COLOR}
 ${count > 0 ? lightUniforms(count) : ''}
-${flat > 0 ? flatUniforms(flat) : ''}
-${cube > 0 ? cubeUniforms(cube) : ''}
+${declarations}
 ${ARRIVING}
-${flat > 0 ? FLAT_LIT : ''}
-${cube > 0 ? CUBE_LIT : ''}
+${flatParts(flat, extras)}
+${cubeParts(cube)}
 void main() {
-  ${NORMAL}
+  ${find}
   vec2 light;
+  vec3 at;
+  float lit;
   float all = 0.0;
   float blocked = 0.0;
-  ${lines(0, flat, (i, m) => `${arrives(i)} all += light.x; blocked += unlessGrazing( light, litByFlat( flatMaps[ ${m} ], mapFromWorld[ ${m} ], flatBias[ ${m} ], normal ) );`)}
-  ${lines(flat, cube, (i, m) => `${arrives(i)} all += light.x; blocked += unlessGrazing( light, litByCube( cubeMaps[ ${m} ], lightPlace[ ${i} ].xyz, cubeReach[ ${m} ], normal ) );`)}
-  ${lines(flat + cube, plain, (i) => `${arrives(i)} all += light.x;`)}
+  ${lines.join('\n  ')}
   ${writeShadow('all > 0.0 ? blocked / all : 0.0')}
 }
 `;
@@ -110,9 +125,10 @@ void main() {
 export function blockedFragment(count: number, light: number): string {
   return /* glsl */ `
 ${lightUniforms(count)}
+${GEOMETRY.declarations}
 ${ARRIVING}
 void main() {
-  ${NORMAL}
+  ${GEOMETRY.find}
   vec2 light;
   float all = 0.0;
   float blocked = 0.0;
@@ -143,61 +159,3 @@ uniform vec4 lightCone[ ${count} ];
 // x: luminance; y: range in metres, 0 without end; z: cosine where the cone is in full light.
 uniform vec3 lightFall[ ${count} ];`;
 }
-
-function flatUniforms(count: number): string {
-  return /* glsl */ `
-uniform sampler2DShadow flatMaps[ ${count} ];
-uniform mat4 mapFromWorld[ ${count} ];
-// x: texel in UV, y: depth bias, z: along the normal, times the map's w: metres, or per metre of distance.
-uniform vec3 flatBias[ ${count} ];`;
-}
-
-function cubeUniforms(count: number): string {
-  return /* glsl */ `
-uniform samplerCubeShadow cubeMaps[ ${count} ];
-// x: near, y: far, metres; z: texel at one metre; w: along the normal per metre of distance.
-uniform vec4 cubeReach[ ${count} ];`;
-}
-
-const FLAT_LIT = /* glsl */ `
-// Nine comparisons, each over four texels in hardware: a smooth edge about four texels wide, without noise.
-float litByFlat( const in sampler2DShadow map, const in mat4 fromWorld, const in vec3 bias, const in vec3 normal ) {
-  float reach = ( fromWorld * vec4( vPositionWorld, 1.0 ) ).w;
-  // Behind a lamp there is none of its light.
-  if ( reach <= 0.0 ) return 1.0;
-  vec4 at = fromWorld * vec4( vPositionWorld + normal * bias.z * reach, 1.0 );
-  at.xyz /= at.w;
-  if ( at.x < 0.0 || at.x > 1.0 || at.y < 0.0 || at.y > 1.0 ) return 1.0;
-  // Beyond the map's far end everything in it still stands before.
-  float depth = min( at.z - bias.y, 1.0 );
-  float lit = 0.0;
-  for ( int y = -1; y <= 1; y ++ ) {
-    for ( int x = -1; x <= 1; x ++ ) lit += texture( map, vec3( at.xy + vec2( x, y ) * bias.x, depth ) );
-  }
-  return lit / 9.0;
-}
-`;
-
-const CUBE_LIT = /* glsl */ `
-// The same around a lamp. A face holds depth along its own axis, so each comparison is with the point at the receiver's distance
-// in its own direction.
-float litByCube( const in samplerCubeShadow map, const in vec3 place, const in vec4 reach, const in vec3 normal ) {
-  vec3 offset = vPositionWorld - place;
-  offset += normal * reach.w * length( offset );
-  float distanceM = length( offset );
-  vec3 middle = offset / distanceM;
-  vec3 side = normalize( abs( middle.x ) > abs( middle.z ) ? vec3( -middle.y, middle.x, 0.0 ) : vec3( 0.0, -middle.z, middle.y ) );
-  vec3 up = cross( middle, side );
-  float lit = 0.0;
-  for ( int y = -1; y <= 1; y ++ ) {
-    for ( int x = -1; x <= 1; x ++ ) {
-      vec3 direction = middle + ( side * float( x ) + up * float( y ) ) * reach.z;
-      vec3 size = abs( direction );
-      float axisM = distanceM * max( max( size.x, size.y ), size.z );
-      float depth = ( reach.y - reach.x * reach.y / axisM ) / ( reach.y - reach.x );
-      lit += texture( map, vec4( direction, clamp( depth, 0.0, 1.0 ) ) );
-    }
-  }
-  return lit / 9.0;
-}
-`;

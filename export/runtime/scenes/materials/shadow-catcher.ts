@@ -10,6 +10,7 @@ import {
   Vector3,
   Vector4,
 } from 'three';
+import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
 import type { DrawView, LightList, NumberView, ObjectItem, ObjectList, VectorView } from '../../../../nodes/kit/runtime.ts';
 import { isLamp } from '../lights/is-lamp.ts';
 import type { ShadowMap } from '../lights/light-map.ts';
@@ -17,8 +18,10 @@ import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
 import { type Drawable, materialsOf } from '../proxies/drawable.ts';
 import { createLampUniforms, setLamp, setLampCount } from './lamp-uniforms.ts';
 import { isOpaque } from './layer-blending.ts';
+import { createRoomMaterial, ROOM_SURFACE, type RoomUniforms } from './room-surface.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
-import { CATCHER_VERTEX, type CatcherLights, catcherFragment } from './shadow-catcher-shader.ts';
+import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
+import type { FlatLight } from './shadow-filter-shader.ts';
 import type { Twin } from './twins.ts';
 
 /** The materials of one shadow layer: they share lights, strength and colour, and differ in what three compiles per object. */
@@ -28,6 +31,8 @@ export interface ShadowCatcher {
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
   /** Before a view is drawn; leaves no framebuffer bound. */
   beforeDraw(view: DrawView): void;
+  /** For what room depth shows; its uniforms say where that is. The caller disposes it. Null where the method cannot do it. */
+  createRoomMaterial(room: RoomUniforms): ShaderMaterial | null;
   dispose(): void;
 }
 
@@ -35,16 +40,22 @@ export interface MapCatcherOptions {
   readonly strength: NumberView;
   readonly color: VectorView;
   readonly maps: RenderedShadowMaps | null;
-  readonly occlusion: ShaderPatch | null;
+  /** Hides what lies behind the room. */
+  readonly occlusion: readonly ShaderPatch[];
 }
 
-/** Catches shadows by shadow maps: their edges are a little soft, and follow what pictures cut out. */
+/** Texture units that catchers take at most, of sixteen: those left are for room depth. */
+const MAX_TEXTURES = 14;
+
+/** Catches shadows by shadow maps, with the filter of each light; edges follow what pictures cut out. */
 export function createMapCatcher({ strength, color, maps, occlusion }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
   const lamps = createLampUniforms();
   const flatMaps: (Texture | null)[] = [];
   const mapFromWorld: Matrix4[] = [];
   const flatBias: Vector3[] = [];
+  const flatReach: Vector4[] = [];
+  const flatExtras: Texture[] = [];
   const cubeMaps: (Texture | null)[] = [];
   const cubeReach: Vector4[] = [];
   const uniforms = {
@@ -54,13 +65,19 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     flatMaps: { value: flatMaps },
     mapFromWorld: { value: mapFromWorld },
     flatBias: { value: flatBias },
+    flatReach: { value: flatReach },
+    flatExtras: { value: flatExtras },
     cubeMaps: { value: cubeMaps },
     cubeReach: { value: cubeReach },
   };
-  let compiled: CatcherLights = { flat: 0, cube: 0, plain: 0 };
-  let fragmentShader = catcherFragment(compiled);
-  const materials: ShaderMaterial[] = [];
-  const counts = { flat: 0, cube: 0, plain: 0 };
+  const flat: FlatLight[] = [];
+  const cube: ShadowFilter[] = [];
+  const lights = { flat, cube, plain: 0 };
+  let fragmentShader = catcherFragment(lights);
+  let roomFragment = catcherFragment(lights, ROOM_SURFACE);
+  const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
+  const counts = { flat: 0, cube: 0, plain: 0, extras: 0 };
+  let outdated = false;
 
   function addFlat(map: ShadowMap): void {
     const i = counts.flat++;
@@ -68,6 +85,19 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     mapFromWorld[i] = map.mapFromWorld;
     flatBias[i] ??= new Vector3();
     flatBias[i].set(1 / map.target.width, map.bias, map.normalBias);
+    flatReach[i] ??= new Vector4();
+    flatReach[i].set(map.nearM, map.farM, map.source.x, map.source.y);
+    const texture = map.depths ?? map.moments;
+    const fits = texture !== null && flatMaps.length + cubeMaps.length + counts.extras < MAX_TEXTURES;
+    if (fits) flatExtras[counts.extras] = texture;
+    note(flat, i, texture !== null && !fits ? 'soft' : map.filter, fits ? counts.extras++ : -1);
+  }
+
+  /** The shader is written for its lights; another one is needed when one comes, goes, or is filtered in another way. */
+  function note(list: FlatLight[], i: number, filter: ShadowFilter, extra: number): void {
+    if (list[i]?.filter === filter && list[i]?.extra === extra) return;
+    list[i] = { filter, extra };
+    outdated = true;
   }
 
   function addCube(map: ShadowMap): void {
@@ -75,6 +105,9 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     cubeMaps[i] = map.target.depthTexture;
     cubeReach[i] ??= new Vector4();
     cubeReach[i].set(map.nearM, map.farM, 2 / map.target.width, map.normalBias);
+    if (cube[i] === map.filter) return;
+    cube[i] = map.filter;
+    outdated = true;
   }
 
   /** In three rounds, because the shader takes lights by the kind of their map. */
@@ -92,17 +125,19 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     }
   }
 
-  /** The shader is written for its lights; their number changes when one comes, goes, or begins to cast a shadow. */
   function fitShader(): void {
-    const { flat, cube, plain } = counts;
-    if (flat === compiled.flat && cube === compiled.cube && plain === compiled.plain) return;
-    compiled = { flat, cube, plain };
-    for (const array of [flatMaps, mapFromWorld, flatBias]) array.length = flat;
-    for (const array of [cubeMaps, cubeReach]) array.length = cube;
-    setLampCount(lamps, flat + cube + plain);
-    fragmentShader = catcherFragment(compiled);
-    for (const material of materials) {
-      material.fragmentShader = fragmentShader;
+    if (counts.flat !== flat.length || counts.cube !== cube.length || counts.plain !== lights.plain) outdated = true;
+    if (!outdated) return;
+    outdated = false;
+    lights.plain = counts.plain;
+    for (const array of [flat, flatMaps, mapFromWorld, flatBias, flatReach]) array.length = counts.flat;
+    for (const array of [cube, cubeMaps, cubeReach]) array.length = counts.cube;
+    flatExtras.length = counts.extras;
+    setLampCount(lamps, counts.flat + counts.cube + counts.plain);
+    fragmentShader = catcherFragment(lights);
+    roomFragment = catcherFragment(lights, ROOM_SURFACE);
+    for (const [material, surface] of written) {
+      material.fragmentShader = surface === 'room' ? roomFragment : fragmentShader;
       material.needsUpdate = true;
     }
   }
@@ -110,20 +145,25 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
   return {
     createTwin: (master) => {
       const material = createCatcherMaterial(fragmentShader, uniforms, occlusion);
-      materials.push(material);
+      written.set(material, 'geometry');
       const sync = (): void => followSides(material, master);
       sync();
       return {
         material,
         sync,
         dispose: () => {
-          materials.splice(materials.indexOf(material), 1);
+          written.delete(material);
           material.dispose();
         },
       };
     },
-    update: (_receivers, lights) => {
-      lightLists = lights;
+    createRoomMaterial: (room) => {
+      const material = createRoomMaterial(roomFragment, { ...uniforms, ...room });
+      written.set(material, 'room');
+      return material;
+    },
+    update: (_receivers, lightsNow) => {
+      lightLists = lightsNow;
       uniforms.strength.value = strength.value;
       uniforms.shadowColor.value.fromArray(color.value);
     },
@@ -131,6 +171,7 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
       counts.flat = 0;
       counts.cube = 0;
       counts.plain = 0;
+      counts.extras = 0;
       addLights('flat');
       addLights('cube');
       addLights(null);
@@ -149,7 +190,7 @@ export function catchesShadows(master: Drawable, item: ObjectItem): boolean {
 export function createCatcherMaterial(
   fragmentShader: string,
   uniforms: ShaderMaterial['uniforms'],
-  occlusion: ShaderPatch | null,
+  occlusion: readonly ShaderPatch[],
 ): ShaderMaterial {
   const material = new ShaderMaterial({ name: 'shadow catcher', vertexShader: CATCHER_VERTEX, fragmentShader });
   material.uniforms = uniforms;
@@ -160,7 +201,7 @@ export function createCatcherMaterial(
   material.blending = CustomBlending;
   material.blendSrc = OneFactor;
   material.blendDst = OneMinusSrcAlphaFactor;
-  patchMaterial(material, null, occlusion ? [occlusion] : []);
+  patchMaterial(material, null, occlusion);
   return material;
 }
 

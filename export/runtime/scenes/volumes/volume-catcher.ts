@@ -8,7 +8,7 @@ import { type BlockedPictureOptions, createBlockedPicture } from './blocked-pict
 export interface VolumeCatcherOptions extends BlockedPictureOptions {
   readonly strength: NumberView;
   readonly color: VectorView;
-  readonly occlusion: ShaderPatch | null;
+  readonly occlusion: readonly ShaderPatch[];
 }
 
 /** Catches shadows by shadow volumes: their edges are sharp and lie where the edges of the triangles say. */
@@ -38,6 +38,7 @@ export function createVolumeCatcher(options: VolumeCatcherOptions): ShadowCatche
       blockedPart.value = blocked.draw(view);
       uniforms.viewportStart.value.set(view.viewport.x, view.viewport.y);
     },
+    createRoomMaterial: () => null,
     dispose: blocked.dispose,
   };
 }

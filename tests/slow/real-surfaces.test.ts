@@ -3,7 +3,7 @@ import { expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useModule } from '../support/browser.ts';
 
-const page = useModule('tests/browser/real-surfaces.page.ts');
+const page = useModule('tests/slow/real-surfaces.page.ts');
 
 interface Seen {
   readonly capabilities: readonly string[];

@@ -9,9 +9,22 @@ import { definition as meshesDefinition } from '../../nodes/world/meshes/definit
 import { create as createMeshes } from '../../nodes/world/meshes/runtime.ts';
 import { definition as planesDefinition } from '../../nodes/world/planes/definition.ts';
 import { create as createPlanes } from '../../nodes/world/planes/runtime.ts';
+import { createContext, lookAt } from '../browser/emulator-kit.ts';
+import {
+  createStand,
+  drawView,
+  HEIGHT,
+  item,
+  lights,
+  lookingAt,
+  objects,
+  pixel,
+  type Stand,
+  sun,
+  viewOf,
+  WIDTH,
+} from '../browser/scenes-kit.ts';
 import { fakeContext } from '../support/node-context.ts';
-import { createContext, lookAt } from './emulator-kit.ts';
-import { createStand, drawView, HEIGHT, item, lights, lookingAt, objects, pixel, type Stand, sun, viewOf, WIDTH } from './scenes-kit.ts';
 
 const NEEDS: readonly ProgramNeed[] = (['planes', 'meshes'] satisfies Capability[]).map((capability) => ({
   capability,

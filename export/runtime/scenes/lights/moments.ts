@@ -1,0 +1,122 @@
+import {
+  Camera,
+  FloatType,
+  LinearFilter,
+  Mesh,
+  NoBlending,
+  PlaneGeometry,
+  RGBAFormat,
+  Scene,
+  ShaderMaterial,
+  type Texture,
+  Vector2,
+  WebGLRenderTarget,
+} from 'three';
+import type { SceneRenderer } from '../scene-renderer.ts';
+
+/**
+ * Blurred moments of a shadow map (Donnelly and Lauritzen 2006), of what casts alone: red is how much of the blur's window casts,
+ * green its depth, and blue its depth squared, both times red. What does not cast counts for nothing: receivers need not be in
+ * the map, and an empty background would pull the mean behind them, where nothing is ever in shadow.
+ */
+export interface Moments {
+  readonly texture: Texture;
+  /** After the map was drawn. */
+  update(renderer: SceneRenderer): void;
+  dispose(): void;
+}
+
+/** `depths`: 1 less the depth, in red. */
+export function createMoments(depths: Texture, sizePx: number): Moments {
+  const across = createTarget(sizePx);
+  const both = createTarget(sizePx);
+  const first = createBlur(FIRST, { source: { value: depths }, along: { value: new Vector2(1 / sizePx, 0) } });
+  const second = createBlur(SECOND, { source: { value: across.texture }, along: { value: new Vector2(0, 1 / sizePx) } });
+  return {
+    texture: both.texture,
+    update: (renderer) => {
+      renderer.drawOver(across, first.scene, CAMERA);
+      renderer.drawOver(both, second.scene, CAMERA);
+    },
+    dispose: () => {
+      for (const part of [across, both, first, second]) part.dispose();
+    },
+  };
+}
+
+const CAMERA = createStill();
+
+function createStill(): Camera {
+  const camera = new Camera();
+  camera.matrixWorldAutoUpdate = false;
+  return camera;
+}
+
+function createTarget(sizePx: number): WebGLRenderTarget {
+  return new WebGLRenderTarget(sizePx, sizePx, {
+    format: RGBAFormat,
+    type: FloatType,
+    minFilter: LinearFilter,
+    magFilter: LinearFilter,
+    generateMipmaps: false,
+    depthBuffer: false,
+  });
+}
+
+function createBlur(read: string, uniforms: ShaderMaterial['uniforms']): { readonly scene: Scene; dispose(): void } {
+  const material = new ShaderMaterial({
+    name: 'shadow moments',
+    vertexShader: VERTEX,
+    fragmentShader: fragment(read),
+    uniforms,
+    blending: NoBlending,
+    depthTest: false,
+    depthWrite: false,
+  });
+  const mesh = new Mesh(new PlaneGeometry(2, 2), material);
+  mesh.frustumCulled = false;
+  const scene = new Scene();
+  scene.matrixWorldAutoUpdate = false;
+  scene.add(mesh);
+  return {
+    scene,
+    dispose: () => {
+      mesh.geometry.dispose();
+      material.dispose();
+    },
+  };
+}
+
+const VERTEX = /* glsl */ `
+varying vec2 vUv;
+
+void main() {
+  vUv = uv;
+  gl_Position = vec4( position.xy, 0.0, 1.0 );
+}
+`;
+
+/** Nothing was drawn where it is still 0: depth 1. */
+const FIRST =
+  'float stored = texture2D( source, at ).r; float depth = 1.0 - stored; return stored > 0.0 ? vec3( 1.0, depth, depth * depth ) : vec3( 0.0 );';
+const SECOND = 'return texture2D( source, at ).rgb;';
+
+/** Nine texels by a Gaussian of two: about as wide as three of the `soft` filter. */
+function fragment(read: string): string {
+  const weights = [-4, -3, -2, -1, 0, 1, 2, 3, 4].map((i) => Math.exp(-(i * i) / 8));
+  const sum = weights.reduce((total, weight) => total + weight, 0);
+  const taps = weights.map((weight, i) => `  sum += ${(weight / sum).toFixed(6)} * momentsAt( vUv + along * ${(i - 4).toFixed(1)} );`);
+  return /* glsl */ `
+uniform sampler2D source;
+uniform vec2 along;
+varying vec2 vUv;
+
+vec3 momentsAt( const in vec2 at ) { ${read} }
+
+void main() {
+  vec3 sum = vec3( 0.0 );
+${taps.join('\n')}
+  gl_FragColor = vec4( sum, 1.0 );
+}
+`;
+}

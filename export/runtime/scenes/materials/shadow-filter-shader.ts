@@ -1,0 +1,193 @@
+import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
+
+/** Of the functions below, those that filters need: name, and what it takes. */
+const FILTERS: Readonly<Record<ShadowFilter, string>> = {
+  basic: /* glsl */ `
+// One texel: at its middle, hardware compares with it alone.
+float litByBasic( const in sampler2DShadow map, const in vec3 at, const in float texel ) {
+  return texture( map, vec3( ( floor( at.xy / texel ) + 0.5 ) * texel, at.z ) );
+}
+`,
+  pcf: /* glsl */ `
+// Four texels, weighted in hardware.
+float litByPcf( const in sampler2DShadow map, const in vec3 at ) {
+  return texture( map, at );
+}
+`,
+  soft: /* glsl */ `
+// Nine comparisons, each over four texels in hardware: a smooth edge about four texels wide, without noise.
+float litBySoft( const in sampler2DShadow map, const in vec3 at, const in float texel ) {
+  float lit = 0.0;
+  for ( int y = -1; y <= 1; y ++ ) {
+    for ( int x = -1; x <= 1; x ++ ) lit += texture( map, vec3( at.xy + vec2( x, y ) * texel, at.z ) );
+  }
+  return lit / 9.0;
+}
+`,
+  vsm: /* glsl */ `
+// Standard deviation of depth that counts as none, metres: what rounding and the slope within a texel make.
+#define LEAST_SPREAD 0.004
+// Light that the bound lets through at most where nothing arrives: cut off, and the rest stretched (Lauritzen 2007, section 8.4.3).
+#define BLEEDING 0.2
+
+// Of what casts around here, how much may lie behind the receiver, at most (Chebyshev's inequality).
+float litByVsm( const in sampler2D moments, const in vec3 at, const in float rangeM ) {
+  vec3 m = texture2D( moments, at.xy ).rgb;
+  if ( m.x <= 0.0 ) return 1.0;
+  float mean = m.y / m.x;
+  float behind = at.z - mean;
+  if ( behind <= 0.0 ) return 1.0;
+  float least = LEAST_SPREAD / rangeM;
+  float variance = max( m.z / m.x - mean * mean, least * least );
+  float bound = variance / ( variance + behind * behind );
+  return 1.0 - m.x * ( 1.0 - clamp( ( bound - BLEEDING ) / ( 1.0 - BLEEDING ), 0.0, 1.0 ) );
+}
+`,
+  pcss: /* glsl */ `
+#define SEARCH_TAPS 16
+#define PENUMBRA_TAPS 32
+// Of the map's side: beyond, taps lie too far apart.
+#define WIDEST 0.15
+
+// Evenly over a disc, turned pixel by pixel (Vogel 1979; Jimenez 2014, interleaved gradient noise).
+vec2 inDisc( const in int tap, const in float taps, const in float turn ) {
+  float angle = float( tap ) * 2.399963229728653 + turn;
+  return sqrt( ( float( tap ) + 0.5 ) / taps ) * vec2( cos( angle ), sin( angle ) );
+}
+
+float metresFromLight( const in float depth, const in vec4 reach ) {
+  // Parallel light measures evenly from the nearest caster on.
+  return reach.w <= 0.0 ? depth * reach.y : reach.x * reach.y / ( reach.y - depth * ( reach.y - reach.x ) );
+}
+
+// Radius of the penumbra in UV, by similar triangles (Fernando 2005).
+float penumbra( const in float casterM, const in float receiverM, const in vec4 reach ) {
+  float radius = reach.z * ( receiverM - casterM );
+  return reach.w <= 0.0 ? radius : radius / casterM * reach.w / receiverM;
+}
+
+float litByPcss( const in sampler2DShadow map, const in sampler2D depths, const in vec3 at, const in float texel, const in vec4 reach ) {
+  float receiverM = metresFromLight( at.z, reach );
+  float turn = 6.283185307179586 * fract( 52.9829189 * fract( dot( gl_FragCoord.xy, vec2( 0.06711056, 0.00583715 ) ) ) );
+  float search = clamp( penumbra( max( reach.x, 0.001 ), receiverM, reach ), texel, WIDEST );
+  float casters = 0.0;
+  float sum = 0.0;
+  for ( int i = 0; i < SEARCH_TAPS; i ++ ) {
+    float depth = 1.0 - texture2D( depths, at.xy + inDisc( i, float( SEARCH_TAPS ), turn ) * search ).r;
+    if ( depth < at.z ) {
+      casters += 1.0;
+      sum += metresFromLight( depth, reach );
+    }
+  }
+  if ( casters == 0.0 ) return 1.0;
+  float radius = clamp( penumbra( sum / casters, receiverM, reach ), texel, WIDEST );
+  float lit = 0.0;
+  for ( int i = 0; i < PENUMBRA_TAPS; i ++ ) lit += texture( map, vec3( at.xy + inDisc( i, float( PENUMBRA_TAPS ), turn ) * radius, at.z ) );
+  return lit / float( PENUMBRA_TAPS );
+}
+`,
+};
+
+/** A light with a map of one side, as a catcher is written for it. */
+export interface FlatLight {
+  readonly filter: ShadowFilter;
+  /** Its place among the textures beside those that compare: depths or moments; -1 without. */
+  readonly extra: number;
+}
+
+/** Declarations and functions for so many lights with a map of one side. */
+export function flatParts(lights: readonly FlatLight[], extras: number): string {
+  if (lights.length === 0) return '';
+  const filters = [...new Set(lights.map(({ filter }) => filter))].sort();
+  return /* glsl */ `
+uniform sampler2DShadow flatMaps[ ${lights.length} ];
+uniform mat4 mapFromWorld[ ${lights.length} ];
+// x: texel in UV, y: depth bias, z: along the normal, times the map's w: metres, or per metre of distance.
+uniform vec3 flatBias[ ${lights.length} ];
+// x: near, y: far, metres; z and w as \`ShadowMap.source\`.
+uniform vec4 flatReach[ ${lights.length} ];
+${extras > 0 ? `uniform sampler2D flatExtras[ ${extras} ];` : ''}
+// Where the receiver is in a map, and its depth; a negative x where the map says nothing, which is lit.
+vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 positionWorld, const in vec3 normal ) {
+  float reach = ( fromWorld * vec4( positionWorld, 1.0 ) ).w;
+  // Behind a lamp there is none of its light.
+  if ( reach <= 0.0 ) return vec3( -1.0 );
+  vec4 at = fromWorld * vec4( positionWorld + normal * bias.z * reach, 1.0 );
+  at.xyz /= at.w;
+  if ( at.x < 0.0 || at.x > 1.0 || at.y < 0.0 || at.y > 1.0 ) return vec3( -1.0 );
+  // Beyond the map's far end everything in it still stands before.
+  return vec3( at.xy, min( at.z - bias.y, 1.0 ) );
+}
+${filters.map((filter) => FILTERS[filter]).join('')}`;
+}
+
+/** Sets \`at\` and \`lit\` for the light at \`i\` among those with a map of one side. */
+export function flatLit({ filter, extra }: FlatLight, i: number): string {
+  return `at = inFlat( mapFromWorld[ ${i} ], flatBias[ ${i} ], positionWorld, normal ); lit = at.x < 0.0 ? 1.0 : ${call(filter, i, extra)};`;
+}
+
+function call(filter: ShadowFilter, i: number, extra: number): string {
+  switch (filter) {
+    case 'basic':
+      return `litByBasic( flatMaps[ ${i} ], at, flatBias[ ${i} ].x )`;
+    case 'pcf':
+      return `litByPcf( flatMaps[ ${i} ], at )`;
+    case 'soft':
+      return `litBySoft( flatMaps[ ${i} ], at, flatBias[ ${i} ].x )`;
+    case 'vsm':
+      return `litByVsm( flatExtras[ ${extra} ], at, flatReach[ ${i} ].y )`;
+    case 'pcss':
+      return `litByPcss( flatMaps[ ${i} ], flatExtras[ ${extra} ], at, flatBias[ ${i} ].x, flatReach[ ${i} ] )`;
+  }
+}
+
+/** Lights with a cube of six maps: how many comparisons to each side of the middle, and how wide apart. */
+const CUBE_SIDE: Readonly<Record<ShadowFilter, number>> = { basic: 0, pcf: 0, soft: 1, vsm: 1, pcss: 1 };
+
+export function cubeParts(lights: readonly ShadowFilter[]): string {
+  if (lights.length === 0) return '';
+  return /* glsl */ `
+uniform samplerCubeShadow cubeMaps[ ${lights.length} ];
+// x: near, y: far, metres; z: texel at one metre; w: along the normal per metre of distance.
+uniform vec4 cubeReach[ ${lights.length} ];
+${TEXEL_OF_CUBE}
+
+// As with one map. A face holds depth along its own axis, so each comparison is with the point at the receiver's distance in its
+// own direction.
+float litByCube( const in samplerCubeShadow map, const in vec3 positionWorld, const in vec3 place, const in vec4 reach, const in vec3 normal, const in int taps, const in bool snaps ) {
+  vec3 offset = positionWorld - place;
+  offset += normal * reach.w * length( offset );
+  float distanceM = length( offset );
+  vec3 middle = offset / distanceM;
+  if ( snaps ) middle = texelOfCube( middle, reach.z );
+  vec3 side = normalize( abs( middle.x ) > abs( middle.z ) ? vec3( -middle.y, middle.x, 0.0 ) : vec3( 0.0, -middle.z, middle.y ) );
+  vec3 up = cross( middle, side );
+  float lit = 0.0;
+  for ( int y = -taps; y <= taps; y ++ ) {
+    for ( int x = -taps; x <= taps; x ++ ) {
+      vec3 direction = middle + ( side * float( x ) + up * float( y ) ) * reach.z;
+      vec3 size = abs( direction );
+      float axisM = distanceM * max( max( size.x, size.y ), size.z ) / ( snaps ? length( middle ) : 1.0 );
+      float depth = ( reach.y - reach.x * reach.y / axisM ) / ( reach.y - reach.x );
+      lit += texture( map, vec4( direction, clamp( depth, 0.0, 1.0 ) ) );
+    }
+  }
+  float side1 = float( 2 * taps + 1 );
+  return lit / ( side1 * side1 );
+}
+`;
+}
+
+/** The middle of the texel that lies in a direction, on the face of the cube around 0 at 1. */
+const TEXEL_OF_CUBE = /* glsl */ `
+vec3 texelOfCube( const in vec3 direction, const in float texel ) {
+  vec3 size = abs( direction );
+  float axis = max( max( size.x, size.y ), size.z );
+  vec3 onFace = direction / axis;
+  vec3 snapped = ( floor( ( onFace + 1.0 ) / texel ) + 0.5 ) * texel - 1.0;
+  return mix( snapped, onFace, vec3( equal( size, vec3( axis ) ) ) );
+}`;
+
+export function cubeLit(filter: ShadowFilter, i: number, light: number): string {
+  return `lit = litByCube( cubeMaps[ ${i} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ], normal, ${CUBE_SIDE[filter]}, ${filter === 'basic'} );`;
+}

@@ -1,0 +1,238 @@
+import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
+import type { LampShadow, LightShadow, ShadowFilter } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { RoomDepth } from '../../nodes/kit/session.ts';
+import { lookingAt, pixel, spot, sun, translation } from '../browser/scenes-kit.ts';
+import { desk, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
+
+/** Straight down from 2 m: a pixel of the floor is 5.2 mm. */
+const ABOVE = lookingAt([0, 2, 1e-3], [0, 0, 0]);
+const METRES_PER_PX = (4 * Math.tan((25 * Math.PI) / 180)) / SIDES.heightPx;
+
+/** A plate whose right edge stands over x = 0, so high above the floor. */
+function plateAt(heightM: number): ObjectItem {
+  const geometry = new PlaneGeometry(0.6, 1.2).rotateX(-Math.PI / 2).translate(-0.3, 0, 0);
+  return thing(geometry, { at: translation(0, heightM, 0) });
+}
+
+/** Mean alpha of the floor from left to right, over rows in the middle; the plate itself is not drawn. */
+function profile(pixels: Uint8Array): number[] {
+  return Array.from({ length: SIDES.widthPx }, (_, x) => {
+    let sum = 0;
+    for (let y = SIDES.heightPx / 2 - 40; y < SIDES.heightPx / 2 + 40; y++) sum += pixel(pixels, x, y, SIDES.widthPx)[3] ?? 0;
+    return sum / 80 / 255;
+  });
+}
+
+/** Where a falling profile crosses a value, metres to the right of the middle. */
+function crossing(alphas: readonly number[], value: number): number {
+  for (let x = Math.floor(SIDES.widthPx * 0.3); x + 1 < alphas.length; x++) {
+    const [here = 0, next = 0] = [alphas[x], alphas[x + 1]];
+    if (here >= value && next < value) return (x + 0.5 + (here - value) / (here - next) - SIDES.widthPx / 2) * METRES_PER_PX;
+  }
+  return Number.NaN;
+}
+
+const sunny = (filter: ShadowFilter, more: Partial<LightShadow> = {}): LightItem =>
+  sun([0, 1, 0], { shadow: { areaM: 4, mapSizePx: 256, bias: 0, normalBiasM: (2.5 * 4) / 256, filter, ...more } });
+
+function cast(light: LightItem, heightM: number): number[] {
+  return profile(
+    shoot(stand, { casters: [plateAt(heightM)], receivers: [desk()], lights: [light], method: 'map', camera: ABOVE, strength: 1 }),
+  );
+}
+
+/** One texel of the map is 15.6 mm: how wide each filter makes an edge, where it lies, and how many tones it has. */
+export function edges() {
+  const filters: readonly ShadowFilter[] = ['basic', 'pcf', 'soft', 'vsm', 'pcss'];
+  return Object.fromEntries(
+    filters.map((filter) => {
+      const alphas = cast(sunny(filter, { sourceRad: 0.2 }), 0.4);
+      return [
+        filter,
+        {
+          inside: alphas[Math.floor(SIDES.widthPx * 0.35)],
+          outside: alphas[Math.floor(SIDES.widthPx * 0.75)],
+          middle: crossing(alphas, 0.5),
+          width: crossing(alphas, 0.1) - crossing(alphas, 0.9),
+          error: stand.gl.getError(),
+        },
+      ];
+    }),
+  );
+}
+
+/** Widths of the penumbra from a tenth to nine tenths, of a plate at several heights. */
+export function penumbras(kind: 'sun' | 'lamp', sourceSize: number, heights: readonly number[], lampHeightM = 0) {
+  const lamp: LampShadow = { mapSizePx: 1024, biasPx: 2, filter: 'pcss', sourceM: sourceSize };
+  const light =
+    kind === 'sun'
+      ? sunny('pcss', { sourceRad: sourceSize, mapSizePx: 1024, normalBiasM: 0.01 })
+      : spot([0, lampHeightM, 0], [0, 0, 0], 30, { shadow: lamp, halfAngleRad: 0.6 });
+  return heights.map((height) => {
+    const alphas = cast(light, height);
+    return crossing(alphas, 0.1) - crossing(alphas, 0.9);
+  });
+}
+
+/** Pixels in shadow of things that stand alone in aslant light, and so throw none on themselves where it shows. */
+export function acne(filter: ShadowFilter) {
+  const camera = lookingAt([0.4, 1.3, 1.2], [0, 0, 0]);
+  const floor = thing(new PlaneGeometry(2, 2).rotateX(-Math.PI / 2));
+  const ramp = thing(new PlaneGeometry(1, 1).rotateX(-0.5));
+  const box = thing(new BoxGeometry(0.5, 0.5, 0.5));
+  const light = sun([0.5, 0.6, 0.9], {
+    shadow: { areaM: 3, mapSizePx: 1024, bias: 0, normalBiasM: (2.5 * 3) / 1024, filter, sourceRad: 0.1 },
+  });
+  const count = (item: ObjectItem): number => {
+    const pixels = shoot(stand, {
+      casters: [item],
+      receivers: [item],
+      lights: [light],
+      method: 'map',
+      on: 'everything',
+      camera,
+      strength: 1,
+    });
+    let shadowed = 0;
+    for (let at = 3; at < pixels.length; at += 4) if ((pixels[at] ?? 0) > 12) shadowed++;
+    return shadowed;
+  };
+  // All three sides of the box that show are lit.
+  return { floor: count(floor), ramp: count(ramp), box: count(box), error: stand.gl.getError() };
+}
+
+const ROOM_CAMERA = lookingAt([0.1, 1.5, 1.1], [0.1, 0, 0], SIDES.widthPx / SIDES.heightPx);
+/** A real block: its top is 30 cm high, over x from 0.1 to 0.7 and z from -0.5 to 0.4. */
+const BLOCK = { x0: 0.1, x1: 0.7, z0: -0.5, z1: 0.4, topM: 0.3 } as const;
+
+/** What is seen there through a place of the view: world, and metres along the view's axis. */
+function look(u: number, v: number, block: boolean): { point: Vector3; metres: number; onBlock: boolean } {
+  const eye = ROOM_CAMERA.position;
+  const ray = new Vector3(u * 2 - 1, v * 2 - 1, 0.5).unproject(ROOM_CAMERA).sub(eye).normalize();
+  const along = new Vector3(0, 0, -1).transformDirection(ROOM_CAMERA.matrixWorld).dot(ray);
+  let best = { t: -eye.y / ray.y, onBlock: false };
+  if (block) {
+    let [near, far] = [0, Number.POSITIVE_INFINITY];
+    for (const [from, to, at, by] of [
+      [BLOCK.x0, BLOCK.x1, eye.x, ray.x],
+      [0, BLOCK.topM, eye.y, ray.y],
+      [BLOCK.z0, BLOCK.z1, eye.z, ray.z],
+    ] as const) {
+      const [a, b] = [(from - at) / by, (to - at) / by];
+      near = Math.max(near, Math.min(a, b));
+      far = Math.min(far, Math.max(a, b));
+    }
+    if (near < far && near < best.t) best = { t: near, onBlock: true };
+  }
+  return { point: eye.clone().addScaledVector(ray, best.t), metres: best.t * along, onBlock: best.onBlock };
+}
+
+/** As a sensor of few pixels gives it, first row on top. */
+function measuredRoom(widthPx: number, heightPx: number, block: boolean): RoomDepth {
+  const { gl } = stand;
+  const metres = new Float32Array(widthPx * heightPx);
+  for (let i = 0; i < metres.length; i++) {
+    metres[i] = look(((i % widthPx) + 0.5) / widthPx, 1 - (Math.floor(i / widthPx) + 0.5) / heightPx, block).metres;
+  }
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, metres);
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+  return { texture, widthPx, heightPx, uvFromViewUv: Float32Array.of(1, 0, 0, 0, -1, 0, 0, 1, 1), worldFromDepth: new Float32Array(16) };
+}
+
+const TOWARDS = new Vector3(-0.7, 1, 0.2).normalize();
+
+/**
+ * A plate's shadow on the room as geometry says, against what the layer shows: pixels that agree, wrong ones, and those of the block.
+ * Pixels close to an edge are left out: of the shadow, or of the block where the depth's few pixels show it.
+ */
+export function onRoom(receivers: 'none' | 'floor', block: boolean) {
+  const plate = thing(new PlaneGeometry(0.5, 0.5).rotateX(-Math.PI / 2), { at: translation(0.05, 0.7, 0) });
+  const light = sun(TOWARDS.toArray(), { shadow: { areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: 0.005 } });
+  const pixels = shoot(stand, {
+    casters: [plate],
+    receivers: receivers === 'floor' ? [desk()] : [],
+    lights: [light],
+    method: 'map',
+    camera: ROOM_CAMERA,
+    strength: 1,
+    room: { depth: { views: [measuredRoom(160, 120, block)] }, toleranceM: { value: 0.05 } },
+  });
+  const inShadow = (point: Vector3, marginM: number): boolean => {
+    const t = (0.7 - point.y) / TOWARDS.y;
+    if (t <= 0) return false;
+    const [x, z] = [point.x + TOWARDS.x * t - 0.05, point.z + TOWARDS.z * t];
+    return Math.max(Math.abs(x), Math.abs(z)) < 0.25 + marginM;
+  };
+  const stepU = 1.5 / 160;
+  const stepV = 1.5 / 120;
+  let [right, wrong, blockShadow] = [0, 0, 0];
+  for (let y = 0; y < SIDES.heightPx; y += 3) {
+    for (let x = 0; x < SIDES.widthPx; x += 3) {
+      const [u, v] = [(x + 0.5) / SIDES.widthPx, (y + 0.5) / SIDES.heightPx];
+      const here = look(u, v, block);
+      const around = [look(u + stepU, v, block), look(u - stepU, v, block), look(u, v + stepV, block), look(u, v - stepV, block)];
+      if (around.some(({ metres }) => Math.abs(metres - here.metres) > 0.06)) continue;
+      // Light from the left does not reach the block's right side, nor what lies within its own shadow.
+      if (here.onBlock && here.point.y < BLOCK.topM - 1e-4) continue;
+      if (inShadow(here.point, 0.03) !== inShadow(here.point, -0.03)) continue;
+      const wanted = inShadow(here.point, 0) ? 255 : 0;
+      const seen = pixel(pixels, x, y, SIDES.widthPx)[3] ?? -1;
+      if (Math.abs(seen - wanted) <= 2) right++;
+      else wrong++;
+      if (here.onBlock && wanted > 0) blockShadow++;
+    }
+  }
+  return { right, wrong, blockShadow, error: stand.gl.getError() };
+}
+
+/** A phantom floor alone, and a real block before it: without depth the floor's shadow lies on the block's picture. */
+export function clipped() {
+  const plate = thing(new PlaneGeometry(0.5, 0.5).rotateX(-Math.PI / 2), { at: translation(0.05, 0.7, 0) });
+  const light = sun(TOWARDS.toArray(), { shadow: { areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: 0.005 } });
+  const shot = { casters: [plate], receivers: [desk()], lights: [light], method: 'map', camera: ROOM_CAMERA, strength: 1 } as const;
+  const room = { depth: { views: [measuredRoom(160, 120, true)] }, toleranceM: { value: 0.05 } };
+  const without = shoot(stand, shot);
+  const within = shoot(stand, { ...shot, room });
+  const unknown = shoot(stand, { ...shot, room: { ...room, depth: { views: [null] } } });
+  let [misplaced, left, differs] = [0, 0, 0];
+  for (let y = 0; y < SIDES.heightPx; y++) {
+    for (let x = 0; x < SIDES.widthPx; x++) {
+      const [u, v] = [(x + 0.5) / SIDES.widthPx, (y + 0.5) / SIDES.heightPx];
+      const onFloor = pixel(without, x, y, SIDES.widthPx)[3] ?? 0;
+      const here = pixel(within, x, y, SIDES.widthPx)[3] ?? 0;
+      if ((pixel(unknown, x, y, SIDES.widthPx)[3] ?? 0) !== onFloor) differs++;
+      const { point, onBlock } = look(u, v, true);
+      const t = (0.7 - point.y) / TOWARDS.y;
+      const lit = Math.max(Math.abs(point.x + TOWARDS.x * t - 0.05), Math.abs(point.z + TOWARDS.z * t)) > 0.28;
+      // Lit top of the block, over which the shadow on the floor behind it would lie.
+      if (!onBlock || point.y < BLOCK.topM - 1e-4 || !lit || onFloor < 200) continue;
+      misplaced++;
+      if (here > 50) left++;
+    }
+  }
+  return { misplaced, left, differs, error: stand.gl.getError() };
+}
+
+/** The same shadow on a floor that is a phantom, and that depth alone shows. */
+export function byDepthAlone() {
+  const mesh = new Mesh(new BoxGeometry(0.3, 0.3, 0.3), new MeshLambertMaterial());
+  mesh.updateMatrixWorld(true);
+  const box = thing(mesh.geometry, { at: new Matrix4().makeTranslation(0, 0.4, 0) });
+  const light = sun([-0.4, 1, 0.3], { shadow: { areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: 0.005 } });
+  const shot = { casters: [box], lights: [light], method: 'map', camera: ROOM_CAMERA, strength: 1 } as const;
+  const byPhantom = shoot(stand, { ...shot, receivers: [desk()] });
+  const upright = measuredRoom(160, 120, false);
+  const byDepth = shoot(stand, { ...shot, receivers: [], room: { depth: { views: [upright] }, toleranceM: { value: 0.05 } } });
+  let [both, either] = [0, 0];
+  for (let at = 3; at < byDepth.length; at += 4) {
+    const [a, b] = [(byPhantom[at] ?? 0) > 127, (byDepth[at] ?? 0) > 127];
+    if (a && b) both++;
+    if (a || b) either++;
+  }
+  return { overlap: both / either, shadowed: either };
+}

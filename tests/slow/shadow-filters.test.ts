@@ -1,0 +1,88 @@
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
+
+const page = useModule('tests/slow/shadow-filters.page.ts');
+
+interface Edge {
+  readonly inside: number;
+  readonly outside: number;
+  readonly middle: number;
+  readonly width: number;
+  readonly error: number;
+}
+
+describe('the filters of a shadow map', () => {
+  test('leave the edge where it is, and make it as wide as they say', async () => {
+    const edges = await page.call<Record<string, Edge>>('edges');
+    const texelM = 4 / 256;
+    for (const [filter, { inside, outside, middle, error }] of Object.entries(edges)) {
+      expect([filter, inside, outside, error]).toEqual([filter, expect.closeTo(1, 2), 0, 0]);
+      expect([filter, Math.abs(middle) < texelM]).toEqual([filter, true]);
+    }
+    const width = (filter: string): number => (edges[filter]?.width ?? Number.NaN) / texelM;
+    console.log(
+      `Edge from 0.1 to 0.9, texels: ${Object.keys(edges)
+        .map((filter) => `${filter} ${width(filter).toFixed(2)}`)
+        .join(', ')}`,
+    );
+    expect(width('basic')).toBeLessThan(0.5);
+    expect(width('pcf')).toBeCloseTo(0.8, 0);
+    expect(width('soft')).toBeGreaterThan(1.7 * width('pcf'));
+    expect(width('vsm')).toBeGreaterThan(1.2 * width('soft'));
+  });
+
+  test.each<readonly ['sun' | 'lamp', number, number]>([
+    ['sun', 0.3, 0],
+    ['lamp', 0.25, 2.2],
+  ])('hardened at contacts, the penumbra of a %s grows as similar triangles say', async (kind, source, lampHeightM) => {
+    const heights = [0.15, 0.3, 0.6, 0.9];
+    const found = await page.call<number[]>('penumbras', kind, source, heights, lampHeightM);
+    heights.forEach((height, i) => {
+      // A disc seen past an edge: from a tenth to nine tenths of its area is 0.687 of its width.
+      const penumbraM = kind === 'sun' ? 2 * Math.tan(source / 2) * height : (source * height) / (lampHeightM - height);
+      const ratio = (found[i] ?? Number.NaN) / (0.687 * penumbraM);
+      console.log(
+        `${kind}, plate ${height} m above the floor: ${((found[i] ?? 0) * 1000).toFixed(0)} mm, ${ratio.toFixed(2)} of similar triangles`,
+      );
+      expect(ratio).toBeGreaterThan(0.8);
+      expect(ratio).toBeLessThan(1.2);
+    });
+  });
+
+  test.each(['basic', 'pcf', 'soft', 'vsm', 'pcss'])('%s throws no shadow of a lit surface on itself', async (filter) => {
+    expect(await page.call('acne', filter)).toEqual({ floor: 0, ramp: 0, box: 0, error: 0 });
+  });
+});
+
+describe('shadows on what room depth shows', () => {
+  test.each<readonly ['none' | 'floor', boolean]>([
+    ['none', false],
+    ['none', true],
+    ['floor', true],
+  ])('fall where geometry says (besides the depth: %s; a block in the room: %s)', async (receivers, block) => {
+    const { right, wrong, blockShadow, error } = await page.call<{
+      right: number;
+      wrong: number;
+      blockShadow: number;
+      error: number;
+    }>('onRoom', receivers, block);
+    console.log(`${right} pixels right, ${wrong} wrong, ${blockShadow} of them in shadow on the block`);
+    expect(right).toBeGreaterThan(10_000);
+    expect(wrong / right).toBeLessThan(0.002);
+    expect(blockShadow > 200).toBe(block);
+    expect(error).toBe(0);
+  });
+
+  test('are cut off where something real stands before the floor; what is not known cuts nothing', async () => {
+    const { misplaced, left, differs, error } = await page.call<Record<string, number>>('clipped');
+    expect(misplaced).toBeGreaterThan(500);
+    expect(left).toBeLessThan((misplaced ?? 0) * 0.02);
+    expect([differs, error]).toEqual([0, 0]);
+  });
+
+  test('are those of a phantom in its place', async () => {
+    const { overlap, shadowed } = await page.call<Record<string, number>>('byDepthAlone');
+    expect(shadowed).toBeGreaterThan(1000);
+    expect(overlap).toBeGreaterThan(0.95);
+  });
+});
