@@ -29,6 +29,9 @@ const projectPath = z.string().min(1).max(512);
 /** Larger than any model a phone can hold, small enough to be held in memory. */
 export const MAX_ASSET_BYTES = 512 * 2 ** 20;
 
+/** Of an asset that is copied with its nodes: clipboards take some hundred megabytes of text. */
+export const MAX_COPIED_BYTES = 32 * 2 ** 20;
+
 const MAX_POSTER_BYTES = 8 * 2 ** 20;
 
 function isBearable(bytes: Uint8Array): boolean {
@@ -132,6 +135,8 @@ export const HOST_CONTRACT = {
     input: z.object({ handle, name: z.string().min(1).max(255), bytes: z.instanceof(Uint8Array).refine(isBearable, 'too large') }),
     output: z.object({ path: projectPath }),
   },
+  /** What an asset has in its file, for copying it to another project. Rejects with SCR005 above `MAX_COPIED_BYTES`. */
+  'asset.read': { input: z.object({ handle, path: projectPath }), output: z.object({ base64: z.string() }) },
   /** Recorded sessions and emulated rooms that the preview can play. */
   'session.list': { input: z.object({ handle }), output: z.array(sessionSource) },
   /**

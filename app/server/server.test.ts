@@ -3,7 +3,7 @@ import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
-import type { HostEvent } from '../contract/contract.ts';
+import { type HostEvent, MAX_COPIED_BYTES } from '../contract/contract.ts';
 import { createHttpHost, TOKEN_HEADER } from '../contract/http-client.ts';
 import { encodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
 import { installationAt } from '../services/installation.ts';
@@ -280,6 +280,18 @@ describe('assets', () => {
     expect(await host.call('asset.import', { handle, name, bytes })).toEqual({ path });
     expect(new Uint8Array(await readFile(join(project, path)))).toEqual(bytes);
     expect(await host.call('asset.import', { handle, name, bytes })).toEqual({ path });
+  });
+
+  test('are read for copying, and nothing else of the project or the disk is', async () => {
+    const host = connect();
+    const { handle } = await host.call('project.open', { path: project });
+    expect(await host.call('asset.read', { handle, path: 'assets/cup.glb' })).toEqual({ base64: Buffer.from('glTF').toString('base64') });
+    for (const path of ['project.scrim.json', 'assets/../project.scrim.json', '/etc/passwd', 'assets/..\\x']) {
+      await expect(host.call('asset.read', { handle, path })).rejects.toMatchObject({ diagnostic: { code: 'SCR031' } });
+    }
+    await expect(host.call('asset.read', { handle, path: 'assets/none.glb' })).rejects.toMatchObject({ diagnostic: {} });
+    await writeFile(join(project, 'assets', 'big.glb'), Buffer.alloc(MAX_COPIED_BYTES + 1));
+    await expect(host.call('asset.read', { handle, path: 'assets/big.glb' })).rejects.toMatchObject({ diagnostic: { code: 'SCR005' } });
   });
 
   test('are never written through a link', async () => {

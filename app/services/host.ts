@@ -11,6 +11,7 @@ import { findExamples } from './find-examples.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
+import { readAsset } from './read-asset.ts';
 import { ROOMS } from './rooms.ts';
 import { findSessions } from './session-list.ts';
 import { createProject, findTemplates } from './templates.ts';
@@ -92,6 +93,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return {};
     },
     'asset.import': async ({ handle, name, bytes }) => ({ path: await importAsset(projects.rootOf(handle), name, bytes, files) }),
+    'asset.read': async ({ handle, path }) => ({ base64: Buffer.from(await readAsset(projects.rootOf(handle), path)).toString('base64') }),
     'session.list': async ({ handle }) => {
       const own = await findSessions(join(projects.rootOf(handle), 'sessions'));
       const shipped = await findSessions(installation.sessionsDir);

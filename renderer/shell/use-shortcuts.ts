@@ -1,6 +1,6 @@
 import { useEffect } from 'react';
 import { appCommand, commandOfChord, runCommand } from '../state/app-commands.ts';
-import { clipSelection, cutSelection, pasteText } from '../state/clipboard.ts';
+import { copyInEvent, cutSelection, pasteText } from '../state/clipboard.ts';
 import { chordOf, isTyping } from './chord.ts';
 import { useEditor } from './editor-context.ts';
 
@@ -30,10 +30,10 @@ export function useShortcuts(): void {
     };
     const onCopy = (event: ClipboardEvent) => {
       if (blocked() || isTyping(event.target) || hasSelectedText()) return;
-      const clipping = clipSelection(editor);
-      if (clipping === null) return;
+      const text = copyInEvent(editor);
+      if (text === null) return;
       event.preventDefault();
-      event.clipboardData?.setData('text/plain', JSON.stringify(clipping));
+      event.clipboardData?.setData('text/plain', text);
     };
     const onCut = (event: ClipboardEvent) => {
       onCopy(event);
@@ -41,7 +41,7 @@ export function useShortcuts(): void {
     };
     const onPaste = (event: ClipboardEvent) => {
       if (blocked() || isTyping(event.target)) return;
-      if (pasteText(editor, event.clipboardData?.getData('text/plain') ?? '')) event.preventDefault();
+      if (pasteText(editor, event.clipboardData?.getData('text/plain') ?? '') !== null) event.preventDefault();
     };
     window.addEventListener('pointerdown', onPointerDown, true);
     window.addEventListener('keydown', onKeyDown);

@@ -51,8 +51,8 @@ export interface Welcome {
   readonly change: (project: Project) => Change;
 }
 
-/** Adds what is brought to the open project. What is there already, word for word, is not added again. Files that no project could have are left out. */
-export function bring(editor: Editor, brought: Brought): Welcome {
+/** Adds what is brought to the open project. What is there already, word for word, is not added again. Files that no project could have are left out. `paths`: where assets' files are now. */
+export function bring(editor: Editor, brought: Brought, paths: ReadonlyMap<string, string> = new Map()): Welcome {
   const { project, open } = editor.document.getState();
   const { base, readShader } = editor.libraries;
   const guest = loadProject(brought).output;
@@ -66,7 +66,8 @@ export function bring(editor: Editor, brought: Brought): Welcome {
     steps.push((before) => setSource(before, { base, readShader, file: name, text }));
   }
   for (const [id, asset] of Object.entries(guest.assets)) {
-    if (own(project.assets, id) === undefined) steps.push((before) => putAsset(before, { id, asset }));
+    if (own(project.assets, id) === undefined)
+      steps.push((before) => putAsset(before, { id, asset: { ...asset, path: paths.get(id) ?? asset.path } }));
   }
   const names = Object.keys(guest.graphs).filter((name) => name !== MAIN_GRAPH);
   const isHere = (name: string) => JSON.stringify(own(project.graphs, name)) === JSON.stringify(guest.graphs[name]);

@@ -10,6 +10,7 @@ import type { GraphNode, NodeLayout, Project, Wire } from '../../export/graph/pr
 import { apply } from './apply.ts';
 import { type Brought, bring, broughtBy, isBrought, mapTypes } from './brought.ts';
 import type { Place } from './canvas.ts';
+import { bringsFiles, type CopiedFiles, isCopiedFiles, readCopiedFiles, writeCopiedFiles } from './copied-files.ts';
 import { graphOf, layoutOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
 import { importShadertoy } from './import-shadertoy.ts';
@@ -24,6 +25,15 @@ export interface Clipping {
   readonly wires: readonly Wire[];
   /** Absent where they use none. */
   readonly brought?: Brought;
+  /** Of the assets that they use. */
+  readonly files?: CopiedFiles;
+}
+
+export interface PasteOptions {
+  /** Wires that come from nodes that are there, and go to copies. */
+  readonly entering?: readonly Wire[];
+  /** Asset id → where its file is in the open project. */
+  readonly paths?: ReadonlyMap<string, string>;
 }
 
 const OFFSET_PX = 32;
@@ -52,20 +62,25 @@ export function parseClipping(text: string): Clipping | null {
     const clipping = JSON.parse(text) as Partial<Clipping> | null;
     const whole = clipping?.format === 'scrim-nodes' && clipping.version === 1 && Array.isArray(clipping.wires);
     const hasNodes = whole && typeof clipping.nodes === 'object' && clipping.nodes !== null;
-    return hasNodes && isBrought(clipping.brought) ? (clipping as Clipping) : null;
+    return hasNodes && isBrought(clipping.brought) && isCopiedFiles(clipping.files) ? (clipping as Clipping) : null;
   } catch {
     return null;
   }
 }
 
 /**
- * Adds copies under new ids, wired as the originals are among themselves, and selects them. One step. Wires of `entering` come from
- * nodes that are there, and go to copies.
+ * Adds copies under new ids, wired as the originals are among themselves, and selects them. One step.
  */
-export function pasteClipping(editor: Editor, clipping: Clipping, label: string, offset: Place, entering: readonly Wire[] = []): boolean {
+export function pasteClipping(
+  editor: Editor,
+  clipping: Clipping,
+  label: string,
+  offset: Place,
+  { entering = [], paths }: PasteOptions = {},
+): boolean {
   const { project, graph } = editor.document.getState();
   const { nodes: copied, wires, brought } = clipping;
-  const welcome = brought === undefined ? null : bring(editor, brought);
+  const welcome = brought === undefined ? null : bring(editor, brought, paths);
   const nodes = welcome === null ? copied : mapTypes(copied, welcome.types);
   const ids = new Map<string, string>();
   let library = editor.document.getState().library;
@@ -116,13 +131,39 @@ export function duplicateSelection(editor: Editor, { wired = false } = {}): bool
   const entering = wired ? wires.filter(({ from, to }) => isCopied(to.node) && !isCopied(from.node)) : [];
   const [only] = Object.keys(clipping.nodes).length === 1 ? Object.keys(clipping.nodes) : [];
   const what = only === undefined ? `${Object.keys(clipping.nodes).length} nodes` : titleOf(editor.document.getState(), only);
-  return pasteClipping(editor, clipping, `Duplicate ${what}`, { x: OFFSET_PX, y: OFFSET_PX }, entering);
+  return pasteClipping(editor, clipping, `Duplicate ${what}`, { x: OFFSET_PX, y: OFFSET_PX }, { entering });
+}
+
+/** The clipping with what its assets have in their files, so that a project without them can take it. */
+async function withFiles(editor: Editor, clipping: Clipping): Promise<Clipping> {
+  return bringsFiles(clipping.brought) ? { ...clipping, files: await readCopiedFiles(editor, clipping.brought) } : clipping;
+}
+
+/**
+ * For the page's own copy event, which needs no permission and cannot wait: the clipping as text at once, and the clipboard once more
+ * with the assets' files when they have been read.
+ */
+export function copyInEvent(editor: Editor): string | null {
+  const clipping = clipSelection(editor);
+  if (clipping === null) return null;
+  if (bringsFiles(clipping.brought)) void copySelection(editor);
+  return JSON.stringify(clipping);
+}
+
+async function pasteWithFiles(editor: Editor, clipping: Clipping): Promise<void> {
+  const place = { x: OFFSET_PX, y: OFFSET_PX };
+  if (clipping.files === undefined) {
+    pasteClipping(editor, clipping, 'Paste', place);
+    return;
+  }
+  const paths = await writeCopiedFiles(editor, clipping.brought, clipping.files);
+  pasteClipping(editor, clipping, 'Paste', place, { paths });
 }
 
 export async function copySelection(editor: Editor): Promise<boolean> {
   const clipping = clipSelection(editor);
   if (clipping === null) return false;
-  return editor.clipboard.write(JSON.stringify(clipping)).then(
+  return editor.clipboard.write(JSON.stringify(await withFiles(editor, clipping))).then(
     () => true,
     () => {
       addToast(editor.ui, { tone: 'error', text: 'The browser did not let Scrim use the clipboard.' });
@@ -140,14 +181,16 @@ export async function cutSelection(editor: Editor): Promise<void> {
 
 export async function pasteFromClipboard(editor: Editor): Promise<void> {
   const text = await editor.clipboard.read().catch(() => '');
-  if (!pasteText(editor, text)) addToast(editor.ui, { tone: 'info', text: 'There are no nodes on the clipboard.' });
+  const pasted = pasteText(editor, text);
+  if (pasted) await pasted;
+  else addToast(editor.ui, { tone: 'info', text: 'There are no nodes on the clipboard.' });
 }
 
-/** Nodes become copies of them, a source of shadertoy.com a shader and its node. Whether the text is one of these. */
-export function pasteText(editor: Editor, text: string): boolean {
+/** Nodes become copies of them, a source of shadertoy.com a shader and its node; null where the text is none of these. */
+export function pasteText(editor: Editor, text: string): Promise<void> | null {
   const clipping = parseClipping(text);
-  if (clipping !== null) pasteClipping(editor, clipping, 'Paste', { x: OFFSET_PX, y: OFFSET_PX });
-  else if (isShadertoy(text)) importShadertoy(editor, { source: text, name: 'Shadertoy' });
-  else return false;
-  return true;
+  if (clipping !== null) return pasteWithFiles(editor, clipping);
+  if (!isShadertoy(text)) return null;
+  importShadertoy(editor, { source: text, name: 'Shadertoy' });
+  return Promise.resolve();
 }

@@ -1,8 +1,11 @@
 import { describe, expect, test } from '@jest/globals';
+import { putAsset } from '../../export/graph/commands/assets.ts';
+import { inTurn } from '../../export/graph/commands/change.ts';
+import { setParam } from '../../export/graph/commands/params.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { undo } from './apply.ts';
+import { apply, undo } from './apply.ts';
 import { align, distribute, selectedBoxes, tidy } from './arrange.ts';
-import { clipSelection, duplicateSelection, parseClipping, pasteClipping } from './clipboard.ts';
+import { clipSelection, copySelection, duplicateSelection, parseClipping, pasteClipping, pasteText } from './clipboard.ts';
 import { graphOf, layoutOf } from './document.ts';
 import { addNodeFromPalette, connect, moveNodes, swapType, toggleCollapsed, toggleMuted } from './edit-graph.ts';
 import { editShader } from './edit-shader.ts';
@@ -154,6 +157,37 @@ describe('copies', () => {
     undo(other);
     undo(other);
     expect(filesOf(other)).toEqual(empty);
+  });
+
+  test('bring what their assets have in their files into a project without them, and nothing into their own', async () => {
+    const { editor } = await openTestEditor();
+    const image = add(editor, 'source/image-file');
+    const { project, library } = editor.document.getState();
+    apply(
+      editor,
+      'Import',
+      inTurn(
+        project,
+        (before) => putAsset(before, { id: 'cup-a2b3', asset: { path: 'assets/cup.png', kind: 'image' } }),
+        (before) => setParam(before, { library, graph: 'main', node: image, param: 'file', value: 'cup-a2b3' }),
+      ),
+    );
+    selectOnly(editor.selection, [image]);
+    await copySelection(editor);
+    const copied = await editor.clipboard.read();
+
+    const { editor: other, host } = await openTestEditor();
+    host.answer('asset.import', ({ name }) => ({ path: `assets/2-${name}` }));
+    await pasteText(other, copied);
+    const { assets, graphs } = other.document.getState().project;
+    expect(assets).toEqual({ 'cup-a2b3': { path: 'assets/2-cup.png', kind: 'image' } });
+    expect(Object.values(graphs.main?.nodes ?? {}).map(({ params }) => params)).toEqual([{ file: { value: 'cup-a2b3' } }]);
+    const [call] = host.calls.flatMap(({ method, input }) => (method === 'asset.import' ? [input as { bytes: Uint8Array }] : []));
+    expect(new TextDecoder().decode(call?.bytes)).toBe('bytes of assets/cup.png');
+
+    await pasteText(editor, copied);
+    expect(editor.document.getState().project.assets).toEqual({ 'cup-a2b3': { path: 'assets/cup.png', kind: 'image' } });
+    expect(Object.keys(graphOf(editor.document.getState()).nodes)).toHaveLength(2);
   });
 
   test('of a damaged text add nothing', async () => {

@@ -67,6 +67,7 @@ export function createFakeHost(
     },
     'project.autosave': () => ({}),
     'project.close': () => ({}),
+    'asset.read': ({ path }) => ({ base64: btoa(`bytes of ${path}`) }),
     'asset.import': ({ name }) => ({ path: `assets/${name}` }),
     'session.list': () => [],
     'export.run': ({ out }) => ({ ok: true, out, diagnostics: [], bytes: 1 }),
