@@ -24,6 +24,8 @@ export type ToPreview =
   | { readonly kind: 'look'; readonly left: string | null; readonly right: string | null; readonly split: number }
   /** What is under a point of the picture, parts of its size from the top left? `layer`: whose depth, where it is tapped. */
   | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null }
+  /** Whether to tell what operations cost. */
+  | { readonly kind: 'cost'; readonly on: boolean }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
@@ -45,8 +47,18 @@ export type FromPreview =
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
   | { readonly kind: 'probed'; readonly probe: PreviewProbe }
+  /** Twice a second while asked for. */
+  | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
   /** Null where nothing is shown. */
   | { readonly kind: 'poster'; readonly bytes: Uint8Array<ArrayBuffer> | null };
+
+/** Of one operation of the program, in one frame, all views together. */
+export interface OperationCost {
+  readonly id: string;
+  readonly draws: number;
+  /** Null where the browser does not tell (`EXT_disjoint_timer_query_webgl2`), or has not yet. */
+  readonly gpuMs: number | null;
+}
 
 export interface PreviewProbe {
   /** As the question named it. */

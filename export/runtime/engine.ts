@@ -15,6 +15,7 @@ import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
 import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
+import type { Meter } from './stage/meter.ts';
 
 /** Everything that lives as long as the graphics context does, whatever program is played. */
 export interface Engine {
@@ -31,6 +32,7 @@ export interface Engine {
   readonly pictures: PictureStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
+  readonly meter: Meter | null;
   readonly host: NodeHost;
   /** Null until something drew objects or loaded a model. */
   scenesIfMade(): SceneBackend | null;
@@ -55,6 +57,7 @@ export interface EngineOptions {
   readonly state: PlayState;
   readonly held?: boolean;
   readonly startWorker?: StartWorker;
+  readonly meter?: Meter;
 }
 
 export function createEngine(options: EngineOptions): Engine {
@@ -93,6 +96,7 @@ export function createEngine(options: EngineOptions): Engine {
     pictures: createPictureStore(objects),
     clock,
     state,
+    meter: options.meter ?? null,
     host: {
       gl,
       modules: options.modules,

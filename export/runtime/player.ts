@@ -16,6 +16,7 @@ import { type ProbedDepth, probeDepth } from './probe-depth.ts';
 import { type LayerDepth, type LayerPixels, readColor, readDepth } from './readback.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
 import { releaseCast } from './stage/cast.ts';
+import type { Meter } from './stage/meter.ts';
 import { createStage, type Heritage, type Stage } from './stage/stage.ts';
 import type { SlotValue } from './values/slots.ts';
 
@@ -37,6 +38,8 @@ export interface PlayerOptions {
   readonly held?: boolean;
   /** Of CPU filters; from blobs unless given. */
   readonly startWorker?: StartWorker;
+  /** Told of every operation that draws. */
+  readonly meter?: Meter;
 }
 
 /** How a program was received. */

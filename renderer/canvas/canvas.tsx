@@ -17,6 +17,7 @@ import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
 import './canvas.css';
 import './far-view.css';
 import { ConnectionHint } from './connection-hint.tsx';
+import { CostPanel, CostsProvider } from './costs.tsx';
 import { DetailProvider, detailOf } from './detail.ts';
 import { useFileDrop } from './file-drop.ts';
 import { FrameView, NoteView } from './item-view.tsx';
@@ -69,69 +70,72 @@ function CanvasInside() {
 
   return (
     <div ref={root} tabIndex={-1} className={far ? 'canvas canvas-far' : 'canvas'} {...drop.handlers}>
-      <DetailProvider value={detail}>
-        <ReactFlow<CanvasNode | ItemNode, CanvasWire>
-          nodes={all}
-          edges={detail === 'overview' ? NO_WIRES : wires}
-          nodeTypes={NODE_TYPES}
-          edgeTypes={WIRE_VIEWS}
-          connectionLineComponent={WireInHand}
-          onNodesChange={handlers.onNodesChange}
-          onEdgesChange={handlers.onWiresChange}
-          onConnect={handlers.onConnect}
-          onConnectStart={handlers.onConnectStart}
-          onConnectEnd={handlers.onConnectEnd}
-          onReconnectStart={handlers.onReconnectStart}
-          onReconnect={handlers.onReconnect}
-          onReconnectEnd={handlers.onReconnectEnd}
-          isValidConnection={handlers.isValidConnection}
-          onNodeMouseEnter={handlers.onNodeEnter}
-          onNodeMouseLeave={handlers.onNodeLeave}
-          onNodeContextMenu={menu.onNode}
-          onEdgeContextMenu={menu.onWire}
-          onPaneContextMenu={menu.onPane}
-          onNodeDoubleClick={handlers.onNodeDoubleClick}
-          onEdgeDoubleClick={handlers.onWireDoubleClick}
-          onDoubleClick={handlers.onDoubleClick}
-          connectionRadius={24}
-          reconnectRadius={14}
-          onlyRenderVisibleElements
-          elevateNodesOnSelect={false}
-          snapToGrid
-          snapGrid={SNAP}
-          minZoom={0.1}
-          maxZoom={2.5}
-          fitView
-          fitViewOptions={{ padding: 0.15, maxZoom: 1 }}
-          panOnDrag={[1]}
-          panOnScroll={panOnScroll}
-          zoomOnScroll={!panOnScroll}
-          zoomOnDoubleClick={false}
-          selectionOnDrag
-          selectionMode={SelectionMode.Partial}
-          multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
-          selectionKeyCode={null}
-          deleteKeyCode={null}
-          proOptions={{ hideAttribution: true }}
-          ariaLabelConfig={ARIA_LABELS}
-          aria-label="Graph"
-        >
-          <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
-          <MiniMap<CanvasNode | ItemNode>
-            position="bottom-right"
-            pannable
-            zoomable
-            ariaLabel="Overview of the graph"
-            nodeColor={minimapColor}
-            nodeBorderRadius={6}
-            maskColor="var(--minimap-mask)"
-          />
-          <CanvasControls />
-          <ConnectionHint />
-          <Breadcrumb />
-          {detail === 'overview' && <OverviewWires nodes={nodes} wires={wires} />}
-        </ReactFlow>
-      </DetailProvider>
+      <CostsProvider>
+        <DetailProvider value={detail}>
+          <ReactFlow<CanvasNode | ItemNode, CanvasWire>
+            nodes={all}
+            edges={detail === 'overview' ? NO_WIRES : wires}
+            nodeTypes={NODE_TYPES}
+            edgeTypes={WIRE_VIEWS}
+            connectionLineComponent={WireInHand}
+            onNodesChange={handlers.onNodesChange}
+            onEdgesChange={handlers.onWiresChange}
+            onConnect={handlers.onConnect}
+            onConnectStart={handlers.onConnectStart}
+            onConnectEnd={handlers.onConnectEnd}
+            onReconnectStart={handlers.onReconnectStart}
+            onReconnect={handlers.onReconnect}
+            onReconnectEnd={handlers.onReconnectEnd}
+            isValidConnection={handlers.isValidConnection}
+            onNodeMouseEnter={handlers.onNodeEnter}
+            onNodeMouseLeave={handlers.onNodeLeave}
+            onNodeContextMenu={menu.onNode}
+            onEdgeContextMenu={menu.onWire}
+            onPaneContextMenu={menu.onPane}
+            onNodeDoubleClick={handlers.onNodeDoubleClick}
+            onEdgeDoubleClick={handlers.onWireDoubleClick}
+            onDoubleClick={handlers.onDoubleClick}
+            connectionRadius={24}
+            reconnectRadius={14}
+            onlyRenderVisibleElements
+            elevateNodesOnSelect={false}
+            snapToGrid
+            snapGrid={SNAP}
+            minZoom={0.1}
+            maxZoom={2.5}
+            fitView
+            fitViewOptions={{ padding: 0.15, maxZoom: 1 }}
+            panOnDrag={[1]}
+            panOnScroll={panOnScroll}
+            zoomOnScroll={!panOnScroll}
+            zoomOnDoubleClick={false}
+            selectionOnDrag
+            selectionMode={SelectionMode.Partial}
+            multiSelectionKeyCode={['Shift', 'Control', 'Meta']}
+            selectionKeyCode={null}
+            deleteKeyCode={null}
+            proOptions={{ hideAttribution: true }}
+            ariaLabelConfig={ARIA_LABELS}
+            aria-label="Graph"
+          >
+            <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
+            <MiniMap<CanvasNode | ItemNode>
+              position="bottom-right"
+              pannable
+              zoomable
+              ariaLabel="Overview of the graph"
+              nodeColor={minimapColor}
+              nodeBorderRadius={6}
+              maskColor="var(--minimap-mask)"
+            />
+            <CanvasControls />
+            <ConnectionHint />
+            <Breadcrumb />
+            <CostPanel />
+            {detail === 'overview' && <OverviewWires nodes={nodes} wires={wires} />}
+          </ReactFlow>
+        </DetailProvider>
+      </CostsProvider>
       {all.length === 0 && <EmptyCanvas />}
       {drop.over && <div className="canvas-drop">Drop models, pictures or ISF shaders here</div>}
       <CanvasMenu menu={menu.open} onClose={menu.close} />

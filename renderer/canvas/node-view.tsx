@@ -4,6 +4,7 @@ import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { toggleExpanded } from '../state/canvas.ts';
 import { Icon } from '../ui/icon.tsx';
+import { NodeCost } from './costs.tsx';
 import { useDetail } from './detail.ts';
 import './node-view.css';
 import { NodePicture } from './node-picture.tsx';
@@ -58,6 +59,7 @@ function WholeNode({ id, data, selected }: FaceProps) {
       ))}
       {data.shape.picture !== null && <NodePicture node={id} port={data.shape.picture} />}
       <Expander id={id} data={data} />
+      <NodeCost id={id} />
     </div>
   );
 }

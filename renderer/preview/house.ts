@@ -10,7 +10,9 @@ import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-de
 import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { FromPreview } from '../preview-protocol.ts';
 import { previewDecoderFile } from './decoder-files.ts';
+import { type CostMeter, createCostMeter } from './meter.ts';
 import { pageFetch } from './network.ts';
 
 /** A canvas, its context and the player on it: what cannot be changed without beginning anew. */
@@ -19,6 +21,7 @@ export interface House {
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
   readonly fitter: CanvasFitter;
+  readonly meter: CostMeter;
   /** Whether a program can be played here: contexts are made with or without antialiasing, and assets come from one place. */
   suits(program: Program, assetBaseUrl: string): boolean;
   dispose(): void;
@@ -31,6 +34,7 @@ export interface HouseOptions {
   readonly clock: FrameClock;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly onContext: (state: 'lost' | 'restored') => void;
+  readonly send: (message: FromPreview) => void;
 }
 
 /** Of every model as if it stood for a real thing: which of them do changes with the program, and is judged when problems are told. */
@@ -40,7 +44,7 @@ const inspect = (gltf: Gltf, path: string, fileBytes: number) => findingsOf(gltf
 const SEED = 1;
 
 /** Throws where the browser has no WebGL 2. */
-export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext }: HouseOptions): House {
+export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext, send }: HouseOptions): House {
   const canvas = document.createElement('canvas');
   canvas.id = 'picture';
   parent.prepend(canvas);
@@ -51,7 +55,8 @@ export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostic
   fitter.update();
   const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
   const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect, readRadiance });
-  const player = createPlayer({ gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: SEED, onDiagnostics, clock });
+  const meter = createCostMeter(gl, clock, send);
+  const player = createPlayer({ meter, gl, canvas, program, modules: RUNTIMES, createScenes, assets, seed: SEED, onDiagnostics, clock });
   const lost = (event: Event) => {
     // Without this the browser never gives the context back.
     event.preventDefault();
@@ -66,10 +71,12 @@ export function createHouse({ parent, program, assetBaseUrl, clock, onDiagnostic
     gl,
     player,
     fitter,
+    meter,
     suits: (next, base) => next.presentation.antialias === antialias && base === assetBaseUrl,
     dispose: () => {
       canvas.removeEventListener('webglcontextlost', lost);
       canvas.removeEventListener('webglcontextrestored', restored);
+      meter.dispose();
       player.dispose();
       fitter.dispose();
       // Browsers keep few contexts; waiting for the collector would lose another page's.

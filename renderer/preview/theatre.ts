@@ -42,6 +42,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   let wanted: Wanted | null = null;
   let source: PreviewSource | null = null;
   let resizes = 0;
+  let metering = false;
 
   let house: House | null = null;
   let open: OpenSession | null = null;
@@ -112,6 +113,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
       program,
       assetBaseUrl,
       clock,
+      send,
       onDiagnostics: (diagnostics) => {
         playerProblems = diagnostics;
         tellProblems();
@@ -122,6 +124,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
       },
     });
     house = made;
+    made.meter.setOn(metering);
     void made.player.ready.then((result) => report(revision, result));
   };
   const begin = async (place: House, { program }: Wanted, from: PreviewSource, key: string) => {
@@ -148,6 +151,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     status.begin();
     house.player.draw(frame);
     status.end(frame);
+    house.meter.afterFrame();
     if (!posters.busy) showLook(house.player, frame, look);
     if (plays) posters.afterFrame();
     probes.afterFrame(house.player, frame, posterPlace());
@@ -215,6 +219,11 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           return;
         case 'look':
           look = message;
+          clock.wake();
+          return;
+        case 'cost':
+          metering = message.on;
+          house?.meter.setOn(metering);
           clock.wake();
           return;
         case 'probe':

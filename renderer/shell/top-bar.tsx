@@ -73,6 +73,7 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'view.fit-selection',
       'line',
       'view.thumbnails',
+      'view.costs',
       'view.pin',
       'view.compare',
       'view.screen',

@@ -136,6 +136,12 @@ const COMMANDS = {
     enabled: isOpen,
     run: ({ look }) => look.setState(({ probing }) => ({ probing: !probing, probed: null })),
   },
+  'view.costs': {
+    label: 'Costs on nodes',
+    chords: ['K'],
+    enabled: isOpen,
+    run: ({ costs }) => costs.setState(({ on }) => ({ on: !on, measured: [] })),
+  },
   'view.code': {
     label: 'Shader source',
     chords: ['Mod+J'],

@@ -2,6 +2,7 @@ import type { Host } from '../../app/contract/contract.ts';
 import type { EditorClock } from '../clock.ts';
 import { type CanvasStore, createCanvasState } from './canvas.ts';
 import { type CompileStore, createCompileState } from './compile.ts';
+import { type CostStore, createCostState } from './costs.ts';
 import { createDocument, type DocumentStore } from './document.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
 import { createLayerPictures, createLookState, type LookStore, type Pictures } from './looks.ts';
@@ -42,6 +43,7 @@ export interface Editor {
   readonly compile: CompileStore;
   readonly preview: PreviewStore;
   readonly look: LookStore;
+  readonly costs: CostStore;
 }
 
 export interface EditorOptions {
@@ -72,5 +74,6 @@ export function createEditor({ host, clock, random, library, mac, clipboard, siz
     compile: createCompileState(),
     preview: createPreviewState(),
     look: createLookState(),
+    costs: createCostState(),
   };
 }

@@ -115,7 +115,7 @@ describe('the way from document to preview', () => {
     expect(editor.compile.getState().diagnostics.some(({ severity }) => severity === 'error')).toBe(true);
     expect(editor.compile.getState().program).toBe(program);
     feed.receive({ kind: 'ready' });
-    expect(kinds()).toEqual(['program', 'thumbnails', 'look']);
+    expect(kinds()).toEqual(['program', 'thumbnails', 'look', 'cost']);
   });
 
   test('what the driver said is told on the author’s lines, of the newest program alone', () => {

@@ -107,6 +107,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     receive: (message) => {
       if (message.kind === 'poster') return pictures.answer(message.bytes);
       if (message.kind === 'thumbnail') return editor.pictures.layers.deliver(message.port, message.image);
+      if (message.kind === 'costs') return editor.costs.setState({ measured: message.costs });
       if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
       takeMessage(editor, message);
       if (message.kind !== 'ready') return;
@@ -142,7 +143,7 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
 
 function takeMessage(
   { preview, compile, document }: Editor,
-  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' }>,
+  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' | 'costs' }>,
 ): void {
   switch (message.kind) {
     case 'ready':

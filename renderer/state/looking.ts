@@ -17,7 +17,7 @@ export interface Looking {
   dispose(): void;
 }
 
-/** A fused pass is split for its picture only while somebody looks: that is another program, which `compile` asks for. */
+/** A layer has a picture of its own to look at only while somebody does: that is another program, which `compile` asks for. */
 export function createLooking(editor: Editor, post: (message: ToPreview) => void, compile: () => void): Looking {
   let asked = '';
   const taps = () => {
@@ -29,12 +29,16 @@ export function createLooking(editor: Editor, post: (message: ToPreview) => void
     const { left, right, split } = editor.look.getState();
     post({ kind: 'thumbnails', ports: editor.pictures.layers.wanted(), heightPx: THUMBNAIL_HEIGHT_PX });
     post({ kind: 'look', left, right, split: split ?? 1 });
+    post({ kind: 'cost', on: editor.costs.getState().on });
   };
   const settle = debounce(editor.clock, PAUSE_MS, () => {
     tell();
     if (lookedAt(editor).join() !== asked) compile();
   });
   editor.pictures.layers.onChange.run = settle.trigger;
+  const stopCosts = editor.costs.subscribe((state, before) => {
+    if (state.on !== before.on) tell();
+  });
   const stop = editor.look.subscribe((state, before) => {
     if (state.left === before.left && state.right === before.right && state.split === before.split && state.probing === before.probing)
       return;
@@ -46,6 +50,7 @@ export function createLooking(editor: Editor, post: (message: ToPreview) => void
     tell,
     dispose: () => {
       stop();
+      stopCosts();
       settle.cancel();
       editor.pictures.layers.onChange.run = null;
     },

@@ -75,12 +75,17 @@ export function layerPortOf(definition: NodeDefinition | undefined): string | nu
 
 /** What the compiler calls a port of the open graph: of a subgraph that several nodes stand for, in the first of them. */
 export function layerName(state: Pick<DocumentState, 'project' | 'graph' | 'trail'>, node: string, port: string): string {
+  return `${nodePath(state, node)}.${port}`;
+}
+
+/** What the compiler calls a node of the open graph. */
+export function nodePath(state: Pick<DocumentState, 'project' | 'graph' | 'trail'>, node: string): string {
   const way = [...state.trail, state.graph];
   const path = way.slice(1).map((inner, depth) => {
     const nodes = own(state.project.graphs, way[depth] ?? '')?.nodes ?? {};
     return Object.keys(nodes).find((id) => nodes[id]?.type === subgraphType(inner)) ?? inner;
   });
-  return `${[...path, node].join('/')}.${port}`;
+  return [...path, node].join('/');
 }
 
 /** The layer that the screen shows, in the main graph. */

@@ -4,7 +4,7 @@ import { centreOf, FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
 
-/** The camera's picture through two filters that are one pass while nobody looks between them; another one has no input. */
+/** The camera's picture through two filters; another one has no input. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -50,7 +50,7 @@ function tints({ width, height, data }: Picture, from = 0, to = 1) {
   return { grey: grey / count, warm: warm / count };
 }
 
-test('nodes show their layers, also between filters that are one pass, and only while somebody looks', async () => {
+test('nodes show their layers, and only while somebody looks', async () => {
   const { page, editor } = open;
   await page.locator('.canvas').focus();
   await page.keyboard.press('t');
@@ -120,4 +120,25 @@ test('the probe tells colour, distance and place of what is under the pointer', 
   expect(height).toBeLessThan(2.6);
   await page.getByRole('button', { name: 'Pixel probe' }).click();
   await output.waitFor({ state: 'detached' });
+});
+
+test('what nodes cost is drawn on them, with a budget that warns', async () => {
+  const { page, editor } = open;
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('k');
+  const panel = page.getByRole('region', { name: 'Cost of a frame' });
+  await panel.waitFor();
+  await editor.node('sepia').locator('.node-cost').getByText('1 pass · 9.9 MB').waitFor();
+  await editor
+    .node('threshold')
+    .locator('.node-cost')
+    .getByText(/^1 pass( ·.* ms)?$/)
+    .waitFor();
+  // Each draws one triangle; the background is no node's.
+  await panel.getByText(/^2 of 300$/).waitFor();
+  await panel.getByRole('combobox', { name: 'Device of the budget' }).selectOption('headset');
+  await panel.getByText(/^4 of 4$/).waitFor();
+  await page.locator('.canvas').focus();
+  await page.keyboard.press('k');
+  await panel.waitFor({ state: 'detached' });
 });

@@ -1,6 +1,6 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
-import type { Program } from '../../program/program.ts';
+import type { Operation, Program } from '../../program/program.ts';
 import { createCpuStep, isCpu } from '../cpu/cpu-step.ts';
 import type { Engine } from '../engine.ts';
 import type { LoadedProgram } from '../loading.ts';
@@ -16,6 +16,7 @@ import { createSlots, type Slots } from '../values/slots.ts';
 import { type Cast, createCast, isShadowMaps, releaseCast } from './cast.ts';
 import { createDrawStep } from './draw-step.ts';
 import { createLoopWatch, type LoopWatch } from './loop-watch.ts';
+import { metered } from './meter.ts';
 import type { Step } from './step.ts';
 
 /** What one stage hands to the next. */
@@ -176,25 +177,26 @@ function createSteps(
   const { objects, drawer, clock, copy } = engine;
   const parts: PassParts = { gl: objects.gl, drawer, clock, resources, slots, imports, copy };
   const steps: Step[] = [];
+  const add = (operation: Operation, step: Step) => void steps.push(metered(step, operation, engine.meter));
   for (const operation of loaded.program.operations) {
     if (operation.view !== view) continue;
     if (operation.kind === 'pass') {
       const glProgram = loaded.glPrograms[operation.shader];
       if (!glProgram) throw new Error(`The program has no shader ${operation.shader}.`);
-      steps.push(createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null));
+      add(operation, createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null));
     } else if (isShadowMaps(operation)) {
       const maps = cast.shadowMaps.get(operation.id)?.maps;
       const render = (): void => {
         engine.scenesIfMade()?.invalidateState();
         maps?.update();
       };
-      steps.push({ run: render, prepare: render });
+      add(operation, { run: render, prepare: render });
     } else if (isDraw(operation)) {
       const instance = cast.nodes.get(operation.id);
-      if (instance) steps.push(createDrawStep(engine, operation, instance, resources));
+      if (instance) add(operation, createDrawStep(engine, operation, instance, resources));
     } else if (isCpu(operation)) {
       const instance = cast.nodes.get(operation.id);
-      if (instance) steps.push(createCpuStep(operation, instance.runtime, resources));
+      if (instance) add(operation, createCpuStep(operation, instance.runtime, resources));
     }
   }
   return steps;
