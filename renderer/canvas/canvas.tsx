@@ -32,6 +32,7 @@ import { useGestures } from './use-gestures.ts';
 import { useMiddle } from './use-middle.ts';
 import { useReveal } from './use-reveal.ts';
 import { useWheel } from './use-wheel.ts';
+import { useWireTarget } from './use-wire-target.ts';
 import { WireInHand, WireView } from './wire-view.tsx';
 
 const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView };
@@ -64,6 +65,7 @@ function CanvasInside() {
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
+  useWireTarget();
   useMiddle(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
   const detail = useFlowStore((state) => detailOf(state.transform[2], nodes.length));

@@ -5,6 +5,7 @@ import { subgraphName } from '../../export/graph/names.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import type { Place } from '../state/canvas.ts';
+import { combinationsOf } from '../state/combinations.ts';
 import { nodeOf } from '../state/document.ts';
 import { addNodeFromPalette, swapType } from '../state/edit-graph.ts';
 import type { Editor } from '../state/editor.ts';
@@ -72,7 +73,8 @@ function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly N
   const types = wire === undefined ? null : wireTypes(editor, wire);
   if (types) return possible.filter((definition) => portsThrough(definition, types) !== null);
   const swapped = swap === undefined ? undefined : state.library.definition(nodeOf(state, swap)?.type ?? '');
-  return swapped ? possible.filter((definition) => definition.type !== swapped.type && givesSame(definition, swapped)) : possible;
+  if (swapped) return possible.filter((definition) => definition.type !== swapped.type && givesSame(definition, swapped));
+  return [...possible, ...combinationsOf(state.library).map(({ definition }) => definition)];
 }
 
 function givesSame(a: NodeDefinition, b: NodeDefinition): boolean {

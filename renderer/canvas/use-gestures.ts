@@ -6,10 +6,11 @@ import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '.
 import { layoutOf, nodeOf } from '../state/document.ts';
 import { connect, explainRefusal, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
 import type { Editor } from '../state/editor.ts';
-import { dropOnWire } from '../state/insert-on-wire.ts';
+import { dropOnWire, layOver } from '../state/insert-on-wire.ts';
 import { boxOfItem, contentOf, itemOf, moveAll } from '../state/layout-items.ts';
 import { changeSelection, type SelectionChange } from '../state/selection.ts';
 import { openSubgraph } from '../state/subgraphs.ts';
+import { HEADER_HEIGHT, NODE_WIDTH } from './node-shape.ts';
 import type { CanvasNode } from './project-canvas.ts';
 import type { ItemNode } from './project-items.ts';
 import type { CanvasWire } from './project-wires.ts';
@@ -72,10 +73,15 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
   );
   const onConnectEnd = useCallback(
     (event: MouseEvent | TouchEvent, end: FinalConnectionState) => {
-      const { inHand } = editor.canvas.getState();
+      const { inHand, wireUnder } = editor.canvas.getState();
       dropWire(editor.canvas);
       if (inHand === null || end.isValid === true) return;
       const client = clientOf(event);
+      if (wireUnder !== null && !end.toHandle && !rewiring.current) {
+        const { x, y } = toCanvas(client);
+        layOver(editor, inHand, wireUnder, { x: x - NODE_WIDTH / 2, y: y - HEADER_HEIGHT });
+        return;
+      }
       if (end.toHandle) explainRefusal(editor, inHand, endOf(end.toHandle));
       else if (onPane(event) && !rewiring.current) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
     },

@@ -5,6 +5,7 @@ import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import { graphOf, layoutOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { revealNodes } from './ui.ts';
 
 /** Where a node stands, and how large it is drawn. Canvas units. */
 export interface NodeBox extends Place {
@@ -100,7 +101,10 @@ export async function tidy(editor: Editor): Promise<boolean> {
   const { wires } = graphOf(editor.document.getState());
   const { layOut } = await import('./lay-out.ts');
   const places = await layOut(boxes, wires);
-  return move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box);
+  const moved = move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box);
+  // All of it has gone elsewhere: what was looked at may be out of sight.
+  if (moved && boxes.length === Object.keys(graphOf(editor.document.getState()).nodes).length) revealNodes(editor.ui, [], 'fit');
+  return moved;
 }
 
 function move(editor: Editor, label: string, boxes: readonly NodeBox[], placed: (box: NodeBox) => Place): boolean {

@@ -10,7 +10,7 @@ export interface CanvasState {
   /** Where nodes are while they are dragged, canvas units. */
   readonly dragged: Readonly<Record<string, Place>>;
   readonly inHand: WireInHand | null;
-  /** The wire that a dragged node would go into. */
+  /** The wire that a dragged node would go into, or that a layer in hand would be laid over. */
   readonly wireUnder: string | null;
   /** Middle of what is seen, canvas units; the page says. */
   readonly middle: () => Place;
@@ -63,7 +63,7 @@ export function takeWire(store: CanvasStore, inHand: WireInHand): void {
 }
 
 export function dropWire(store: CanvasStore): void {
-  store.setState({ inHand: null, offered: null });
+  store.setState({ inHand: null, offered: null, wireUnder: null });
 }
 
 export function offerParams(store: CanvasStore, node: string | null): void {

@@ -13,8 +13,9 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import type { PaletteEntry } from '../canvas/palette-search.ts';
 import { apply } from './apply.ts';
-import type { Place, WireInHand } from './canvas.ts';
-import { takeWire } from './canvas.ts';
+import { type Place, takeWire, type WireInHand } from './canvas.ts';
+import { addCombination, combinationsOf } from './combinations.ts';
+import { withCompany } from './company.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
 import { leadThrough } from './insert-on-wire.ts';
@@ -76,7 +77,10 @@ export function moveNodes(editor: Editor, positions: Readonly<Record<string, Pla
   return apply(editor, 'Move', moveNodesCommand(project, { graph, positions }), `move ${Object.keys(positions).sort().join(' ')}`);
 }
 
-/** Adds the chosen type at a place, wires what was in hand or leads a wire through it, and selects it; all one step. */
+/**
+ * Adds the chosen type or combination at a place, wires what was in hand or leads a wire through it, gives it what it cannot do without,
+ * and selects it; all one step.
+ */
 export function addNodeFromPalette(
   editor: Editor,
   { definition, port }: PaletteEntry,
@@ -85,18 +89,22 @@ export function addNodeFromPalette(
   throughWire: string | null = null,
 ): string | null {
   const { project, library, graph } = editor.document.getState();
-  const id = makeNodeId(project, definition.type, editor.random);
+  const { random } = editor;
+  const combination = combinationsOf(library).find((known) => known.definition.type === definition.type);
+  const combined = combination && addCombination(combination, { library, graph, random, project, ...place });
+  const id = combined?.main ?? makeNodeId(project, definition.type, random);
   const change = inTurn(
     project,
-    (before) => addNode(before, { library, graph, id, type: definition.type, ...place }),
+    (before) => combined?.change(before) ?? addNode(before, { library, graph, id, type: definition.type, ...place }),
     (before) => {
       if (throughWire !== null) return leadThrough(editor, id, throughWire)(before);
       if (inHand === null || port === null) return unchanged(before);
-      const here = { node: id, port };
+      const here = combined ? (combined.portOf(port) ?? { node: id, port }) : { node: id, port };
       const there = { node: inHand.node, port: inHand.port };
       const ends = inHand.side === 'output' ? { from: there, to: here } : { from: here, to: there };
       return connectCommand(before, { library, graph, ...ends });
     },
+    ...(combined?.ids ?? [id]).map((node) => withCompany(node, { library, graph, random })),
   );
   if (!apply(editor, `Add ${definition.title}`, change)) return null;
   selectOnly(editor.selection, [id]);

@@ -1,6 +1,8 @@
 import { type Change, inTurn } from '../../export/graph/commands/change.ts';
 import { moveNodes } from '../../export/graph/commands/layout.ts';
+import { addNode } from '../../export/graph/commands/nodes.ts';
 import { connect, disconnect, reorderWires } from '../../export/graph/commands/wires.ts';
+import { makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
 import type { Project, Wire } from '../../export/graph/project.ts';
 import { printWire, sameAddress } from '../../export/graph/wires.ts';
@@ -9,9 +11,10 @@ import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { conversion, type WireType } from '../../nodes/kit/wire-types.ts';
 import { fittingPort } from '../canvas/palette-search.ts';
 import { apply } from './apply.ts';
-import type { Place } from './canvas.ts';
+import type { Place, WireInHand } from './canvas.ts';
 import { graphOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { selectOnly } from './selection.ts';
 
 /** The types at both ends of a wire of the open graph, or null where one is unknown. */
 export function wireTypes(editor: Editor, wireId: string): { readonly from: WireType; readonly to: WireType } | null {
@@ -74,6 +77,43 @@ export function dropOnWire(editor: Editor, node: string, place: Place, wireId: s
   const change = inTurn(project, move, leadThrough(editor, node, wireId));
   if (hasErrors(change.diagnostics)) return apply(editor, 'Move', move(project));
   return apply(editor, `Insert ${titleOf(editor.document.getState(), node)}`, change);
+}
+
+const OVER = 'operator/over';
+
+/** Whether a wire in hand may be let go over another one: a layer over a layer. */
+export function canLayOver(editor: Editor, inHand: WireInHand, wireId: string): boolean {
+  const wire = wireOf(editor, wireId);
+  const types = wireTypes(editor, wireId);
+  const { library } = editor.document.getState();
+  const isLayer = inHand.side === 'output' && inHand.type === 'layer' && types?.from === 'layer' && types.to === 'layer';
+  return isLayer && wire !== undefined && wire.from.node !== inHand.node && library.definition(OVER) !== undefined;
+}
+
+/** A layer let go over a layer's wire is laid over what runs there, by an Over that goes into the wire. The node, or null. */
+export function layOver(editor: Editor, { node, port }: WireInHand, wireId: string, place: Place): string | null {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const wire = wireOf(editor, wireId);
+  if (!wire) return null;
+  const id = makeNodeId(project, OVER, editor.random);
+  const sources = graphOf(state)
+    .wires.filter(({ to }) => sameAddress(to, wire.to))
+    .map(({ from }) => from);
+  const output = { node: id, port: 'layer' };
+  const inOrder = sources.map((from) => (sameAddress(from, wire.from) ? output : from));
+  const change = inTurn(
+    project,
+    (before) => addNode(before, { library, graph, id, type: OVER, ...place }),
+    (before) => disconnect(before, { graph, wires: [wire] }),
+    (before) => connect(before, { library, graph, from: wire.from, to: { node: id, port: 'bottom' } }),
+    (before) => connect(before, { library, graph, from: { node, port }, to: { node: id, port: 'top' } }),
+    (before) => connect(before, { library, graph, from: output, to: wire.to }),
+    (before) => reorderWires(before, { graph, to: wire.to, from: inOrder }),
+  );
+  if (!apply(editor, `Lay ${titleOf(state, node)} over`, change)) return null;
+  selectOnly(editor.selection, [id]);
+  return id;
 }
 
 function wireOf(editor: Editor, wireId: string): Wire | undefined {
