@@ -174,8 +174,8 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'tools',
     files: ['tools/**'],
-    imports: [...HOST, 'services', 'makers of examples', 'measured page'],
-    packages: ['node:*', 'esbuild', 'vite', 'oxc-parser', 'fast-png', 'playwright-core', '@electron/packager', '@electron/fuses'],
+    imports: [...HOST, 'services', 'server shell', 'makers of examples', 'measured page'],
+    packages: ['node:*', 'esbuild', 'vite', 'oxc-parser', 'fast-png', 'playwright-core', 'sharp', '@electron/packager', '@electron/fuses'],
   },
   { name: 'start script', files: ['bin/**'], imports: ['build output', 'tools'], packages: ['node:*'] },
   { name: 'build output', files: ['dist/**'] },

@@ -1,0 +1,115 @@
+import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import type { Page } from 'playwright-core';
+import { startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { playNewcomer } from '../../tools/newcomer/play-newcomer.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { EditorDriver } from '../support/editor-driver.ts';
+import { visitExportedPage } from '../support/exported-page.ts';
+import type { Picture } from '../support/picture.ts';
+import { countDifferent } from '../support/pixels.ts';
+
+// Frames are drawn on the CPU, beside whatever else the machine does.
+jest.setTimeout(400_000);
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const MODEL = join(ROOT, 'examples/first-light/assets/robot.glb');
+const MOST_INTERACTIONS = 25;
+
+let base = '';
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-newcomer-'));
+});
+afterAll(() => rm(base, { recursive: true, force: true }));
+
+const browser = useBrowser();
+
+test('a newcomer makes a page with an occluded, shadowed cartoon in few interactions', async () => {
+  const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: null, log: () => {} });
+  const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const errors = collectErrors(page);
+  const [project, exportTo] = [join(base, 'first'), join(base, 'page')];
+  try {
+    await page.goto(server.url);
+    const done = await playNewcomer({ page, model: MODEL, project, exportTo });
+    expect(done.length).toBeLessThanOrEqual(MOST_INTERACTIONS);
+
+    // Each part is in the picture: without it, the picture is another one.
+    const editor = new EditorDriver(page);
+    await editor.settled();
+    await editor.press('Pause');
+    await editor.press('Back to the first frame');
+    await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
+    const whole = await pictureThat(editor, (picture) => count(picture, isRed) > 200);
+    /** Takes a part away, waits until the picture shows that, and brings it back. */
+    const without = async (stem: string, takeAway: () => Promise<void>, differs: (picture: Picture) => boolean) => {
+      await editor.node(stem).first().locator('.node-title').click();
+      await takeAway();
+      await pictureThat(editor, differs);
+      await page.keyboard.press('Control+z');
+      await pictureThat(editor, (picture) => countDifferent(picture, whole, 8).pixels < MOST_FLICKER);
+    };
+    const mute = () => page.keyboard.press('m');
+    // In its own materials the robot has no dark outline.
+    await without('apply', mute, (picture) => count(picture, isInk) < 0.8 * count(whole, isInk));
+    // The table hides the legs.
+    await without(await occlusionOfScene(page, project), mute, (picture) => countDifferent(picture, whole, 24).pixels > 150);
+    // A shadow only darkens.
+    const fade = async () => {
+      await editor.inspector.getByRole('textbox', { name: 'Strength' }).fill('0');
+      await page.keyboard.press('Enter');
+    };
+    await without('shadow', fade, (picture) => darker(whole, picture) > 100 && darker(picture, whole) < MOST_FLICKER);
+  } finally {
+    await page.close();
+    await server.close();
+  }
+  expect(errors).toEqual([]);
+  await visitExportedPage(browser.browser, exportTo);
+  const { features } = JSON.parse(await readFile(join(exportTo, 'report.json'), 'utf8'));
+  expect(features.optional).toContain('depth-sensing');
+});
+
+/** Edges of hidden things may differ from one frame to the next by single pixels. */
+const MOST_FLICKER = 30;
+const WAIT_MS = 90_000;
+
+/** Waits for the picture; fails where it does not come. */
+async function pictureThat(editor: EditorDriver, accept: (picture: Picture) => boolean): Promise<Picture> {
+  const endMs = Date.now() + WAIT_MS;
+  for (;;) {
+    const picture = await editor.picture();
+    if (accept(picture)) return picture;
+    if (Date.now() > endMs) throw new Error(`The picture did not become what was waited for: ${accept}`);
+  }
+}
+
+/** There are two: the one that hides the model, by the wires of the saved project. */
+async function occlusionOfScene(page: Page, project: string): Promise<string> {
+  await page.keyboard.press('Control+s');
+  await page.locator('.unsaved').waitFor({ state: 'detached' });
+  const found = /"scene-\w+\.layer -> (depth-occlusion-\w+)\.layer"/.exec(await readFile(join(project, 'project.scrim.json'), 'utf8'));
+  if (found?.[1] === undefined) throw new Error('Nothing hides the scene.');
+  return found[1];
+}
+
+type Passes = (red: number, green: number, blue: number) => boolean;
+const isRed: Passes = (red, green, blue) => red > 110 && green < 0.45 * red && blue < 0.45 * red;
+const isInk: Passes = (red, green, blue) => red + green + blue < 75;
+
+function count({ data }: Picture, passes: Passes): number {
+  let found = 0;
+  for (let i = 0; i < data.length; i += 4) if (passes(data[i] ?? 0, data[i + 1] ?? 0, data[i + 2] ?? 0)) found++;
+  return found;
+}
+
+/** Pixels that are darker in the first, by more than rounding. */
+function darker(a: Picture, b: Picture): number {
+  const sum = ({ data }: Picture, i: number) => (data[i] ?? 0) + (data[i + 1] ?? 0) + (data[i + 2] ?? 0);
+  let found = 0;
+  for (let i = 0; i < a.data.length; i += 4) if (sum(a, i) < sum(b, i) - 12) found++;
+  return found;
+}

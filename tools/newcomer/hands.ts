@@ -1,0 +1,90 @@
+import { readFile } from 'node:fs/promises';
+import { basename } from 'node:path';
+import type { Locator, Page } from 'playwright-core';
+
+/** What a person does is counted as they would count it: a click, a drag, or a field typed into, with its Enter. */
+export interface Interaction {
+  readonly kind: 'click' | 'drag' | 'type';
+  /** For people. */
+  readonly what: string;
+  /** Where the pointer is then, client pixels. */
+  readonly at: Point;
+}
+
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+const KEY_MS = 8;
+
+/** Pointer and keys that count themselves. */
+export class Hands {
+  readonly done: Interaction[] = [];
+  private readonly page: Page;
+  private readonly onDone: (done: Interaction) => Promise<void>;
+
+  constructor(page: Page, onDone: (done: Interaction) => Promise<void>) {
+    this.page = page;
+    this.onDone = onDone;
+  }
+
+  async click(what: string, target: Locator): Promise<void> {
+    const at = await centreOf(target);
+    await target.click();
+    await this.count({ kind: 'click', what, at });
+  }
+
+  async drag(what: string, from: Point, to: Point): Promise<void> {
+    const { mouse } = this.page;
+    await mouse.move(from.x, from.y);
+    await mouse.down();
+    await mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 4 });
+    await mouse.move(to.x, to.y, { steps: 6 });
+    await mouse.up();
+    await this.count({ kind: 'drag', what, at: to });
+  }
+
+  async type(what: string, text: string, field: Locator): Promise<void> {
+    const at = await centreOf(field);
+    await field.fill('');
+    await this.page.keyboard.type(text, { delay: KEY_MS });
+    await this.page.keyboard.press('Enter');
+    await this.count({ kind: 'type', what, at });
+  }
+
+  /** A key alone: it counts like a field. */
+  async press(what: string, key: string): Promise<void> {
+    await this.page.keyboard.press(key);
+    await this.count({ kind: 'type', what, at: { x: 0, y: 0 } });
+  }
+
+  /** Drags a file in from outside, by the browser's own events of that: no pointer of a page's can make them. */
+  async dropFile(what: string, path: string, at: Point): Promise<void> {
+    const base64 = (await readFile(path)).toString('base64');
+    await this.page.evaluate(
+      ({ bytes, name, x, y }) => {
+        const data = new DataTransfer();
+        data.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name));
+        const target = document.elementFromPoint(x, y);
+        for (const kind of ['dragover', 'drop']) {
+          target?.dispatchEvent(new DragEvent(kind, { dataTransfer: data, clientX: x, clientY: y, bubbles: true, cancelable: true }));
+        }
+      },
+      { bytes: base64, name: basename(path), ...at },
+    );
+    await this.count({ kind: 'drag', what, at });
+  }
+
+  private async count(done: Interaction): Promise<void> {
+    this.done.push(done);
+    await this.onDone(done);
+  }
+}
+
+export async function centreOf(locator: Locator): Promise<Point> {
+  await locator.waitFor();
+  const box = await locator.boundingBox();
+  if (!box) throw new Error(`${locator} is not on screen.`);
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
