@@ -9,8 +9,10 @@ import { App } from './shell/app.tsx';
 import { NoHost } from './shell/no-host.tsx';
 import { createEditor } from './state/editor.ts';
 import { createFeed } from './state/feed.ts';
+import { createPreferences, keepPreferences, loadPreferences } from './state/preferences.ts';
 import { keepSizes, loadSizes } from './state/sizes.ts';
 import { autosave, followHost, hasUnsavedWork, openFirst, start } from './state/start.ts';
+import { followAppearance } from './ui/appearance.ts';
 import './ui/theme.css';
 
 async function main(): Promise<void> {
@@ -19,6 +21,7 @@ async function main(): Promise<void> {
   const root = createRoot(element);
   const host = connectHost(window);
   if (host === null) {
+    followAppearance(createPreferences(loadPreferences(localStorage)), window);
     root.render(<NoHost />);
     return;
   }
@@ -30,7 +33,10 @@ async function main(): Promise<void> {
     mac: navigator.platform.startsWith('Mac'),
     clipboard: createPageClipboard(navigator.clipboard),
     sizes: loadSizes(localStorage, window.innerWidth),
+    preferences: loadPreferences(localStorage),
   });
+  followAppearance(editor.preferences, window);
+  keepPreferences(editor, localStorage);
   const worker = new Worker(new URL('./compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
   const feed = createFeed(editor, worker);
   const previewUrl = await start(editor);

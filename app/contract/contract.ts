@@ -73,6 +73,8 @@ const openProject = z.object({
  */
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
 
+const pictureUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
+
 /** A picture of what the page shows, as JPEG of `POSTER_SIZE`; null or left out where the editor has none. */
 const poster = z.instanceof(Uint8Array).refine(isPosterJpeg, 'no JPEG of a bearable size');
 
@@ -104,9 +106,10 @@ export const HOST_CONTRACT = {
       previewUrl: z.string(),
       /** What to open at start. */
       startPath: z.string().nullable(),
-      examples: z.array(z.object({ title: z.string(), path: z.string() })),
+      /** `picture`: what they show, as a `data:` address; left out where there is none. */
+      examples: z.array(z.object({ title: z.string(), path: z.string(), picture: pictureUrl })),
       /** What a new project can begin with, the default first. */
-      templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string() })),
+      templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: pictureUrl })),
       canPickFolders: z.boolean(),
     }),
   },

@@ -7,7 +7,7 @@ import type { Origins } from './content-policy.ts';
 import { dispatch, type Handlers } from './dispatch.ts';
 import { createExportJobs } from './export-jobs.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
-import { findExamples } from './find-examples.ts';
+import { findExamples, withPicture } from './find-examples.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
@@ -68,7 +68,11 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       previewUrl: `${shell.origins.preview}/index.html`,
       startPath,
       examples: await findExamples(installation.examplesDir),
-      templates: await findTemplates(installation.templatesDir),
+      templates: await Promise.all(
+        (await findTemplates(installation.templatesDir)).map((template) =>
+          withPicture(template, installation.examplesDir, `template-${template.name}`),
+        ),
+      ),
       canPickFolders: shell.pickFolder !== null,
     }),
     'app.close': async () => {

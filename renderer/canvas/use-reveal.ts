@@ -3,6 +3,7 @@ import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../shell/editor-context.ts';
 import type { Reveal } from '../state/ui.ts';
+import { isStill } from '../ui/appearance.ts';
 
 const DURATION_MS = 260;
 
@@ -14,7 +15,7 @@ export function useReveal(): void {
   const store = useStoreApi();
   useEffect(() => {
     if (reveal === null) return;
-    const duration = window.matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : DURATION_MS;
+    const duration = isStill() ? 0 : DURATION_MS;
     if (reveal.how === 'fit') {
       void fitView({ ...nodesOf(reveal), padding: 0.15, maxZoom: 1, duration });
       return;

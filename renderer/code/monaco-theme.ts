@@ -1,15 +1,16 @@
 import { editor } from 'monaco-editor/editor';
+import { isLight } from '../ui/appearance.ts';
 
-/** Gives Monaco the editor's own colours, and again whenever the system's light or dark changes. The returned function stops that. */
+/** Gives Monaco the editor's own colours, and again whenever these change between light and dark. The returned function stops that. */
 export function followTheme(): () => void {
-  const light = window.matchMedia('(prefers-color-scheme: light)');
   const apply = () => {
-    defineTheme(light.matches);
+    defineTheme(isLight());
     editor.setTheme('scrim');
   };
   apply();
-  light.addEventListener('change', apply);
-  return () => light.removeEventListener('change', apply);
+  const watch = new MutationObserver(apply);
+  watch.observe(document.documentElement, { attributeFilter: ['data-theme'] });
+  return () => watch.disconnect();
 }
 
 function defineTheme(light: boolean): void {

@@ -15,6 +15,7 @@ import { FeedProvider } from './feed-context.ts';
 import { StatusBar } from './status-bar.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
+import { Tour } from './tour-card.tsx';
 import { useShortcuts } from './use-shortcuts.ts';
 
 interface AppProps {
@@ -55,6 +56,7 @@ function Frame({ previewUrl }: { readonly previewUrl: string }) {
       </main>
       <StatusBar />
       <Toasts />
+      <Tour />
       <Dialogs />
       <TooltipLayer clock={clock} />
     </div>

@@ -3,6 +3,7 @@ import { reload, save, showProject } from '../state/files.ts';
 import type { DialogRequest } from '../state/ui.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
+import { CommandsDialog } from './commands-dialog.tsx';
 import { useEditor } from './editor-context.ts';
 import { FindDialog } from './find-dialog.tsx';
 import { FolderDialog } from './folder-dialog.tsx';
@@ -21,7 +22,7 @@ export function Dialogs() {
     case 'open':
       return <OpenDialog onClose={close} />;
     case 'new':
-      return <NewDialog onClose={close} />;
+      return <NewDialog {...(dialog.template === undefined ? {} : { chosen: dialog.template })} onClose={close} />;
     case 'save-as':
     case 'export':
       return <FolderDialog key={dialog.kind} purpose={dialog.kind} onClose={close} />;
@@ -33,6 +34,8 @@ export function Dialogs() {
       return <ChangedOutsideDialog onClose={close} />;
     case 'shadertoy':
       return <ShadertoyDialog onClose={close} />;
+    case 'commands':
+      return <CommandsDialog onClose={close} />;
     case 'shortcuts':
       return <ShortcutsDialog onClose={close} />;
     case 'find':

@@ -6,13 +6,19 @@ import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
 import './new-dialog.css';
 
+interface NewDialogProps {
+  /** The template that is chosen already. */
+  readonly chosen?: string;
+  readonly onClose: () => void;
+}
+
 /** What to begin with, and the folder it goes to. */
-export function NewDialog({ onClose }: { readonly onClose: () => void }) {
+export function NewDialog({ chosen, onClose }: NewDialogProps) {
   const editor = useEditor();
   const id = useId();
   const templates = useStore(editor.document, (state) => state.templates);
   const canPick = useStore(editor.document, (state) => state.canPickFolders);
-  const [template, setTemplate] = useState(templates[0]?.name ?? '');
+  const [template, setTemplate] = useState(chosen ?? templates[0]?.name ?? '');
   const [path, setPath] = useState('');
   const [busy, setBusy] = useState(false);
   const ready = !busy && path.trim() !== '' && template !== '';

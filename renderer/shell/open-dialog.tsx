@@ -1,39 +1,54 @@
 import { type FormEvent, useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { openPath } from '../state/files.ts';
-import { Button } from '../ui/button.tsx';
+import { forgetProject } from '../state/preferences.ts';
+import { startTour } from '../state/tour.ts';
+import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useEditor } from './editor-context.ts';
 import './open-dialog.css';
+import { PictureCard } from './picture-card.tsx';
 
-/** A project folder: one of the examples, one picked in the shell's own dialog, or a path. */
+/** Where a session with Scrim begins: what was worked on last, something new, an example, or a folder. */
 export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const id = useId();
   const [path, setPath] = useState('');
   const [busy, setBusy] = useState(false);
   const examples = useStore(editor.document, (state) => state.examples);
+  const templates = useStore(editor.document, (state) => state.templates);
   const canPick = useStore(editor.document, (state) => state.canPickFolders);
-  const open = async (chosen: string) => {
+  const isStart = useStore(editor.document, (state) => state.open === null);
+  const open = async (chosen: string): Promise<boolean> => {
     setBusy(true);
-    if (!(await openPath(editor, chosen))) setBusy(false);
+    const opened = await openPath(editor, chosen);
+    if (!opened) setBusy(false);
+    return opened;
   };
   const submit = (event: FormEvent) => {
     event.preventDefault();
     if (path.trim() !== '') void open(path.trim());
   };
+  const [firstExample] = examples.filter((example) => example.path.endsWith('first-light'));
+  const tour = async (example: string) => {
+    if (await open(example)) startTour(editor);
+  };
   return (
     <Dialog
-      title="Open a project"
+      title={isStart ? 'Scrim' : 'Open a project'}
+      size="large"
       onClose={onClose}
       actions={
         <>
+          {isStart && firstExample && (
+            <Button look="quiet" disabled={busy} onPress={() => void tour(firstExample.path)}>
+              Take the tour
+            </Button>
+          )}
+          <span className="open-gap" />
           <Button look="quiet" onPress={onClose}>
             Cancel
-          </Button>
-          <Button icon="add" onPress={() => editor.ui.setState({ dialog: { kind: 'new' } })}>
-            New project…
           </Button>
           {canPick && (
             <Button
@@ -52,7 +67,49 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
         </>
       }
     >
-      <form className="dialog-form" onSubmit={submit}>
+      <div className="open-body scroll">
+        <Recent busy={busy} onOpen={open} />
+        <section aria-labelledby={`${id}-new`}>
+          <h3 id={`${id}-new`} className="folder-heading">
+            Begin something new
+          </h3>
+          <ul className="open-cards">
+            {templates.map(({ name, title, description, picture }) => (
+              <li key={name}>
+                <PictureCard
+                  label={`New project: ${title}`}
+                  title={title}
+                  text={description}
+                  picture={picture}
+                  disabled={busy}
+                  onPress={() => editor.ui.setState({ dialog: { kind: 'new', template: name } })}
+                />
+              </li>
+            ))}
+          </ul>
+        </section>
+        {examples.length > 0 && (
+          <section aria-labelledby={`${id}-examples`}>
+            <h3 id={`${id}-examples`} className="folder-heading">
+              Examples
+            </h3>
+            <ul className="open-cards open-cards-small">
+              {examples.map((example) => (
+                <li key={example.path}>
+                  <PictureCard
+                    label={example.title}
+                    title={example.title}
+                    picture={example.picture}
+                    disabled={busy}
+                    onPress={() => void open(example.path)}
+                  />
+                </li>
+              ))}
+            </ul>
+          </section>
+        )}
+      </div>
+      <form className="dialog-form open-folder" onSubmit={submit}>
         <label htmlFor={id}>Folder of the project</label>
         <input
           id={id}
@@ -64,21 +121,29 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
           onChange={(event) => setPath(event.target.value)}
         />
       </form>
-      {examples.length > 0 && (
-        <>
-          <h3 className="folder-heading">Examples</h3>
-          <ul className="folder-list">
-            {examples.map((example) => (
-              <li key={example.path}>
-                <button type="button" disabled={busy} onClick={() => void open(example.path)}>
-                  <Icon name="folder" />
-                  <span>{example.title}</span>
-                </button>
-              </li>
-            ))}
-          </ul>
-        </>
-      )}
     </Dialog>
+  );
+}
+
+function Recent({ busy, onOpen }: { readonly busy: boolean; readonly onOpen: (path: string) => Promise<boolean> }) {
+  const editor = useEditor();
+  const recent = useStore(editor.preferences, (state) => state.recent);
+  if (recent.length === 0) return null;
+  return (
+    <section aria-label="Worked on last">
+      <h3 className="folder-heading">Worked on last</h3>
+      <ul className="folder-list open-recent">
+        {recent.map(({ path, title }) => (
+          <li key={path}>
+            <button type="button" className="open-project" disabled={busy} data-tip={path} onClick={() => void onOpen(path)}>
+              <Icon name="folder" />
+              <span className="open-title">{title}</span>
+              <span className="open-path">{path}</span>
+            </button>
+            <IconButton icon="close" label={`Forget ${title}`} small onPress={() => forgetProject(editor, path)} />
+          </li>
+        ))}
+      </ul>
+    </section>
   );
 }

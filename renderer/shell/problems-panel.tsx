@@ -2,6 +2,8 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { DocumentState } from '../state/document.ts';
 import { plainWords } from '../state/plain-words.ts';
 import { goToProblem, problemKey } from '../state/problems.ts';
+import { quickFixOf } from '../state/quick-fixes.ts';
+import { Button } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useDocument, useEditor } from './editor-context.ts';
 import { useProblems } from './use-problems.ts';
@@ -23,7 +25,7 @@ export function ProblemsPanel() {
   return (
     <ul className="problems scroll" aria-label="Problems">
       {problems.map((problem) => (
-        <li key={problemKey(problem)}>
+        <li key={problemKey(problem)} className="problem-row">
           <button type="button" className="problem" onClick={() => goToProblem(editor, problem)}>
             <span className={`problem-icon problem-${problem.severity}`}>
               <Icon name={problem.severity} />
@@ -36,10 +38,17 @@ export function ProblemsPanel() {
             <span className="problem-place">{placeOf(problem, state)}</span>
             <code className="problem-code">{problem.code}</code>
           </button>
+          <Fix problem={problem} />
         </li>
       ))}
     </ul>
   );
+}
+
+function Fix({ problem }: { readonly problem: Diagnostic }) {
+  const editor = useEditor();
+  const fix = quickFixOf(editor, problem);
+  return fix && <Button onPress={() => fix.run(editor)}>{fix.label}</Button>;
 }
 
 function placeOf({ nodeId, port, file, line }: Diagnostic, state: DocumentState): string {

@@ -1,8 +1,10 @@
-import { appCommand, appCommandIds } from '../state/app-commands.ts';
-import { IconButton } from '../ui/button.tsx';
+import { useStore } from 'zustand';
+import { appCommandIds } from '../state/app-commands.ts';
+import { resetChords } from '../state/chords.ts';
+import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
-import { showChord } from './chord.ts';
 import { useEditor } from './editor-context.ts';
+import { ShortcutRow } from './shortcut-row.tsx';
 import './shortcuts-dialog.css';
 
 const POINTER: readonly (readonly [string, string])[] = [
@@ -19,29 +21,23 @@ const POINTER: readonly (readonly [string, string])[] = [
 ];
 
 export function ShortcutsDialog({ onClose }: { readonly onClose: () => void }) {
-  const { mac } = useEditor();
+  const editor = useEditor();
+  const changed = useStore(editor.preferences, ({ chords }) => Object.keys(chords).length > 0);
   return (
     <Dialog title="Keyboard and pointer" onClose={onClose} wide>
       {/* First, at the top: whoever has no pointer scrolls from here. */}
       <span className="shortcuts-close">
         <IconButton icon="close" label="Close" onPress={onClose} />
       </span>
+      <p>
+        Press on keys to choose others for a command.{' '}
+        {changed && <Button onPress={() => resetChords(editor)}>All keys as they were</Button>}
+      </p>
       <div className="shortcuts">
         <dl>
-          {appCommandIds().map((id) => {
-            const { label, chords } = appCommand(id);
-            if (chords.length === 0) return null;
-            return (
-              <div key={id}>
-                <dt>{label.replace('…', '')}</dt>
-                <dd>
-                  {chords.map((chord) => (
-                    <kbd key={chord}>{showChord(chord, mac)}</kbd>
-                  ))}
-                </dd>
-              </div>
-            );
-          })}
+          {appCommandIds().map((id) => (
+            <ShortcutRow key={id} id={id} />
+          ))}
         </dl>
         <dl>
           {POINTER.map(([what, how]) => (

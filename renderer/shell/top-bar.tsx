@@ -1,6 +1,7 @@
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import { chordsOf } from '../state/chords.ts';
 import { isDirty } from '../state/document.ts';
 import { cancelExport } from '../state/export-page.ts';
 import { Button, IconButton } from '../ui/button.tsx';
@@ -82,9 +83,11 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'view.code',
       'view.problems',
       'line',
-      'help.shortcuts',
+      'view.theme',
+      'view.motion',
     ],
   },
+  { label: 'Help', entries: ['help.commands', 'help.shortcuts', 'line', 'help.tour'] },
 ];
 
 export function TopBar() {
@@ -103,11 +106,12 @@ function MenuBar() {
   const [open, setOpen] = useState<string | null>(null);
   const itemOf = (id: AppCommandId | 'line'): MenuItem => {
     if (id === 'line') return { kind: 'line' };
-    const { label, chords, enabled } = appCommand(id);
+    const { label, enabled } = appCommand(id);
+    const [chord] = chordsOf(editor, id);
     return {
       kind: 'action',
       label,
-      ...(chords[0] === undefined ? {} : { keys: showChord(chords[0], editor.mac) }),
+      ...(chord === undefined ? {} : { keys: showChord(chord, editor.mac) }),
       disabled: !enabled(editor),
       run: () => runCommand(editor, id),
     };
@@ -142,22 +146,26 @@ function Tools() {
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const open = useDocument((state) => state.open !== null);
   const exporting = useStore(editor.ui, (state) => state.exporting);
-  const keys = (id: AppCommandId) => showChord(appCommand(id).chords[0] ?? '', editor.mac);
+  const keys = (id: AppCommandId) => showChord(chordsOf(editor, id)[0] ?? '', editor.mac);
   return (
     <div className="top-tools">
       <IconButton icon="undo" label="Undo" keys={keys('edit.undo')} disabled={!canUndo} onPress={() => runCommand(editor, 'edit.undo')} />
       <IconButton icon="redo" label="Redo" keys={keys('edit.redo')} disabled={!canRedo} onPress={() => runCommand(editor, 'edit.redo')} />
       <span className="top-gap" />
-      <Button icon="add" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>
-        Add node
-      </Button>
+      <span data-tour="add">
+        <Button icon="add" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>
+          Add node
+        </Button>
+      </span>
       <span className="export-progress" role="status">
         {exporting?.text}
       </span>
       {exporting === null ? (
-        <Button icon="export" look="primary" onPress={() => runCommand(editor, 'file.export')} disabled={!open}>
-          Export
-        </Button>
+        <span data-tour="export">
+          <Button icon="export" look="primary" onPress={() => runCommand(editor, 'file.export')} disabled={!open}>
+            Export
+          </Button>
+        </span>
       ) : (
         <Button icon="close" onPress={() => void cancelExport(editor)} disabled={exporting.cancelled}>
           Cancel

@@ -1,6 +1,8 @@
 import { useEffect } from 'react';
-import { appCommand, commandOfChord, runCommand } from '../state/app-commands.ts';
+import { appCommand, runCommand } from '../state/app-commands.ts';
+import { chordsOf, commandOfChord } from '../state/chords.ts';
 import { copyInEvent, cutSelection, pasteText } from '../state/clipboard.ts';
+import type { Editor } from '../state/editor.ts';
 import { chordOf, isTyping } from './chord.ts';
 import { useEditor } from './editor-context.ts';
 
@@ -20,11 +22,11 @@ export function useShortcuts(): void {
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || blocked()) return;
       const chord = chordOf(event, editor.mac);
-      const id = commandOfChord(chord, isTyping(event.target) && !(isUndo(chord) && isClean(event.target)));
+      const id = commandOfChord(editor, chord, isTyping(event.target) && !(isUndo(editor, chord) && isClean(event.target)));
       const takesTab = pointedAtCanvas && isOnCanvas(event.target);
       if (chord === 'Tab' && !takesTab) pointedAtCanvas = false;
       if (id === null || !appCommand(id).enabled(editor)) return;
-      if (chord === 'Tab' ? !takesTab : !chord.startsWith('Mod+') && !isOnCanvas(event.target)) return;
+      if (chord === 'Tab' ? !takesTab : !hasModifier(chord) && !isOnCanvas(event.target)) return;
       event.preventDefault();
       runCommand(editor, id);
     };
@@ -58,12 +60,17 @@ export function useShortcuts(): void {
   }, [editor]);
 }
 
+/** Bare keys are the canvas's; the others, and those that no text is typed with, the window's. */
+function hasModifier(chord: string): boolean {
+  return chord.startsWith('Mod+') || /^F\d+$/.test(chord);
+}
+
 function isOnCanvas(target: EventTarget | null): boolean {
   return target === document.body || (target instanceof Element && target.closest('.canvas') !== null);
 }
 
-function isUndo(chord: string): boolean {
-  return appCommand('edit.undo').chords.includes(chord) || appCommand('edit.redo').chords.includes(chord);
+function isUndo(editor: Editor, chord: string): boolean {
+  return chordsOf(editor, 'edit.undo').includes(chord) || chordsOf(editor, 'edit.redo').includes(chord);
 }
 
 /** A number field without text that waits to be taken over has nothing of its own to undo. */

@@ -11,12 +11,13 @@ import { addFrame, addNote } from './layout-items.ts';
 import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
-import { type BottomTab, revealNodes } from './ui.ts';
+import { startTour } from './tour.ts';
+import { addToast, type BottomTab, revealNodes } from './ui.ts';
 
 /** Something that a menu, a key or the window's own menu can ask for. */
 export interface AppCommand {
   readonly label: string;
-  /** As `chordOf` writes them; menus show the first. */
+  /** As `chordOf` writes them, where the person has no others (`chordsOf`). */
   readonly chords: readonly string[];
   readonly enabled: (editor: Editor) => boolean;
   readonly run: (editor: Editor) => void;
@@ -156,6 +157,16 @@ const COMMANDS = {
     run: (editor) => toggleBottom(editor, 'problems'),
     whileTyping: true,
   },
+  'view.theme': { label: 'Light or dark', chords: [], enabled: always, run: switchTheme },
+  'view.motion': { label: 'Less motion', chords: [], enabled: always, run: switchMotion },
+  'help.commands': {
+    label: 'All commands…',
+    chords: ['Mod+K', 'F1'],
+    enabled: always,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'commands' } }),
+    whileTyping: true,
+  },
+  'help.tour': { label: 'Take the tour', chords: [], enabled: isOpen, run: startTour },
   'help.shortcuts': {
     label: 'Keyboard shortcuts',
     chords: ['?'],
@@ -180,15 +191,6 @@ export function runCommand(editor: Editor, id: AppCommandId): void {
   if (enabled(editor)) run(editor);
 }
 
-/** The command of a chord; with a text field focused, only those that no text field has a use for. */
-export function commandOfChord(chord: string, typing: boolean): AppCommandId | null {
-  const found = appCommandIds().find((id) => {
-    const { chords, byEvent, whileTyping } = appCommand(id);
-    return chords.includes(chord) && byEvent !== true && (!typing || whileTyping === true);
-  });
-  return found ?? null;
-}
-
 function openSwapPalette({ ui, selection }: Editor): void {
   const node = soleNode(selection.getState());
   if (node !== null) ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, swap: node } });
@@ -209,6 +211,20 @@ function openPalette({ ui, selection }: Editor): void {
   const { nodes, wires } = selection.getState();
   const [wire] = nodes.size === 0 && wires.size === 1 ? wires : [];
   ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, ...(wire === undefined ? {} : { wire }) } });
+}
+
+/** From what the system says to the other, and from there to and fro. */
+function switchTheme({ preferences, ui }: Editor): void {
+  const next = { system: 'light', light: 'dark', dark: 'system' } as const;
+  const theme = next[preferences.getState().theme];
+  preferences.setState({ theme });
+  addToast(ui, { tone: 'info', text: theme === 'system' ? 'Light or dark, as the system has it.' : `The ${theme} theme.` });
+}
+
+function switchMotion({ preferences, ui }: Editor): void {
+  const motion = preferences.getState().motion === 'reduced' ? 'system' : 'reduced';
+  preferences.setState({ motion });
+  addToast(ui, { tone: 'info', text: motion === 'reduced' ? 'Nothing moves by itself.' : 'Motion as the system has it.' });
 }
 
 function toggleBottom({ ui }: Editor, tab: BottomTab): void {

@@ -6,6 +6,7 @@ import { type CostStore, createCostState } from './costs.ts';
 import { createDocument, type DocumentStore } from './document.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
 import { createLayerPictures, createLookState, type LookStore, type Pictures } from './looks.ts';
+import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type PreferencesStore } from './preferences.ts';
 import { createPreviewState, type PreviewStore } from './preview.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type PanelSizes, type UiStore } from './ui.ts';
@@ -44,6 +45,7 @@ export interface Editor {
   readonly preview: PreviewStore;
   readonly look: LookStore;
   readonly costs: CostStore;
+  readonly preferences: PreferencesStore;
 }
 
 export interface EditorOptions {
@@ -54,9 +56,19 @@ export interface EditorOptions {
   readonly mac: boolean;
   readonly clipboard: Clipboard;
   readonly sizes: PanelSizes;
+  readonly preferences?: Preferences;
 }
 
-export function createEditor({ host, clock, random, library, mac, clipboard, sizes }: EditorOptions): Editor {
+export function createEditor({
+  host,
+  clock,
+  random,
+  library,
+  mac,
+  clipboard,
+  sizes,
+  preferences = DEFAULT_PREFERENCES,
+}: EditorOptions): Editor {
   const libraries = createLibraries(library);
   return {
     host,
@@ -75,5 +87,6 @@ export function createEditor({ host, clock, random, library, mac, clipboard, siz
     preview: createPreviewState(),
     look: createLookState(),
     costs: createCostState(),
+    preferences: createPreferences(preferences),
   };
 }

@@ -11,6 +11,7 @@ import { saveProject } from '../../export/graph/save.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { isDirty } from './document.ts';
 import type { Editor } from './editor.ts';
+import { rememberProject } from './preferences.ts';
 import { selectNothing } from './selection.ts';
 import { addToast, toastDiagnostic } from './ui.ts';
 
@@ -67,6 +68,7 @@ async function goOnWith(editor: Editor, ask: () => Promise<OpenProject>): Promis
       await editor.host.call('project.close', { handle: before.handle });
     }
     editor.ui.setState({ dialog: opened.recovery === null ? null : { kind: 'recovery', files: opened.recovery } });
+    rememberProject(editor, { path: opened.displayPath, title: editor.document.getState().project.title });
     if (opened.openElsewhere) tellOfOtherWindow(editor);
     await listSessions(editor);
     return true;

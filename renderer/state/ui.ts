@@ -29,7 +29,8 @@ export interface PaletteRequest {
 
 export type DialogRequest =
   | { readonly kind: 'open' }
-  | { readonly kind: 'new' }
+  /** `template`: what is chosen already. */
+  | { readonly kind: 'new'; readonly template?: string }
   | { readonly kind: 'save-as' }
   | { readonly kind: 'export' }
   /** Something is about to drop unsaved work; `proceed` goes on with it. */
@@ -37,6 +38,7 @@ export type DialogRequest =
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }
   | { readonly kind: 'shadertoy' }
+  | { readonly kind: 'commands' }
   | { readonly kind: 'shortcuts' }
   | { readonly kind: 'find' };
 
@@ -79,6 +81,8 @@ export interface UiState {
   readonly outside: readonly string[];
   readonly palette: PaletteRequest | null;
   readonly dialog: DialogRequest | null;
+  /** Which step of the tour is shown, from 0. */
+  readonly tour: number | null;
   readonly toasts: readonly Toast[];
   readonly reveal: Reveal | null;
   readonly codePosition: CodePosition | null;
@@ -98,6 +102,7 @@ export function createUi(sizes: PanelSizes): UiStore {
     outside: [],
     palette: null,
     dialog: null,
+    tour: null,
     toasts: [],
     reveal: null,
     codePosition: null,

@@ -8,10 +8,12 @@ interface DialogProps {
   /** Buttons, least to most likely. */
   readonly actions?: ReactNode;
   readonly wide?: boolean;
+  /** Larger than most questions. */
+  readonly size?: 'large';
 }
 
 /** A modal question. The browser's own dialog keeps the focus inside, gives it back and closes on Escape. */
-export function Dialog({ title, children, onClose, actions, wide = false }: DialogProps) {
+export function Dialog({ title, children, onClose, actions, wide = false, size }: DialogProps) {
   const element = useRef<HTMLDialogElement>(null);
   const titleId = useId();
 
@@ -26,7 +28,7 @@ export function Dialog({ title, children, onClose, actions, wide = false }: Dial
   return (
     <dialog
       ref={element}
-      className={wide ? 'dialog dialog-wide' : 'dialog'}
+      className={`dialog${wide ? ' dialog-wide' : ''}${size === 'large' ? ' dialog-large' : ''}`}
       aria-labelledby={titleId}
       onCancel={(event) => {
         event.preventDefault();

@@ -1,18 +1,23 @@
 import { mkdir, writeFile } from 'node:fs/promises';
 import { basename, join, relative, resolve } from 'node:path';
 import { findExamples } from '../../app/services/find-examples.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { findTemplates } from '../../app/services/templates.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { drawExample } from './draw-example.ts';
 import { makeSheet, type SheetCell } from './make-sheet.ts';
+import { writePicture } from './write-picture.ts';
 
 const OWN_SHEET = 'docs/gallery.jpg';
 
 /**
- * Makes a contact sheet of all examples over the studio, `docs/gallery.jpg`. With folders of recorded sessions named, and a folder to
+ * Makes a contact sheet of all examples over the studio, `docs/gallery.jpg`, and the small pictures of them and of the templates that
+ * the editor shows. With folders of recorded sessions named, and a folder to
  * write to before them, makes one sheet for each session there instead: `npm run gallery -- /tmp/sheets recordings/desk`.
  */
 export const main: ToolMain = async ([out, ...sessions], { root }) => {
-  const examples = await findExamples(join(root, 'examples'));
+  const { examplesDir, templatesDir } = installationAt(root, '0.0.0');
+  const examples = await findExamples(examplesDir);
   const sheets =
     out === undefined
       ? [{ session: null, file: join(root, OWN_SHEET) }]
@@ -20,11 +25,22 @@ export const main: ToolMain = async ([out, ...sessions], { root }) => {
   let problems = 0;
   for (const { session, file } of sheets) {
     const cells: SheetCell[] = [];
-    for (const { path, title } of examples) {
+    const draw = async (path: string) => {
       const { png, said } = await drawExample(root, path, session);
       if (said !== '') console.log(`${relative(root, path)}: ${said}`);
       if (png === null || said !== '') problems++;
+      return png;
+    };
+    for (const { path, title } of examples) {
+      const png = await draw(path);
       if (png) cells.push({ title, png });
+      if (png && session === null) await writePicture(examplesDir, basename(path), png);
+    }
+    if (session === null) {
+      for (const { name } of await findTemplates(templatesDir)) {
+        const png = await draw(join(templatesDir, name));
+        if (png) await writePicture(examplesDir, `template-${name}`, png);
+      }
     }
     const sheet = await makeSheet(cells);
     await mkdir(join(file, '..'), { recursive: true });

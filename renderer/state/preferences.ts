@@ -1,0 +1,74 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+import type { Editor } from './editor.ts';
+
+export type Theme = 'system' | 'light' | 'dark';
+export type Motion = 'system' | 'reduced';
+
+export interface RecentProject {
+  readonly path: string;
+  readonly title: string;
+}
+
+/** What a person chose for all their projects; it outlives the window. */
+export interface Preferences {
+  readonly theme: Theme;
+  readonly motion: Motion;
+  /** Keys that differ from the table of commands, by command; none for a command without keys. */
+  readonly chords: Readonly<Record<string, readonly string[]>>;
+  /** Newest first. */
+  readonly recent: readonly RecentProject[];
+}
+
+export type PreferencesStore = StoreApi<Preferences>;
+
+export const DEFAULT_PREFERENCES: Preferences = { theme: 'system', motion: 'system', chords: {}, recent: [] };
+
+const KEY = 'scrim-preferences';
+const MAX_RECENT = 8;
+
+export function createPreferences(preferences: Preferences): PreferencesStore {
+  return createStore<Preferences>(() => preferences);
+}
+
+/** As they were kept; defaults for what is missing or senseless. */
+export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences {
+  let saved: Partial<Record<keyof Preferences, unknown>> = {};
+  try {
+    saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
+  } catch {
+    // Someone else's text: defaults do.
+  }
+  return {
+    theme: saved.theme === 'light' || saved.theme === 'dark' ? saved.theme : 'system',
+    motion: saved.motion === 'reduced' ? 'reduced' : 'system',
+    chords: readChords(saved.chords),
+    recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
+  };
+}
+
+/** Writes every change at once: another window that opens next shall know it. */
+export function keepPreferences({ preferences }: Pick<Editor, 'preferences'>, storage: Pick<Storage, 'setItem'>): () => void {
+  return preferences.subscribe((state) => storage.setItem(KEY, JSON.stringify(state)));
+}
+
+export function rememberProject({ preferences }: Pick<Editor, 'preferences'>, project: RecentProject): void {
+  preferences.setState(({ recent }) => ({
+    recent: [project, ...recent.filter(({ path }) => path !== project.path)].slice(0, MAX_RECENT),
+  }));
+}
+
+export function forgetProject({ preferences }: Pick<Editor, 'preferences'>, path: string): void {
+  preferences.setState(({ recent }) => ({ recent: recent.filter((project) => project.path !== path) }));
+}
+
+function isRecent(value: unknown): value is RecentProject {
+  const project = value as Partial<RecentProject> | null;
+  return typeof project?.path === 'string' && typeof project.title === 'string';
+}
+
+function readChords(value: unknown): Record<string, readonly string[]> {
+  if (typeof value !== 'object' || value === null) return {};
+  const isList = (chords: unknown): chords is readonly string[] =>
+    Array.isArray(chords) && chords.every((chord) => typeof chord === 'string');
+  return Object.fromEntries(Object.entries(value).filter((entry): entry is [string, readonly string[]] => isList(entry[1])));
+}

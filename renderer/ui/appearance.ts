@@ -1,0 +1,31 @@
+import type { Preferences, PreferencesStore } from '../state/preferences.ts';
+
+const LIGHT = '(prefers-color-scheme: light)';
+const STILL = '(prefers-reduced-motion: reduce)';
+
+/** Puts theme and motion, chosen or the system's, onto the page, and keeps them there. Styles and scripts read them as `data-theme` and `data-motion`. */
+export function followAppearance(preferences: PreferencesStore, page: Window): () => void {
+  const light = page.matchMedia(LIGHT);
+  const still = page.matchMedia(STILL);
+  const apply = () => show(page.document.documentElement, preferences.getState(), light.matches, still.matches);
+  apply();
+  const stop = preferences.subscribe(apply);
+  for (const query of [light, still]) query.addEventListener('change', apply);
+  return () => {
+    stop();
+    for (const query of [light, still]) query.removeEventListener('change', apply);
+  };
+}
+
+function show(root: HTMLElement, { theme, motion }: Preferences, light: boolean, still: boolean): void {
+  root.dataset.theme = theme === 'system' ? (light ? 'light' : 'dark') : theme;
+  root.dataset.motion = motion === 'reduced' || still ? 'reduced' : 'full';
+}
+
+export function isLight(root: HTMLElement = document.documentElement): boolean {
+  return root.dataset.theme === 'light';
+}
+
+export function isStill(root: HTMLElement = document.documentElement): boolean {
+  return root.dataset.motion === 'reduced';
+}

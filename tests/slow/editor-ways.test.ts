@@ -1,0 +1,134 @@
+import { cp, mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import type { Page } from 'playwright-core';
+import { startServer } from '../../app/server/start-server.ts';
+import { installationAt } from '../../app/services/installation.ts';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { EditorDriver } from '../support/editor-driver.ts';
+
+// Waits are for conditions; this ends what hangs, also on a busy machine.
+jest.setTimeout(240_000);
+
+const ROOT = resolve(import.meta.dirname, '../..');
+const browser = useBrowser();
+let base = '';
+let page: Page;
+let errors: readonly string[] = [];
+let close = async () => {};
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-ways-'));
+  // Unsaved work stays beside the project it is of: not in the examples that everybody has.
+  const installation = { ...installationAt(ROOT, '0.0.0'), examplesDir: join(base, 'examples') };
+  const { examplesDir, sessionsDir } = installationAt(ROOT, '0.0.0');
+  await cp(examplesDir, installation.examplesDir, { recursive: true, filter: (from) => from !== sessionsDir });
+  const server = await startServer({ installation, startPath: null, log: () => {} });
+  page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: 'dark' });
+  errors = collectErrors(page);
+  await page.goto(server.url);
+  close = async () => {
+    await page.close();
+    await server.close();
+  };
+}, 120_000);
+afterAll(async () => {
+  await close();
+  await rm(base, { recursive: true, force: true });
+  expect(errors).toEqual([]);
+});
+
+const theme = () => page.evaluate(() => [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]);
+const isLightColour = (colour: string | undefined) => Number(/\d+/.exec(colour ?? '')?.[0]) > 200;
+
+// The tests go on from one another, as a newcomer does.
+test('the start screen shows templates and examples with their pictures', async () => {
+  const start = page.getByRole('dialog', { name: 'Scrim' });
+  await start.waitFor();
+  const cards = start.locator('.picture-card');
+  expect(await cards.count()).toBeGreaterThan(20);
+  const shown = await start.locator('.picture-card img').evaluateAll(async (images) => {
+    for (const image of images) await (image as HTMLImageElement).decode();
+    return images.map((image) => (image as HTMLImageElement).naturalWidth);
+  });
+  expect(shown.filter((width) => width === 240)).toHaveLength(await cards.count());
+});
+
+test('the tour goes through the window in five steps, by keys alone', async () => {
+  await page.getByRole('button', { name: 'Take the tour' }).focus();
+  await page.keyboard.press('Enter');
+  const card = page.locator('.tour-card');
+  const titles: string[] = [];
+  for (let step = 1; step <= 5; step++) {
+    await card.getByText(`${step} of 5`).waitFor();
+    titles.push((await card.getByRole('heading').textContent()) ?? '');
+    const frame = await page.locator('.tour-frame').boundingBox();
+    expect((frame?.width ?? 0) * (frame?.height ?? 0)).toBeGreaterThan(1000);
+    if (step === 2) {
+      await page.keyboard.press('ArrowLeft');
+      await card.getByText('1 of 5').waitFor();
+      await page.keyboard.press('ArrowRight');
+      await card.getByText('2 of 5').waitFor();
+    }
+    await page.keyboard.press('Enter');
+  }
+  expect(new Set(titles).size).toBe(5);
+  await card.waitFor({ state: 'detached' });
+});
+
+test('commands are found by name, and do what they say', async () => {
+  await page.keyboard.press('Control+k');
+  const dialog = page.getByRole('dialog', { name: 'Commands' });
+  await dialog.getByRole('combobox').fill('light dark');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.documentElement.dataset.theme === 'light');
+  expect(isLightColour((await theme())[1])).toBe(true);
+  await page.keyboard.press('F1');
+  await dialog.getByRole('combobox').fill('less motion');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.documentElement.dataset.motion === 'reduced');
+  expect(await page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue('--calm'))).toMatch(/^0m?s$/);
+});
+
+test('keys are chosen in the sheet, and hold in the next window', async () => {
+  const editor = new EditorDriver(page);
+  const sheet = page.getByRole('dialog', { name: 'Keyboard and pointer' });
+  await page.getByRole('button', { name: 'Help', exact: true }).click();
+  await page.getByRole('menuitem', { name: /Keyboard shortcuts/ }).click();
+  await sheet.getByRole('button', { name: 'Keys for Problems' }).click();
+  await page.keyboard.press('Control+f');
+  await sheet.getByText('taken from Find in the graph').waitFor();
+  await page.keyboard.press('Escape');
+  await sheet.waitFor({ state: 'detached' });
+  const panel = page.getByRole('region', { name: 'Problems' });
+  await page.keyboard.press('Control+f');
+  await panel.waitFor();
+
+  await page.reload();
+  const recent = page.getByRole('region', { name: 'Worked on last' });
+  expect((await theme())[0]).toBe('light');
+  await recent.locator('.open-project').first().waitFor();
+  await recent.getByRole('button').first().click();
+  await editor.settled();
+  await page.keyboard.press('Control+f');
+  await panel.waitFor();
+});
+
+test('a problem is mended by its button', async () => {
+  const editor = new EditorDriver(page);
+  await editor.node('depth-occlusion').or(editor.node('hide')).first().waitFor();
+  const place = await editor.emptyPlace();
+  await page.mouse.dblclick(place.x, place.y);
+  await page.getByRole('combobox', { name: 'Search nodes' }).fill('sepia');
+  await page.keyboard.press('Enter');
+  const list = page.getByRole('list', { name: 'Problems' });
+  const fix = list
+    .getByRole('button', { name: 'Find a node for it' })
+    .or(list.getByRole('button', { name: 'Delete Sepia' }))
+    .first();
+  await fix.waitFor();
+  const label = await fix.textContent();
+  await fix.click();
+  if (label?.startsWith('Delete')) await editor.node('sepia').waitFor({ state: 'detached' });
+  else await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
+});
