@@ -1,7 +1,7 @@
 import type { Program } from '../../../export/program/program.ts';
 import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
 import { createBrowserClock, createManualClock } from '../../../export/runtime/clock.ts';
-import { createPlayer } from '../../../export/runtime/player.ts';
+import { createPlayer, type Player } from '../../../export/runtime/player.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { createOrbitSession } from '../../../export/runtime/sessions/orbit/orbit-session.ts';
 import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
@@ -17,7 +17,7 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
   if (!gl) throw new Error('The browser has no WebGL 2.');
   const clock = createManualClock();
-  const assets = createFetchAssetSource(assetsUrl, fetch.bind(globalThis));
+  const assets = createFetchAssetSource(new URL(assetsUrl, document.baseURI).href, fetch.bind(globalThis));
   const player = createPlayer({
     gl,
     canvas,
@@ -28,8 +28,7 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
     seed: 1,
     clock: { ...clock, delay: createBrowserClock().delay },
     onDiagnostics: (diagnostics) => {
-      const error = diagnostics.find(({ severity }) => severity === 'error');
-      if (error) throw new Error(error.message);
+      failure = diagnostics.find(({ severity }) => severity === 'error')?.message ?? null;
     },
   });
   const session = createOrbitSession({ gl, canvas, clock, ...(around && { start: around }) });
@@ -39,13 +38,22 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
     (frame) => player.draw(frame),
     () => {},
   );
-  stage = { gl, draw: clock.advance };
+  stage = { gl, player, draw: clock.advance };
+}
+
+/** Plays another program in the place of the one that was opened. */
+export async function show(program: Program): Promise<void> {
+  const result = await stage?.player.replaceProgram(program);
+  if (result?.outcome !== 'playing') throw new Error(`The program is not played: ${JSON.stringify(result)}`);
 }
 
 /** See `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
+  if (failure !== null) throw new Error(`What is measured is not what is to be drawn: ${failure}`);
   return measureFrames(stage, count);
 }
 
-let stage: Drawn | null = null;
+/** What is missing on the stage, such as a model. */
+let failure: string | null = null;
+let stage: (Drawn & { readonly player: Player }) | null = null;
