@@ -36,6 +36,8 @@ export interface NodeDefinition {
   readonly needs?: readonly Need[];
   /** Step `i` lifts saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];
+  /** The same for shader files, whose definitions are data alone (`SCRIM_RENAMED` in a header): step `i` gives params other names. */
+  readonly renamed?: readonly Readonly<Record<string, Renamed>>[];
   /** Who made it, shown in the docs and in the exported page's credits. */
   readonly credit?: string;
   /** Under which terms, where they are not Scrim's own; shown in the same places. */
@@ -198,6 +200,12 @@ export interface Need {
   readonly why: string;
   /** What the picture does without it. */
   readonly without: string;
+}
+
+/** What became of a param. Its numbers are multiplied with `times`, where it is measured otherwise now. */
+export interface Renamed {
+  readonly to: string;
+  readonly times: number;
 }
 
 export type SavedParams = Record<string, unknown>;

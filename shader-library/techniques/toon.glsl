@@ -2,6 +2,7 @@
   "DESCRIPTION": "Draws objects like a cartoon: flat steps of light and an outline. The steps darken the object's own colour, or are the colours of a picture, from its left, dark, to its right, bright.",
   "CREDIT": "Scrim. Steps: Lake, Marshall, Harris, Blackstein, Stylized Rendering Techniques for Scalable Real-Time 3D Animation, NPAR 2000; outline by inverted hull",
   "CATEGORIES": ["Cartoon", "Cel", "Comic", "Anime", "Outline", "Ramp", "NPR"],
+  "SCRIM_RENAMED": [{ "outlineM": { "TO": "outlinePx", "TIMES": 750 } }],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
     { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Picture whose middle row tints the steps, dark to bright from left to right. Without a wire the steps go by “Darkest”.", "OPTIONAL": true, "SPACE": "picture" },

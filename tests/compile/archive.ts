@@ -1,6 +1,6 @@
 import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
+import { migrateNodes, migrationsOf } from '../../export/graph/library/migrate-nodes.ts';
 import type { ProjectTexts } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
@@ -34,7 +34,7 @@ export function stepsNeverTaken(library: NodeLibrary, projects: readonly Project
   const stepName = (type: string, from: number) => `${type} ${from}-${from + 1}`;
   const watched = (definition: NodeDefinition): NodeDefinition => ({
     ...definition,
-    migrations: (definition.migrations ?? []).map((step, index) => (params) => {
+    migrations: migrationsOf(definition).map((step, index) => (params) => {
       taken.add(stepName(definition.type, index + 1));
       return step(params);
     }),
@@ -49,8 +49,12 @@ export function stepsNeverTaken(library: NodeLibrary, projects: readonly Project
   for (const project of projects) migrateNodes(project, watching);
   return [...library.types()].flatMap((type) => {
     const newest = library.definition(type)?.version ?? 1;
-    const steps = Math.max(newest - 1, library.definition(type)?.migrations?.length ?? 0);
+    const steps = Math.max(newest - 1, stepCount(library.definition(type)));
     const names = Array.from({ length: steps }, (_, index) => stepName(type, index + 1));
     return names.filter((name) => !taken.has(name));
   });
+}
+
+function stepCount(definition: NodeDefinition | undefined): number {
+  return definition === undefined ? 0 : migrationsOf(definition).length;
 }

@@ -42,10 +42,13 @@ function wordProblems({ title, doc, inputs, outputs, params }: NodeDefinition): 
   return problems;
 }
 
-function nameProblems({ version, migrations, inputs, params }: NodeDefinition): string[] {
+function nameProblems({ version, migrations, renamed, inputs, params }: NodeDefinition): string[] {
   const shared = Object.keys(inputs).filter((name) => Object.hasOwn(params, name));
-  const steps = migrations?.length ?? 0;
+  const steps = (migrations ?? renamed)?.length ?? 0;
+  // The last name that a param was given is the one that it has.
+  const lost = Object.values(renamed?.at(-1) ?? {}).filter(({ to }) => !Object.hasOwn(params, to) && !Object.hasOwn(inputs, to));
   return [
+    ...lost.map(({ to }) => `a param was renamed to ${to}, which there is not`),
     ...shared.map((name) => `${name} is an input and a param: a wire to it would be ambiguous`),
     ...(steps === version - 1 ? [] : [`version ${version} needs ${version - 1} migrations, not ${steps}`]),
   ];

@@ -53,6 +53,11 @@ describe('the contract of definitions', () => {
       'objects is an input and a param: a wire to it would be ambiguous',
     ],
     ['a migration per version', problems({ version: 2 }), 'version 2 needs 1 migrations, not 0'],
+    [
+      'what params were renamed to',
+      problems({ version: 2, renamed: [{ old: { to: 'gone', times: 1 } }] }),
+      'a param was renamed to gone, which there is not',
+    ],
     ['a unit for metres', withParam('heightM', {}), 'param heightM: its name says m, its unit nothing'],
     ['the right unit', withParam('angleRad', { unit: 's' }), 'param angleRad: its name says rad, its unit s'],
     ['a default in range', withParam('x', { min: 1 }), 'param x: its default is out of range'],

@@ -29,7 +29,7 @@ export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
   const title = shader.title ?? titleFrom(name);
   return {
     type: `${shader.kind}/${name}`,
-    version: 1,
+    version: shader.renamed.length + 1,
     title,
     doc: shader.description || `${title}, an ISF shader.`,
     ...(shader.categories.length > 0 ? { keywords: shader.categories.map((category) => category.toLowerCase()) } : {}),
@@ -37,6 +37,7 @@ export function isfDefinition(shader: IsfShader, name: string): NodeDefinition {
     outputs: { layer: outputOf(shader, access) },
     params,
     lowering: { kind: 'image', shader: shader.file, access },
+    ...(shader.renamed.length === 0 ? {} : { renamed: shader.renamed }),
     ...(shader.credit === '' ? {} : { credit: shader.credit }),
     ...(shader.licence === '' ? {} : { licence: shader.licence }),
   };

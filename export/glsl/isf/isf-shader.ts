@@ -1,4 +1,4 @@
-import type { Unit } from '../../../nodes/kit/definition.ts';
+import type { NodeDefinition, Unit } from '../../../nodes/kit/definition.ts';
 import type { SizeToken } from '../../program/program.ts';
 
 /**
@@ -34,6 +34,8 @@ export interface IsfShader {
   readonly depth: 'auto' | 'same' | 'none' | 'over';
   /** `SCRIM_FIT`: how an operator lays pictures of another size onto the view, unless the node says otherwise. */
   readonly fit: 'cover' | 'contain' | 'stretch';
+  /** `SCRIM_RENAMED`: what inputs were called in earlier versions. */
+  readonly renamed: NonNullable<NodeDefinition['renamed']>;
 }
 
 export interface VertexFile {

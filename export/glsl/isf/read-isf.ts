@@ -3,6 +3,7 @@ import { type Header, items, property, readHeader, textOf } from './header.ts';
 import type { IsfInput, IsfShader } from './isf-shader.ts';
 import { readInputs } from './read-inputs.ts';
 import { readImported, readPasses } from './read-passes.ts';
+import { readRenamed } from './read-renamed.ts';
 
 /**
  * Reads the header of an ISF file, versions 1 and 2, as leniently as hosts do: trailing, doubled and missing commas, control
@@ -34,6 +35,7 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     premultiplied: readWord(header, 'SCRIM_ALPHA', ['straight', 'premultiplied']) === 'premultiplied',
     depth: readWord(header, 'SCRIM_DEPTH', ['auto', 'same', 'none', 'over']),
     fit: readWord(header, 'SCRIM_FIT', ['cover', 'contain', 'stretch']),
+    renamed: readRenamed(header),
   };
   return { output: hasErrors(diagnostics) ? null : shader, diagnostics };
 }

@@ -81,6 +81,7 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
     SCRIM_ALPHA: '"premultiplied": colours are read and written with alpha multiplied in.',
     SCRIM_DEPTH: 'What becomes of the layer’s depth: "auto", "same", "none" or "over".',
     SCRIM_UNITS: 'Units of inputs, by name.',
+    SCRIM_RENAMED: 'What inputs were called in earlier versions of the file.',
   },
   input: {
     NAME: 'What the GLSL calls it.',

@@ -2,6 +2,7 @@ import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import type { TechniquePass } from '../../program/program.ts';
 import { type Header, items, property, readHeader, textOf } from '../isf/header.ts';
 import { isIdentifier, readInputs } from '../isf/read-inputs.ts';
+import { readRenamed } from '../isf/read-renamed.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
 /** Each is one more draw of every object. */
@@ -50,6 +51,7 @@ export function readTechnique(source: string, file: string): Result<TechniqueSha
     pictures: readPictures(header),
     imported: readImported(header),
     passes: readPasses(header),
+    renamed: readRenamed(header),
   };
   return { output: hasErrors(diagnostics) ? null : technique, diagnostics };
 }

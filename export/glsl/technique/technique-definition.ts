@@ -7,7 +7,7 @@ export function techniqueDefinition(technique: TechniqueShader, name: string): N
   const title = technique.title ?? titleFrom(name);
   return {
     type: `technique/${name}`,
-    version: 1,
+    version: technique.renamed.length + 1,
     title,
     doc: technique.description || `${title}, a technique.`,
     ...(technique.categories.length > 0 ? { keywords: technique.categories.map((category) => category.toLowerCase()) } : {}),
@@ -15,6 +15,7 @@ export function techniqueDefinition(technique: TechniqueShader, name: string): N
     outputs: { technique: { type: 'technique', label: 'Technique', doc: 'What to draw objects with, for “Apply technique”.' } },
     params: paramsOf(technique.inputs),
     lowering: { kind: 'technique', shader: technique.file },
+    ...(technique.renamed.length === 0 ? {} : { renamed: technique.renamed }),
     ...(technique.credit === '' ? {} : { credit: technique.credit }),
     ...(technique.licence === '' ? {} : { licence: technique.licence }),
   };

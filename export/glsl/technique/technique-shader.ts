@@ -1,3 +1,4 @@
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { TechniquePass } from '../../program/program.ts';
 import type { IsfInput } from '../isf/isf-shader.ts';
 import { isTransition } from '../transition/is-transition.ts';
@@ -21,6 +22,8 @@ export interface TechniqueShader {
   readonly imported: readonly { readonly name: string; readonly path: string; readonly line: number; readonly column: number }[];
   /** At least one. */
   readonly passes: readonly TechniquePass[];
+  /** `SCRIM_RENAMED`: what inputs were called in earlier versions. */
+  readonly renamed: NonNullable<NodeDefinition['renamed']>;
 }
 
 /** Techniques are told from ISF files by their ending, and from transitions, which share it, by what they hold. */

@@ -86,6 +86,7 @@ function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): Is
     premultiplied: false,
     depth: 'none',
     fit: 'cover',
+    renamed: [],
   };
 }
 

@@ -72,3 +72,49 @@ describe('migrateNodes', () => {
     expect(diagnostics).toMatchObject([{ code: 'SCR018', severity: 'error', nodeId: 'box-aaaa' }]);
   });
 });
+
+/** As a shader file says it (`SCRIM_RENAMED`): version 2 measures in pixels what was in metres, version 3 only renames. */
+const LINES: NodeDefinition = defineNode({
+  type: 'technique/lines',
+  version: 3,
+  title: 'Lines',
+  doc: '',
+  inputs: {},
+  outputs: {},
+  params: { width: { type: 'number', stage: 'uniform', label: 'Width', doc: '', default: 3, unit: 'px' } },
+  lowering: { kind: 'technique', shader: 'techniques/lines.glsl' },
+  renamed: [{ widthM: { to: 'widthPx', times: 750 } }, { widthPx: { to: 'width', times: 1 } }],
+});
+
+describe('params that a shader file renamed', () => {
+  const linesOf = (version: number, params: Record<string, Binding>, port = 'widthM'): Project => {
+    const to = { node: 'lines-aaaa', port };
+    const nodes = { 'lines-aaaa': { type: 'technique/lines', version, params } };
+    const wires = [{ from: { node: 'number-aaaa', port: 'result' }, to }];
+    const inputs = [{ name: 'thickness', ...to }];
+    return { ...newProject(''), graphs: { main: { nodes, wires, exposed: { inputs, outputs: [] } } } };
+  };
+  const migrated = (project: Project) => migrateNodes(project, libraryOf([LINES]));
+
+  test.each<[string, Binding, Binding]>([
+    ['a value', { value: 0.004 }, { value: 3 }],
+    ['an expression', { expression: '0.004 + time' }, { expression: '(0.004 + time) * 750' }],
+    ['what a port has while nothing is wired', { port: 0.008 }, { port: 6 }],
+    [
+      'a track',
+      { track: { keys: [{ timeS: 0, value: 0.002, easing: 'linear' }], repeat: 'loop' } },
+      { track: { keys: [{ timeS: 0, value: 1.5, easing: 'linear' }], repeat: 'loop' } },
+    ],
+  ])('%s goes through all steps', (_what, before, after) => {
+    const { project } = migrated(linesOf(1, { widthM: before }));
+    expect(project.graphs.main?.nodes['lines-aaaa']).toEqual({ type: 'technique/lines', version: 3, params: { width: after } });
+  });
+
+  test('wires and shown ports follow, and the user is told where what they carry was measured otherwise', () => {
+    const { project, diagnostics } = migrated(linesOf(1, {}));
+    expect(project.graphs.main?.wires[0]?.to).toEqual({ node: 'lines-aaaa', port: 'width' });
+    expect(project.graphs.main?.exposed.inputs).toEqual([{ name: 'thickness', node: 'lines-aaaa', port: 'width' }]);
+    expect(diagnostics[0]).toMatchObject({ severity: 'warning', port: 'width', fix: 'Multiply it with 750.' });
+    expect(migrated(linesOf(2, {}, 'widthPx'))).toMatchObject({ diagnostics: [] });
+  });
+});

@@ -1,4 +1,4 @@
-import type { NodeDefinition, NodeLibrary, SavedParams } from '../../../nodes/kit/definition.ts';
+import type { Migration, NodeDefinition, NodeLibrary, SavedParams } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { PORT_NAME } from '../document/name-rules.ts';
 import { readBinding } from '../document/read-binding.ts';
@@ -6,6 +6,7 @@ import { printJson } from '../json/print-json.ts';
 import { createShapeReader } from '../json/shape-reader.ts';
 import type { Binding, Graph, GraphNode, Project } from '../project.ts';
 import { saveBinding } from '../save.ts';
+import { renamedPort, renameParams, renamePorts } from './rename-params.ts';
 
 export interface Migrated<P> {
   readonly project: P;
@@ -24,7 +25,7 @@ export function migrateNodes<P extends Pick<Project, 'graphs'>>(project: P, libr
     const nodes = migrateGraph(graph, library, diagnostics);
     if (nodes === null) continue;
     graphs ??= { ...project.graphs };
-    graphs[name] = { ...graph, nodes };
+    graphs[name] = { ...renameWired(graph, library, diagnostics), nodes };
   }
   return { project: graphs === null ? project : { ...project, graphs }, diagnostics };
 }
@@ -46,6 +47,28 @@ function migrateGraph(graph: Graph, library: NodeLibrary, diagnostics: Diagnosti
   return nodes;
 }
 
+/** Every step of a type, whether code or data. */
+export function migrationsOf({ migrations, renamed = [] }: NodeDefinition): readonly Migration[] {
+  return migrations ?? renamed.map((names) => (params) => renameParams(params, names));
+}
+
+/** Wires follow the params that they end at. What they carry is not measured otherwise, which the user is told. */
+function renameWired(graph: Graph, library: NodeLibrary, diagnostics: Diagnostic[]): Graph {
+  const isRenamed = ({ type, version }: GraphNode) => (library.definition(type)?.renamed?.length ?? 0) >= version;
+  if (!Object.values(graph.nodes).some(isRenamed)) return graph;
+  return renamePorts(graph, ({ node: id, port }) => {
+    const node = graph.nodes[id];
+    const definition = node && library.definition(node.type);
+    if (!node || !definition) return port;
+    const { to, times } = renamedPort(port, node, definition);
+    if (times !== 1) {
+      const message = `What is wired to “${definition.params[to]?.label ?? to}” of ${id} was measured otherwise when it was saved.`;
+      diagnostics.push({ code: 'SCR018', severity: 'warning', nodeId: id, port: to, message, fix: `Multiply it with ${times}.` });
+    }
+    return to;
+  });
+}
+
 /** Steps read what a file holds. */
 function asSaved(binding: Binding): unknown {
   return JSON.parse(printJson(saveBinding(binding)));
@@ -55,7 +78,7 @@ function asSaved(binding: Binding): unknown {
 function migrateNode(node: GraphNode, definition: NodeDefinition): GraphNode | string {
   let saved: SavedParams = Object.fromEntries(Object.entries(node.params).map(([name, binding]) => [name, asSaved(binding)]));
   for (let version = node.version; version < definition.version; version++) {
-    const step = definition.migrations?.[version - 1];
+    const step = migrationsOf(definition)[version - 1];
     if (step === undefined) throw new Error(`${definition.type} has no migration from version ${version} to ${version + 1}.`);
     try {
       saved = step(saved);

@@ -1,0 +1,26 @@
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import { entries, type Header, items, numberOf, property, textOf } from './header.ts';
+
+type RenamedParams = NonNullable<NodeDefinition['renamed']>;
+
+/**
+ * `SCRIM_RENAMED`: what inputs were called before, one entry for each time that the file was changed so, the oldest first:
+ * `[{ "outlineM": { "TO": "outlinePx", "TIMES": 750 } }]`. Each is a step from one version of the node type to the next.
+ */
+export function readRenamed(header: Header): RenamedParams {
+  const list = property(header.root, 'SCRIM_RENAMED');
+  if (list !== undefined && list.type !== 'array') header.error(list, 'SCRIM_RENAMED has to be a list: [ { "old": { "TO": "new" } } ].');
+  return items(list).map((step) =>
+    Object.fromEntries(
+      (step.type === 'object' ? entries(step) : []).flatMap(([key, value]) => {
+        const from = textOf(key);
+        const to = textOf(property(value, 'TO'));
+        const written = property(value, 'TIMES');
+        const times = written === undefined ? 1 : numberOf(written);
+        if (from !== null && to !== null && times !== null && times > 0) return [[from, { to, times }]];
+        header.error(key, 'SCRIM_RENAMED says of each input what it is called now, and what its numbers are multiplied with.');
+        return [];
+      }),
+    ),
+  );
+}
