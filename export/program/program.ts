@@ -268,7 +268,10 @@ export interface PassOperation extends OperationBase {
 }
 
 export interface PassSampler {
-  /** Uniform name in the linked shader; `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels) come with it when declared. */
+  /**
+   * Uniform name in the linked shader; `NAME_uvFromViewUv` (mat3) and `NAME_size` (vec2, pixels) come with it when declared, and
+   * `NAME_interpolate` (bool) with room depth, for `export/program/room-depth.ts`.
+   */
   readonly name: string;
   readonly source:
     | { readonly kind: 'color'; readonly resource: ResourceId }

@@ -132,6 +132,8 @@ export interface AssetParam extends ParamBase {
   readonly stage: 'asset';
   readonly default: '';
   readonly accept: AssetKind;
+  /** Needed only where a structure param has this value. */
+  readonly where?: { readonly param: string; readonly is: string | number | boolean };
 }
 
 export type AssetKind = 'image' | 'model' | 'video' | 'audio' | 'environment';
@@ -196,6 +198,8 @@ export interface Need {
   readonly required: boolean;
   /** `sampled`: only when some node reads the layer as an image, not when it is merely the background. */
   readonly when: 'always' | 'sampled';
+  /** Only where a structure param has this value. */
+  readonly where?: { readonly param: string; readonly is: string | number | boolean };
   /** Shown to the visitor before the browser asks, in the form "to …". */
   readonly why: string;
   /** What the picture does without it. */

@@ -142,15 +142,17 @@ export interface CameraImage {
   readonly uvFromViewUv: Float32Array;
 }
 
-/** Metres along the depth camera's axis in the red channel (R32F, nearest), 0 where unknown. */
+/** Metres along the view's axis in the red channel (R32F or R16F, nearest), 0 where unknown. */
 export interface RoomDepth {
   readonly texture: WebGLTexture;
   readonly widthPx: number;
   readonly heightPx: number;
   /** Column-major 3×3, homogeneous: texture UV from view UV; any rotation, flip or crop. */
   readonly uvFromViewUv: Float32Array;
-  /** Pose of the depth camera; the view's own where the session matches them. */
+  /** Pose of the view that it is aligned with. */
   readonly worldFromDepth: Float32Array;
+  /** Readers blend the four samples around, as far as these are known; else they take the nearest, known or not. */
+  readonly interpolate?: boolean;
 }
 
 /** Light around the viewer. Spherical harmonics as WebXR Lighting Estimation §3.2 orders them. */

@@ -2,6 +2,7 @@ import type { NodeOperation, PassOperation, Program, Resource, TargetSize } from
 import { createPlayer, type Player, type PlayerOptions } from '../../export/runtime/player.ts';
 import { createSessionInput } from '../../export/runtime/sessions/input/session-input.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { NodeModule, RoomDepthOutput } from '../../nodes/kit/runtime.ts';
 import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 
 /** Hand-written programs and frames for pages that test the player; no compiler, no session. */
@@ -85,6 +86,19 @@ export function sourceOperation(type: string, output: string, resource: string, 
     ...more,
   };
 }
+
+/** In the place of `world/depth`: hands on what the session measured, for programs written by hand, without slots. */
+export const MEASURED_DEPTH: NodeModule = {
+  create: ({ outputs }) => {
+    const { views } = (outputs as unknown as { readonly depth: RoomDepthOutput }).depth;
+    return {
+      update: (shown) => {
+        for (let i = 0; i < views.length; i++) views[i] = (i < shown.viewCount && shown.views[i]?.depth) || null;
+      },
+      dispose: () => {},
+    };
+  },
+};
 
 export function colorSampler(
   name: string,

@@ -3,8 +3,20 @@ import type { Player } from '../../export/runtime/player.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
-import * as roomDepth from '../../nodes/world/depth/runtime.ts';
-import { colorSampler, frame, HEIGHT, pass, program, shader, sourceOperation, stand, target, view, WIDTH } from './runtime-kit.ts';
+import {
+  colorSampler,
+  frame,
+  HEIGHT,
+  MEASURED_DEPTH,
+  pass,
+  program,
+  shader,
+  sourceOperation,
+  stand,
+  target,
+  view,
+  WIDTH,
+} from './runtime-kit.ts';
 
 const addOne: NodeModule = {
   create: (ctx) => {
@@ -114,7 +126,7 @@ export async function setUp() {
         pass('screen', 1, 'screen', { blend: 'over', samplers: [colorSampler('picture', 'history')] }),
       ],
     }),
-    { modules: { add: addOne, draw: drawing, 'source/camera-video': cameraVideo, 'world/depth': roomDepth } },
+    { modules: { add: addOne, draw: drawing, 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } },
   );
   player = stage.player;
   player.setSession({ world: 'image', blend: 'opaque' });

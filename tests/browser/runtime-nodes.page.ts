@@ -9,13 +9,13 @@ import { definition as occlusion } from '../../nodes/layer/depth-occlusion/defin
 import occlusionShader from '../../nodes/layer/depth-occlusion/occlusion.fs';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
 import * as imageFile from '../../nodes/source/image-file/runtime.ts';
-import * as roomDepth from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
 import {
   colorSampler,
   createGl,
   frame,
   HEIGHT,
+  MEASURED_DEPTH,
   pass,
   pixel,
   program,
@@ -38,7 +38,7 @@ const SHOW = shader(
 const MODULES = {
   'source/camera-video': cameraVideo,
   'source/image-file': imageFile,
-  'world/depth': roomDepth,
+  'world/depth': MEASURED_DEPTH,
 } satisfies Record<string, NodeModule>;
 
 /** The camera's picture, and what takes its place. */
@@ -155,14 +155,19 @@ export async function hide(biasM: number, softnessM: number, roomM: number[]) {
       return { name, source: { kind: 'depth', depth: { resource: 'metres', encoding: 'metres' } }, fit: 'none' };
     return { name, source: { kind: 'color', resource: 'layer' }, fit: 'none' };
   };
-  const slotOf: Record<string, number> = { biasM: 0, softnessM: 1 };
+  const slotOf: Record<string, number> = { biasM: 0, softnessM: 1, borderPx: 2 };
   const uniforms = linked.uniforms.map(({ name, type, source: from }): PassOperation['uniforms'][number] => ({
     name,
     type,
     source: 'builtin' in from ? from : { slot: 'param' in from ? (slotOf[from.param] ?? -1) : -1 },
   }));
   const hiding = program({
-    slots: { numbers: [biasM, softnessM], texts: [], slots: [0, 1].map((offset) => ({ type: 'number' as const, offset })), params: {} },
+    slots: {
+      numbers: [biasM, softnessM, 0],
+      texts: [],
+      slots: [0, 1, 2].map((offset) => ({ type: 'number' as const, offset })),
+      params: {},
+    },
     resources: [target('layer'), target('metres', { format: 'r32f' }), { id: 'room', kind: 'room-depth' }],
     shaders: [shader('red', 'color = vec4(1.0, 0.0, 0.0, 1.0);'), shader('metres', 'color = vec4(floor(uv.x * 4.0));'), linked.shader],
     operations: [

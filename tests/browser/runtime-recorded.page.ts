@@ -3,7 +3,7 @@ import { createManualClock } from '../../export/runtime/clock.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import type { SessionEvent } from '../../nodes/kit/session.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { createGl, pass, pixel, program, shader, stand } from './runtime-kit.ts';
+import { createGl, MEASURED_DEPTH, pass, pixel, program, shader, stand } from './runtime-kit.ts';
 
 const files = (url: string) => createFetchAssetSource(new URL(url, location.href).href, (...args) => fetch(...args));
 
@@ -36,18 +36,6 @@ const showDepth = program({
   ],
 });
 
-const roomDepth = {
-  create: (ctx: unknown) => {
-    const { outputs } = ctx as { outputs: { depth: { views: unknown[] } } };
-    return {
-      update: (frame: { views: readonly { depth: unknown }[] }) => {
-        outputs.depth.views[0] = frame.views[0]?.depth ?? null;
-      },
-      dispose: () => {},
-    };
-  },
-};
-
 export interface Shot {
   readonly index: number;
   readonly timeS: number;
@@ -64,7 +52,7 @@ export async function step(url: string, shows: 'color' | 'depth', sizePx: [numbe
   gl.canvas.width = sizePx[0];
   gl.canvas.height = sizePx[1];
   const leaks = trackGl(gl);
-  const { player } = await stand(shows === 'color' ? program({}) : showDepth, { gl, modules: { 'world/depth': roomDepth } });
+  const { player } = await stand(shows === 'color' ? program({}) : showDepth, { gl, modules: { 'world/depth': MEASURED_DEPTH } });
   const session = createRecordedSession({ gl, files: files(url), mode: { kind: 'manual' } });
   const ready = await session.ready;
   const events: SessionEvent[] = [];

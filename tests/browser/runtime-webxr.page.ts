@@ -10,11 +10,10 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { Session, SessionFrame } from '../../nodes/kit/session.ts';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
-import * as roomDepth from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { colorSampler, pass, program, shader, sourceOperation, stand } from './runtime-kit.ts';
+import { colorSampler, MEASURED_DEPTH, pass, program, shader, sourceOperation, stand } from './runtime-kit.ts';
 
-const MODULES = { 'source/camera-video': cameraVideo, 'world/depth': roomDepth } satisfies Record<string, NodeModule>;
+const MODULES = { 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } satisfies Record<string, NodeModule>;
 
 export function need(capability: Capability, required = false): ProgramNeed {
   return { capability, required, nodes: [], why: 'to test', without: `There is no ${capability}.` };

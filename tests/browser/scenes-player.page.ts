@@ -25,7 +25,7 @@ import * as model from '../../nodes/source/model/runtime.ts';
 import { definition as roomDefinition } from '../../nodes/world/depth/definition.ts';
 import * as roomDepth from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { colorSampler, frame, pass, program, shader, stand, target } from './runtime-kit.ts';
+import { colorSampler, frame, pass, program, shader, stand, target, texture } from './runtime-kit.ts';
 import { covered, createGl, difference, HEIGHT, lookingAt, pixel, project, readPixels, room, viewOf, WIDTH } from './scenes-kit.ts';
 
 const MODULES = {
@@ -224,7 +224,7 @@ export async function brokenModel() {
 const FACING = lookingAt([0, 0, 2], [0, 0, 0]);
 
 /** Overlapping, self-overlapping and intersecting opaque things, hidden while they are drawn or after. */
-function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>): Program {
+function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>, roomParams: Readonly<Record<string, Value>>): Program {
   const { node, table } = createBuilder();
   const thing = (id: string, shape: string, positionM: readonly number[], color: readonly number[], size: number): NodeOperation[] => [
     node(`${id}-shape`, primitiveDefinition, {}, { shape, sizeM: [size, size, size], color }),
@@ -277,31 +277,43 @@ function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>
       ...things,
       phantoms,
       node('sun', lightDefinition),
-      node('room', roomDefinition),
+      node('room', roomDefinition, {}, roomParams),
       ...(form === 'early' ? [early] : [drawn(scene, 'scene.layer', null), late]),
     ],
   });
 }
 
 /** The occlusion's shader over a finished layer, and the same params sunk into the draw, through a slanted room with holes. */
-export async function equalForms(params: Readonly<Record<string, number>>) {
+export async function equalForms(params: Readonly<Record<string, number>>, roomParams: Readonly<Record<string, Value>> = {}) {
   const pictures: Uint8Array[] = [];
   const errors: number[] = [];
   for (const form of ['early', 'late'] as const) {
     const gl = createGl();
     // From 1.2 m on the left to 2.6 m on the right, coarse, turned a little, and reaching beyond the view's edges.
     const metres = Array.from({ length: 20 * 15 }, (_, i) => (i % 17 === 0 ? 0 : 1.2 + ((i % 20) / 19) * 1.4));
-    const depth = room(gl, 20, 15, metres, [0.95, 0.1, 0, -0.1, 0.95, 0, 0.12, -0.03, 1]);
-    const { player } = await stand(hidden(form, params), { gl, modules: MODULES, createScenes });
-    player.draw(frame(0, [{ ...viewOf(FACING), depth }], { framebufferWidthPx: WIDTH, framebufferHeightPx: HEIGHT }));
+    const left = room(gl, 20, 15, metres, [0.95, 0.1, 0, -0.1, 0.95, 0, 0.12, -0.03, 1]);
+    // Of the other eye: turned a quarter and cut.
+    const right = room(gl, 20, 15, metres, [0, 0.8, 0, -0.9, 0, 0, 0.95, 0.1, 1]);
+    const cameraImage = { texture: texture(gl, 2, 2, STRIPES), widthPx: 2, heightPx: 2, uvFromViewUv: UPRIGHT };
+    const half = { y: 0, widthPx: WIDTH / 2, heightPx: HEIGHT };
+    const { player } = await stand(hidden(form, params, roomParams), { gl, modules: MODULES, createScenes });
+    const views = [
+      { ...viewOf(FACING, { x: 0, ...half }), depth: left, cameraImage },
+      { ...viewOf(FACING, { x: WIDTH / 2, ...half }), depth: right, cameraImage },
+    ];
+    for (const index of [0, 1]) player.draw(frame(index, views, { framebufferWidthPx: WIDTH, framebufferHeightPx: HEIGHT }));
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     pictures.push(readPixels(gl, WIDTH, HEIGHT));
     player.dispose();
     errors.push(gl.getError());
   }
   const [early = new Uint8Array(), late = new Uint8Array()] = pictures;
-  return { ...difference(early, late), covered: covered(late), errors };
+  // One of sixteen places of a soft border is 16 levels.
+  return { ...difference(early, late), apart: difference(early, late, 17).pixels, covered: covered(late), errors };
 }
+
+const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
+const STRIPES = [200, 0, 0, 255, 0, 90, 0, 255, 200, 0, 0, 255, 0, 90, 0, 255];
 
 export interface Example {
   readonly program: Program;

@@ -1,5 +1,6 @@
 import {
   type InputPort,
+  type Need,
   type NodeDefinition,
   type OutputPort,
   type ParamDefinition,
@@ -89,10 +90,16 @@ function paramFacts(param: ParamDefinition): string[] {
 
 function needs(definition: NodeDefinition): string {
   const lines = (definition.needs ?? []).map(
-    ({ capability, required, when, why, without }) =>
-      `- **${capability.replaceAll('-', ' ')}** (${required ? 'required' : 'optional'}${when === 'sampled' ? ', only when the picture is read by a node' : ''}): ${why}. Without it: ${without}\n`,
+    ({ capability, required, when, where, why, without }) =>
+      `- **${capability.replaceAll('-', ' ')}** (${required ? 'required' : 'optional'}${when === 'sampled' ? ', only when the picture is read by a node' : ''}${where ? `, only with ${choiceWords(definition, where)}` : ''}): ${why}. Without it: ${without}\n`,
   );
   return lines.length === 0 ? '' : `\nNeeds:\n\n${lines.join('')}`;
+}
+
+function choiceWords({ params }: NodeDefinition, { param: name, is }: NonNullable<Need['where']>): string {
+  const param = params[name];
+  const option = param?.type === 'choice' ? param.options.find(({ value }) => value === is) : undefined;
+  return `“${param?.label ?? name}” at “${option?.label ?? String(is)}”`;
 }
 
 function item(label: string, name: string, facts: readonly string[], doc: string): string {

@@ -1,5 +1,7 @@
+import type { ParamValue } from '../../graph/project.ts';
 import type { Capability, ProgramNeed } from '../../program/program.ts';
 import type { FlatNode } from '../flat-graph.ts';
+import { startValue } from '../schedule/slots.ts';
 
 /**
  * What the program asks of a session: what its nodes need, each capability once. A need "when sampled" counts only where the
@@ -8,13 +10,20 @@ import type { FlatNode } from '../flat-graph.ts';
  */
 export function collectNeeds(nodes: readonly FlatNode[], working: ReadonlySet<string>): ProgramNeed[] {
   const needs = new Map<Capability, ProgramNeed>();
-  for (const { id, definition } of nodes) {
-    for (const { capability, required, when, why, without } of definition.needs ?? []) {
+  for (const node of nodes) {
+    const { id, definition } = node;
+    for (const { capability, required, when, where, why, without } of definition.needs ?? []) {
       if (when === 'sampled' && !working.has(id)) continue;
+      if (where && structureValue(node, where.param) !== where.is) continue;
       const known = needs.get(capability);
       if (!known) needs.set(capability, { capability, required, nodes: [id], why, without });
       else needs.set(capability, { ...known, required: known.required || required, nodes: [...known.nodes, id] });
     }
   }
   return [...needs.values()].sort((a, b) => (a.capability < b.capability ? -1 : 1));
+}
+
+function structureValue(node: FlatNode, name: string): ParamValue | undefined {
+  const param = node.definition.params[name];
+  return param && startValue(node, name, param);
 }

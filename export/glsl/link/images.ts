@@ -1,3 +1,4 @@
+import { ROOM_DEPTH_TEXT } from '../../program/room-depth.ts';
 import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 
 /** An image that a pass may read, and how. */
@@ -26,6 +27,7 @@ export const IMAGE_SUFFIXES = [
   '_at',
   '_size',
   '_uvFromViewUv',
+  '_interpolate',
   '_depthAt',
   '_depth',
   '_depth_uvFromViewUv',
@@ -115,9 +117,10 @@ function depthText(image: Image): string {
     const { sampler } = image;
     return `uniform sampler2D ${sampler};
 uniform mat3 ${sampler}_uvFromViewUv;
+uniform bool ${sampler}_interpolate;
 float ${depthFunction(image)}(vec2 uv) {
   vec2 at = scrim_place(${sampler}_uvFromViewUv, uv);
-  return scrim_inside(at) ? textureLod(${sampler}, at, 0.0).r : 0.0;
+  return scrim_inside(at) ? scrim_roomM(${sampler}, ${sampler}_interpolate, at) : 0.0;
 }`;
   }
   if (!image.hasDepth) return `float ${depthFunction(image)}(vec2 uv) { return 0.0; }`;
@@ -155,6 +158,7 @@ const IMAGE_HELPERS = {
   if (decode.w == 0.0) return d * decode.x + decode.y;
   return d < 1.0 ? decode.y / (2.0 * d - 1.0 + decode.x) : 0.0;
 }`,
+  scrim_roomM: ROOM_DEPTH_TEXT,
   scrim_project: `vec2 scrim_project(vec3 at) { return at.xy / at.z; }
 vec2 scrim_project(vec4 at) { return at.xy / at.w; }`,
 } as const;

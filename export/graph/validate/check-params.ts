@@ -1,4 +1,4 @@
-import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { AssetParam, ParamDefinition } from '../../../nodes/kit/definition.ts';
 import { parseBinding, parseValue } from '../expression/param-expression.ts';
 import { bindingMisfit } from '../library/binding.ts';
 import { boundValue, outOfRange } from '../library/param-value.ts';
@@ -17,7 +17,7 @@ export function checkParams(check: GraphCheck): void {
       else reportError(check, 'SCR018', { nodeId, port }, `${nodeId} (${face.title}) has no param “${port}”.`, 'Remove it.');
     }
     for (const [port, param] of Object.entries(face.params)) {
-      if (param.type === 'asset') checkChosen(check, nodeId, port, param, node.params);
+      if (param.type === 'asset' && isUsed(param, face.params, node.params)) checkChosen(check, nodeId, port, param, node.params);
     }
   }
 }
@@ -61,6 +61,17 @@ function checkAsset(check: GraphCheck, nodeId: string, port: string, param: Para
     const message = `“${param.label}” of ${nodeId} takes a file of the kind “${param.accept}”, but ${id} is of the kind “${asset.kind}”.`;
     reportError(check, 'SCR033', place, message, 'Choose another.');
   }
+}
+
+/** Whether the node, as its other params are set, has a use for the file. */
+function isUsed(
+  { where }: AssetParam,
+  face: Readonly<Record<string, ParamDefinition>>,
+  params: Readonly<Record<string, Binding>>,
+): boolean {
+  if (!where) return true;
+  const binding = own(params, where.param);
+  return ((binding && boundValue(binding)) ?? own(face, where.param)?.default) === where.is;
 }
 
 function checkChosen(

@@ -28,6 +28,8 @@ interface Locations {
   readonly uv: WebGLUniformLocation | null;
   readonly size: WebGLUniformLocation | null;
   readonly decode: WebGLUniformLocation | null;
+  /** Of room depth. */
+  readonly interpolate: WebGLUniformLocation | null;
 }
 
 export function createSamplers(
@@ -45,6 +47,7 @@ export function createSamplers(
       uv: program.uniform(`${spec.name}_uvFromViewUv`),
       size: program.uniform(`${spec.name}_size`),
       decode: program.uniform(`${spec.name}_decode`),
+      interpolate: program.uniform(`${spec.name}_interpolate`),
     };
     if (Object.values(locations).every((location) => location === null)) continue;
     samplers.push(createSampler(gl, drawer, samplers.length, locations, spec, resources, imports));
@@ -152,6 +155,7 @@ function roomDepth(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number,
       if (locations.texture) drawer.texture(unit, locations.texture, depth?.texture ?? null, 'nearest');
       setPlacement(gl, locations, depth?.uvFromViewUv ?? IDENTITY, depth?.widthPx ?? 1, depth?.heightPx ?? 1, 'none', state);
       if (locations.decode) setDecode(gl, locations.decode, 'metres', undefined);
+      if (locations.interpolate) gl.uniform1i(locations.interpolate, depth?.interpolate ? 1 : 0);
     },
   };
 }

@@ -36,6 +36,17 @@ export const definition = defineNode({
       step: 0.01,
       unit: 'm',
     },
+    borderPx: {
+      type: 'number',
+      stage: 'uniform',
+      label: 'Border',
+      doc: 'How wide the soft border is along real things, in pixels of the view. 0 is a hard border; 4 to 8 hide the steps of a coarse sensor.',
+      default: 0,
+      min: 0,
+      max: 32,
+      step: 0.5,
+      unit: 'px',
+    },
   },
-  lowering: { kind: 'image', shader: 'layer/depth-occlusion/occlusion.fs', access: 'pointwise', early: 'occlusion' },
+  lowering: { kind: 'image', shader: 'layer/depth-occlusion/occlusion.fs', access: 'neighbourhood', early: 'occlusion' },
 });

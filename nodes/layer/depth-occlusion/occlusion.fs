@@ -10,7 +10,8 @@
     { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to hide parts of." },
     { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far away the real room is." },
     { "NAME": "biasM", "TYPE": "float", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.0, "UNIT": "m" },
-    { "NAME": "softnessM", "TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "m" }
+    { "NAME": "softnessM", "TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "m" },
+    { "NAME": "borderPx", "TYPE": "float", "MIN": 0.0, "MAX": 32.0, "DEFAULT": 0.0, "UNIT": "px" }
   ]
 }*/
 
@@ -23,7 +24,25 @@ float visibility(float layerM, float roomM) {
   return 1.0 - clamp(behindM / softnessM, 0.0, 1.0);
 }
 
+const int PLACES = 16;
+// Of a golden-angle spiral, which spreads places evenly over a disc (Vogel 1979), radians.
+const float GOLDEN_ANGLE = 2.399963;
+
+// The same at the border: the share of the places in a disc around it that would show.
+float shownAt(vec2 here) {
+  float layerM = LAYER_DEPTH(layer, here);
+  if (borderPx <= 0.0) return visibility(layerM, ROOM_DEPTH(depth, here));
+  float seen = 0.0;
+  for (int i = 0; i < PLACES; i++) {
+    float angle = GOLDEN_ANGLE * float(i);
+    float away = 0.5 * borderPx * sqrt((float(i) + 0.5) / float(PLACES));
+    seen += visibility(layerM, ROOM_DEPTH(depth, here + away * vec2(cos(angle), sin(angle)) / RENDERSIZE));
+  }
+  return seen / float(PLACES);
+}
+
 void main() {
-  vec2 here = isf_FragNormCoord;
-  gl_FragColor = IMG_THIS_PIXEL(layer) * visibility(LAYER_DEPTH(layer, here), ROOM_DEPTH(depth, here));
+  // The middle of the pixel, to the last bit: materials that discard early find the same.
+  vec2 here = (floor(isf_FragNormCoord * RENDERSIZE) + 0.5) / RENDERSIZE;
+  gl_FragColor = IMG_THIS_PIXEL(layer) * shownAt(here);
 }

@@ -1,5 +1,8 @@
 import { expect, test } from '@jest/globals';
+import { LIBRARY } from '../../../tests/support/library.ts';
 import { fakeContext } from '../../../tests/support/node-context.ts';
+import { readShader } from '../../../tests/support/test-library.ts';
+import { TestStudio } from '../../../tests/support/test-studio.ts';
 import type { RoomDepth, SessionFrame } from '../../kit/session.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -11,8 +14,8 @@ function frame(viewCount: number, ...depths: (RoomDepth | null)[]): SessionFrame
   return { viewCount, views: depths.map((depth) => ({ depth })) } as unknown as SessionFrame;
 }
 
-test('hands on the depth of each view, and none of views that are over', () => {
-  const { ctx } = fakeContext(definition);
+test('hands on the depth of each view as it is measured, and none of views that are over', () => {
+  const { ctx } = fakeContext(definition, { params: { filter: 'nearest', fillHoles: false } });
   ctx.outputs.depth.views.push(null, null);
   const node = create(ctx);
   node.update(frame(2, LEFT, RIGHT));
@@ -24,6 +27,26 @@ test('hands on the depth of each view, and none of views that are over', () => {
   expect(ctx.outputs.depth.views).toEqual([null, RIGHT]);
 });
 
-test('is never required: a page without depth still plays', () => {
-  expect(definition.needs).toEqual([expect.objectContaining({ capability: 'depth', required: false })]);
+test('asks for depth where the device measures it, for the camera where its edges count, and never requires either', () => {
+  const asked = (params: Record<string, string>) =>
+    new TestStudio({ library: LIBRARY, readShader })
+      .add('box-a', 'objects/primitive')
+      .add('scene-a', 'layer/scene')
+      .add('room-a', 'world/depth', params)
+      .add('hide-a', 'layer/depth-occlusion')
+      .add('screen-a', 'output/screen')
+      .wire(
+        'box-a.objects -> scene-a.objects',
+        'scene-a.layer -> hide-a.layer',
+        'room-a.depth -> hide-a.depth',
+        'hide-a.layer -> screen-a.layer',
+      )
+      .compile()
+      .output?.needs.map(({ capability, required }) => [capability, required]);
+  expect(asked({})).toEqual([['depth', false]]);
+  expect(asked({ filter: 'edge-aware' })).toEqual([
+    ['camera-image', false],
+    ['depth', false],
+  ]);
+  expect(asked({ source: 'picture' })).toEqual([]);
 });

@@ -1,12 +1,68 @@
-import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ImageAsset, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
+import { createDepthDrawing, type DepthDrawing } from './drawing.ts';
+import { createPictureDepth, type PictureDepth } from './picture-depth.ts';
+import { createDepthRefiner, type DepthRefiner } from './refine-depth.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { views } = ctx.outputs.depth;
+  const { params, config } = ctx;
+  const id = config.source === 'picture' ? ctx.assetIds.picture : null;
+  const picture = id === null ? null : ctx.assets.image(id);
+  /** Made with the first depth: most devices have none. */
+  let gpu: Gpu | null = null;
+  const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true };
+
+  const measured = (view: ViewFrame, index: number): RoomDepth | null => {
+    if (config.source === 'device') return view.depth;
+    const image = picture?.value ?? null;
+    return image && pictured(image, view, index);
+  };
+  const pictured = (image: ImageAsset, view: ViewFrame, index: number): RoomDepth | null => {
+    gpu ??= createGpu(ctx);
+    if (!gpu.drawing) return null;
+    gpu.pictureDepth ??= createPictureDepth(ctx.gl, gpu.drawing, views.length, config.shades);
+    return gpu.pictureDepth.read(image, view, index, params.nearM.value, params.farM.value);
+  };
   return {
     update: (frame) => {
-      for (let i = 0; i < views.length; i++) views[i] = (i < frame.viewCount ? frame.views[i]?.depth : null) ?? null;
+      wishes.smoothingS = params.smoothingS.value;
+      wishes.deltaS = frame.deltaS;
+      wishes.fillHoles = params.fillHoles.value;
+      const isPlain = config.filter === 'nearest' && !wishes.fillHoles && wishes.smoothingS <= 0;
+      for (let i = 0; i < views.length; i++) {
+        const view = i < frame.viewCount ? frame.views[i] : null;
+        const depth = view ? measured(view, i) : null;
+        if (!view || !depth || isPlain) {
+          views[i] = depth;
+          if (!depth) gpu?.refiners[i]?.forget();
+          continue;
+        }
+        gpu ??= createGpu(ctx);
+        views[i] = gpu.refiners[i]?.refine(depth, view, wishes) ?? depth;
+      }
     },
-    dispose: () => {},
+    reset: () => {
+      for (const refiner of gpu?.refiners ?? []) refiner.forget();
+    },
+    dispose: () => {
+      for (const refiner of gpu?.refiners ?? []) refiner.dispose();
+      gpu?.pictureDepth?.dispose();
+      gpu?.drawing?.dispose();
+      picture?.release();
+    },
   };
+}
+
+interface Gpu {
+  readonly drawing: DepthDrawing | null;
+  readonly refiners: readonly DepthRefiner[];
+  pictureDepth: PictureDepth | null;
+}
+
+function createGpu(ctx: NodeContext<typeof definition>): Gpu {
+  const drawing = createDepthDrawing(ctx.gl);
+  const refiners = ctx.outputs.depth.views.map(() => createDepthRefiner(ctx.gl, drawing, ctx.config.filter));
+  return { drawing, refiners, pictureDepth: null };
 }

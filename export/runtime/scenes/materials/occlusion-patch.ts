@@ -1,5 +1,6 @@
-import { ExternalTexture, Matrix3, Vector3 } from 'three';
+import { ExternalTexture, Matrix3, Vector2, Vector4 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import { ROOM_DEPTH_TEXT } from '../../../program/room-depth.ts';
 import type { OcclusionBinding } from '../../scene-backend.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 
@@ -30,21 +31,39 @@ const FRAGMENT = {
   before: /* glsl */ `
 uniform sampler2D scrimRoomDepth;
 uniform mat3 scrimRoomUvFromViewUv;
-// x: 1 where there is room depth; y: soft border, metres; z: how far behind the room something may be and still show, metres.
-uniform vec3 scrimOcclusion;
+// x: 1 where there is room depth, 2 where it is blended; y: soft border, metres; z: how far behind the room something may be and
+// still show, metres; w: radius of the border, pixels.
+uniform vec4 scrimOcclusion;
+uniform vec2 scrimViewPx;
 varying vec4 scrimPositionClip;
 
-float scrimVisibility() {
-  if ( scrimOcclusion.x == 0.0 ) return 1.0;
-  vec3 uv = scrimRoomUvFromViewUv * vec3( scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5, 1.0 );
+${ROOM_DEPTH_TEXT}
+
+float scrimVisibilityAt( vec2 viewUv ) {
+  vec3 uv = scrimRoomUvFromViewUv * vec3( clamp( viewUv, 0.0, 1.0 ), 1.0 );
   vec2 at = uv.xy / uv.z;
   // What is unknown hides nothing, and so does what the depth camera does not see.
   if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return 1.0;
-  float roomM = texture2D( scrimRoomDepth, at ).r;
+  float roomM = scrim_roomM( scrimRoomDepth, scrimOcclusion.x > 1.5, at );
   if ( roomM <= 0.0 ) return 1.0;
   float behindM = scrimPositionClip.w - roomM - scrimOcclusion.z;
   if ( scrimOcclusion.y <= 0.0 ) return behindM > 0.0 ? 0.0 : 1.0;
   return 1.0 - clamp( behindM / scrimOcclusion.y, 0.0, 1.0 );
+}
+
+float scrimVisibility() {
+  if ( scrimOcclusion.x == 0.0 ) return 1.0;
+  vec2 here = scrimPositionClip.xy / scrimPositionClip.w * 0.5 + 0.5;
+  // The middle of the pixel, to the last bit, as a pass over the finished layer has it.
+  here = ( floor( here * scrimViewPx ) + 0.5 ) / scrimViewPx;
+  if ( scrimOcclusion.w <= 0.0 ) return scrimVisibilityAt( here );
+  float seen = 0.0;
+  for ( int i = 0; i < 16; i ++ ) {
+    float angle = 2.399963 * float( i );
+    float away = scrimOcclusion.w * sqrt( ( float( i ) + 0.5 ) / 16.0 );
+    seen += scrimVisibilityAt( here + away * vec2( cos( angle ), sin( angle ) ) / scrimViewPx );
+  }
+  return seen / 16.0;
 }`,
   start: /* glsl */ `
   float scrimVisible = scrimVisibility();
@@ -63,22 +82,26 @@ export function createOcclusionPatch({ roomDepth, params }: OcclusionBinding): O
   const uniforms = {
     scrimRoomDepth: { value: texture },
     scrimRoomUvFromViewUv: { value: new Matrix3() },
-    scrimOcclusion: { value: new Vector3() },
+    scrimOcclusion: { value: new Vector4() },
+    scrimViewPx: { value: new Vector2() },
   };
   const softness = params.softnessM;
   const bias = params.biasM;
+  const border = params.borderPx;
   return {
     key: 'occlusion',
-    isSoft: () => (softness?.value ?? 0) > 0,
+    isSoft: () => (softness?.value ?? 0) > 0 || (border?.value ?? 0) > 0,
     apply: (shader) => {
       Object.assign(shader.uniforms, uniforms);
       shader.vertexShader = wrapMain(shader.vertexShader, VERTEX);
       shader.fragmentShader = wrapMain(shader.fragmentShader, FRAGMENT);
     },
-    bind: ({ viewIndex }) => {
+    bind: ({ viewIndex, viewport }) => {
       const depth = roomDepth.views[viewIndex] ?? null;
       texture.sourceTexture = depth?.texture ?? null;
-      uniforms.scrimOcclusion.value.set(depth ? 1 : 0, softness?.value ?? 0, bias?.value ?? 0);
+      const reading = depth ? (depth.interpolate ? 2 : 1) : 0;
+      uniforms.scrimOcclusion.value.set(reading, softness?.value ?? 0, bias?.value ?? 0, (border?.value ?? 0) / 2);
+      uniforms.scrimViewPx.value.set(viewport.widthPx, viewport.heightPx);
       if (depth) uniforms.scrimRoomUvFromViewUv.value.fromArray(depth.uvFromViewUv);
     },
   };

@@ -1,0 +1,155 @@
+/**
+ * Full-screen passes over pictures of metres. They set all state that they depend on and leave no sampler bound, as everything does
+ * that shares the context (`export/runtime/gl/pass-state.ts`).
+ */
+export interface DepthDrawing {
+  /** Metres in the red channel, all unknown. */
+  createPicture(widthPx: number, heightPx: number): MetresPicture;
+  free(picture: MetresPicture): void;
+  /** Samplers are bound to the units in their order. The same pass for the same text. */
+  link(fragment: string, samplers: readonly string[]): DepthPass;
+  /** From here to `draw`, textures and uniforms are those of the pass. */
+  begin(target: MetresPicture, pass: DepthPass): void;
+  texture(unit: number, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
+  draw(): void;
+  dispose(): void;
+}
+
+export interface MetresPicture {
+  readonly texture: WebGLTexture;
+  readonly framebuffer: WebGLFramebuffer;
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+export interface DepthPass {
+  readonly program: WebGLProgram;
+  readonly samplers: readonly (WebGLUniformLocation | null)[];
+  /** To be asked for once. */
+  uniform(name: string): WebGLUniformLocation | null;
+}
+
+/** Null where the GPU can draw no floats at all. */
+export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | null {
+  // Half floats keep a millimetre at 1 m and four at 4 m, about what the sensors do.
+  const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
+  if (format === null) return null;
+  const vertexArray = gl.createVertexArray();
+  const samplers = { linear: createSampler(gl, gl.LINEAR), nearest: createSampler(gl, gl.NEAREST) };
+  const passes = new Map<string, DepthPass>();
+  const pictures = new Set<MetresPicture>();
+  let units = 0;
+
+  const free = (picture: MetresPicture): void => {
+    gl.deleteTexture(picture.texture);
+    gl.deleteFramebuffer(picture.framebuffer);
+    pictures.delete(picture);
+  };
+  return {
+    createPicture: (widthPx, heightPx) => {
+      const picture = { texture: gl.createTexture(), framebuffer: gl.createFramebuffer(), widthPx, heightPx };
+      pictures.add(picture);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, picture.texture);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, format, widthPx, heightPx);
+      // Those who read room depth by way of three.js have no sampler of their own.
+      for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+      for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+      gl.bindFramebuffer(gl.FRAMEBUFFER, picture.framebuffer);
+      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, picture.texture, 0);
+      return picture;
+    },
+    free,
+    link: (fragment, names) => {
+      const pass = passes.get(fragment) ?? createPass(gl, fragment, names);
+      passes.set(fragment, pass);
+      return pass;
+    },
+    begin: (target, { program, samplers: locations }) => {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
+      gl.viewport(0, 0, target.widthPx, target.heightPx);
+      gl.disable(gl.SCISSOR_TEST);
+      gl.disable(gl.DEPTH_TEST);
+      gl.disable(gl.STENCIL_TEST);
+      gl.disable(gl.CULL_FACE);
+      gl.disable(gl.BLEND);
+      gl.disable(gl.RASTERIZER_DISCARD);
+      gl.disable(gl.SAMPLE_ALPHA_TO_COVERAGE);
+      gl.disable(gl.SAMPLE_COVERAGE);
+      gl.colorMask(true, true, true, true);
+      gl.bindVertexArray(vertexArray);
+      gl.useProgram(program);
+      for (let unit = 0; unit < locations.length; unit++) gl.uniform1i(locations[unit] ?? null, unit);
+    },
+    texture: (unit, texture, filter) => {
+      gl.activeTexture(gl.TEXTURE0 + unit);
+      gl.bindTexture(gl.TEXTURE_2D, texture);
+      gl.bindSampler(unit, samplers[filter]);
+      if (unit >= units) units = unit + 1;
+    },
+    draw: () => {
+      gl.drawArrays(gl.TRIANGLES, 0, 3);
+      for (let unit = 0; unit < units; unit++) gl.bindSampler(unit, null);
+      units = 0;
+      gl.bindVertexArray(null);
+    },
+    dispose: () => {
+      for (const picture of pictures) free(picture);
+      for (const { program } of passes.values()) gl.deleteProgram(program);
+      gl.deleteSampler(samplers.linear);
+      gl.deleteSampler(samplers.nearest);
+      gl.deleteVertexArray(vertexArray);
+    },
+  };
+}
+
+function createSampler(gl: WebGL2RenderingContext, filter: GLenum): WebGLSampler {
+  const sampler = gl.createSampler();
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.samplerParameteri(sampler, name, filter);
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.samplerParameteri(sampler, name, gl.CLAMP_TO_EDGE);
+  return sampler;
+}
+
+/** `uv` runs from (0, 0) at the bottom left to (1, 1). */
+const VERTEX = `#version 300 es
+out vec2 uv;
+void main() {
+  uv = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+  gl_Position = vec4(uv * 2.0 - 1.0, 0.0, 1.0);
+}
+`;
+
+/** Before each fragment shader's own text, which says by `float metres()` what is drawn. */
+const FRAGMENT_HEAD = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+in vec2 uv;
+layout(location = 0) out vec4 color;
+vec2 place(mat3 transform, vec2 at) {
+  vec3 placed = transform * vec3(at, 1.0);
+  return placed.xy / placed.z;
+}
+bool isInside(vec2 at) { return all(lessThanEqual(abs(at - 0.5), vec2(0.50001))); }
+`;
+
+function createPass(gl: WebGL2RenderingContext, fragment: string, samplers: readonly string[]): DepthPass {
+  const program = gl.createProgram();
+  for (const [type, text] of [
+    [gl.VERTEX_SHADER, VERTEX],
+    [gl.FRAGMENT_SHADER, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(metres(), 0.0, 0.0, 1.0); }\n`],
+  ] as const) {
+    const shader = gl.createShader(type);
+    if (!shader) continue;
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    gl.attachShader(program, shader);
+    gl.deleteShader(shader);
+  }
+  gl.linkProgram(program);
+  return {
+    program,
+    samplers: samplers.map((name) => gl.getUniformLocation(program, name)),
+    uniform: (name) => gl.getUniformLocation(program, name),
+  };
+}

@@ -1,0 +1,142 @@
+import type { CameraImage, RoomDepth, ViewFrame } from '../../kit/session.ts';
+import type { DepthDrawing, MetresPicture } from './drawing.ts';
+import { setInverse3 } from './matrices.ts';
+
+/** Brings depth to the view's resolution along the edges of things, for one view. */
+export interface EdgeFollower {
+  /** Aligned with the view; valid until the next call. */
+  follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): MetresPicture;
+  dispose(): void;
+}
+
+/** Beyond it, headsets would spend more on this than on the scene. */
+export const MAX_SIDE_PX = 960;
+
+/**
+ * Joint bilateral upsampling (Kopf et al. 2007): samples count by how near they are and by how alike the camera's picture is there.
+ * Where they belong to two surfaces, those of the one that counts more are taken and the others left out, because a mean of both
+ * would be a place where nothing is. Without a camera picture, nearness alone decides.
+ *
+ * Measured on the recorded room of the tests (160 × 90 with noise; a sheet at 1.75 m; intersection over union of what shows within 3
+ * pixels of the true border): nearest 0.70, linear 0.70, the mean of all samples 0.76, choosing a surface 0.77, and the two rounds
+ * around the first guess 0.81; without the camera's picture 0.75.
+ */
+export function createEdgeFollower(gl: WebGL2RenderingContext, drawing: DepthDrawing): EdgeFollower {
+  const pass = drawing.link(FOLLOW, ['room', 'guide']);
+  const uniforms = {
+    uvFromViewUv: pass.uniform('uvFromViewUv'),
+    viewUvFromUv: pass.uniform('viewUvFromUv'),
+    guideUvFromViewUv: pass.uniform('guideUvFromViewUv'),
+    hasGuide: pass.uniform('hasGuide'),
+  };
+  const viewUvFromUv = new Float32Array(9);
+  let picture: MetresPicture | null = null;
+
+  const fitted = (widthPx: number, heightPx: number): MetresPicture => {
+    const scale = Math.min(1, MAX_SIDE_PX / Math.max(widthPx, heightPx));
+    const width = Math.max(1, Math.round(widthPx * scale));
+    const height = Math.max(1, Math.round(heightPx * scale));
+    if (picture?.widthPx === width && picture.heightPx === height) return picture;
+    if (picture) drawing.free(picture);
+    picture = drawing.createPicture(width, height);
+    return picture;
+  };
+  return {
+    follow: (texture, depth, { viewport, cameraImage }) => {
+      const target = fitted(viewport.widthPx, viewport.heightPx);
+      setInverse3(viewUvFromUv, depth.uvFromViewUv);
+      drawing.begin(target, pass);
+      drawing.texture(0, texture, 'nearest');
+      drawing.texture(1, cameraImage?.texture ?? null, 'linear');
+      gl.uniformMatrix3fv(uniforms.uvFromViewUv, false, depth.uvFromViewUv);
+      gl.uniformMatrix3fv(uniforms.viewUvFromUv, false, viewUvFromUv);
+      setGuide(gl, uniforms, cameraImage);
+      drawing.draw();
+      return target;
+    },
+    dispose: () => {
+      if (picture) drawing.free(picture);
+    },
+  };
+}
+
+function setGuide(
+  gl: WebGL2RenderingContext,
+  uniforms: { readonly guideUvFromViewUv: WebGLUniformLocation | null; readonly hasGuide: WebGLUniformLocation | null },
+  image: CameraImage | null,
+): void {
+  gl.uniform1i(uniforms.hasGuide, image ? 1 : 0);
+  if (image) gl.uniformMatrix3fv(uniforms.guideUvFromViewUv, false, image.uvFromViewUv);
+}
+
+const FOLLOW = `
+uniform sampler2D room;
+uniform sampler2D guide;
+uniform mat3 uvFromViewUv;
+uniform mat3 viewUvFromUv;
+uniform mat3 guideUvFromViewUv;
+uniform bool hasGuide;
+const int SIDE = 5;
+const int COUNT = SIDE * SIDE;
+// How fast samples stop to count: with their distance in samples, and with the difference of colours, each channel in [0, 1].
+const float NEAR = 1.0;
+const float ALIKE = 0.1;
+
+vec3 guideAt(vec2 viewUv) { return textureLod(guide, place(guideUvFromViewUv, viewUv), 0.0).rgb; }
+
+// What depth sensors usually stray by at a distance, metres.
+float strayM(float m) { return 0.01 + 0.005 * m; }
+
+float metres() {
+  vec2 at = place(uvFromViewUv, uv);
+  if (!isInside(at)) return 0.0;
+  ivec2 last = textureSize(room, 0) - 1;
+  vec2 size = vec2(last + 1);
+  vec2 texel = at * size - 0.5;
+  ivec2 first = ivec2(round(texel)) - SIDE / 2;
+  // Metres and weight.
+  vec2 samples[COUNT];
+  float nearestM = 1e9;
+  float farthestM = 0.0;
+  for (int i = 0; i < COUNT; i++) {
+    ivec2 from = first + ivec2(i % SIDE, i / SIDE);
+    float m = texelFetch(room, clamp(from, ivec2(0), last), 0).r;
+    vec2 away = vec2(from) - texel;
+    samples[i] = vec2(m, m > 0.0 ? exp(-0.5 * dot(away, away) / (NEAR * NEAR)) : 0.0);
+    if (m <= 0.0) continue;
+    nearestM = min(nearestM, m);
+    farthestM = max(farthestM, m);
+  }
+  if (farthestM <= 0.0) return 0.0;
+  float betweenM = 0.5 * (nearestM + farthestM);
+  bool isTwo = farthestM - nearestM > 8.0 * strayM(betweenM);
+  // Metres times weight and weight, of either surface.
+  vec2 nearer = vec2(0.0);
+  vec2 farther = vec2(0.0);
+  vec3 here = isTwo && hasGuide ? guideAt(uv) : vec3(0.0);
+  for (int i = 0; i < COUNT; i++) {
+    vec2 one = samples[i];
+    if (isTwo && hasGuide) {
+      vec2 from = vec2(first + ivec2(i % SIDE, i / SIDE));
+      vec3 other = guideAt(place(viewUvFromUv, (from + 0.5) / size)) - here;
+      // Never all nothing, however unlike all are.
+      one.y *= max(exp(-0.5 * dot(other, other) / (ALIKE * ALIKE)), 1e-6);
+      samples[i].y = one.y;
+    }
+    vec2 counted = vec2(one.x * one.y, one.y);
+    if (isTwo && one.x > betweenM) farther += counted;
+    else nearer += counted;
+  }
+  vec2 chosen = nearer.y >= farther.y ? nearer : farther;
+  float m = chosen.x / chosen.y;
+  // A slope is two surfaces to the eye above: what lies near the first guess is taken, twice.
+  for (int round = 0; round < 2; round++) {
+    vec2 sum = vec2(m, 1.0) * 1e-6;
+    for (int i = 0; i < COUNT; i++) {
+      float off = (samples[i].x - m) / (3.0 * strayM(m));
+      sum += vec2(samples[i].x, 1.0) * samples[i].y * exp(-0.5 * off * off);
+    }
+    m = sum.x / sum.y;
+  }
+  return m;
+}`;

@@ -1,0 +1,91 @@
+import type { ImageAsset } from '../../kit/runtime.ts';
+import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
+import type { DepthDrawing, MetresPicture } from './drawing.ts';
+
+/** Depth painted or recorded as shades of grey: the same for all views, laid over each so that it covers it. */
+export interface PictureDepth {
+  /** Valid until the next call. */
+  read(image: ImageAsset, view: ViewFrame, viewIndex: number, nearM: number, farM: number): RoomDepth;
+  dispose(): void;
+}
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+/** `shades`: whether equal steps of grey are equal steps of distance, or of its inverse. */
+export function createPictureDepth(
+  gl: WebGL2RenderingContext,
+  drawing: DepthDrawing,
+  viewCount: number,
+  shades: 'distance' | 'inverse',
+): PictureDepth {
+  const pass = drawing.link(shades === 'distance' ? DISTANCE : INVERSE, ['shades']);
+  const rangeM = pass.uniform('rangeM');
+  let metres: MetresPicture | null = null;
+  let drawn: WebGLTexture | null = null;
+  let drawnNearM = 0;
+  let drawnFarM = 0;
+  const views: (Mutable<RoomDepth> | null)[] = Array.from({ length: viewCount }, () => null);
+
+  const draw = (image: ImageAsset, nearM: number, farM: number): MetresPicture => {
+    if (metres && drawn === image.texture && drawnNearM === nearM && drawnFarM === farM) return metres;
+    if (metres?.widthPx !== image.widthPx || metres.heightPx !== image.heightPx) {
+      if (metres) drawing.free(metres);
+      metres = drawing.createPicture(image.widthPx, image.heightPx);
+    }
+    drawing.begin(metres, pass);
+    drawing.texture(0, image.texture, 'nearest');
+    gl.uniform2f(rangeM, nearM, farM);
+    drawing.draw();
+    drawn = image.texture;
+    drawnNearM = nearM;
+    drawnFarM = farM;
+    return metres;
+  };
+  return {
+    read: (image, { viewport, worldFromView }, viewIndex, nearM, farM) => {
+      const { texture, widthPx, heightPx } = draw(image, nearM, farM);
+      const depth = views[viewIndex] ?? createDepth(texture, widthPx, heightPx);
+      views[viewIndex] = depth;
+      depth.texture = texture;
+      depth.widthPx = widthPx;
+      depth.heightPx = heightPx;
+      depth.worldFromDepth.set(worldFromView);
+      setCover(depth.uvFromViewUv, widthPx / heightPx, viewport.widthPx / viewport.heightPx);
+      return depth;
+    },
+    dispose: () => {
+      if (metres) drawing.free(metres);
+    },
+  };
+}
+
+function createDepth(texture: WebGLTexture, widthPx: number, heightPx: number): Mutable<RoomDepth> {
+  return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16) };
+}
+
+/** The middle of the picture, as large as fits the view without a border. */
+function setCover(out: Float32Array, pictureAspect: number, viewAspect: number): void {
+  const width = Math.min(1, viewAspect / pictureAspect);
+  const height = Math.min(1, pictureAspect / viewAspect);
+  out.fill(0);
+  out[0] = width;
+  out[4] = height;
+  out[6] = (1 - width) / 2;
+  out[7] = (1 - height) / 2;
+  out[8] = 1;
+}
+
+/** White is nearest; what is more transparent than not is unknown. Rec. 709 luma, as grey is grey in any case. */
+const HEAD = `
+uniform sampler2D shades;
+uniform vec2 rangeM;
+float metres() {
+  vec4 shade = texelFetch(shades, ivec2(gl_FragCoord.xy), 0);
+  if (shade.a < 0.5) return 0.0;
+  float white = clamp(dot(shade.rgb / shade.a, vec3(0.2126, 0.7152, 0.0722)), 0.0, 1.0);`;
+const DISTANCE = `${HEAD}
+  return mix(rangeM.y, rangeM.x, white);
+}`;
+const INVERSE = `${HEAD}
+  return 1.0 / mix(1.0 / rangeM.y, 1.0 / rangeM.x, white);
+}`;

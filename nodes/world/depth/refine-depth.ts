@@ -1,0 +1,66 @@
+import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
+import type { DepthDrawing } from './drawing.ts';
+import { createHoleFiller, type HoleFiller } from './fill-holes.ts';
+import { createEdgeFollower, type EdgeFollower } from './follow-edges.ts';
+import { createSteadier, type Steadier } from './steady.ts';
+
+export type DepthFilter = 'nearest' | 'linear' | 'edge-aware';
+
+/** What is done to the depth of one view, in this order: calm it, fill it, bring it to the view's resolution. */
+export interface DepthRefiner {
+  /** The same object every time. */
+  refine(depth: RoomDepth, view: ViewFrame, wishes: RefineWishes): RoomDepth;
+  forget(): void;
+  dispose(): void;
+}
+
+export interface RefineWishes {
+  smoothingS: number;
+  deltaS: number;
+  fillHoles: boolean;
+}
+
+type Mutable<T> = { -readonly [K in keyof T]: T[K] };
+
+/** `drawing`: null where the GPU can draw no floats; depth is then read as it was measured. */
+export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDrawing | null, filter: DepthFilter): DepthRefiner {
+  let steadier: Steadier | null = null;
+  let filler: HoleFiller | null = null;
+  let follower: EdgeFollower | null = null;
+  let refined: Mutable<RoomDepth> | null = null;
+  return {
+    refine: (depth, view, { smoothingS, deltaS, fillHoles }) => {
+      refined ??= { ...depth };
+      let { texture } = depth;
+      refined.widthPx = depth.widthPx;
+      refined.heightPx = depth.heightPx;
+      refined.uvFromViewUv = depth.uvFromViewUv;
+      refined.worldFromDepth = depth.worldFromDepth;
+      refined.interpolate = filter !== 'nearest';
+      if (drawing && smoothingS > 0) {
+        steadier ??= createSteadier(gl, drawing);
+        texture = steadier.steady(depth, view, smoothingS, deltaS);
+      } else steadier?.forget();
+      if (drawing && fillHoles) {
+        filler ??= createHoleFiller(drawing);
+        texture = filler.fill(texture, depth.widthPx, depth.heightPx);
+      }
+      if (drawing && filter === 'edge-aware') {
+        follower ??= createEdgeFollower(gl, drawing);
+        const picture = follower.follow(texture, depth, view);
+        texture = picture.texture;
+        refined.widthPx = picture.widthPx;
+        refined.heightPx = picture.heightPx;
+        refined.uvFromViewUv = UPRIGHT;
+      }
+      refined.texture = texture;
+      return refined;
+    },
+    forget: () => steadier?.forget(),
+    dispose: () => {
+      for (const part of [steadier, filler, follower]) part?.dispose();
+    },
+  };
+}
+
+const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);

@@ -1,0 +1,269 @@
+import { createRandom } from '../../export/runtime/random.ts';
+import type { AssetService, NodeRuntime } from '../../nodes/kit/runtime.ts';
+import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
+import { definition } from '../../nodes/world/depth/definition.ts';
+import { create } from '../../nodes/world/depth/runtime.ts';
+import { trackGl } from '../support/gl-leaks.ts';
+import { fakeContext, type PlainValue } from '../support/node-context.ts';
+import { frame, texture, upset, view } from './runtime-kit.ts';
+import { createGl, room } from './scenes-kit.ts';
+
+/** The node without a player: depth goes in, depth comes out, and its numbers are read back. */
+
+const W = 32;
+const H = 18;
+const VIEW_W = 128;
+const VIEW_H = 72;
+const UPRIGHT = [1, 0, 0, 0, 1, 0, 0, 0, 1];
+
+type Params = Readonly<Partial<Record<keyof typeof definition.params, PlainValue>>>;
+
+interface Stand {
+  readonly gl: WebGL2RenderingContext;
+  readonly node: NodeRuntime;
+  /** One more frame, a thirtieth of a second later. */
+  step(views: readonly ViewFrame[]): (RoomDepth | null)[];
+}
+
+function stand(params: Params, services: { gl?: WebGL2RenderingContext; assets?: AssetService } = {}): Stand {
+  const gl = services.gl ?? createGl();
+  const { ctx } = fakeContext(definition, { params, services: { gl, ...(services.assets && { assets: services.assets }) } });
+  ctx.outputs.depth.views.push(null, null);
+  const node = create(ctx);
+  let index = 0;
+  return {
+    gl,
+    node,
+    step: (views) => {
+      upset(gl);
+      node.update(frame(index++, views));
+      return ctx.outputs.depth.views;
+    },
+  };
+}
+
+function seen(depth: RoomDepth | null, more: Partial<ViewFrame> = {}): ViewFrame {
+  return view(0, 0, VIEW_W, VIEW_H, { depth, ...more });
+}
+
+/** Row by row from the bottom. */
+function metresOf(gl: WebGL2RenderingContext, depth: RoomDepth | null | undefined): number[] {
+  if (!depth) return [];
+  const framebuffer = gl.createFramebuffer();
+  gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, depth.texture, 0);
+  const rgba = new Float32Array(depth.widthPx * depth.heightPx * 4);
+  gl.pixelStorei(gl.PACK_ALIGNMENT, 1);
+  gl.readPixels(0, 0, depth.widthPx, depth.heightPx, gl.RGBA, gl.FLOAT, rgba);
+  gl.deleteFramebuffer(framebuffer);
+  return Array.from({ length: rgba.length / 4 }, (_, i) => rgba[i * 4] ?? 0);
+}
+
+function samples(metresAt: (x: number, y: number) => number): number[] {
+  return Array.from({ length: W * H }, (_, i) => metresAt(i % W, Math.floor(i / W)));
+}
+
+/** A sensor that is uploaded anew for every frame into the same texture, as sessions have it. */
+function createSensor(gl: WebGL2RenderingContext, uvFromViewUv = UPRIGHT) {
+  const depth = room(
+    gl,
+    W,
+    H,
+    samples(() => 0),
+    uvFromViewUv,
+  );
+  return (metres: readonly number[]): RoomDepth => {
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+    gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 0);
+    gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, 0);
+    gl.bindTexture(gl.TEXTURE_2D, depth.texture);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, W, H, gl.RED, gl.FLOAT, Float32Array.from(metres));
+    return depth;
+  };
+}
+
+/** Two halves at 1 m and 3 m with holes of all sizes in each: one sample, a row, and a block that leaves only a rim. */
+export function holes() {
+  const isHole = (x: number, y: number): boolean => (x === 3 && y === 3) || y === 9 || (x > 18 && x < 31 && y > 10 && y < 17);
+  const near = (x: number): boolean => x < W / 2;
+  const pitted = samples((x, y) => (isHole(x, y) ? 0 : near(x) ? 1 : 3));
+  const fill = (params: Params, metres: number[]) => {
+    const { gl, step, node } = stand(params);
+    const [depth] = step([seen(room(gl, W, H, metres))]);
+    const found = metresOf(gl, depth);
+    node.dispose();
+    return { found, error: gl.getError() };
+  };
+  const filled = fill({}, pitted);
+  return {
+    error: filled.error,
+    // What was known stays; what was not is what its side is, but for the samples by the step.
+    changed: filled.found.filter((m, i) => pitted[i] !== 0 && Math.abs(m - (pitted[i] ?? 0)) > 1e-6).length,
+    wrong: filled.found.filter(
+      (m, i) => pitted[i] === 0 && Math.abs((i % W) + 0.5 - W / 2) > 5 && Math.abs(m - (near(i % W) ? 1 : 3)) > 0.02,
+    ).length,
+    punched: filled.found.filter((m) => m < 1 || m > 3).length,
+    off: fill({ fillHoles: false }, pitted).found.filter((m) => m === 0).length,
+    holes: pitted.filter((m) => m === 0).length,
+    unknown: new Set(
+      fill(
+        {},
+        samples(() => 0),
+      ).found,
+    ),
+    unknownIsEmpty: fill(
+      {},
+      samples(() => 0),
+    ).found.every((m) => m === 0),
+  };
+}
+
+const SIGMA_M = 0.01;
+
+function createNoise(): () => number {
+  const { next } = createRandom(7, 'noise');
+  // Box and Muller.
+  return () => SIGMA_M * Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next());
+}
+
+function spread(values: readonly number[]): number {
+  const mean = values.reduce((a, b) => a + b, 0) / values.length;
+  return Math.sqrt(values.reduce((sum, v) => sum + (v - mean) ** 2, 0) / values.length);
+}
+
+/** A noisy wall at 2 m, before which a slab at 1 m goes from left to right, a sample a frame. */
+export function moving(smoothingS: number) {
+  const { gl, step, node } = stand({ smoothingS, fillHoles: false });
+  const sensor = createSensor(gl);
+  const noise = createNoise();
+  let trail = 0;
+  let missing = 0;
+  let last: number[] = [];
+  for (let t = 0; t < 60; t++) {
+    const isSlab = (x: number): boolean => x >= t - 20 && x < t - 12;
+    const [depth] = step([seen(sensor(samples((x) => (isSlab(x) ? 1 : 2) + noise())))]);
+    last = metresOf(gl, depth);
+    last.forEach((m, i) => {
+      if (!isSlab(i % W) && m < 1.9) trail++;
+      if (isSlab(i % W) && m > 1.1) missing++;
+    });
+  }
+  node.dispose();
+  return { trail, missing, spreadM: spread(last), error: gl.getError() };
+}
+
+/** The eye steps back from a wall, 2 mm a frame, and turns: what was measured before is somewhere else by now. */
+export function walking(smoothingS: number) {
+  // Turned a quarter and cut, as a phone's sensor is.
+  const turned = [0, 0.8, 0, -0.9, 0, 0, 0.95, 0.1, 1];
+  const { gl, step, node } = stand({ smoothingS, fillHoles: false });
+  const sensor = createSensor(gl, turned);
+  const noise = createNoise();
+  const errors: number[] = [];
+  for (let t = 0; t < 40; t++) {
+    const z = 2 + t * 0.002;
+    const yaw = t * 0.004;
+    const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+    const worldFromView = Float32Array.of(c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, z, 1);
+    const viewFromWorld = Float32Array.of(c, 0, s, 0, 0, 1, 0, 0, -s, 0, c, 0, s * z, 0, -c * z, 1);
+    // Samples → view UV: the inverse of the turn above; the projection sees 90 degrees each way.
+    const truth = samples((_x, y) => {
+      const viewU = ((y + 0.5) / H - 0.1) / 0.8;
+      const across = viewU * 2 - 1;
+      // The wall is z = 0 of the world: eye z minus m (c + s across) is 0.
+      return z / (c + s * across);
+    });
+    const [depth] = step([seen(sensor(truth.map((m) => m + noise())), { worldFromView, viewFromWorld })]);
+    if (t < 20) continue;
+    const found = metresOf(gl, depth);
+    errors.push(...found.map((m, i) => m - (truth[i] ?? 0)));
+  }
+  node.dispose();
+  const mean = errors.reduce((a, b) => a + b, 0) / errors.length;
+  return { mean, spreadM: spread(errors), error: gl.getError() };
+}
+
+/**
+ * A thing at 1 m before a wall at 3 m. Its right edge is at 0.45 of the view by the camera, between two samples of the sensor;
+ * where the depth changes from one to the other, and over how many pixels.
+ */
+export function edges(withCamera: boolean) {
+  const { gl, step, node } = stand({ filter: 'edge-aware' });
+  const edge = 0.45;
+  const sensed = samples((x) => ((x + 0.5) / W < edge ? 1 : 3));
+  const picture = Array.from({ length: VIEW_W * VIEW_H }, (_, i) => ((i % VIEW_W) + 0.5) / VIEW_W < edge).flatMap((isThing) =>
+    isThing ? [180, 60, 30, 255] : [40, 70, 160, 255],
+  );
+  const cameraImage = withCamera
+    ? { texture: texture(gl, VIEW_W, VIEW_H, picture), widthPx: VIEW_W, heightPx: VIEW_H, uvFromViewUv: Float32Array.from(UPRIGHT) }
+    : null;
+  const [depth] = step([seen(room(gl, W, H, sensed), { cameraImage })]);
+  const found = metresOf(gl, depth);
+  const row = found.slice(VIEW_W * 30, VIEW_W * 31);
+  node.dispose();
+  return {
+    size: [depth?.widthPx, depth?.heightPx],
+    border: row.findIndex((m) => m > 2),
+    between: row.filter((m) => m > 1.05 && m < 2.95).length,
+    ends: [row[2], row[VIEW_W - 3]],
+    error: gl.getError(),
+  };
+}
+
+/** Black, grey, white and nothing, from the left, at 1 m to 4 m; the picture is wider than the view. */
+export function painted(shades: string) {
+  const gl = createGl();
+  const row = [0, 0, 0, 255, 0, 0, 0, 255, 128, 128, 128, 255, 255, 255, 255, 255, 0, 0, 0, 0, 255, 255, 255, 255];
+  const asset = { texture: texture(gl, 6, 1, row), widthPx: 6, heightPx: 1 };
+  const handle = { kind: 'image', value: asset, settled: Promise.resolve(), release: () => {} };
+  const assets = { image: () => handle } as unknown as AssetService;
+  const params = { source: 'picture', picture: 'painted', shades, nearM: 1, farM: 4, fillHoles: false, filter: 'nearest' };
+  const { step, node } = stand(params, { gl, assets });
+  const [left, right] = step([seen(null), seen(null)]);
+  const result = {
+    metres: metresOf(gl, left).map((m) => Math.round(m * 1000) / 1000),
+    uv: [...(right?.uvFromViewUv ?? [])].map((v) => Math.round(v * 1000) / 1000),
+    error: gl.getError(),
+  };
+  node.dispose();
+  return result;
+}
+
+/** What a hundred frames of two views make and leave behind. */
+export function leftBehind() {
+  const gl = createGl();
+  const sensor = createSensor(gl);
+  const leaks = trackGl(gl);
+  const { step, node } = stand({ filter: 'edge-aware', smoothingS: 0.2 }, { gl });
+  const counts: Readonly<Record<string, number>>[] = [];
+  for (let t = 0; t < 20; t++) {
+    const depth = sensor(samples(() => 2));
+    step([seen(depth), seen(depth)]);
+    counts.push(leaks.alive());
+  }
+  node.dispose();
+  const flat = counts.every((count) => JSON.stringify(count) === JSON.stringify(counts[0]));
+  return { flat, left: leaks.report(), error: gl.getError() };
+}
+
+/** A GPU that can draw no floats. */
+export function withoutFloats() {
+  const gl = createGl();
+  gl.getExtension('EXT_color_buffer_float');
+  Object.assign(gl, { getExtension: () => null });
+  const { step, node } = stand({ filter: 'edge-aware', smoothingS: 0.2 }, { gl });
+  const [depth] = step([
+    seen(
+      room(
+        gl,
+        W,
+        H,
+        samples((x) => x + 1),
+      ),
+    ),
+  ]);
+  const found = metresOf(gl, depth);
+  node.dispose();
+  return { first: found.slice(0, 3), interpolate: depth?.interpolate };
+}

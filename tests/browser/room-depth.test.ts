@@ -1,0 +1,61 @@
+import { describe, expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
+
+const page = useModule('tests/browser/room-depth.page.ts');
+
+describe('room depth is cleaned before anything reads it', () => {
+  test('holes of any size get the distance of what is around them, and what is known stays as it is', async () => {
+    const found = await page.call<Record<string, unknown>>('holes');
+    expect(found).toMatchObject({ changed: 0, wrong: 0, punched: 0, unknownIsEmpty: true, error: 0 });
+    expect(found.off).toBe(found.holes);
+    expect(found.holes).toBeGreaterThan(60);
+  });
+
+  test('smoothing takes noise away, and what moves leaves no trail', async () => {
+    const raw = await page.call<{ spreadM: number }>('moving', 0);
+    const calm = await page.call<{ trail: number; missing: number; spreadM: number; error: number }>('moving', 0.3);
+    expect(calm).toMatchObject({ trail: 0, missing: 0, error: 0 });
+    expect(raw.spreadM).toBeGreaterThan(0.0085);
+    // The mean of an endless exponential window: σ √((1 - k) / (1 + k)), k = exp(-1/9), which is 0.236 σ. Some have just begun anew.
+    expect(calm.spreadM).toBeLessThan(0.236 * 0.01 * 1.4);
+  });
+
+  test('smoothing follows the eye as it moves, whichever way the sensor is turned', async () => {
+    const { mean, spreadM, error } = await page.call<{ mean: number; spreadM: number; error: number }>('walking', 0.3);
+    expect(error).toBe(0);
+    expect(Math.abs(mean)).toBeLessThan(0.002);
+    expect(spreadM).toBeLessThan(0.0065);
+  });
+
+  test('edge-aware: the border is sharp, and stands where the camera sees the edge', async () => {
+    expect(await page.call('edges', true)).toEqual({
+      size: [128, 72],
+      border: expect.closeTo(0.45 * 128, -0.31),
+      between: 0,
+      ends: [expect.closeTo(1, 2), expect.closeTo(3, 2)],
+      error: 0,
+    });
+    // Between the samples at 13.5 and 14.5 of 32, where without a camera nothing says more.
+    expect(await page.call('edges', false)).toMatchObject({ border: 56, between: 0, error: 0 });
+  });
+
+  test('a picture is depth by its shades, laid over the view', async () => {
+    const half = (4 * (255 - 128) + 128) / 255;
+    expect(await page.call('painted', 'distance')).toEqual({
+      metres: [4, 4, expect.closeTo(half, 2), 1, 0, 1],
+      // A view of 16 to 9 cut from the middle of a picture of 6 to 1.
+      uv: [0.296, 0, 0, 0, 1, 0, 0.352, 0, 1],
+      error: 0,
+    });
+    const inverse = 1 / (0.25 * (1 - 128 / 255) + 128 / 255);
+    expect(await page.call('painted', 'inverse')).toMatchObject({ metres: [4, 4, expect.closeTo(inverse, 2), 1, 0, 1] });
+  });
+
+  test('makes nothing anew from frame to frame, and leaves nothing behind', async () => {
+    expect(await page.call('leftBehind')).toEqual({ flat: true, left: [], error: 0 });
+  });
+
+  test('is handed on as it was measured where the GPU can draw no floats', async () => {
+    expect(await page.call('withoutFloats')).toEqual({ first: [1, 2, 3], interpolate: true });
+  });
+});
