@@ -12,6 +12,8 @@ export interface Bench {
   sample(): number | Promise<number>;
   /** How many samples to take after one that is thrown away; 1, without warming up, for what never varies. Default 15. */
   readonly samples?: number;
+  /** More about what was measured than a row says: printed under the table. */
+  notes?(): string | Promise<string>;
   /** Frees what the samples shared. */
   dispose?(): void | Promise<void>;
 }
@@ -26,6 +28,7 @@ export interface Measured {
   readonly unit: Bench['unit'];
   readonly median: number;
   readonly p95: number;
+  readonly notes?: string;
 }
 
 export async function measure(bench: Bench): Promise<Measured> {
@@ -35,7 +38,14 @@ export async function measure(bench: Bench): Promise<Measured> {
     const samples: number[] = [];
     for (let i = 0; i < count; i++) samples.push(await bench.sample());
     samples.sort((a, b) => a - b);
-    return { name: bench.name, unit: bench.unit, median: quantile(samples, 0.5), p95: quantile(samples, 0.95) };
+    const notes = await bench.notes?.();
+    return {
+      name: bench.name,
+      unit: bench.unit,
+      median: quantile(samples, 0.5),
+      p95: quantile(samples, 0.95),
+      ...(notes !== undefined && { notes }),
+    };
   } finally {
     await bench.dispose?.();
   }

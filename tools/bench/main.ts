@@ -29,6 +29,7 @@ export async function main(args: readonly string[], context: ToolContext): Promi
   const path = join(root, 'bench', 'results.csv');
   const csv = (await readIfThere(path)) ?? '';
   console.log(printTable(measured, readResults(csv)));
+  for (const { notes } of measured) if (notes !== undefined) console.log(notes);
   if (record) {
     const stamp = await stampOf(root);
     await writeIfChanged(

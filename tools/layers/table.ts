@@ -168,7 +168,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'measured page',
     files: ['tools/bench/pages/**'],
-    imports: [...EXPORT_KIT, 'program', 'runtime', 'scenes', 'registry of runtimes'],
+    imports: [...EXPORT_KIT, 'program', 'runtime', 'emulator', 'scenes', 'registry of runtimes'],
     packages: ['three'],
   },
   {

@@ -1,0 +1,109 @@
+/** What a context's textures and buffers hold, counted as they are made and freed. */
+export interface GpuBytes {
+  textures(): number;
+  buffers(): number;
+}
+
+/** Bytes of a texel, for the formats that are drawn with here. */
+const TEXEL_BYTES: Readonly<Record<string, number>> = {
+  R8: 1,
+  RG8: 2,
+  RGB8: 3,
+  RGBA8: 4,
+  SRGB8: 3,
+  SRGB8_ALPHA8: 4,
+  R16F: 2,
+  RG16F: 4,
+  RGBA16F: 8,
+  R32F: 4,
+  RGBA32F: 16,
+  R11F_G11F_B10F: 4,
+  RGB10_A2: 4,
+  DEPTH_COMPONENT16: 2,
+  DEPTH_COMPONENT24: 4,
+  DEPTH_COMPONENT32F: 4,
+  DEPTH24_STENCIL8: 4,
+  RGB: 3,
+  RGBA: 4,
+};
+
+const TARGET_OF_FACE = (gl: WebGL2RenderingContext, target: number): number =>
+  target >= gl.TEXTURE_CUBE_MAP_POSITIVE_X && target <= gl.TEXTURE_CUBE_MAP_NEGATIVE_Z ? gl.TEXTURE_CUBE_MAP : target;
+
+/** To be called before anything is made in the context. */
+export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
+  const names = new Map(Object.keys(TEXEL_BYTES).map((name) => [(gl as unknown as Record<string, number>)[name], name]));
+  const texel = (format: number): number => {
+    const name = names.get(format);
+    if (name === undefined) throw new Error(`Nobody said how large texels of the format 0x${format.toString(16)} are.`);
+    return TEXEL_BYTES[name] ?? 0;
+  };
+  /** Of each texture, by what was given: an image of a face and level, or all of it. */
+  const textures = new Map<WebGLTexture, Map<string, number>>();
+  const buffers = new Map<WebGLBuffer, number>();
+  const bound = (target: number): WebGLTexture | null => {
+    const all = TARGET_OF_FACE(gl, target);
+    const query =
+      all === gl.TEXTURE_CUBE_MAP
+        ? gl.TEXTURE_BINDING_CUBE_MAP
+        : all === gl.TEXTURE_3D
+          ? gl.TEXTURE_BINDING_3D
+          : all === gl.TEXTURE_2D_ARRAY
+            ? gl.TEXTURE_BINDING_2D_ARRAY
+            : gl.TEXTURE_BINDING_2D;
+    return gl.getParameter(query) as WebGLTexture | null;
+  };
+  const note = (target: number, key: string, bytes: number): void => {
+    const texture = bound(target);
+    if (!texture) return;
+    const parts = textures.get(texture) ?? new Map<string, number>();
+    parts.set(key, bytes);
+    textures.set(texture, parts);
+  };
+  after(gl, 'texImage2D', (args) => {
+    const [target, level, format] = args as number[];
+    const source = args.at(-1) as { width?: number; height?: number } | null;
+    const [width, height] = args.length > 6 ? [args[3] as number, args[4] as number] : [source?.width ?? 0, source?.height ?? 0];
+    note(target ?? 0, `${target}/${level}`, width * height * texel(format ?? 0));
+  });
+  after(gl, 'texStorage2D', ([target, levels, format, width, height]) => {
+    let bytes = 0;
+    for (let i = 0; i < (levels as number); i++) bytes += Math.max(1, (width as number) >> i) * Math.max(1, (height as number) >> i);
+    note(target as number, 'storage', bytes * texel(format as number) * (target === gl.TEXTURE_CUBE_MAP ? 6 : 1));
+  });
+  after(gl, 'texStorage3D', ([target, levels, format, width, height, depth]) => {
+    let bytes = 0;
+    for (let i = 0; i < (levels as number); i++) bytes += Math.max(1, (width as number) >> i) * Math.max(1, (height as number) >> i);
+    note(target as number, 'storage', bytes * (depth as number) * texel(format as number));
+  });
+  after(gl, 'texImage3D', ([target, level, format, width, height, depth]) =>
+    note(target as number, `${level}`, (width as number) * (height as number) * (depth as number) * texel(format as number)),
+  );
+  after(gl, 'deleteTexture', ([texture]) => void textures.delete(texture as WebGLTexture));
+  after(gl, 'bufferData', ([target, data]) => {
+    const buffer = gl.getParameter(
+      target === gl.ELEMENT_ARRAY_BUFFER
+        ? gl.ELEMENT_ARRAY_BUFFER_BINDING
+        : target === gl.UNIFORM_BUFFER
+          ? gl.UNIFORM_BUFFER_BINDING
+          : gl.ARRAY_BUFFER_BINDING,
+    ) as WebGLBuffer | null;
+    if (buffer) buffers.set(buffer, typeof data === 'number' ? data : ((data as ArrayBufferView | null)?.byteLength ?? 0));
+  });
+  after(gl, 'deleteBuffer', ([buffer]) => void buffers.delete(buffer as WebGLBuffer));
+  const sum = (values: Iterable<number>): number => [...values].reduce((total, value) => total + value, 0);
+  return {
+    textures: () => sum([...textures.values()].map((parts) => sum(parts.values()))),
+    buffers: () => sum(buffers.values()),
+  };
+}
+
+function after(gl: WebGL2RenderingContext, name: keyof WebGL2RenderingContext, hear: (args: readonly unknown[]) => void): void {
+  const object = gl as unknown as Record<string, (...args: readonly unknown[]) => unknown>;
+  const former = object[name]?.bind(gl);
+  object[name] = (...args) => {
+    const result = former?.(...args);
+    hear(args);
+    return result;
+  };
+}

@@ -1,0 +1,127 @@
+import { PerspectiveCamera } from 'three';
+import type { Program } from '../../../export/program/program.ts';
+import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
+import { createBrowserClock, createManualClock } from '../../../export/runtime/clock.ts';
+import { createPlayer } from '../../../export/runtime/player.ts';
+import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
+import { coverCanvas, createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
+import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
+import type { Session } from '../../../nodes/kit/session.ts';
+import { type Drawn, measureFrames } from './frame-ms.ts';
+import { createGpuBytes, type GpuBytes } from './gpu-bytes.ts';
+import { AMBIENT, EYE_M, FOV_DEG, LOOK_M, type RoomPlan, SUN_IRRADIANCE, TOWARDS_SUN } from './room-plan.ts';
+
+/** Plays a program as a device in AR does whose depth and light stay as they are: what WebXR itself costs is measured apart. */
+export async function open(program: Program, plan: RoomPlan): Promise<void> {
+  const canvas = document.createElement('canvas');
+  canvas.width = plan.widthPx;
+  canvas.height = plan.heightPx;
+  document.body.append(canvas);
+  const gl = canvas.getContext('webgl2', { alpha: true, antialias: true, depth: true, stencil: false });
+  if (!gl) throw new Error('The browser has no WebGL 2.');
+  bytes = createGpuBytes(gl);
+  const clock = createManualClock();
+  const assets = createFetchAssetSource(document.baseURI, fetch.bind(globalThis));
+  const player = createPlayer({
+    gl,
+    canvas,
+    program,
+    modules: RUNTIMES,
+    createScenes: createScenesWith({ decoders: {}, files: assets.load }),
+    assets,
+    seed: 1,
+    clock: { ...clock, delay: createBrowserClock().delay },
+    onDiagnostics: (diagnostics) => {
+      wrong = diagnostics.find(({ severity }) => severity === 'error')?.message ?? null;
+    },
+  });
+  await player.ready;
+  const frame = createRoomFrame(gl);
+  player.setSession(ROOM);
+  // What its nodes wait for, the models among them, is there after this.
+  await player.drawSettled(frame);
+  drawn = {
+    gl,
+    draw: (deltaS) => {
+      frame.deltaS = deltaS;
+      frame.timeS += deltaS;
+      player.draw(frame);
+      frame.index++;
+    },
+  };
+}
+
+const ROOM: Session = {
+  kind: 'webxr',
+  capabilities: new Set(['depth', 'light-estimation']),
+  world: 'device',
+  blend: 'alpha',
+  start: () => {},
+  end: async () => {},
+};
+
+function createRoomFrame(gl: WebGL2RenderingContext): ReturnType<typeof createSessionFrame> {
+  const frame = createSessionFrame();
+  const view = coverCanvas(frame, gl);
+  const camera = new PerspectiveCamera(FOV_DEG, gl.drawingBufferWidth / gl.drawingBufferHeight, view.nearM, view.farM);
+  camera.position.set(...EYE_M);
+  camera.lookAt(...LOOK_M);
+  camera.updateMatrixWorld();
+  view.clipFromView.set(camera.projectionMatrix.elements);
+  view.worldFromView.set(camera.matrixWorld.elements);
+  view.viewFromWorld.set(camera.matrixWorldInverse.elements);
+  view.depth = {
+    texture: farDepth(gl),
+    widthPx: DEPTH_PX[0],
+    heightPx: DEPTH_PX[1],
+    uvFromViewUv: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1),
+    worldFromDepth: view.worldFromView,
+  };
+  const sphericalHarmonics = new Float32Array(27);
+  // Of white from all sides, the mean alone: radiance × √(4π).
+  sphericalHarmonics.fill(AMBIENT * Math.sqrt(4 * Math.PI), 0, 3);
+  frame.light = {
+    sphericalHarmonics,
+    primaryDirectionWorld: Float32Array.from(TOWARDS_SUN),
+    primaryIntensity: Float32Array.from(SUN_IRRADIANCE),
+    reflection: null,
+  };
+  return frame;
+}
+
+/** As phones measure it. */
+const DEPTH_PX = [160, 90] as const;
+
+/** A wall 20 m away. */
+function farDepth(gl: WebGL2RenderingContext): WebGLTexture {
+  const texture = gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, ...DEPTH_PX, 0, gl.RED, gl.FLOAT, new Float32Array(DEPTH_PX[0] * DEPTH_PX[1]).fill(20));
+  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
+  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
+  return texture;
+}
+
+/** See `measureFrames`. */
+export function frameMs(count: number): number {
+  if (wrong !== null) throw new Error(wrong);
+  if (!drawn) throw new Error('Nothing is open.');
+  return measureFrames(drawn, count);
+}
+
+/** What textures hold by now, bytes. */
+export function textureBytes(): number {
+  return bytes?.textures() ?? 0;
+}
+
+/** The picture as a data URL, to look at. */
+export function picture(): string {
+  if (!drawn) throw new Error('Nothing is open.');
+  drawn.draw(0);
+  return (drawn.gl.canvas as HTMLCanvasElement).toDataURL();
+}
+
+let drawn: Drawn | null = null;
+/** A picture with something missing is no measure of a whole one. */
+let wrong: string | null = null;
+let bytes: GpuBytes | null = null;

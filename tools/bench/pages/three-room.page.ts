@@ -1,0 +1,95 @@
+import {
+  BackSide,
+  Color,
+  DirectionalLight,
+  Group,
+  Mesh,
+  MeshBasicMaterial,
+  PCFShadowMap,
+  PerspectiveCamera,
+  PlaneGeometry,
+  PMREMGenerator,
+  Scene,
+  ShadowMaterial,
+  SphereGeometry,
+  WebGLRenderer,
+} from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { type Drawn, measureFrames } from './frame-ms.ts';
+import {
+  AMBIENT,
+  CAMERA_SCALE,
+  EYE_M,
+  FLOOR_M,
+  FOV_DEG,
+  LOOK_M,
+  placesOf,
+  type RoomPlan,
+  SHADOW_AREA_M,
+  SUN_IRRADIANCE,
+  TOWARDS_SUN,
+} from './room-plan.ts';
+
+/** What somebody who knows three.js writes by hand for the same: models that share what they can, surroundings, sun, shadows, floor. */
+export async function open(modelUrl: string, plan: RoomPlan): Promise<void> {
+  const renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  renderer.setSize(plan.widthPx, plan.heightPx, false);
+  document.body.append(renderer.domElement);
+  renderer.shadowMap.enabled = plan.shadow;
+  renderer.shadowMap.type = PCFShadowMap;
+  const camera = new PerspectiveCamera(FOV_DEG, plan.widthPx / plan.heightPx, 0.05, 100);
+  camera.position.set(...EYE_M);
+  camera.lookAt(...LOOK_M);
+  const scene = new Scene();
+  scene.environment = white(renderer);
+  const sun = new DirectionalLight(new Color(...SUN_IRRADIANCE), 1);
+  sun.position.set(TOWARDS_SUN[0] * 6, TOWARDS_SUN[1] * 6, TOWARDS_SUN[2] * 6);
+  sun.castShadow = plan.shadow;
+  sun.shadow.mapSize.set(plan.shadowMapPx, plan.shadowMapPx);
+  const half = SHADOW_AREA_M / 2;
+  Object.assign(sun.shadow.camera, { left: -half, right: half, top: half, bottom: -half, near: 0.1, far: 12 });
+  scene.add(sun);
+  if (plan.shadow) {
+    const floor = new Mesh(new PlaneGeometry(...FLOOR_M), new ShadowMaterial({ opacity: 0.55 }));
+    floor.rotation.x = -Math.PI / 2;
+    floor.receiveShadow = true;
+    scene.add(floor);
+  }
+  const gltf = await new GLTFLoader().loadAsync(modelUrl);
+  for (const place of placesOf(plan.count)) {
+    const model = new Group().add(gltf.scene.clone());
+    model.position.set(...place);
+    model.scale.setScalar(CAMERA_SCALE);
+    model.traverse((part) => {
+      part.castShadow = plan.shadow;
+      part.receiveShadow = plan.shadow;
+    });
+    scene.add(model);
+  }
+  drawn = { gl: renderer.getContext(), draw: () => renderer.render(scene, camera) };
+}
+
+/** Surroundings of one brightness, filtered as three filters them. */
+function white(renderer: WebGLRenderer): Scene['environment'] {
+  const around = new Scene();
+  around.add(new Mesh(new SphereGeometry(10), new MeshBasicMaterial({ color: new Color(AMBIENT, AMBIENT, AMBIENT), side: BackSide })));
+  const generator = new PMREMGenerator(renderer);
+  const { texture } = generator.fromScene(around);
+  generator.dispose();
+  return texture;
+}
+
+/** See `measureFrames`. */
+export function frameMs(count: number): number {
+  if (!drawn) throw new Error('Nothing is open.');
+  return measureFrames(drawn, count);
+}
+
+/** The picture as a data URL, to look at. */
+export function picture(): string {
+  if (!drawn) throw new Error('Nothing is open.');
+  drawn.draw(0);
+  return (drawn.gl.canvas as HTMLCanvasElement).toDataURL();
+}
+
+let drawn: Drawn | null = null;

@@ -1,0 +1,34 @@
+import { rm } from 'node:fs/promises';
+import type { ToolContext } from '../lib/tool.ts';
+import type { Bench } from './bench.ts';
+import { call, startBenchBrowser } from './open-page.ts';
+import { findModel, openOurs, roomFolder } from './room-files.ts';
+
+/** The paper's device ran out of memory with more than 112 (§4). */
+const COUNTS = [1, 10, 112, 500];
+/** So small that many models are a matter of corners alone. */
+const PLAN = { widthPx: 64, heightPx: 48, shadowMapPx: 256, occlusion: true, shadow: false, filter: 'pcf' } as const;
+
+/** What textures hold on the GPU, whatever the number of nodes that show the same model. */
+export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  const model = await findModel(root);
+  if (model === null) return [];
+  return COUNTS.map((count) => ({
+    name: `texture bytes, ${count} cameras in a room`,
+    unit: 'kB',
+    samples: 1,
+    sample: async () => {
+      const folder = await roomFolder(model);
+      const browser = await startBenchBrowser();
+      try {
+        const page = await openOurs(browser, root, folder, { ...PLAN, count });
+        // Textures go to the GPU with the first frame that shows them.
+        await call(page, 'frameMs', 1);
+        return (await call<number>(page, 'textureBytes')) / 1000;
+      } finally {
+        await browser.close();
+        await rm(folder, { recursive: true });
+      }
+    },
+  }));
+}

@@ -1,0 +1,127 @@
+import { rm } from 'node:fs/promises';
+import type { Page } from 'playwright-core';
+import type { ToolContext } from '../lib/tool.ts';
+import type { Bench } from './bench.ts';
+import { childrenCpuMs } from './cpu-time.ts';
+import { call, startBenchBrowser } from './open-page.ts';
+import type { RoomPlan } from './pages/room-plan.ts';
+import { findModel, openOurs, openThree, roomFolder } from './room-files.ts';
+
+/** Of the paper's Figures 16 to 21; rounds, and frames in each: on a CPU, many cameras take seconds. */
+const COUNTS: readonly Size[] = [
+  { cameras: 1, rounds: 12, frames: 5 },
+  { cameras: 10, rounds: 9, frames: 1 },
+  { cameras: 40, rounds: 6, frames: 1 },
+  { cameras: 112, rounds: 4, frames: 1 },
+];
+const PLAN = { widthPx: 640, heightPx: 480, shadowMapPx: 1024, filter: 'pcf' } as const;
+/** For what is made once, such as shaders, to be there. */
+const WARM_FRAMES = 3;
+
+/** The ways in which the same is drawn, each on a page of its own. */
+const WAYS = ['three.js', 'ours', 'ours with occlusion', 'ours without shadow'] as const;
+type Way = (typeof WAYS)[number];
+
+interface Size {
+  readonly cameras: number;
+  readonly rounds: number;
+  readonly frames: number;
+}
+
+/** Milliseconds of a frame: on the clock, and of computing where the system tells; the two are the same where it does not. */
+interface Sample {
+  readonly wallMs: number;
+  readonly costMs: number;
+}
+
+type Times = Readonly<Record<Way, readonly Sample[]>>;
+
+/**
+ * What depth occlusion, estimated light and shadows cost on the way straight to the screen, beside three.js alone with the same models,
+ * light and shadows: Figures 16 to 21 of "Environment-Aware Rendering and Interaction in Web-Based Augmented Reality" (2023).
+ */
+export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  const model = await findModel(root);
+  if (model === null) return [];
+  return COUNTS.flatMap((size) => benchesOf(root, model, size));
+}
+
+function benchesOf(root: string, model: string, size: Size): readonly Bench[] {
+  let measured: Promise<Times> | undefined;
+  const times = () => {
+    measured ??= measureAll(root, model, size);
+    return measured;
+  };
+  const row = (what: string, unit: Bench['unit'], way: Way, to: Way, of: (ms: number, otherMs: number) => number): Bench => {
+    let next = 0;
+    return {
+      name: `frame, ${size.cameras} cameras in a room, ${what}`,
+      unit,
+      samples: size.rounds - 1,
+      sample: async () => {
+        const all = await times();
+        const i = next++;
+        return of(all[way][i]?.costMs ?? Number.NaN, all[to][i]?.costMs ?? Number.NaN);
+      },
+    };
+  };
+  const ratio = (ms: number, otherMs: number) => ms / otherMs;
+  return [
+    row('light, shadow and occlusion against three.js alone', 'ratio', 'ours with occlusion', 'three.js', ratio),
+    {
+      ...row(
+        'light, shadow and occlusion, more than three.js alone',
+        'ms',
+        'ours with occlusion',
+        'three.js',
+        (ms, otherMs) => ms - otherMs,
+      ),
+      notes: async () => spread(size.cameras, await times()),
+    },
+    row('occlusion apart', 'ratio', 'ours with occlusion', 'ours', ratio),
+  ];
+}
+
+/** As the paper has them: the least, the mean and the most. */
+function spread(count: number, times: Times): string {
+  const lines = WAYS.map((way) => {
+    const figures = (['wallMs', 'costMs'] as const).map((kind) => {
+      const sorted = times[way].map((sample) => sample[kind]).sort((a, b) => a - b);
+      const mean = sorted.reduce((sum, ms) => sum + ms, 0) / sorted.length;
+      return [sorted[0] ?? 0, mean, sorted.at(-1) ?? 0].map((ms) => ms.toFixed(1)).join(' / ');
+    });
+    return `  ${way}: ${figures[0]} ms, of computing ${figures[1]} ms\n`;
+  });
+  return `${count} cameras, min / mean / max of a frame\n${lines.join('')}`;
+}
+
+async function measureAll(root: string, model: string, { cameras, rounds, frames }: Size): Promise<Times> {
+  const folder = await roomFolder(model);
+  const browser = await startBenchBrowser();
+  try {
+    const plan: RoomPlan = { ...PLAN, count: cameras, occlusion: false, shadow: true };
+    const pages: Readonly<Record<Way, Page>> = {
+      'three.js': await openThree(browser, root, folder, plan),
+      ours: await openOurs(browser, root, folder, plan),
+      'ours with occlusion': await openOurs(browser, root, folder, { ...plan, occlusion: true }),
+      'ours without shadow': await openOurs(browser, root, folder, { ...plan, shadow: false }),
+    };
+    for (const way of WAYS) await call(pages[way], 'frameMs', WARM_FRAMES);
+    const times: Record<Way, Sample[]> = { 'three.js': [], ours: [], 'ours with occlusion': [], 'ours without shadow': [] };
+    // By turns, so that whatever else the machine does befalls all alike.
+    for (let round = 0; round < rounds; round++) {
+      for (const way of WAYS) times[way].push(await sampleOf(pages[way], frames));
+    }
+    return times;
+  } finally {
+    await browser.close();
+    await rm(folder, { recursive: true });
+  }
+}
+
+async function sampleOf(page: Page, frames: number): Promise<Sample> {
+  const before = childrenCpuMs();
+  const wallMs = await call<number>(page, 'frameMs', frames);
+  const after = childrenCpuMs();
+  return { wallMs, costMs: before === null || after === null ? wallMs : (after - before) / frames };
+}
