@@ -56,8 +56,9 @@ describe('a shadow', () => {
       fromBelow: NOTHING,
       behindWall: NOTHING,
       backOfThePlate: SHADOW,
-      faint: NOTHING,
-      dense: SHADOW,
+      // What is see-through dims the light by its alpha.
+      faint: [0, 0, 0, Math.round(255 * 0.5 * 0.3)],
+      dense: [0, 0, 0, Math.round(255 * 0.5 * 0.7)],
       hole: NOTHING,
       besideTheHole: SHADOW,
       realOnVirtual: DARK,

@@ -1,8 +1,8 @@
-import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
+import { BoxGeometry, Color, DataTexture, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
 import type { LampShadow, LightShadow, ShadowFilter } from '../../nodes/kit/light-shadow.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth } from '../../nodes/kit/session.ts';
-import { lookingAt, pixel, spot, sun, translation } from '../browser/scenes-kit.ts';
+import { bulb, drawView, lights, lookingAt, objects, pixel, spot, sun, translation, viewOf } from '../browser/scenes-kit.ts';
 import { desk, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
 
 /** Straight down from 2 m: a pixel of the floor is 5.2 mm. */
@@ -235,4 +235,83 @@ export function byDepthAlone() {
     if (a || b) either++;
   }
   return { overlap: both / either, shadowed: either };
+}
+
+/** Red of a lit floor or alpha of its shadow under a see-through plate, by what stands over it. */
+export function veils(kind: 'sun' | 'spot' | 'bulb', filter: ShadowFilter) {
+  const shadow = { mapSizePx: 1024, filter } as const;
+  const light: LightItem = {
+    sun: () => sun([0, 1, 0], { shadow: { ...shadow, areaM: 3, bias: 0, normalBiasM: 0.005, sourceRad: 0.1 } }),
+    spot: () => spot([0, 2.2, 0], [0, 0, 0], 30, { shadow: { ...shadow, biasPx: 2, sourceM: 0.1 }, halfAngleRad: 0.6 }),
+    bulb: () => bulb([0, 2.2, 0], 30, { shadow: { ...shadow, biasPx: 2 } }),
+  }[kind]();
+  const pane = (opacity: number, heightM: number, texture: DataTexture | null = null): ObjectItem => {
+    const material = new MeshLambertMaterial({ transparent: true, opacity, map: texture });
+    return thing(new PlaneGeometry(0.6, 0.6).rotateX(-Math.PI / 2), { material, at: translation(0, heightM, 0) });
+  };
+  // Left half clear, right half solid.
+  const halves = new DataTexture(Uint8Array.of(255, 255, 255, 0, 255, 255, 255, 255), 2, 1);
+  halves.needsUpdate = true;
+  const shot = { lights: [light], method: 'map', camera: ABOVE, strength: 1 } as const;
+  const alpha = (pixels: Uint8Array, x = 0): number =>
+    pixel(pixels, SIDES.widthPx / 2 + Math.round(x / METRES_PER_PX), SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
+  const under = (...casters: ObjectItem[]): number => alpha(shoot(stand, { ...shot, casters, receivers: [desk()] }));
+  const cut = shoot(stand, { ...shot, casters: [pane(1, 0.5, halves)], receivers: [desk()] });
+  const solid = thing(new PlaneGeometry(0.6, 0.6).rotateX(-Math.PI / 2), { at: translation(0, 0.8, 0) });
+  // Between the pane and the lamp nothing is dimmed.
+  const above = thing(new PlaneGeometry(0.3, 0.3).rotateX(-Math.PI / 2), {
+    role: 'phantom',
+    castsShadow: false,
+    at: translation(0, 0.9, 0),
+  });
+  return {
+    thin: under(pane(0.25, 0.5)),
+    thick: under(pane(0.75, 0.5)),
+    two: under(pane(0.5, 0.4), pane(0.5, 0.7)),
+    behindSolid: under(pane(0.5, 0.5), solid),
+    above: alpha(shoot(stand, { ...shot, casters: [pane(0.5, 0.5)], receivers: [above] })),
+    beside: alpha(cut, -0.1),
+    cut: alpha(cut, 0.1),
+    error: stand.gl.getError(),
+  };
+}
+
+/** What arrives on a white virtual floor under a pane, of what arrives without it: linear light. It turns solid and clear while running. */
+export function veiledThings(kind: 'sun' | 'spot' | 'bulb') {
+  const { backend, layer, gl } = stand;
+  const shadow = { mapSizePx: 512 } as const;
+  const light: LightItem = {
+    sun: () => sun([0, 1, 0], { radiance: 2, shadow: { ...shadow, areaM: 3, bias: 0, normalBiasM: 0.01 } }),
+    spot: () => spot([0, 2.2, 0], [0, 0, 0], 8, { shadow: { ...shadow, biasPx: 2 }, halfAngleRad: 0.6 }),
+    bulb: () => bulb([0, 2.2, 0], 8, { shadow: { ...shadow, biasPx: 2 } }),
+  }[kind]();
+  const material = new MeshLambertMaterial({ transparent: true, opacity: 0.5 });
+  const pane = thing(new PlaneGeometry(0.5, 0.5).rotateX(-Math.PI / 2), { material, at: translation(0, 0.5, 0), receivesShadow: false });
+  const floor = thing(new PlaneGeometry(3, 3).rotateX(-Math.PI / 2), { castsShadow: false });
+  const [casters, shown, lamps] = [objects(pane), objects(floor), lights(light)];
+  const maps = backend.createShadowMaps([casters], [lamps]);
+  const scene = backend.serviceFor({ shadowMaps: maps, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0 } });
+  const camera = lookingAt([0, 1.6, 1.6], [0, 0, 0]);
+  const draw = (): number => {
+    scene.update([shown], [lamps]);
+    backend.invalidateState();
+    maps.update();
+    layer.clear();
+    backend.invalidateState();
+    scene.draw(drawView(viewOf(camera, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
+    const byte = pixel(layer.pixels(), SIDES.widthPx / 2, SIDES.heightPx / 2, SIDES.widthPx)[0] ?? 0;
+    return new Color().setRGB(byte / 255, 0, 0, 'srgb').r;
+  };
+  const through = draw();
+  material.opacity = 0.2;
+  const thinner = draw();
+  material.transparent = false;
+  material.needsUpdate = true;
+  const solid = draw();
+  casters.items.length = 0;
+  casters.version++;
+  const open = draw();
+  scene.dispose();
+  maps.dispose();
+  return { through: through / open, thinner: thinner / open, solid: solid / open, error: gl.getError() };
 }

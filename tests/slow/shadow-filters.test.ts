@@ -86,3 +86,35 @@ describe('shadows on what room depth shows', () => {
     expect(overlap).toBeGreaterThan(0.95);
   });
 });
+
+describe('see-through things', () => {
+  test.each([
+    ['sun', 'basic'],
+    ['sun', 'soft'],
+    ['sun', 'vsm'],
+    ['sun', 'pcss'],
+    ['spot', 'soft'],
+    ['spot', 'pcss'],
+    ['bulb', 'soft'],
+  ])('dim the light of a %s by their alpha (%s)', async (kind, filter) => {
+    const { thin, thick, two, behindSolid, above, beside, cut, error } = await page.call<Record<string, number>>('veils', kind, filter);
+    const near = (part: number) => expect.closeTo(255 * part, -0.4);
+    expect({ thin, thick, two, behindSolid, above, beside, cut, error }).toEqual({
+      thin: near(0.25),
+      thick: near(0.75),
+      two: near(0.75),
+      behindSolid: 255,
+      above: 0,
+      beside: 0,
+      cut: 255,
+      error: 0,
+    });
+  });
+
+  test.each(['sun', 'spot', 'bulb'])('dim the light of a %s on virtual things too, also when they turn solid', async (kind) => {
+    const { through, thinner, solid, error } = await page.call<Record<string, number>>('veiledThings', kind);
+    expect(through).toBeCloseTo(0.5, 1);
+    expect(thinner).toBeCloseTo(0.8, 1);
+    expect([solid, error]).toEqual([0, 0]);
+  });
+});

@@ -19,6 +19,8 @@ export interface SceneRenderer {
   draw(view: DrawView, scene: Scene, camera: Camera): void;
   /** Clears a target of three's own, or one face of a cube, to depth 1 and colour 0, and draws into it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
+  /** Clears a target of three's own without depth, or one face of a cube, to white and draws into it; leaves no framebuffer bound. */
+  drawVeil(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /** Draws over what a target of three's own holds, which has to be covered; leaves no framebuffer bound. */
   drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
   /** Clears the corner of a target of three's own, depth and stencil too, and draws into it; leaves no framebuffer bound. */
@@ -101,6 +103,18 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       } else {
         three.setClearColor(0x000000, 0);
         three.clear(true, true, false);
+        three.render(scene, camera);
+      }
+      three.setRenderTarget(null);
+    },
+    drawVeil: (veilTarget, scene, camera, face = 0) => {
+      restoreState();
+      three.setRenderTarget(veilTarget, face);
+      if (compiling) {
+        compiling.push(three.compileAsync(scene, camera));
+      } else {
+        three.setClearColor(0xffffff, 1);
+        three.clear(true, false, false);
         three.render(scene, camera);
       }
       three.setRenderTarget(null);

@@ -12,6 +12,7 @@ import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.t
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
 import { createTechniquePlans } from './materials/technique-plans.ts';
 import { createTwinCache } from './materials/twins.ts';
+import { createVeilPatch } from './materials/veil-patch.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from './proxies/drawable.ts';
 import type { ProxyPlan } from './proxies/proxy.ts';
 import { createProxySet } from './proxies/proxy-set.ts';
@@ -42,6 +43,8 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
   const lights = createLightRig(scene);
+  const veils = createVeilPatch();
+  const { maxTextures } = renderer.three.capabilities;
   const surroundings = createSurroundings({ ...options, scene });
   const twins = createTwinCache();
   const proxies = createProxySet(scene, plan);
@@ -50,7 +53,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const onChange = (): void => {
     outdated = true;
   };
-  const techniques = createTechniquePlans({ twins, ambient: options.ambient, occlusion, onChange });
+  const techniques = createTechniquePlans({ twins, veils, ambient: options.ambient, occlusion, onChange });
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     const features = programFeatures(master);
@@ -59,12 +62,12 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     if (item.role === 'phantom') return [{ material: depth(), renderOrder: PHANTOMS_FIRST }];
     const draw = (side: Side): ProxyPlan => ({
       material: mapMaterials(master, (part) =>
-        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, occlusion, onChange })),
+        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, occlusion, veils, onChange })),
       ),
       renderOrder: master.renderOrder,
     });
     const byTechnique = techniques.plan(master, item, DEPTH_FIRST, (part) =>
-      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, onChange })),
+      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, veils, onChange })),
     );
     if (byTechnique) return byTechnique;
     if (isTwoPass(master.material)) return [draw(BackSide), draw(FrontSide)];
@@ -89,7 +92,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     },
     draw: (drawView) => {
       view.set(drawView.view);
-      lights.bindShadows(shadowMaps);
+      lights.bindShadows(shadowMaps, veils, maxTextures);
       occlusion?.bind(drawView);
       techniques.bind(drawView);
       renderer.draw(drawView, scene, view.camera);

@@ -23,6 +23,7 @@ import { isLamp } from './is-lamp.ts';
 import { aimCone, aimFace, createLampFit, FACE_COUNT, fitReach, type LampFit } from './lamp-fit.ts';
 import { createMoments } from './moments.ts';
 import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
+import { createVeil, VEIL, type Veil } from './veil.ts';
 
 /** One light's depth map of this frame. */
 export interface ShadowMap {
@@ -42,6 +43,8 @@ export interface ShadowMap {
   readonly depths: Texture | null;
   /** Of `vsm`: see `moments.ts`; else null. */
   readonly moments: Texture | null;
+  /** What is left of the light, in red, beyond what is see-through, whose least depth is in alpha; null where nothing is. */
+  readonly veil: Texture | null;
   /** Of a lamp with a place, metres; 0 and the whole range for parallel light. */
   readonly nearM: number;
   readonly farM: number;
@@ -59,8 +62,8 @@ export interface LightMap {
   readonly shadow: object;
   readonly map: ShadowMap;
   readonly askedSizePx: number;
-  /** Draws the casters as the light sees them. */
-  render(renderer: SceneRenderer, scene: Scene, castersWorld: readonly Sphere[]): void;
+  /** Draws the casters as the light sees them; `veils`: those that are see-through, null where none is. */
+  render(renderer: SceneRenderer, scene: Scene, veils: Scene | null, castersWorld: readonly Sphere[]): void;
   dispose(): void;
 }
 
@@ -99,6 +102,9 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
     askedSizePx: shadow.mapSizePx,
     map: {
       ...flat.part,
+      get veil() {
+        return flat.veil.texture();
+      },
       kind: 'flat',
       mapFromWorld: fit.mapFromWorld,
       get bias() {
@@ -113,10 +119,10 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
       },
       source,
     },
-    render: (renderer, scene, castersWorld) => {
+    render: (renderer, scene, veils, castersWorld) => {
       fitShadow(fit, light.towardsLightWorld, castersWorld, shadow.areaM, flat.part.target.width);
       source.set(Math.tan((shadow.sourceRad ?? 0) / 2) / shadow.areaM, 0);
-      flat.render(renderer, scene, cameraOf(fit));
+      flat.render(renderer, scene, veils, cameraOf(fit));
     },
     dispose: flat.dispose,
   };
@@ -133,6 +139,9 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
     askedSizePx: shadow.mapSizePx,
     map: {
       ...flat.part,
+      get veil() {
+        return flat.veil.texture();
+      },
       kind: 'flat',
       mapFromWorld,
       bias: 0,
@@ -147,11 +156,11 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
       },
       source,
     },
-    render: (renderer, scene, castersWorld) => {
+    render: (renderer, scene, veils, castersWorld) => {
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       aimCone(fit, light.positionWorld, light.towardsLightWorld, light.halfAngleRad, mapFromWorld);
       source.set((shadow.sourceM ?? 0) / 2, 0.5 / Math.tan(light.halfAngleRad));
-      flat.render(renderer, scene, cameraOf(fit));
+      flat.render(renderer, scene, veils, cameraOf(fit));
     },
     dispose: flat.dispose,
   };
@@ -162,6 +171,7 @@ const NO_SOURCE = new Vector2();
 function createCubeMap(light: PointLightItem, shadow: LampShadow, { maxSizePx }: MapLimits): LightMap {
   const fit = createLampFit();
   const target = createCubeTarget(Math.min(shadow.mapSizePx, maxSizePx));
+  const veil = createVeil(() => new WebGLCubeRenderTarget(target.width, VEIL));
   const mapFromWorld = new Matrix4();
   return {
     light,
@@ -174,6 +184,9 @@ function createCubeMap(light: PointLightItem, shadow: LampShadow, { maxSizePx }:
       filter: shadow.filter ?? 'soft',
       depths: null,
       moments: null,
+      get veil() {
+        return veil.texture();
+      },
       bias: 0,
       get normalBias() {
         return (shadow.biasPx * 2) / target.width;
@@ -186,16 +199,20 @@ function createCubeMap(light: PointLightItem, shadow: LampShadow, { maxSizePx }:
       },
       source: NO_SOURCE,
     },
-    render: (renderer, scene, castersWorld) => {
+    render: (renderer, scene, veils, castersWorld) => {
       const [x = 0, y = 0, z = 0] = light.positionWorld;
       mapFromWorld.makeTranslation(-x, -y, -z);
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       for (let face = 0; face < FACE_COUNT; face++) {
         aimFace(fit, light.positionWorld, face);
         renderer.drawDepth(target, scene, cameraOf(fit), face);
+        veil.render(renderer, veils, cameraOf(fit), face);
       }
     },
-    dispose: () => target.dispose(),
+    dispose: () => {
+      target.dispose();
+      veil.dispose();
+    },
   };
 }
 
@@ -221,7 +238,8 @@ const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestF
 
 interface FlatTarget {
   readonly part: Pick<ShadowMap, 'target' | 'filter' | 'depths' | 'moments'>;
-  render(renderer: SceneRenderer, scene: Scene, camera: Camera): void;
+  readonly veil: Veil;
+  render(renderer: SceneRenderer, scene: Scene, veils: Scene | null, camera: Camera): void;
   dispose(): void;
 }
 
@@ -231,16 +249,20 @@ function createFlatTarget({ mapSizePx, filter: asked = 'soft' }: LightShadow | L
   const filter = needsFloats(asked) && !floats ? 'soft' : asked;
   const depthTexture = comparing(new DepthTexture(sizePx, sizePx, UnsignedIntType));
   const target = new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, ...(needsFloats(filter) ? { type: FloatType } : {}), depthTexture });
+  const veil = createVeil(() => new WebGLRenderTarget(sizePx, sizePx, VEIL));
   const moments = filter === 'vsm' ? createMoments(target.texture, sizePx) : null;
   return {
     part: { target, filter, depths: filter === 'pcss' ? target.texture : null, moments: moments?.texture ?? null },
-    render: (renderer, scene, camera) => {
+    veil,
+    render: (renderer, scene, veils, camera) => {
       renderer.drawDepth(target, scene, camera);
       moments?.update(renderer);
+      veil.render(renderer, veils, camera);
     },
     dispose: () => {
       target.dispose();
       moments?.dispose();
+      veil.dispose();
     },
   };
 }

@@ -1,6 +1,7 @@
-import { type Color, DirectionalLight, PointLight, type Scene, SpotLight, Vector3 } from 'three';
+import { type Color, DirectionalLight, PointLight, type Scene, SpotLight, type Texture, Vector3 } from 'three';
 import type { DirectionalLightItem, LightItem, LightList, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
+import type { VeilPatch } from '../materials/veil-patch.ts';
 import type { ShadowMap } from './light-map.ts';
 import type { RenderedShadowMaps } from './shadow-maps.ts';
 
@@ -8,8 +9,8 @@ import type { RenderedShadowMaps } from './shadow-maps.ts';
 export interface LightRig {
   /** Takes over changed lists and this frame's places and colours. */
   update(lists: readonly LightList[]): void;
-  /** Hands three the maps rendered this frame, or takes them away. */
-  bindShadows(maps: RenderedShadowMaps | null): void;
+  /** Hands three the maps rendered this frame, or takes them away, and to `veils` what dims. */
+  bindShadows(maps: RenderedShadowMaps | null, veils: VeilPatch, maxTextures: number): void;
   dispose(): void;
 }
 
@@ -18,6 +19,11 @@ export const MIN_PENUMBRA = 1e-3;
 
 // Read by the call that fills it, before anything else can.
 const scratchPoint = new Vector3();
+
+/** The richest of three's materials takes so many besides shadows. */
+const MATERIAL_TEXTURES = 10;
+
+type Veils = (Texture | null)[];
 
 type Lamp = DirectionalLight | PointLight | SpotLight;
 
@@ -30,6 +36,7 @@ interface RigLight {
 export function createLightRig(scene: Scene): LightRig {
   const watch = createVersionWatch();
   const rig: RigLight[] = [];
+  const veilsBy = { directional: [] as Veils, spot: [] as Veils, point: [] as Veils };
 
   function clear(): void {
     for (const { light } of rig) {
@@ -57,8 +64,18 @@ export function createLightRig(scene: Scene): LightRig {
       }
       for (let i = 0; i < rig.length; i++) rig[i]?.update();
     },
-    bindShadows: (maps) => {
-      for (const { item, light } of rig) bindShadow(light, maps?.mapOf(item) ?? null);
+    bindShadows: (maps, veils, maxTextures) => {
+      for (const list of Object.values(veilsBy)) list.length = 0;
+      let shadows = 0;
+      for (const { item, light } of rig) {
+        const map = maps?.mapOf(item) ?? null;
+        bindShadow(light, map);
+        if (map === null) continue;
+        shadows++;
+        // three goes through lights of one kind in this order, those with a shadow first.
+        veilsBy[item.kind as keyof typeof veilsBy].push(map.veil);
+      }
+      veils.bind(veilsBy.directional, veilsBy.spot, veilsBy.point, 2 * shadows + MATERIAL_TEXTURES <= maxTextures);
     },
     dispose: clear,
   };

@@ -3,7 +3,9 @@ import type { LightItem, LightList, ObjectItem, ObjectList } from '../../../../n
 import type { ShadowMaps } from '../../scene-backend.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
 import { createTwinCache } from '../materials/twins.ts';
-import { boundsInObject, mapMaterials, programFeatures } from '../proxies/drawable.ts';
+import { castsVeil, createVeilTwin } from '../materials/veil-twin.ts';
+import { boundsInObject, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
+import type { FlatProxy } from '../proxies/proxy.ts';
 import { createProxySet } from '../proxies/proxy-set.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { MAX_SHADOWS, mapLimitsOf } from './light-limits.ts';
@@ -30,6 +32,26 @@ export function createShadowMaps(
     const material = mapMaterials(master, (part) => twins.get(part, features, () => createDepthTwin(part, 'shadow')));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
+  const veilScene = new Scene();
+  veilScene.matrixWorldAutoUpdate = false;
+  const veilTwins = createTwinCache();
+  const veilProxies = createProxySet(veilScene, (master) => {
+    if (!materialsOf(master).some(castsVeil)) return [];
+    const features = programFeatures(master);
+    const material = mapMaterials(master, (part) => veilTwins.get(part, features, () => createVeilTwin(part)));
+    return [{ material, renderOrder: 0, shows: castsShadow }];
+  });
+  /** Materials may become see-through while running. */
+  let veiled = 0;
+
+  function updateVeils(rebuilt: boolean): Scene | null {
+    const now = countVeils(proxies.proxies);
+    veilTwins.sync();
+    if (veilProxies.update(casters, rebuilt || now !== veiled)) veilTwins.sweep();
+    veiled = now;
+    for (let i = 0; i < veilProxies.proxies.length; i++) if (veilProxies.proxies[i]?.object.visible) return veilScene;
+    return null;
+  }
   const limits = mapLimitsOf(renderer.three);
   const maps: LightMap[] = [];
   const bounds: Sphere[] = [];
@@ -98,19 +120,32 @@ export function createShadowMaps(
       const rebuilt = proxies.update(casters, false);
       if (rebuilt) twins.sweep();
       updateBounds(rebuilt);
+      const veils = updateVeils(rebuilt);
       let count = 0;
       for (const list of lights) {
         for (const light of list.items) {
-          if (shadowOf(light) !== null && count++ < MAX_SHADOWS) mapFor(light)?.render(renderer, scene, shown);
+          if (shadowOf(light) !== null && count++ < MAX_SHADOWS) mapFor(light)?.render(renderer, scene, veils, shown);
         }
       }
     },
     dispose: () => {
       proxies.dispose();
+      veilProxies.dispose();
       twins.dispose();
+      veilTwins.dispose();
       while (maps[0]) remove(maps[0]);
     },
   };
+}
+
+function countVeils(proxies: readonly FlatProxy[]): number {
+  let count = 0;
+  for (let i = 0; i < proxies.length; i++) {
+    const material = proxies[i]?.master.material;
+    if (Array.isArray(material)) for (const part of material) count += castsVeil(part) ? 1 : 0;
+    else if (material && castsVeil(material)) count++;
+  }
+  return count;
 }
 
 /** Whether a map is the one that its light asks for now. */

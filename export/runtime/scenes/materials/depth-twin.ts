@@ -1,5 +1,6 @@
 import { BasicDepthPacking, DoubleSide, type Material, MeshDepthMaterial, type MeshStandardMaterial, type Texture } from 'three';
 import type { Twin } from './twins.ts';
+import { castsVeil } from './veil-twin.ts';
 
 /** Below this, a surface that is blended lets light through rather than stopping it. */
 const SOLID_ALPHA = 0.5;
@@ -9,8 +10,8 @@ const SOLID_ALPHA = 0.5;
  *
  * - `surface`: for what stands for a real thing or is drawn again in its colours. It lies a little behind the surface itself, so
  *   that what lies on the surface wins over it.
- * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is blended casts one where its
- *   alpha is above one half.
+ * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is blended dims the light instead
+ *   (`veil-twin.ts`).
  * - `solid`: as `surface`, but what is blended is there where its alpha is above one half.
  */
 export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid'): Twin {
@@ -24,8 +25,8 @@ export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 's
   function sync(): void {
     // Materials that lack one of these, such as lines, have no such holes.
     const from = master as Partial<MeshStandardMaterial> & Material;
-    const alphaTest = from.alphaTest > 0 ? from.alphaTest : use !== 'surface' && from.transparent ? SOLID_ALPHA : 0;
-    material.visible = from.visible;
+    const alphaTest = from.alphaTest > 0 ? from.alphaTest : use === 'solid' && from.transparent ? SOLID_ALPHA : 0;
+    material.visible = from.visible && !(use === 'shadow' && castsVeil(master));
     material.side = use === 'shadow' ? (from.shadowSide ?? DoubleSide) : from.side;
     material.wireframe = from.wireframe ?? false;
     material.opacity = from.opacity;

@@ -1,5 +1,4 @@
-import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
-import { cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
+import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 
 /**
  * The surface of a phantom as a shadow: premultiplied colour, whose alpha is the blocked part of the light that would reach it.
@@ -84,7 +83,7 @@ function writeShadow(blockedPart: string): string {
 /** Lights that a catcher is written for: those with a map of one side, with a cube of six, and with none, in this order. */
 export interface CatcherLights {
   readonly flat: readonly FlatLight[];
-  readonly cube: readonly ShadowFilter[];
+  readonly cube: readonly CubeLight[];
   readonly plain: number;
 }
 
@@ -94,11 +93,11 @@ export type CatcherSurface = typeof GEOMETRY;
 /** Written out light by light, because samplers in arrays take constant indices only. */
 export function catcherFragment({ flat, cube, plain }: CatcherLights, { declarations, find }: CatcherSurface = GEOMETRY): string {
   const count = flat.length + cube.length + plain;
-  const extras = flat.filter(({ extra }) => extra >= 0).length;
+  const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ veil }) => veil >= 0).length;
   const add = 'all += light.x; blocked += unlessGrazing( light, lit );';
   const lines = [
     ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add}`),
-    ...cube.map((filter, i) => `${arrives(flat.length + i)} ${cubeLit(filter, i, flat.length + i)} ${add}`),
+    ...cube.map((light, i) => `${arrives(flat.length + i)} ${cubeLit(light, i, flat.length + i)} ${add}`),
     ...Array.from({ length: plain }, (_, i) => `${arrives(flat.length + cube.length + i)} all += light.x;`),
   ];
   return /* glsl */ `

@@ -10,10 +10,9 @@ import {
   Vector3,
   Vector4,
 } from 'three';
-import type { ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
 import type { DrawView, LightList, NumberView, ObjectItem, ObjectList, VectorView } from '../../../../nodes/kit/runtime.ts';
 import { isLamp } from '../lights/is-lamp.ts';
-import type { ShadowMap } from '../lights/light-map.ts';
+import { needsFloats, type ShadowMap } from '../lights/light-map.ts';
 import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
 import { type Drawable, materialsOf } from '../proxies/drawable.ts';
 import { createLampUniforms, setLamp, setLampCount } from './lamp-uniforms.ts';
@@ -21,7 +20,7 @@ import { isOpaque } from './layer-blending.ts';
 import { createRoomMaterial, ROOM_SURFACE, type RoomUniforms } from './room-surface.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
-import type { FlatLight } from './shadow-filter-shader.ts';
+import type { CubeLight, FlatLight } from './shadow-filter-shader.ts';
 import type { Twin } from './twins.ts';
 
 /** The materials of one shadow layer: they share lights, strength and colour, and differ in what three compiles per object. */
@@ -58,6 +57,7 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
   const flatExtras: Texture[] = [];
   const cubeMaps: (Texture | null)[] = [];
   const cubeReach: Vector4[] = [];
+  const cubeVeils: (Texture | null)[] = [];
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
@@ -69,16 +69,25 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     flatExtras: { value: flatExtras },
     cubeMaps: { value: cubeMaps },
     cubeReach: { value: cubeReach },
+    cubeVeils: { value: cubeVeils },
   };
   const flat: FlatLight[] = [];
-  const cube: ShadowFilter[] = [];
+  const cube: CubeLight[] = [];
   const lights = { flat, cube, plain: 0 };
   let fragmentShader = catcherFragment(lights);
   let roomFragment = catcherFragment(lights, ROOM_SURFACE);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
-  const counts = { flat: 0, cube: 0, plain: 0, extras: 0 };
+  /** `textures`: units that are taken. */
+  const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeVeils: 0, textures: 0 };
   let outdated = false;
 
+  function countMaps(): number {
+    let count = 0;
+    for (const list of lightLists) for (const light of list.items) if (maps?.mapOf(light)) count++;
+    return count;
+  }
+
+  /** The shader is written for its lights; another one is needed when one comes, goes, or is filtered in another way. */
   function addFlat(map: ShadowMap): void {
     const i = counts.flat++;
     flatMaps[i] = map.target.depthTexture;
@@ -87,17 +96,21 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     flatBias[i].set(1 / map.target.width, map.bias, map.normalBias);
     flatReach[i] ??= new Vector4();
     flatReach[i].set(map.nearM, map.farM, map.source.x, map.source.y);
-    const texture = map.depths ?? map.moments;
-    const fits = texture !== null && flatMaps.length + cubeMaps.length + counts.extras < MAX_TEXTURES;
-    if (fits) flatExtras[counts.extras] = texture;
-    note(flat, i, texture !== null && !fits ? 'soft' : map.filter, fits ? counts.extras++ : -1);
+    const extra = addExtra(map.depths ?? map.moments);
+    // Without its texture a filter of the last two is the soft one.
+    const filter = extra < 0 && needsFloats(map.filter) ? 'soft' : map.filter;
+    const veil = addExtra(map.veil);
+    if (flat[i]?.filter === filter && flat[i]?.extra === extra && flat[i]?.veil === veil) return;
+    flat[i] = { filter, extra, veil };
+    outdated = true;
   }
 
-  /** The shader is written for its lights; another one is needed when one comes, goes, or is filtered in another way. */
-  function note(list: FlatLight[], i: number, filter: ShadowFilter, extra: number): void {
-    if (list[i]?.filter === filter && list[i]?.extra === extra) return;
-    list[i] = { filter, extra };
-    outdated = true;
+  /** Its place; -1 where there is none, or no texture unit for it. */
+  function addExtra(texture: Texture | null): number {
+    if (texture === null || counts.textures >= MAX_TEXTURES) return -1;
+    counts.textures++;
+    flatExtras[counts.extras] = texture;
+    return counts.extras++;
   }
 
   function addCube(map: ShadowMap): void {
@@ -105,8 +118,10 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     cubeMaps[i] = map.target.depthTexture;
     cubeReach[i] ??= new Vector4();
     cubeReach[i].set(map.nearM, map.farM, 2 / map.target.width, map.normalBias);
-    if (cube[i] === map.filter) return;
-    cube[i] = map.filter;
+    const veil = map.veil !== null && counts.textures++ < MAX_TEXTURES ? counts.cubeVeils++ : -1;
+    if (veil >= 0) cubeVeils[veil] = map.veil;
+    if (cube[i]?.filter === map.filter && cube[i]?.veil === veil) return;
+    cube[i] = { filter: map.filter, veil };
     outdated = true;
   }
 
@@ -133,6 +148,7 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     for (const array of [flat, flatMaps, mapFromWorld, flatBias, flatReach]) array.length = counts.flat;
     for (const array of [cube, cubeMaps, cubeReach]) array.length = counts.cube;
     flatExtras.length = counts.extras;
+    cubeVeils.length = counts.cubeVeils;
     setLampCount(lamps, counts.flat + counts.cube + counts.plain);
     fragmentShader = catcherFragment(lights);
     roomFragment = catcherFragment(lights, ROOM_SURFACE);
@@ -172,6 +188,8 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
       counts.cube = 0;
       counts.plain = 0;
       counts.extras = 0;
+      counts.cubeVeils = 0;
+      counts.textures = countMaps();
       addLights('flat');
       addLights('cube');
       addLights(null);

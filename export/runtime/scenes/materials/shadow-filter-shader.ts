@@ -93,7 +93,39 @@ export interface FlatLight {
   readonly filter: ShadowFilter;
   /** Its place among the textures beside those that compare: depths or moments; -1 without. */
   readonly extra: number;
+  /** The place among these of what see-through things leave of it; -1 where nothing is see-through. */
+  readonly veil: number;
 }
+
+export interface CubeLight {
+  readonly filter: ShadowFilter;
+  /** Its place among the veils of such lights, or -1. */
+  readonly veil: number;
+}
+
+/** Of nine texels: what is before the nearest thing that dims is not dimmed. */
+const VEIL = /* glsl */ `
+float throughVeil( const in sampler2D veil, const in vec3 at, const in float texel ) {
+  float through = 0.0;
+  for ( int y = -1; y <= 1; y ++ ) {
+    for ( int x = -1; x <= 1; x ++ ) {
+      vec4 v = texture2D( veil, at.xy + vec2( x, y ) * texel );
+      through += at.z > v.a + 0.0005 ? v.r : 1.0;
+    }
+  }
+  return through / 9.0;
+}
+`;
+
+const CUBE_VEIL = /* glsl */ `
+float throughCubeVeil( const in samplerCube veil, const in vec3 positionWorld, const in vec3 place, const in vec4 reach ) {
+  vec3 offset = positionWorld - place;
+  vec3 size = abs( offset );
+  float depth = ( reach.y - reach.x * reach.y / max( max( size.x, size.y ), size.z ) ) / ( reach.y - reach.x );
+  vec4 v = textureCube( veil, offset );
+  return depth > v.a + 0.0005 ? v.r : 1.0;
+}
+`;
 
 /** Declarations and functions for so many lights with a map of one side. */
 export function flatParts(lights: readonly FlatLight[], extras: number): string {
@@ -118,12 +150,13 @@ vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 position
   // Beyond the map's far end everything in it still stands before.
   return vec3( at.xy, min( at.z - bias.y, 1.0 ) );
 }
-${filters.map((filter) => FILTERS[filter]).join('')}`;
+${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ veil }) => veil >= 0) ? VEIL : ''}`;
 }
 
 /** Sets \`at\` and \`lit\` for the light at \`i\` among those with a map of one side. */
-export function flatLit({ filter, extra }: FlatLight, i: number): string {
-  return `at = inFlat( mapFromWorld[ ${i} ], flatBias[ ${i} ], positionWorld, normal ); lit = at.x < 0.0 ? 1.0 : ${call(filter, i, extra)};`;
+export function flatLit({ filter, extra, veil }: FlatLight, i: number): string {
+  const through = veil < 0 ? '' : ` * throughVeil( flatExtras[ ${veil} ], at, flatBias[ ${i} ].x )`;
+  return `at = inFlat( mapFromWorld[ ${i} ], flatBias[ ${i} ], positionWorld, normal ); lit = at.x < 0.0 ? 1.0 : ${call(filter, i, extra)}${through};`;
 }
 
 function call(filter: ShadowFilter, i: number, extra: number): string {
@@ -144,12 +177,14 @@ function call(filter: ShadowFilter, i: number, extra: number): string {
 /** Lights with a cube of six maps: how many comparisons to each side of the middle, and how wide apart. */
 const CUBE_SIDE: Readonly<Record<ShadowFilter, number>> = { basic: 0, pcf: 0, soft: 1, vsm: 1, pcss: 1 };
 
-export function cubeParts(lights: readonly ShadowFilter[]): string {
+export function cubeParts(lights: readonly CubeLight[]): string {
   if (lights.length === 0) return '';
+  const veils = lights.filter(({ veil }) => veil >= 0).length;
   return /* glsl */ `
 uniform samplerCubeShadow cubeMaps[ ${lights.length} ];
 // x: near, y: far, metres; z: texel at one metre; w: along the normal per metre of distance.
 uniform vec4 cubeReach[ ${lights.length} ];
+${veils > 0 ? `uniform samplerCube cubeVeils[ ${veils} ];${CUBE_VEIL}` : ''}
 ${TEXEL_OF_CUBE}
 
 // As with one map. A face holds depth along its own axis, so each comparison is with the point at the receiver's distance in its
@@ -188,6 +223,8 @@ vec3 texelOfCube( const in vec3 direction, const in float texel ) {
   return mix( snapped, onFace, vec3( equal( size, vec3( axis ) ) ) );
 }`;
 
-export function cubeLit(filter: ShadowFilter, i: number, light: number): string {
-  return `lit = litByCube( cubeMaps[ ${i} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ], normal, ${CUBE_SIDE[filter]}, ${filter === 'basic'} );`;
+export function cubeLit({ filter, veil }: CubeLight, i: number, light: number): string {
+  const through =
+    veil < 0 ? '' : ` * throughCubeVeil( cubeVeils[ ${veil} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ] )`;
+  return `lit = litByCube( cubeMaps[ ${i} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ], normal, ${CUBE_SIDE[filter]}, ${filter === 'basic'} )${through};`;
 }

@@ -8,6 +8,7 @@ import { ensureOutward } from './outward.ts';
 import { createTechniqueTwin } from './technique-twin.ts';
 import { createTechniqueUniforms, type TechniqueUniforms } from './technique-uniforms.ts';
 import type { TwinCache } from './twins.ts';
+import type { VeilPatch } from './veil-patch.ts';
 
 /** Plans for the meshes of one scene that are drawn by techniques. */
 export interface TechniquePlans {
@@ -25,6 +26,7 @@ export interface TechniquePlansOptions {
   readonly twins: TwinCache;
   readonly ambient: NumberView;
   readonly occlusion: OcclusionPatch | null;
+  readonly veils: VeilPatch;
   readonly onChange: () => void;
 }
 
@@ -41,7 +43,7 @@ const PASS_AFTER_PASS = 1e-3;
 const NOTHING = new Material();
 NOTHING.visible = false;
 
-export function createTechniquePlans({ twins, ambient, occlusion, onChange }: TechniquePlansOptions): TechniquePlans {
+export function createTechniquePlans({ twins, ambient, occlusion, veils, onChange }: TechniquePlansOptions): TechniquePlans {
   const ambientUniform: IUniform<Vector3> = { value: new Vector3() };
   const renderSize: IUniform<Vector2> = { value: new Vector2(1, 1) };
   const ofScene = { scrimAmbient: ambientUniform, a_RENDERSIZE: renderSize };
@@ -63,7 +65,9 @@ export function createTechniquePlans({ twins, ambient, occlusion, onChange }: Te
   function twinOf(part: Material, features: string, technique: TechniqueView, passIndex: number, depthOnly: boolean): Material {
     const variant = `${features}|${technique.key}|${passIndex}${depthOnly ? '|depth' : ''}`;
     const shared = { ...ofScene, ...uniformsOf(technique).uniforms };
-    return twins.get(part, variant, () => createTechniqueTwin(part, { technique, passIndex, depthOnly, shared, occlusion, onChange }));
+    return twins.get(part, variant, () =>
+      createTechniqueTwin(part, { technique, passIndex, depthOnly, shared, occlusion, veils, onChange }),
+    );
   }
 
   return {

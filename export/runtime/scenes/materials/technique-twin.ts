@@ -21,6 +21,7 @@ import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { techniqueFragment, techniqueVertex } from './technique-wrapper.ts';
 import type { Twin } from './twins.ts';
+import type { VeilPatch } from './veil-patch.ts';
 
 export interface TechniqueTwinOptions {
   readonly technique: TechniqueView;
@@ -30,6 +31,7 @@ export interface TechniqueTwinOptions {
   /** Values that several materials share: of the technique, and of the view. */
   readonly shared: Readonly<Record<string, IUniform>>;
   readonly occlusion: ShaderPatch | null;
+  readonly veils: VeilPatch;
   /** Called when the master began to need another way of drawing, such as having become transparent. */
   readonly onChange: () => void;
 }
@@ -41,7 +43,7 @@ type Master = Material & Partial<Pick<MeshStandardMaterial, 'color' | 'map' | 'f
 
 /** One pass of a technique in the place of the master. Its output is premultiplied and encoded as other twins' are. */
 export function createTechniqueTwin(master: Master, options: TechniqueTwinOptions): Twin {
-  const { technique, passIndex, depthOnly, shared, occlusion, onChange } = options;
+  const { technique, passIndex, depthOnly, shared, occlusion, veils, onChange } = options;
   const color = new Vector4();
   const map: IUniform<Texture | null> = { value: null };
   const mapTransform = new Matrix3();
@@ -69,7 +71,8 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   material.polygonOffset = depthOnly;
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;
-  patchMaterial(material, null, occlusion ? [occlusion] : []);
+  patchMaterial(material, null, occlusion ? [veils, occlusion] : [veils]);
+  veils.attach(material);
   const side = technique.passes[passIndex]?.side ?? 'object';
   let version = master.version;
 
@@ -106,7 +109,14 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   }
   follow();
   sync();
-  return { material, sync, dispose: () => material.dispose() };
+  return {
+    material,
+    sync,
+    dispose: () => {
+      veils.detach(material);
+      material.dispose();
+    },
+  };
 }
 
 const WHITE = new Color(1, 1, 1);
