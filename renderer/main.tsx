@@ -4,6 +4,7 @@ import { connectHost } from '../app/contract/connect-host.ts';
 import { DEFINITIONS, SHADERS } from '../nodes/generated/definitions.gen.ts';
 import { createPageClipboard } from './clipboard.ts';
 import { pageClock } from './clock.ts';
+import { downloadFile } from './download.ts';
 import { pageRandom } from './random.ts';
 import { App } from './shell/app.tsx';
 import { NoHost } from './shell/no-host.tsx';
@@ -32,6 +33,7 @@ async function main(): Promise<void> {
     library: { definitions: DEFINITIONS, shaders: SHADERS },
     mac: navigator.platform.startsWith('Mac'),
     clipboard: createPageClipboard(navigator.clipboard),
+    keepFile: (file, name) => downloadFile(pageClock, file, name),
     sizes: loadSizes(localStorage, window.innerWidth),
     preferences: loadPreferences(localStorage),
   });

@@ -22,6 +22,10 @@ export type ToPreview =
    * layers that are not tapped: the screen.
    */
   | { readonly kind: 'look'; readonly left: string | null; readonly right: string | null; readonly split: number }
+  /** The whole picture, all views, as PNG: the answer comes with the next frame. */
+  | { readonly kind: 'screenshot' }
+  /** Record the picture as a video until told to stop; the answer comes then. */
+  | { readonly kind: 'record'; readonly on: boolean }
   /** What is under a point of the picture, parts of its size from the top left? `layer`: whose depth, where it is tapped. */
   | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null }
   /** Whether to tell what operations cost. */
@@ -32,8 +36,23 @@ export type ToPreview =
 /** Addresses are on the preview's own origin. */
 export type PreviewSource =
   | { readonly kind: 'recorded'; readonly url: string; readonly assetBaseUrl: string }
-  /** An emulated phone (one view) or headset (two). `captureUrl` null: the room that the emulator makes itself. */
-  | { readonly kind: 'room'; readonly captureUrl: string | null; readonly views: 1 | 2; readonly assetBaseUrl: string };
+  /** An emulated device. `captureUrl` null: the room that the emulator makes itself. */
+  | {
+      readonly kind: 'room';
+      readonly captureUrl: string | null;
+      readonly views: 1 | 2;
+      readonly assetBaseUrl: string;
+      /** `glasses` add light to the world and show no black. */
+      readonly device: 'phone' | 'headset' | 'glasses';
+      /** `ar`: as on devices that show the camera's picture and give it to nobody. `vr`: with nothing of the room. */
+      readonly tier: 'ar-camera' | 'ar' | 'vr';
+    }
+  /** The computer's own camera, which is asked for. */
+  | { readonly kind: 'camera'; readonly assetBaseUrl: string }
+  /** A picture in the camera's place. `key` is another for each. */
+  | { readonly kind: 'still'; readonly picture: Blob; readonly key: string; readonly assetBaseUrl: string }
+  /** Nothing but the objects, to be looked at from all sides. */
+  | { readonly kind: 'orbit'; readonly assetBaseUrl: string };
 
 export type FromPreview =
   | { readonly kind: 'ready' }
@@ -47,6 +66,8 @@ export type FromPreview =
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
   | { readonly kind: 'probed'; readonly probe: PreviewProbe }
+  /** A screenshot or a video. Null where nothing is shown, or the browser cannot record. */
+  | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
   /** Twice a second while asked for. */
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
   /** Null where nothing is shown. */

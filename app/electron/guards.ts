@@ -16,17 +16,15 @@ export function guardContents(app: App): void {
   });
 }
 
-/** No device, no sensor, no address but our own; the preview may listen, where a project does, once the user has touched it. */
+/** No device, no sensor, no address but our own; the preview may listen, where a project does, and see, where the user chose the webcam. */
 export function guardSession(session: Session): void {
   session.setPermissionRequestHandler((_contents, permission, callback, details) =>
     callback(
-      permission === 'media'
-        ? isPreview(details.requestingUrl) && 'mediaTypes' in details && isSoundAlone(details.mediaTypes)
-        : ALLOWED_PERMISSIONS.has(permission) && isEditor(details.requestingUrl),
+      permission === 'media' ? isPreview(details.requestingUrl) : ALLOWED_PERMISSIONS.has(permission) && isEditor(details.requestingUrl),
     ),
   );
-  session.setPermissionCheckHandler((_contents, permission, origin, details) =>
-    permission === 'media' ? isPreview(origin) && details.mediaType === 'audio' : ALLOWED_PERMISSIONS.has(permission) && isEditor(origin),
+  session.setPermissionCheckHandler((_contents, permission, origin) =>
+    permission === 'media' ? isPreview(origin) : ALLOWED_PERMISSIONS.has(permission) && isEditor(origin),
   );
   session.setDevicePermissionHandler(() => false);
   const elsewhere = ['http://*/*', 'https://*/*', 'ws://*/*', 'wss://*/*', 'ftp://*/*', 'file://*/*'];
@@ -40,8 +38,4 @@ function isEditor(url: string): boolean {
 
 function isPreview(url: string): boolean {
   return url === ORIGINS.preview || url.startsWith(`${ORIGINS.preview}/`);
-}
-
-function isSoundAlone(mediaTypes: readonly string[] | undefined): boolean {
-  return mediaTypes?.length === 1 && mediaTypes[0] === 'audio';
 }

@@ -3,12 +3,17 @@ import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import type { Program } from '../../export/program/program.ts';
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
+import { createCameraSession } from '../../export/runtime/sessions/camera/camera-session.ts';
+import { listenForOrientation } from '../../export/runtime/sessions/camera/orientation-sensor.ts';
+import { requestCameraSession } from '../../export/runtime/sessions/camera/request-camera.ts';
+import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-session.ts';
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../nodes/kit/session.ts';
 import type { PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
+import { createStillStream } from './still-stream.ts';
 import { createWalk } from './walk.ts';
 
 /** A session of the preview's, and how its time goes. */
@@ -30,6 +35,8 @@ export interface SessionPlace {
   readonly program: Program;
   /** Where an emulated device shows its picture. */
   readonly screen: HTMLElement;
+  /** That of `gl`. */
+  readonly canvas: HTMLCanvasElement;
 }
 
 const DISPLAY_FRAME_S = 1 / 60;
@@ -37,7 +44,45 @@ const MAX_PIXEL_RATIO = 2;
 
 /** Never rejects. */
 export function openSession(source: PreviewSource, place: SessionPlace): Promise<OpenSession> {
-  return source.kind === 'recorded' ? openRecording(source.url, place) : openRoom(source, place);
+  switch (source.kind) {
+    case 'recorded':
+      return openRecording(source.url, place);
+    case 'room':
+      return openRoom(source, place);
+    case 'camera':
+      return openCamera(place);
+    case 'still':
+      return openStill(source.picture, place);
+    case 'orbit':
+      return Promise.resolve(opened({ output: createOrbitSession(place), diagnostics: [] }));
+  }
+}
+
+async function openCamera({ gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
+  return opened(await requestCameraSession({ window, media: navigator.mediaDevices, gl, canvas, clock }));
+}
+
+async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Promise<OpenSession> {
+  const stream = createStillStream(canvas.ownerDocument, picture);
+  try {
+    await stream.start();
+  } catch {
+    const message = 'The picture could not be read.';
+    return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP.' }] });
+  }
+  return opened({ output: createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window) }), diagnostics: [] });
+}
+
+/** Sessions that know no way back. */
+function opened({ output, diagnostics }: Result<Session>): OpenSession {
+  return {
+    session: output,
+    diagnostics,
+    frameS: DISPLAY_FRAME_S,
+    rewind: () => {},
+    resize: () => {},
+    end: async () => output?.end(),
+  };
 }
 
 async function openRecording(url: string, { gl, clock }: SessionPlace): Promise<OpenSession> {
@@ -63,14 +108,16 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   }
   const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
   const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
-  const device = source.views === 2 ? 'headset' : 'phone';
-  const emulator = installEmulator({ device, views: source.views, room, frameClock: clock, container: screen, sizePx });
+  const { device, views, tier } = source;
+  const refuse = tier === 'ar' ? ['camera-access'] : [];
+  const emulator = installEmulator({ device, views, refuse, room, frameClock: clock, container: screen, sizePx });
   const walk = createWalk(emulator, screen, clock);
   const { output, diagnostics } = await requestWebXrSession({
     xr: navigator.xr,
     gl,
     needs: program.needs,
     antialias: program.presentation.antialias,
+    mode: tier === 'vr' ? 'immersive-vr' : 'immersive-ar',
   });
   return {
     session: output,

@@ -5,6 +5,7 @@ import type { PlayResult } from '../../export/runtime/player.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import { createCaptures } from './captures.ts';
 import { createHouse, type House } from './house.ts';
 import { type OpenSession, openSession } from './open-session.ts';
 import { createPosters, type PosterPlace, type PosterSize } from './posters.ts';
@@ -55,11 +56,13 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   let playerProblems: readonly Diagnostic[] = [];
 
   const posters = createPosters(send, () => clock.wake());
+  const captures = createCaptures(send, () => clock.wake());
   const probes = createProbes(send, () => clock.wake());
   let look: Extract<ToPreview, { kind: 'look' }> = { kind: 'look', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
     probes.beforeFrame(posterPlace());
+    captures.beforeFrame(posterPlace());
     if (!posters.busy) house?.fitter.update();
   });
   const status = createStatus(base, send);
@@ -130,7 +133,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   const begin = async (place: House, { program }: Wanted, from: PreviewSource, key: string) => {
     await endSession();
     tellState();
-    const opened = await openSession(from, { gl: place.gl, clock, program, screen });
+    const opened = await openSession(from, { gl: place.gl, canvas: place.canvas, clock, program, screen });
     open = opened;
     openKey = key;
     sessionProblems = opened.diagnostics;
@@ -155,6 +158,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     if (!posters.busy) showLook(house.player, frame, look);
     if (plays) posters.afterFrame();
     probes.afterFrame(house.player, frame, posterPlace());
+    captures.afterFrame(posterPlace());
     if (thumbnails.afterFrame(house.player)) clock.wake();
   };
   const settle = createTurns(async () => {
@@ -226,6 +230,12 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           house?.meter.setOn(metering);
           clock.wake();
           return;
+        case 'screenshot':
+          captures.screenshot(posterPlace());
+          return;
+        case 'record':
+          captures.record(message.on, posterPlace());
+          return;
         case 'probe':
           probes.ask(message);
           return;
@@ -269,5 +279,14 @@ function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {
 /** Sessions that differ in this cannot stand for each other. Recordings care for nothing but their folder. */
 function sessionKey(source: PreviewSource, program: Program, resizes: number): string {
   if (source.kind === 'recorded') return `recorded ${source.url}`;
-  return JSON.stringify([source.captureUrl, source.views, program.needs, program.presentation.antialias, resizes]);
+  if (source.kind !== 'room') return `${source.kind} ${source.kind === 'still' ? source.key : ''}`;
+  return JSON.stringify([
+    source.captureUrl,
+    source.views,
+    source.device,
+    source.tier,
+    program.needs,
+    program.presentation.antialias,
+    resizes,
+  ]);
 }

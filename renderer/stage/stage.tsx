@@ -1,27 +1,40 @@
-import { useEffect, useRef } from 'react';
+import { type ReactNode, useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
-import { runCommand } from '../state/app-commands.ts';
-import { chosenSource } from '../state/preview.ts';
+import { chosenSource, LOCAL_SOURCES } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { LookLayer } from './look-layer.tsx';
 import { connectPreview } from './preview-link.ts';
 import './stage.css';
+import { StageMenu } from './stage-menu.tsx';
 
 /** The preview: a page of its own in a frame, the bar that moves its time, and where its picture comes from. */
 export function Stage({ previewUrl }: { readonly previewUrl: string }) {
   return (
     <section className="stage" aria-label="Preview">
       <div className="stage-picture">
-        <PreviewFrame url={previewUrl} />
-        <Notice />
-        <LookLayer />
+        <Device>
+          <PreviewFrame url={previewUrl} />
+          <Notice />
+          <LookLayer />
+        </Device>
       </div>
       <Transport />
     </section>
+  );
+}
+
+/** As large as there is room, or in the shape of a device. */
+function Device({ children }: { readonly children: ReactNode }) {
+  const { preview } = useEditor();
+  const frame = useStore(preview, (state) => state.frame);
+  return (
+    <div className="stage-device" data-frame={frame}>
+      {children}
+    </div>
   );
 }
 
@@ -38,7 +51,15 @@ function PreviewFrame({ url }: { readonly url: string }) {
       link.dispose();
     };
   }, [feed, url]);
-  return <iframe ref={frame} className="stage-frame" title="Preview" allow="gamepad; microphone; autoplay" referrerPolicy="no-referrer" />;
+  return (
+    <iframe
+      ref={frame}
+      className="stage-frame"
+      title="Preview"
+      allow="gamepad; microphone; camera; accelerometer; gyroscope; autoplay"
+      referrerPolicy="no-referrer"
+    />
+  );
 }
 
 /** What the picture cannot say itself. */
@@ -81,7 +102,7 @@ function Transport() {
         <span>{status ? status.frame : ''}</span>
       </output>
       <span className="transport-gap" />
-      <ProbeToggle />
+      <StageMenu />
       <ViewsToggle />
       <SourcePicker />
     </div>
@@ -95,34 +116,47 @@ function SourcePicker() {
   const groups = [
     ['Recordings', sources.filter(({ kind }) => kind === 'recorded')],
     ['Emulated rooms', sources.filter(({ kind }) => kind === 'room')],
+    ['This computer', LOCAL_SOURCES],
   ] as const;
+  const file = useRef<HTMLInputElement>(null);
   return (
-    <select
-      className="select transport-source"
-      aria-label="Where the picture comes from"
-      value={chosen}
-      onChange={(event) => preview.setState({ sourceId: event.target.value })}
-    >
-      {groups.map(
-        ([label, list]) =>
-          list.length > 0 && (
-            <optgroup key={label} label={label}>
-              {list.map(({ id, title }) => (
-                <option key={id} value={id}>
-                  {title}
-                </option>
-              ))}
-            </optgroup>
-          ),
-      )}
-    </select>
+    <>
+      <input
+        ref={file}
+        type="file"
+        hidden
+        accept="image/*"
+        aria-label="Picture in the camera’s place"
+        onChange={({ target }) => {
+          const [still] = target.files ?? [];
+          if (still) preview.setState({ still, sourceId: 'still' });
+          target.value = '';
+        }}
+      />
+      <select
+        className="select transport-source"
+        aria-label="Where the picture comes from"
+        value={chosen}
+        onChange={({ target }) => {
+          if (target.value === 'still') file.current?.click();
+          else preview.setState({ sourceId: target.value });
+        }}
+      >
+        {groups.map(
+          ([label, list]) =>
+            list.length > 0 && (
+              <optgroup key={label} label={label}>
+                {list.map(({ id, title }) => (
+                  <option key={id} value={id}>
+                    {title}
+                  </option>
+                ))}
+              </optgroup>
+            ),
+        )}
+      </select>
+    </>
   );
-}
-
-function ProbeToggle() {
-  const editor = useEditor();
-  const probing = useStore(editor.look, (look) => look.probing);
-  return <IconButton icon="probe" label="Pixel probe" keys="Q" pressed={probing} onPress={() => runCommand(editor, 'view.probe')} />;
 }
 
 /** A headset has two views; recordings have the one they were made with. */

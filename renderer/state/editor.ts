@@ -32,6 +32,8 @@ export interface Editor {
   readonly random: () => number;
   readonly mac: boolean;
   readonly clipboard: Clipboard;
+  /** Hands a file to the person. */
+  readonly keepFile: (file: Blob, name: string) => void;
   readonly libraries: Libraries;
   /** Take over at once what is being typed; run before files are made of the document. */
   readonly unfinished: Set<() => void>;
@@ -55,6 +57,7 @@ export interface EditorOptions {
   readonly library: LibraryData;
   readonly mac: boolean;
   readonly clipboard: Clipboard;
+  readonly keepFile: (file: Blob, name: string) => void;
   readonly sizes: PanelSizes;
   readonly preferences?: Preferences;
 }
@@ -66,6 +69,7 @@ export function createEditor({
   library,
   mac,
   clipboard,
+  keepFile,
   sizes,
   preferences = DEFAULT_PREFERENCES,
 }: EditorOptions): Editor {
@@ -76,6 +80,7 @@ export function createEditor({
     random,
     mac,
     clipboard,
+    keepFile,
     libraries,
     unfinished: new Set(),
     pictures: { take: null, layers: createLayerPictures() },

@@ -6,6 +6,7 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { type CompilerLink, type CompilerWorker, createCompilerLink } from '../compile/compiler-link.ts';
 import type { CompileAnswer } from '../compile/messages.ts';
 import type { FromPreview, PreviewShaderError, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import { takeCapture } from './captures.ts';
 import { consequenceOf, type ParamEdit } from './changes.ts';
 import type { Editor } from './editor.ts';
 import { createLooking } from './looking.ts';
@@ -89,7 +90,8 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     }
   });
   const stopSource = editor.preview.subscribe((state, before) => {
-    if (chosenSource(state) !== chosenSource(before) || state.views !== before.views) postSource();
+    const same = state.views === before.views && state.frame === before.frame && state.tier === before.tier && state.still === before.still;
+    if (chosenSource(state) !== chosenSource(before) || !same) postSource();
   });
 
   return {
@@ -107,6 +109,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     receive: (message) => {
       if (message.kind === 'poster') return pictures.answer(message.bytes);
       if (message.kind === 'thumbnail') return editor.pictures.layers.deliver(message.port, message.image);
+      if (message.kind === 'captured') return takeCapture(editor, message);
       if (message.kind === 'costs') return editor.costs.setState({ measured: message.costs });
       if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
       takeMessage(editor, message);
@@ -143,7 +146,7 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
 
 function takeMessage(
   { preview, compile, document }: Editor,
-  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' | 'costs' }>,
+  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' | 'costs' | 'captured' }>,
 ): void {
   switch (message.kind) {
     case 'ready':
@@ -182,6 +185,19 @@ function previewSource(editor: Editor): PreviewSource | null {
   const source = chosenSource(state);
   if (source === null || open === null) return null;
   const { assetBaseUrl } = open;
-  if (source.kind === 'room') return { kind: 'room', captureUrl: source.url, views: state.views, assetBaseUrl };
+  const { still, frame, views, tier } = state;
+  switch (source.kind) {
+    case 'camera':
+    case 'orbit':
+      return { kind: source.kind, assetBaseUrl };
+    case 'still':
+      return still && { kind: 'still', picture: still, key: `${still.name} ${still.size} ${still.lastModified}`, assetBaseUrl };
+    case 'room': {
+      const device = frame === 'glasses' ? 'glasses' : views === 2 ? 'headset' : 'phone';
+      return { kind: 'room', captureUrl: source.url, views, device, tier, assetBaseUrl };
+    }
+    case 'recorded':
+      break;
+  }
   return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
 }

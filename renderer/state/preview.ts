@@ -17,7 +17,29 @@ export interface PreviewState {
   readonly sourceId: string | null;
   /** Of an emulated headset. */
   readonly views: 1 | 2;
+  readonly frame: DeviceFrame;
+  /** What an emulated device gives. */
+  readonly tier: PreviewTier;
+  /** The picture that stands in for a camera. */
+  readonly still: File | null;
+  readonly recording: boolean;
 }
+
+/** The shape of the preview: as large as there is room, or as a device has it. */
+export type DeviceFrame = 'fill' | 'phone' | 'phone-wide' | 'headset' | 'glasses';
+
+export type PreviewTier = 'ar-camera' | 'ar' | 'vr';
+
+/** Where a picture may come from: what the host lists, and what this computer has itself. */
+export type ChosenSource = SessionSource | { readonly id: LocalSource; readonly title: string; readonly kind: LocalSource };
+
+export type LocalSource = 'camera' | 'still' | 'orbit';
+
+export const LOCAL_SOURCES: readonly { readonly id: LocalSource; readonly title: string; readonly kind: LocalSource }[] = [
+  { id: 'camera', title: 'Webcam', kind: 'camera' },
+  { id: 'still', title: 'A picture…', kind: 'still' },
+  { id: 'orbit', title: 'Nothing, look around', kind: 'orbit' },
+];
 
 export type PreviewStore = StoreApi<PreviewState>;
 
@@ -31,9 +53,13 @@ export function createPreviewState(): PreviewStore {
     sources: [],
     sourceId: null,
     views: 1,
+    frame: 'fill',
+    tier: 'ar-camera',
+    still: null,
+    recording: false,
   }));
 }
 
-export function chosenSource({ sources, sourceId }: PreviewState): SessionSource | null {
-  return sources.find((source) => source.id === sourceId) ?? sources[0] ?? null;
+export function chosenSource({ sources, sourceId }: PreviewState): ChosenSource | null {
+  return sources.find((source) => source.id === sourceId) ?? LOCAL_SOURCES.find(({ id }) => id === sourceId) ?? sources[0] ?? null;
 }

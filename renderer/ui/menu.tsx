@@ -1,8 +1,16 @@
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react';
+import { Icon } from './icon.tsx';
 import './menu.css';
 
 export type MenuItem =
-  | { readonly kind: 'action'; readonly label: string; readonly keys?: string; readonly disabled?: boolean; readonly run: () => void }
+  | {
+      readonly kind: 'action';
+      readonly label: string;
+      readonly keys?: string;
+      readonly disabled?: boolean /** One of several, of which one holds. */;
+      readonly checked?: boolean;
+      readonly run: () => void;
+    }
   | { readonly kind: 'line' }
   | { readonly kind: 'title'; readonly label: string };
 
@@ -64,10 +72,10 @@ interface MenuProps {
 
 export function Menu({ id, label, items, onClose, onLeave }: MenuProps) {
   const element = useRef<HTMLDivElement>(null);
-  const entries = () => [...(element.current?.querySelectorAll<HTMLButtonElement>('[role=menuitem]:not(:disabled)') ?? [])];
+  const entries = () => [...(element.current?.querySelectorAll<HTMLButtonElement>('[role^=menuitem]:not(:disabled)') ?? [])];
 
   useEffect(() => {
-    element.current?.querySelector<HTMLButtonElement>('[role=menuitem]:not(:disabled)')?.focus();
+    element.current?.querySelector<HTMLButtonElement>('[role^=menuitem]:not(:disabled)')?.focus();
   }, []);
 
   const onKeyDown = (event: KeyboardEvent) => {
@@ -108,7 +116,7 @@ function MenuEntry({ item, onDone }: { readonly item: MenuItem; readonly onDone:
   return (
     <button
       type="button"
-      role="menuitem"
+      {...roleOf(item.checked)}
       className="menu-item"
       tabIndex={-1}
       disabled={item.disabled ?? false}
@@ -119,9 +127,14 @@ function MenuEntry({ item, onDone }: { readonly item: MenuItem; readonly onDone:
       }}
     >
       <span>{item.label}</span>
+      {item.checked === true && <Icon name="check" size={14} />}
       {item.keys && <kbd>{item.keys}</kbd>}
     </button>
   );
+}
+
+function roleOf(checked: boolean | undefined) {
+  return checked === undefined ? { role: 'menuitem' } : { role: 'menuitemradio', 'aria-checked': checked };
 }
 
 function targetOfKey(key: string, at: number, all: readonly HTMLButtonElement[]): HTMLButtonElement | undefined {

@@ -63,6 +63,7 @@ export async function openTestEditor(project: Project = newProject('Test'), fold
         copied = text;
       },
     },
+    keepFile: () => {},
     sizes: DEFAULT_SIZES,
   });
   if (!(await openPath(editor, '/project'))) throw new Error('The project did not open.');

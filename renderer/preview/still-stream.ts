@@ -1,0 +1,32 @@
+import type { CameraStream } from '../../export/runtime/sessions/camera/camera-stream.ts';
+
+/** A picture as a camera that sees nothing else. `start` rejects where it is no picture. */
+export function createStillStream(document: Document, file: Blob): CameraStream {
+  const video = document.createElement('video');
+  video.muted = true;
+  video.playsInline = true;
+  let stream: MediaStream | null = null;
+  const stop = () => {
+    for (const track of stream?.getTracks() ?? []) track.stop();
+    stream = null;
+    video.srcObject = null;
+  };
+  return {
+    video,
+    start: async () => {
+      stop();
+      const picture = await createImageBitmap(file);
+      const canvas = document.createElement('canvas');
+      canvas.width = picture.width;
+      canvas.height = picture.height;
+      const context = canvas.getContext('2d');
+      stream = canvas.captureStream();
+      video.srcObject = stream;
+      // A stream of a canvas has a picture when something was drawn after it began.
+      context?.drawImage(picture, 0, 0);
+      picture.close();
+      await video.play();
+    },
+    stop,
+  };
+}

@@ -1,0 +1,128 @@
+import { readFile } from 'node:fs/promises';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import type { Download } from 'playwright-core';
+import { useBrowser } from '../support/browser.ts';
+import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { decodePicture } from '../support/picture.ts';
+
+/** What the camera sees, on the screen. */
+const GRAPH: GraphText = {
+  nodes: { 'video-aaaa': { type: 'source/camera-video' }, 'screen-aaaa': { type: 'output/screen' } },
+  wires: ['video-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'screen-aaaa': [300, 0] },
+};
+
+/** Chromium's own stand-in for a camera, granted unasked: green, with a disc that turns. */
+const browser = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
+let open: OpenEditor;
+beforeAll(async () => {
+  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+  await open.editor.settled();
+});
+afterAll(async () => {
+  expect(open.errors).toEqual([]);
+  await open.close();
+});
+
+async function choose(item: string): Promise<void> {
+  await open.page.getByRole('button', { name: 'Preview options' }).click();
+  await open.page.getByRole('menu', { name: 'Preview options' }).getByText(item).click();
+}
+
+async function downloadAfter(act: () => Promise<void>): Promise<{ readonly download: Download; readonly bytes: Buffer }> {
+  const waiting = open.page.waitForEvent('download');
+  await act();
+  const download = await waiting;
+  return { download, bytes: await readFile(await download.path()) };
+}
+
+function source() {
+  return open.page.getByRole('combobox', { name: 'Where the picture comes from' });
+}
+
+function shareOf(picture: { readonly data: ArrayLike<number> }, is: (r: number, g: number, b: number) => boolean): number {
+  let count = 0;
+  for (let i = 0; i < picture.data.length; i += 4) {
+    if (is(picture.data[i] ?? 0, picture.data[i + 1] ?? 0, picture.data[i + 2] ?? 0)) count++;
+  }
+  return count / (picture.data.length / 4);
+}
+
+test('a screenshot is the preview’s picture, pixel for pixel', async () => {
+  const { editor } = open;
+  await editor.rewind();
+  const shown = await editor.picture();
+  const { download, bytes } = await downloadAfter(() => choose('Take a screenshot'));
+  expect(download.suggestedFilename()).toBe('Test.png');
+  const picture = decodePicture(bytes);
+  expect(picture.width).toBe(shown.width);
+  const below = picture.data.slice((picture.height - shown.height) * picture.width * 4);
+  let different = 0;
+  for (let i = 0; i < below.length; i++) if (Math.abs((below[i] ?? 0) - (shown.data[i] ?? 0)) > 1) different++;
+  expect(different).toBe(0);
+});
+
+test('a video of what plays is recorded until it is stopped', async () => {
+  const { page, editor } = open;
+  await editor.press('Play');
+  await choose('Record a video');
+  const stop = page.getByRole('button', { name: 'Stop recording' });
+  await stop.waitFor();
+  const from = await editor.frame();
+  await page.waitForFunction((first) => Number(document.querySelector('.transport-time span')?.textContent) > first + 5, from);
+  const { download, bytes } = await downloadAfter(() => stop.click());
+  expect(download.suggestedFilename()).toMatch(/^Test\.(webm|mp4)$/);
+  expect(bytes.length).toBeGreaterThan(2000);
+  // EBML of WebM, or the `ftyp` box of MP4.
+  expect([bytes.readUInt32BE(0).toString(16), bytes.subarray(4, 8).toString()]).toEqual(
+    expect.arrayContaining([expect.stringMatching(/^(1a45dfa3|ftyp)$/)]),
+  );
+  await stop.waitFor({ state: 'detached' });
+  await editor.press('Pause');
+});
+
+test('the preview has the shape of the chosen device', async () => {
+  const { page } = open;
+  const shapeOf = async () => {
+    const box = await page.locator('iframe[title="Preview"]').boundingBox();
+    return box ? box.width / box.height : 0;
+  };
+  await choose('Phone, upright');
+  expect(await shapeOf()).toBeCloseTo(9 / 19.5, 1);
+  await choose('Phone, sideways');
+  expect(await shapeOf()).toBeCloseTo(19.5 / 9, 1);
+  await source().selectOption('room/studio');
+  await choose('Headset');
+  await open.editor.settled();
+  expect(await shapeOf()).toBeCloseTo(3360 / 1760, 1);
+  await choose('See-through glasses');
+  await open.editor.settled();
+  await page.getByRole('button', { name: 'Preview options' }).click();
+  await page.keyboard.press('Escape');
+  await choose('As large as there is room');
+});
+
+test('a picture stands in for the camera, and so does the webcam', async () => {
+  const { page, editor } = open;
+  const red = await page.evaluate(async () => {
+    const canvas = new OffscreenCanvas(640, 480);
+    const context = canvas.getContext('2d');
+    if (!context) throw new Error('No context.');
+    context.fillStyle = '#d02010';
+    context.fillRect(0, 0, 640, 480);
+    return [...new Uint8Array(await (await canvas.convertToBlob({ type: 'image/png' })).arrayBuffer())];
+  });
+  const choosing = page.waitForEvent('filechooser');
+  await source().selectOption('still');
+  await (await choosing).setFiles({ name: 'red.png', mimeType: 'image/png', buffer: Buffer.from(red) });
+  const isRed = (r: number, g: number, b: number) => r > 150 && g < 80 && b < 80;
+  const isGreen = (r: number, g: number, b: number) => g > 90 && r < 80 && b < 80;
+  const shows = async (is: typeof isRed, share: number) => {
+    const endMs = Date.now() + 60_000;
+    while (shareOf(await editor.picture(), is) < share) if (Date.now() > endMs) throw new Error('The picture did not come.');
+  };
+  await editor.press('Play').catch(() => {});
+  await shows(isRed, 0.98);
+  await source().selectOption('camera');
+  await shows(isGreen, 0.5);
+});
