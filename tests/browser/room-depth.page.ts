@@ -1,11 +1,14 @@
+import { readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { createRandom } from '../../export/runtime/random.ts';
 import type { AssetService, NodeRuntime } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
+import depthViewSource from '../../nodes/layer/depth-view/depth-view.fs';
 import { definition } from '../../nodes/world/depth/definition.ts';
 import { create } from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
 import { fakeContext, type PlainValue } from '../support/node-context.ts';
-import { frame, texture, upset, view } from './runtime-kit.ts';
+import { frame, MEASURED_DEPTH, pass, pixel, stand as playerFor, program, sourceOperation, texture, upset, view } from './runtime-kit.ts';
 import { createGl, room } from './scenes-kit.ts';
 
 /** The node without a player: depth goes in, depth comes out, and its numbers are read back. */
@@ -245,6 +248,50 @@ export function leftBehind() {
   node.dispose();
   const flat = counts.every((count) => JSON.stringify(count) === JSON.stringify(counts[0]));
   return { flat, left: leaks.report(), error: gl.getError() };
+}
+
+/** Colours of the depth view over a room of 0.5, 2.25, 4 and no metres from the left, and how much of its scale is ink. */
+export async function depthView() {
+  const shader = readIsf(depthViewSource, 'depth-view.fs').output;
+  const [linked] = (shader && linkIsf(shader, { node: 'seen' }).output) ?? [];
+  if (!linked) throw new Error('The shader cannot be linked.');
+  const numbers = [0.5, 4, 1, 0];
+  const slotOf: Record<string, number> = { nearM: 0, farM: 1, opacity: 2, legend: 3 };
+  const shows = program({
+    slots: { numbers, texts: [], slots: numbers.map((_, offset) => ({ type: 'number' as const, offset })), params: { 'seen.legend': 3 } },
+    resources: [{ id: 'room', kind: 'room-depth' }],
+    shaders: [linked.shader],
+    operations: [
+      sourceOperation('world/depth', 'depth', 'room'),
+      pass('seen', 0, 'screen', {
+        samplers: linked.samplers.map(({ name }) => ({ name, source: { kind: 'room-depth', resource: 'room' }, fit: 'none' })),
+        uniforms: linked.uniforms.map(({ name, type, source }) => ({
+          name,
+          type,
+          source: 'builtin' in source ? source : { slot: 'param' in source ? (slotOf[source.param] ?? -1) : -1 },
+        })),
+      }),
+    ],
+  });
+  const gl = createGl(320, 240);
+  const { player } = await playerFor(shows, { gl, modules: { 'world/depth': MEASURED_DEPTH } });
+  const depth = room(gl, 4, 1, [0.5, 2.25, 4, 0]);
+  const draw = (index: number): void => {
+    player.draw(frame(index, [view(0, 0, 320, 240, { depth })], { framebufferWidthPx: 320, framebufferHeightPx: 240 }));
+  };
+  draw(0);
+  const colors = [40, 120, 200, 280].map((x) => pixel(gl, x, 120));
+  const ink = (): number => {
+    let white = 0;
+    for (let y = 40; y < 200; y++) for (let x = 22; x < 70; x++) if (pixel(gl, x, y).every((value) => value === 255)) white++;
+    return white;
+  };
+  const before = ink();
+  player.setParam('seen', 'legend', 1);
+  draw(1);
+  const result = { colors, ink: [before, ink()], bar: [pixel(gl, 15, 50), pixel(gl, 15, 190)], error: gl.getError() };
+  player.dispose();
+  return result;
 }
 
 /** A GPU that can draw no floats. */

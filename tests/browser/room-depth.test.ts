@@ -59,3 +59,21 @@ describe('room depth is cleaned before anything reads it', () => {
     expect(await page.call('withoutFloats')).toEqual({ first: [1, 2, 3], interpolate: true });
   });
 });
+
+test('the depth view is red near, green midway, blue far and grey where nothing is known, with a scale that can be turned off', async () => {
+  const { colors, ink, bar, error } = await page.call<{ colors: number[][]; ink: number[]; bar: number[][]; error: number }>('depthView');
+  expect(colors.slice(0, 3)).toEqual([
+    [255, 0, 0, 255],
+    [0, 255, 0, 255],
+    [0, 0, 255, 255],
+  ]);
+  const [r = 0, g, b] = colors[3] ?? [];
+  expect([g, b]).toEqual([r, r]);
+  expect(r).toBeLessThan(64);
+  // Six numbers of a few dozen dots, each dot about two pixels.
+  expect(ink[0]).toBe(0);
+  expect(ink[1]).toBeGreaterThan(100);
+  expect(bar[0]?.[0]).toBeGreaterThan(240);
+  expect(bar[1]?.[2]).toBeGreaterThan(240);
+  expect(error).toBe(0);
+});
