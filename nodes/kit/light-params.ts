@@ -121,3 +121,16 @@ export const SHADOW_SOURCE_M = {
   step: 0.01,
   unit: 'm',
 } as const;
+
+/** How dark it is where things touch. */
+export const CONTACT_SHADOW = {
+  type: 'number',
+  stage: 'uniform',
+  label: 'Contact shadow',
+  doc: 'Light from all sides, as a part of this light, and the dark that it leaves where things touch real ones. It lightens the other shadow a little, as a bright room does. 0: none.',
+  default: 0,
+  min: 0,
+  max: 1,
+  step: 0.01,
+  unit: 'ratio',
+} as const;

@@ -170,6 +170,8 @@ export type LampItem = DirectionalLightItem | PointLightItem | SpotLightItem;
 export interface DirectionalLightItem {
   key: string;
   readonly kind: 'directional';
+  /** It lights nothing, and is there for its shadow on real things. */
+  readonly onlyShadows?: true;
   /** Linear-sRGB, times intensity in lux-like three.js units. */
   readonly radiance: Float32Array;
   /** Unit vector from the scene towards the light, world space. */

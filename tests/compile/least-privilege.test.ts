@@ -158,3 +158,38 @@ describe('what is not used is not in the page', () => {
     expect(types(styled(scene()).bind('sepia-a.amount', { track: { keys, repeat: 'once' } }))).toEqual(['binding/track']);
   });
 });
+
+describe('light and surfaces of the room', () => {
+  const lit = () => scene().add('light-a', 'world/light-estimate').wire('light-a.lights -> scene-a.lights');
+
+  test('are asked for where they are used, optionally, and nothing else is for their sake', () => {
+    expect(asked(lit())).toEqual(['light-estimation']);
+    const shadowed = (surfaces: string) =>
+      lit()
+        .add('real-a', surfaces)
+        .add('shadow-a', 'layer/shadow')
+        .add('under-a', 'operator/over')
+        .wire(
+          'box-a.objects -> shadow-a.casters',
+          'real-a.objects -> shadow-a.receivers',
+          'light-a.lights -> shadow-a.lights',
+          'shadow-a.layer -> under-a.bottom',
+          'scene-a.layer -> under-a.top',
+          'under-a.layer -> over-a.top',
+        );
+    expect(asked(shadowed('world/planes')).sort()).toEqual(['light-estimation', 'plane-detection']);
+    expect(asked(shadowed('world/meshes')).sort()).toEqual(['light-estimation', 'mesh-detection']);
+    expect(sessionInit(program(shadowed('world/planes')).needs, null).requiredFeatures).toEqual([]);
+    // Room depth is read by the shadow itself, and asked for by its node alone.
+    const onDepth = lit()
+      .add('room-a', 'world/depth')
+      .add('shadow-a', 'layer/shadow')
+      .wire('box-a.objects -> shadow-a.casters', 'room-a.depth -> shadow-a.depth', 'light-a.lights -> shadow-a.lights')
+      .wire('shadow-a.layer -> over-a.bottom');
+    expect(asked(onDepth).sort()).toEqual(['depth-sensing', 'light-estimation']);
+  });
+
+  test('are not asked for where they are placed and not used', () => {
+    expect(asked(scene().add('light-a', 'world/light-estimate').add('planes-a', 'world/planes'))).toEqual([]);
+  });
+});

@@ -2,8 +2,11 @@ import { BoxGeometry, Color, DataTexture, Matrix4, Mesh, MeshLambertMaterial, Pl
 import type { LampShadow, LightShadow, ShadowFilter } from '../../nodes/kit/light-shadow.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth } from '../../nodes/kit/session.ts';
+import { definition as directional } from '../../nodes/light/directional/definition.ts';
+import { create as createDirectional } from '../../nodes/light/directional/runtime.ts';
 import { bulb, drawView, lights, lookingAt, objects, pixel, spot, sun, translation, viewOf } from '../browser/scenes-kit.ts';
 import { desk, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
+import { fakeContext } from '../support/node-context.ts';
 
 /** Straight down from 2 m: a pixel of the floor is 5.2 mm. */
 const ABOVE = lookingAt([0, 2, 1e-3], [0, 0, 0]);
@@ -314,4 +317,37 @@ export function veiledThings(kind: 'sun' | 'spot' | 'bulb') {
   scene.dispose();
   maps.dispose();
   return { through: through / open, thinner: thinner / open, solid: solid / open, error: gl.getError() };
+}
+
+/** Alpha on the floor below the middle of a box that stands on it, floats, and floats high, by the contact shadow alone; and how it lights. */
+export function contacts() {
+  const { ctx } = fakeContext(directional, { params: { contact: 1, areaM: 3, castShadow: true } });
+  createDirectional(ctx).update({} as never);
+  const contact = ctx.outputs.lights.items.filter((light) => light.kind === 'directional' && light.onlyShadows);
+  const side = (heightM: number): ObjectItem => thing(new BoxGeometry(0.3, 0.2, 0.3), { at: translation(0, heightM + 0.1, 0) });
+  const shot = { lights: contact, receivers: [desk()], method: 'map', camera: ABOVE, strength: 1 } as const;
+  const alphas = (heightM: number): { readonly below: number; readonly beside: number } => {
+    const pixels = shoot(stand, { ...shot, casters: [side(heightM)] });
+    const at = (x: number): number =>
+      pixel(pixels, SIDES.widthPx / 2 + Math.round(x / METRES_PER_PX), SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
+    return { below: at(0), beside: at(0.18) };
+  };
+  const volumes = shoot(stand, { ...shot, casters: [side(0.1)], method: 'volume' });
+  const { backend, layer } = stand;
+  const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0 } });
+  scene.update([objects(thing(new PlaneGeometry(2, 2).rotateX(-Math.PI / 2)))], [lights(...contact)]);
+  layer.clear();
+  backend.invalidateState();
+  scene.draw(drawView(viewOf(ABOVE, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
+  const lit = pixel(layer.pixels(), SIDES.widthPx / 2, SIDES.heightPx / 2, SIDES.widthPx);
+  scene.dispose();
+  return {
+    lights: contact.length,
+    standing: alphas(0),
+    floating: alphas(0.3),
+    high: alphas(1.2),
+    byVolume: pixel(volumes, SIDES.widthPx / 2, SIDES.heightPx / 2, SIDES.widthPx)[3],
+    lit,
+    error: stand.gl.getError(),
+  };
 }

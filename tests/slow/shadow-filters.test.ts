@@ -118,3 +118,23 @@ describe('see-through things', () => {
     expect([solid, error]).toEqual([0, 0]);
   });
 });
+
+test('a contact shadow is dark where things touch and gone a little above, and lights nothing', async () => {
+  interface At {
+    readonly below: number;
+    readonly beside: number;
+  }
+  const found = await page.call<{ lights: number; standing: At; floating: At; high: At; byVolume: number; lit: number[]; error: number }>(
+    'contacts',
+  );
+  const { lights, standing, floating, high, byVolume, lit, error } = found;
+  console.log(
+    `Contact shadow below and beside a box that stands, floats 30 cm up, and 1.2 m: ${JSON.stringify([standing, floating, high])}`,
+  );
+  expect(standing.below).toBeGreaterThan(220);
+  expect(standing.beside).toBeGreaterThan(20);
+  expect(standing.beside).toBeLessThan(150);
+  expect(floating.below).toBeLessThan(80);
+  expect(high.below).toBeLessThan(20);
+  expect([lights, byVolume, lit.slice(0, 3), error]).toEqual([1, 0, [0, 0, 0], 0]);
+});

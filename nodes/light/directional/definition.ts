@@ -1,5 +1,12 @@
 import { defineNode } from '../../kit/definition.ts';
-import { SHADOW_AREA_M, SHADOW_BIAS_PX, SHADOW_FILTER, SHADOW_MAP_SIZE, SHADOW_SOURCE_RAD } from '../../kit/light-params.ts';
+import {
+  CONTACT_SHADOW,
+  SHADOW_AREA_M,
+  SHADOW_BIAS_PX,
+  SHADOW_FILTER,
+  SHADOW_MAP_SIZE,
+  SHADOW_SOURCE_RAD,
+} from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/directional',
@@ -56,6 +63,7 @@ export const definition = defineNode({
     biasPx: SHADOW_BIAS_PX,
     filter: SHADOW_FILTER,
     sourceRad: SHADOW_SOURCE_RAD,
+    contact: CONTACT_SHADOW,
   },
   lowering: { kind: 'geometry' },
 });

@@ -8,7 +8,7 @@ function make(params: Record<string, PlainValue>) {
   const { ctx, set } = fakeContext(definition, { params });
   const node = create(ctx);
   node.update({} as never);
-  return { node, light: ctx.outputs.lights.items[0] as DirectionalLightItem, set };
+  return { node, light: ctx.outputs.lights.items[0] as DirectionalLightItem, lights: ctx.outputs.lights, set };
 }
 
 const rounded = (numbers: Iterable<number>): number[] => [...numbers].map((x) => Math.round(x * 1e6) / 1e6 + 0);
@@ -42,5 +42,19 @@ describe('light/directional', () => {
     node.update({} as never);
     expect(light.shadow).toBe(shadow);
     expect(light.shadow?.areaM).toBe(4);
+  });
+
+  test('its contact shadow is another light for shadows alone, there while its strength is above 0', () => {
+    const { node, lights, set } = make({ contact: 0.5, areaM: 2 });
+    const [light, contact] = lights.items as DirectionalLightItem[];
+    expect(contact).toMatchObject({ onlyShadows: true, shadow: { areaM: 2, filter: 'pcss' } });
+    expect(rounded(contact?.towardsLightWorld ?? [])).toEqual([0, 1, 0]);
+    expect(contact?.radiance[0]).toBeCloseTo((light?.radiance[0] ?? 0) / 2, 5);
+    const { version } = lights;
+    node.update({} as never);
+    expect(lights.version).toBe(version);
+    set('contact', 0);
+    node.update({} as never);
+    expect([lights.items.length, lights.version > version]).toEqual([1, true]);
   });
 });

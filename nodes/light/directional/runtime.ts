@@ -1,4 +1,5 @@
 import { Color } from 'three';
+import { createContactShadow } from '../../kit/contact-shadow.ts';
 import type { LightShadow } from '../../kit/light-shadow.ts';
 import type { DirectionalLightItem, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
@@ -10,7 +11,7 @@ const WHITE_ON_WHITE = Math.PI;
 const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { color, intensity, azimuthRad, elevationRad, castShadow, areaM, biasPx, sourceRad } = ctx.params;
+  const { color, intensity, azimuthRad, elevationRad, castShadow, areaM, biasPx, sourceRad, contact } = ctx.params;
   const mapSizePx = Number(ctx.config.mapSize);
   // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
   // shadow's filter, so it is counted in the map's pixels.
@@ -24,6 +25,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
   ctx.outputs.lights.items.push(light);
   ctx.outputs.lights.version++;
+  const contactShadow = createContactShadow(ctx.outputs.lights);
 
   return {
     update: () => {
@@ -37,6 +39,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       shadow.sourceRad = sourceRad.value;
       shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
       light.shadow = castShadow.value ? shadow : null;
+      contactShadow.update(castShadow.value ? contact.value : 0, areaM.value, light.radiance);
     },
     dispose: () => {},
   };

@@ -1,3 +1,4 @@
+import { createContactShadow } from '../../kit/contact-shadow.ts';
 import type { LightShadow } from '../../kit/light-shadow.ts';
 import type { DirectionalLightItem, NodeContext, NodeRuntime, ProbeLightItem, Writable } from '../../kit/runtime.ts';
 import type { LightEstimate } from '../../kit/session.ts';
@@ -11,7 +12,7 @@ import { createRoomLight, DEFAULT_MEAN, guessLight, type RoomLight } from './gue
 const HOLD_S = 2;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { intensity, smoothingS, castShadow, areaM, biasPx, sourceRad } = ctx.params;
+  const { intensity, smoothingS, castShadow, areaM, biasPx, sourceRad, contact } = ctx.params;
   const { mapSize } = ctx.config;
   const mapSizePx = Number(mapSize);
   const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0, filter: ctx.config.filter, sourceRad: 0 };
@@ -31,6 +32,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
   ctx.outputs.lights.items.push(primary, around);
   ctx.outputs.lights.version++;
+  const contactShadow = createContactShadow(ctx.outputs.lights);
   const target = createRoomLight();
   const now = createRoomLight();
   /** Since when there has been no estimate; null where there never was one. */
@@ -78,6 +80,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       shadow.sourceRad = sourceRad.value;
       shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
       primary.shadow = castShadow.value ? shadow : null;
+      contactShadow.update(castShadow.value ? contact.value : 0, areaM.value, primary.radiance);
     },
     reset,
     dispose: () => {},

@@ -84,7 +84,7 @@ export function createLightRig(scene: Scene): LightRig {
 function createLight(item: LightItem): RigLight | null {
   switch (item.kind) {
     case 'directional':
-      return createDirectional(item);
+      return item.onlyShadows ? null : createDirectional(item);
     case 'point':
       return createPoint(item);
     case 'spot':

@@ -47,7 +47,7 @@ float litByVsm( const in sampler2D moments, const in vec3 at, const in float ran
 #define SEARCH_TAPS 16
 #define PENUMBRA_TAPS 32
 // Of the map's side: beyond, taps lie too far apart.
-#define WIDEST 0.15
+#define WIDEST 0.35
 
 // Evenly over a disc, turned pixel by pixel (Vogel 1979; Jimenez 2014, interleaved gradient noise).
 vec2 inDisc( const in int tap, const in float taps, const in float turn ) {

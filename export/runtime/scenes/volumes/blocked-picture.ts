@@ -13,7 +13,7 @@ import {
   WebGLRenderTarget,
   ZeroStencilOp,
 } from 'three';
-import type { DrawView, LampItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import type { DrawView, LampItem, LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { isLamp } from '../lights/is-lamp.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
@@ -129,7 +129,7 @@ export function createBlockedPicture({ renderer, casters, catches, tellShaped }:
 
   function takeOver(lists: readonly LightList[]): void {
     for (const lamp of volumeLamps) lamp.dispose();
-    lamps = lists.flatMap(({ items }) => items.filter(isLamp));
+    lamps = lists.flatMap(({ items }) => items.filter(isSharp));
     volumeLamps = lamps.map((lamp, i) => createVolumeLamp(lamp, STEPS * i + 1));
     setLampCount(uniforms, lamps.length);
   }
@@ -170,4 +170,9 @@ function createExactDepth(master: Material, role: ObjectItem['role']): Twin {
   const twin = createDepthTwin(master, role === 'phantom' ? 'surface' : 'solid');
   twin.material.polygonOffset = false;
   return twin;
+}
+
+/** Volumes have sharp edges: a light that is there for its wide ones has no part in them. */
+function isSharp(light: LightItem): light is LampItem {
+  return isLamp(light) && !(light.kind === 'directional' && light.onlyShadows);
 }
