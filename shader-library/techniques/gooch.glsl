@@ -28,12 +28,13 @@ vec4 surface(const in Surface s) {
   }
   Light light = strongestLight(s);
   float facing = dot(s.normal, light.towards);
-  // In shadow a surface is no warmer than one that the light just grazes.
-  float reached = facing > 0.0 ? facing * light.lit : facing;
+  // In shadow, and beside the cone of a spot, a surface is no warmer than one that the light just grazes.
+  float lit = lightStrength(light) > 0.0 ? light.lit : 0.0;
+  float reached = facing > 0.0 ? facing * lit : facing;
   vec3 cool = coolColor.rgb + coolShare * s.color.rgb;
   vec3 warm = warmColor.rgb + warmShare * s.color.rgb;
   vec3 tone = mix(cool, warm, 0.5 + 0.5 * reached);
   float mirrored = max(dot(reflect(-light.towards, s.normal), s.towardsEye), 0.0);
-  float shine = facing > 0.0 ? highlight * light.lit * pow(mirrored, sharpness) : 0.0;
+  float shine = facing > 0.0 ? highlight * lit * pow(mirrored, sharpness) : 0.0;
   return vec4(mix(tone, vec3(1.0), shine), s.color.a);
 }

@@ -1,5 +1,5 @@
 import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, SphereGeometry, Vector3 } from 'three';
-import { HEIGHT, lookingAt, pixel, project, room, sun, translation, WIDTH } from '../browser/scenes-kit.ts';
+import { bulb, HEIGHT, lookingAt, pixel, project, room, spot, sun, translation, WIDTH } from '../browser/scenes-kit.ts';
 import {
   drawnWith,
   EYE,
@@ -240,20 +240,42 @@ export function looseSphere(times: readonly number[]) {
 
 const THROUGH = { haze: 1, shine: 0 };
 
-/** Light that a floor shows in the shadow of a plate, as a part of that beside it; and on a floor that receives none. */
-export function shadowOn(name: string): { received: number; refused: number } {
+const SHADOW_PX = { mapSizePx: 1024, biasPx: 2.5 };
+
+/** All throw the plate's shadow over the same place of the floor, and shine beyond it. */
+const LIGHTS = {
+  sun: () => sun([1, 1, 0], { shadow: { areaM: 5, mapSizePx: 512, bias: 0, normalBiasM: 0.01 } }),
+  point: () => bulb([2.1, 2.1, 0], 40, { shadow: SHADOW_PX }),
+  spot: () => spot([2.1, 2.1, 0], [0.2, 0, 0], 40, { halfAngleRad: 0.9, shadow: SHADOW_PX }),
+} as const;
+
+/**
+ * Light that a floor shows in the shadow of a plate, as a part of that beside it; and on a floor that receives none. The lamps' own
+ * light falls off, so that the second is not quite one.
+ */
+export function shadowOn(name: string, kind: keyof typeof LIGHTS): { received: number; refused: number } {
   const camera = lookingAt([0, 3, 0.01], [0, 0, 0]);
-  const light = sun([1, 1, 0], { shadow: { areaM: 5, mapSizePx: 512, bias: 0, normalBiasM: 0.01 } });
   const view = technique(name, name === 'glass' ? THROUGH : {});
   const plate = drawnWith(new Mesh(new PlaneGeometry(0.8, 0.8).rotateX(-Math.PI / 2), matt()), view, translation(0.6, 0.5, 0));
   const [received = 1, refused = 1] = [true, false].map((receives) => {
     const floor = drawnWith(new Mesh(new PlaneGeometry(4, 4).rotateX(-Math.PI / 2), matt()), view);
     floor.receivesShadow = receives;
-    const pixels = shoot({ items: [floor, plate], suns: [light], camera });
+    const pixels = shoot({ items: [floor, plate], suns: [LIGHTS[kind]()], camera });
     return meanAround(pixels, project(camera, [-0.05, 0, 0])) / meanAround(pixels, project(camera, [-1, 0, 0]));
   });
   noError();
   return { received, refused };
+}
+
+/** How bright a floor is under a lamp that shines down on its middle: there, and far off to the side; linear. */
+export function underLamp(name: string, kind: 'point' | 'spot'): { middle: number; aside: number } {
+  const camera = lookingAt([0, 3, 0.01], [0, 0, 0]);
+  const view = technique(name, name === 'glass' ? THROUGH : {});
+  const floor = drawnWith(new Mesh(new PlaneGeometry(6, 6).rotateX(-Math.PI / 2), matt()), view);
+  const lamp = kind === 'spot' ? spot([0, 1, 0], [0, 0, 0], 3, { halfAngleRad: 0.5 }) : bulb([0, 0.4, 0], 0.5);
+  const pixels = shoot({ items: [floor], suns: [lamp], camera });
+  noError();
+  return { middle: meanAround(pixels, project(camera, [0, 0, 0])), aside: meanAround(pixels, project(camera, [1.4, 0, 0])) };
 }
 
 /** Strokes and grain are larger than a pixel. */

@@ -10,11 +10,18 @@ beforeAll(() => page.call('prepare'));
 const NAMES = readdirSync('shader-library/techniques').map((file) => file.replace('.glsl', ''));
 
 describe.each(NAMES)('technique/%s', (name) => {
-  test('shows shadows that fall on it, where it receives them', async () => {
-    const { received, refused } = await page.call<{ received: number; refused: number }>('shadowOn', name);
-    expect(received).toBeLessThan(0.8);
-    // Grain and strokes are nowhere the same.
-    expect(Math.abs(refused - 1)).toBeLessThan(0.15);
+  test.each(['sun', 'point', 'spot'])('shows shadows of a %s that fall on it, where it receives them', async (light) => {
+    const { received, refused } = await page.call<{ received: number; refused: number }>('shadowOn', name, light);
+    expect(received / refused).toBeLessThan(0.8);
+    // Grain and strokes are nowhere the same; near a lamp it is brighter.
+    if (light === 'sun') expect(Math.abs(refused - 1)).toBeLessThan(0.15);
+    else expect(refused).toBeGreaterThan(0.85);
+  });
+
+  test.each(['point', 'spot'])('is bright under the light of a %s, and darker where that does not reach', async (light) => {
+    const { middle, aside } = await page.call<{ middle: number; aside: number }>('underLamp', name, light);
+    // Gooch's tones go by direction, and reach from cool to warm alone.
+    expect(aside / middle).toBeLessThan(0.9);
   });
 
   test('is hidden by the wall that it is behind', async () => {

@@ -6,7 +6,7 @@ Light strongestLight(const in Surface s) {
   float strength = 0.0;
   for (int i = 0; i < LIGHT_COUNT; i++) {
     Light light = LIGHT(i);
-    if (lightStrength(light) <= strength) continue;
+    if (i > 0 && lightStrength(light) <= strength) continue;
     strength = lightStrength(light);
     best = light;
   }
