@@ -1,4 +1,6 @@
+import { readFile } from 'node:fs/promises';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import type { AxeResults } from 'axe-core';
 import { useBrowser } from '../support/browser.ts';
 import { centreOf, FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
@@ -21,6 +23,7 @@ const GRAPH: GraphText = {
   places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [240, 0], 'threshold-aaaa': [480, 0], 'screen-aaaa': [720, 0], 'sobel-aaaa': [240, 260] },
 };
 
+const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
 const browser = useBrowser();
 let open: OpenEditor;
 beforeAll(async () => {
@@ -141,4 +144,23 @@ test('what nodes cost is drawn on them, with a budget that warns', async () => {
   await page.locator('.canvas').focus();
   await page.keyboard.press('k');
   await panel.waitFor({ state: 'detached' });
+});
+
+test('axe-core finds nothing wrong with any of it, in both themes', async () => {
+  const { page, editor } = open;
+  await editor.node('threshold').locator('.node-title').click();
+  for (const key of ['t', 'k', 'Shift+P']) await page.keyboard.press(key);
+  await page.getByRole('slider', { name: 'Wipe between the two layers' }).waitFor();
+  await page.getByRole('button', { name: 'Preview options' }).click();
+  await page.getByRole('menuitemradio', { name: 'Headset' }).waitFor();
+  for (const colorScheme of ['dark', 'light'] as const) {
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await page.evaluate(AXE);
+    const { violations } = await page.evaluate(() => {
+      const { axe } = window as unknown as { axe: { run: (context: object) => Promise<AxeResults> } };
+      // The preview is a page of its own.
+      return axe.run({ exclude: [['iframe']] });
+    });
+    expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual([]);
+  }
 });
