@@ -1,6 +1,7 @@
 import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { createRandom } from '../../export/runtime/random.ts';
+import { createDepthReprojector } from '../../export/runtime/sessions/webxr/reproject-depth.ts';
 import type { AssetService, NodeRuntime } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 import depthViewSource from '../../nodes/layer/depth-view/depth-view.fs';
@@ -292,6 +293,57 @@ export async function depthView() {
   const result = { colors, ink: [before, ink()], bar: [pixel(gl, 15, 50), pixel(gl, 15, 190)], error: gl.getError() };
   player.dispose();
   return result;
+}
+
+/** The wall is 3 m away, and before it a square of 0.8 m at 1.5 m; rays by their slopes from a place on the x–z plane. */
+function hitM(x: number, z: number, dx: number, dy: number, dz: number): number {
+  for (const [planeZ, half] of [
+    [-1.5, 0.4],
+    [-3, 99],
+  ] as const) {
+    const t = (planeZ - z) / dz;
+    if (t > 0 && Math.abs(x + t * dx) < half && Math.abs(t * dy) < half) return t;
+  }
+  return 0;
+}
+
+/** A depth camera 10 cm to the right, turned by 0.15 to the left, its picture turned a quarter, seen from the view in the middle. */
+export function reprojected() {
+  const gl = createGl();
+  const reprojector = createDepthReprojector(gl);
+  if (!reprojector) throw new Error('The GPU draws no floats.');
+  const [eyeX, yaw, columns, rows] = [0.1, 0.15, 96, 128];
+  const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+  const worldFromDepth = Float32Array.of(c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, eyeX, 0, 0, 1);
+  // 80 degrees wide and 66 high.
+  const [tanX, tanY] = [0.84, 0.65];
+  const clipFromDepth = Float32Array.of(1 / tanX, 0, 0, 0, 0, 1 / tanY, 0, 0, 0, 0, -1, -1, 0, 0, -0.1, 0);
+  // u = v of the view, v = 1 - u of the view.
+  const turned = [0, -1, 0, 1, 0, 0, 0, 1, 1];
+  const metres = Array.from({ length: columns * rows }, (_, i) => {
+    const viewV = ((i % columns) + 0.5) / columns;
+    const viewU = 1 - (Math.floor(i / columns) + 0.5) / rows;
+    const [x, y] = [(viewU * 2 - 1) * tanX, (viewV * 2 - 1) * tanY];
+    return hitM(eyeX, 0, c * x - s, y, -s * x - c);
+  });
+  const from = room(gl, columns, rows, metres, turned);
+  upset(gl);
+  const wanted = view(0, 0, VIEW_W, VIEW_H);
+  const depth = reprojector.reproject(from, { worldFromDepth, clipFromDepth }, wanted);
+  const found = metresOf(gl, depth);
+  const tally = { right: 0, wrong: 0, unknown: 0, between: 0 };
+  found.forEach((m, i) => {
+    // A view of 90 degrees each way.
+    const x = (((i % columns) + 0.5) / columns) * 2 - 1;
+    const y = ((Math.floor(i / columns) + 0.5) / rows) * 2 - 1;
+    const truth = hitM(0, 0, x, y, -1);
+    if (m === 0) tally.unknown++;
+    else if (Math.abs(m - truth) < 0.01) tally.right++;
+    else if (m > 1.6 && m < 2.9) tally.between++;
+    else tally.wrong++;
+  });
+  reprojector.dispose();
+  return { ...tally, all: found.length, error: gl.getError() };
 }
 
 /** A GPU that can draw no floats. */

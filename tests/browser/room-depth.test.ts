@@ -77,3 +77,14 @@ test('the depth view is red near, green midway, blue far and grey where nothing 
   expect(bar[1]?.[2]).toBeGreaterThan(240);
   expect(error).toBe(0);
 });
+
+test('depth of a camera that stands and looks elsewhere is brought to where the view sees it, and what it does not see stays unknown', async () => {
+  const found = await page.call<Record<'right' | 'wrong' | 'unknown' | 'between' | 'all' | 'error', number>>('reprojected');
+  expect(found.error).toBe(0);
+  const known = found.all - found.unknown;
+  // The depth camera sees a good half of the view.
+  expect(known / found.all).toBeGreaterThan(0.4);
+  expect(known / found.all).toBeLessThan(0.75);
+  expect(found.right / known).toBeGreaterThan(0.97);
+  expect(found.between).toBe(0);
+});

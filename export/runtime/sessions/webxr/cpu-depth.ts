@@ -24,7 +24,11 @@ export function createCpuDepth(gl: WebGL2RenderingContext): CpuDepth {
       const { width, height, data, rawValueToMeters } = info;
       if (depth?.widthPx !== width || depth.heightPx !== height) depth = resize(width, height);
       const raw = format === 'float32' ? new Float32Array(data) : new Uint16Array(data);
-      for (let i = 0; i < metres.length; i++) metres[i] = (raw[i] ?? 0) * rawValueToMeters;
+      for (let i = 0; i < metres.length; i++) {
+        const m = (raw[i] ?? 0) * rawValueToMeters;
+        // Some runtimes store an endless distance, or none, where they know nothing.
+        metres[i] = m > 0 && m < Number.POSITIVE_INFINITY ? m : 0;
+      }
       prepareUpload(gl, 4);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, depth.texture);

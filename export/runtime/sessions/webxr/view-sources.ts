@@ -1,13 +1,15 @@
 import type { CameraImage, RoomDepth } from '../../../../nodes/kit/session.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
-import type { MutableCameraImage } from '../session-frame.ts';
+import type { MutableCameraImage, MutableRoomDepth } from '../session-frame.ts';
 import { type CpuDepth, createCpuDepth } from './cpu-depth.ts';
 import { createGpuDepth, type GpuDepth } from './gpu-depth.ts';
+import { createDepthReprojector, type DepthReprojector, isSameMatrix, type WantedView } from './reproject-depth.ts';
 import type { XrBinding, XrViewWithCamera } from './webxr-types.ts';
 
 /** What the device sees of the world, view by view. Asked only for what was granted. */
 export interface ViewSources {
-  depth(frame: XRFrame, view: XRView, index: number, worldFromView: Float32Array): RoomDepth | null;
+  /** `seen`: the view as the frame has it by now. */
+  depth(frame: XRFrame, view: XRView, index: number, seen: WantedView): RoomDepth | null;
   cameraImage(view: XrViewWithCamera, index: number): CameraImage | null;
   dispose(): void;
 }
@@ -23,16 +25,27 @@ export function createViewSources(
   const cpu: readonly CpuDepth[] = usage === 'cpu-optimized' ? perView(() => createCpuDepth(gl)) : [];
   const gpu: readonly (GpuDepth | null)[] = usage === 'gpu-optimized' ? perView(() => createGpuDepth(gl)) : [];
   const images: (MutableCameraImage | null)[] = perView(() => null);
+  const reprojectors: (DepthReprojector | null)[] = perView(() => null);
+
+  const aligned = (depth: MutableRoomDepth, info: XRDepthInformation, index: number, seen: WantedView): RoomDepth => {
+    // Browsers before 2025 leave it out: their depth is always the view's.
+    const clipFromDepth = info.projectionMatrix ?? seen.clipFromView;
+    const { worldFromDepth } = depth;
+    if (isSameMatrix(worldFromDepth, seen.worldFromView) && isSameMatrix(clipFromDepth, seen.clipFromView)) return depth;
+    const reprojector = reprojectors[index] ?? createDepthReprojector(gl);
+    reprojectors[index] = reprojector;
+    return reprojector?.reproject(depth, { worldFromDepth, clipFromDepth }, seen) ?? depth;
+  };
   return {
-    depth: (frame, view, index, worldFromView) => {
+    depth: (frame, view, index, seen) => {
       const onCpu = cpu[index];
       if (onCpu) {
         const info = frame.getDepthInformation(view);
-        return info ? onCpu.update(info, format, worldFromView) : null;
+        return info ? aligned(onCpu.update(info, format, seen.worldFromView), info, index, seen) : null;
       }
       const onGpu = gpu[index];
       const info = onGpu ? binding?.getDepthInformation?.(view) : null;
-      return onGpu && info ? onGpu.update(info, format, worldFromView) : null;
+      return onGpu && info ? aligned(onGpu.update(info, format, seen.worldFromView), info, index, seen) : null;
     },
     cameraImage: (view, index) => {
       const { camera } = view;
@@ -46,7 +59,7 @@ export function createViewSources(
       return image;
     },
     dispose: () => {
-      for (const depth of [...cpu, ...gpu]) depth?.dispose();
+      for (const depth of [...cpu, ...gpu, ...reprojectors]) depth?.dispose();
     },
   };
 }

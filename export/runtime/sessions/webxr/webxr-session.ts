@@ -59,7 +59,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
       view.viewport.y = viewport.y;
       view.viewport.widthPx = viewport.width;
       view.viewport.heightPx = viewport.height;
-      view.depth = sources.depth(xrFrame, xrView, count, view.worldFromView);
+      view.depth = sources.depth(xrFrame, xrView, count, view);
       view.cameraImage = room ? room.image(view, count) : wantsCamera ? sources.cameraImage(xrView, count) : null;
       count++;
       if (count === MAX_VIEWS) break;

@@ -1,0 +1,195 @@
+import { allocateTexture } from '../../gl/allocate-texture.ts';
+import { setPassState } from '../../gl/pass-state.ts';
+import type { MutableRoomDepth } from '../session-frame.ts';
+import { linkProgram } from './link-pass.ts';
+
+/** Where depth was measured from: pose and projection of the depth camera, column-major 4×4. */
+export interface DepthGeometry {
+  readonly worldFromDepth: Float32Array;
+  readonly clipFromDepth: Float32Array;
+}
+
+/** The view that depth is wanted for. */
+export interface WantedView {
+  readonly clipFromView: Float32Array;
+  readonly worldFromView: Float32Array;
+  readonly viewFromWorld: Float32Array;
+}
+
+/** Depth as the view sees it, from a camera that stands elsewhere or sees otherwise (Depth Sensing, `matchDepthView: false`). */
+export interface DepthReprojector {
+  /** `depth`: by UV of the depth camera's view. The same object every time, aligned with the view. */
+  reproject(depth: MutableRoomDepth, from: DepthGeometry, view: WantedView): MutableRoomDepth;
+  dispose(): void;
+}
+
+/** Finer sensors are read at every so many-th sample: a net of this many meshes a side is 393,216 vertices. */
+const MOST_MESHES = 256;
+
+/**
+ * The samples are a net that is drawn from the view, nearest first. Meshes with an unknown corner are left out. One that hangs from
+ * a near thing to what is behind it would be a wall that is not there: it counts as far as its farthest corner, so that what the
+ * depth camera could not see is as what is behind.
+ *
+ * Null where the GPU can draw no floats.
+ */
+export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReprojector | null {
+  const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
+  if (format === null) return null;
+  const program = linkProgram(gl, VERTEX, FRAGMENT);
+  const uniforms = {
+    step: gl.getUniformLocation(program, 'sampleStep'),
+    depthFromUv: gl.getUniformLocation(program, 'depthFromUv'),
+    lens: gl.getUniformLocation(program, 'lens'),
+    viewFromDepth: gl.getUniformLocation(program, 'viewFromDepth'),
+    clipFromView: gl.getUniformLocation(program, 'clipFromView'),
+  };
+  const framebuffer = gl.createFramebuffer();
+  const vertexArray = gl.createVertexArray();
+  const nearness = gl.createRenderbuffer();
+  const depthFromUv = new Float32Array(9);
+  const viewFromDepth = new Float32Array(16);
+  let seen: MutableRoomDepth | null = null;
+
+  const resize = (widthPx: number, heightPx: number): MutableRoomDepth => {
+    gl.deleteTexture(seen?.texture ?? null);
+    const texture = allocateTexture(gl, gl.createTexture(), format, gl.NEAREST, widthPx, heightPx);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, nearness);
+    gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT24, widthPx, heightPx);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl.DEPTH_ATTACHMENT, gl.RENDERBUFFER, nearness);
+    return { texture, widthPx, heightPx, uvFromViewUv: Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1), worldFromDepth: new Float32Array(16) };
+  };
+  return {
+    reproject: (depth, from, view) => {
+      const { widthPx, heightPx } = depth;
+      if (seen?.widthPx !== widthPx || seen.heightPx !== heightPx) seen = resize(widthPx, heightPx);
+      setInverse3(depthFromUv, depth.uvFromViewUv);
+      setProduct(viewFromDepth, view.viewFromWorld, from.worldFromDepth);
+      setPassState(gl, framebuffer, vertexArray, 0, 0, widthPx, heightPx);
+      gl.disable(gl.POLYGON_OFFSET_FILL);
+      gl.enable(gl.DEPTH_TEST);
+      gl.depthFunc(gl.LEQUAL);
+      gl.depthMask(true);
+      gl.clearColor(0, 0, 0, 0);
+      gl.clearDepth(1);
+      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+      gl.useProgram(program);
+      gl.activeTexture(gl.TEXTURE0);
+      gl.bindTexture(gl.TEXTURE_2D, depth.texture);
+      gl.bindSampler(0, null);
+      const step = Math.ceil(Math.max(widthPx, heightPx) / MOST_MESHES);
+      const p = from.clipFromDepth;
+      gl.uniform1i(uniforms.step, step);
+      gl.uniformMatrix3fv(uniforms.depthFromUv, false, depthFromUv);
+      gl.uniform4f(uniforms.lens, p[0] ?? 1, p[5] ?? 1, p[8] ?? 0, p[9] ?? 0);
+      gl.uniformMatrix4fv(uniforms.viewFromDepth, false, viewFromDepth);
+      gl.uniformMatrix4fv(uniforms.clipFromView, false, view.clipFromView);
+      gl.drawArrays(gl.TRIANGLES, 0, 6 * Math.ceil((widthPx - 1) / step) * Math.ceil((heightPx - 1) / step));
+      gl.disable(gl.DEPTH_TEST);
+      gl.bindVertexArray(null);
+      seen.worldFromDepth.set(view.worldFromView);
+      return seen;
+    },
+    dispose: () => {
+      gl.deleteTexture(seen?.texture ?? null);
+      gl.deleteRenderbuffer(nearness);
+      gl.deleteFramebuffer(framebuffer);
+      gl.deleteVertexArray(vertexArray);
+      gl.deleteProgram(program);
+    },
+  };
+}
+
+/** Whether two matrices say the same, as far as browsers keep to their digits: to a tenth of a millimetre or its like. */
+export function isSameMatrix(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  for (let i = 0; i < 16; i++) if (Math.abs((a[i] ?? 0) - (b[i] ?? 0)) > 1e-4) return false;
+  return true;
+}
+
+function setProduct(out: Float32Array, a: Float32Array, b: Float32Array): void {
+  for (let column = 0; column < 16; column += 4) {
+    for (let row = 0; row < 4; row++) {
+      let sum = 0;
+      for (let i = 0; i < 4; i++) sum += (a[i * 4 + row] ?? 0) * (b[column + i] ?? 0);
+      out[column + row] = sum;
+    }
+  }
+}
+
+/** By the cross products of the columns; all zero where there is none. */
+function setInverse3(out: Float32Array, m: Float32Array): void {
+  const at = (i: number): number => m[i] ?? 0;
+  const cross = (a: number, b: number, i: number): number =>
+    at(a + ((i + 1) % 3)) * at(b + ((i + 2) % 3)) - at(a + ((i + 2) % 3)) * at(b + ((i + 1) % 3));
+  const determinant = at(0) * cross(3, 6, 0) + at(1) * cross(3, 6, 1) + at(2) * cross(3, 6, 2);
+  const scale = determinant === 0 ? 0 : 1 / determinant;
+  for (let i = 0; i < 3; i++) {
+    out[i * 3] = cross(3, 6, i) * scale;
+    out[i * 3 + 1] = cross(6, 0, i) * scale;
+    out[i * 3 + 2] = cross(0, 3, i) * scale;
+  }
+}
+
+const VERTEX = `#version 300 es
+precision highp float;
+precision highp int;
+uniform highp sampler2D room;
+uniform int sampleStep;
+uniform mat3 depthFromUv;
+uniform vec4 lens;
+uniform mat4 viewFromDepth;
+uniform mat4 clipFromView;
+out float viewM;
+flat out float farthestM;
+// More than a tenth of the distance from corner to corner is a gap between two things.
+const float GAP = 0.1;
+ivec2 last;
+
+vec3 inView(ivec2 at) {
+  float m = texelFetch(room, at, 0).r;
+  vec2 size = vec2(last + 1);
+  // The outermost samples reach to the edge.
+  vec2 uv = mix(mix((vec2(at) + 0.5) / size, vec2(0.0), equal(at, ivec2(0))), vec2(1.0), equal(at, last));
+  vec3 placed = depthFromUv * vec3(uv, 1.0);
+  vec2 ndc = placed.xy / placed.z * 2.0 - 1.0;
+  return m > 0.0 ? (viewFromDepth * vec4((ndc + lens.zw) / lens.xy * m, -m, 1.0)).xyz : vec3(0.0);
+}
+
+void main() {
+  last = textureSize(room, 0) - 1;
+  int columns = (last.x + sampleStep - 1) / sampleStep;
+  int mesh = gl_VertexID / 6;
+  ivec2 a = ivec2(mesh % columns, mesh / columns) * sampleStep;
+  ivec2 d = min(a + sampleStep, last);
+  bool isUpper = gl_VertexID % 6 >= 3;
+  vec3 p = inView(isUpper ? d : a);
+  vec3 q = inView(ivec2(d.x, a.y));
+  vec3 r = inView(ivec2(a.x, d.y));
+  vec3 depths = -vec3(p.z, q.z, r.z);
+  float nearestM = min(min(depths.x, depths.y), depths.z);
+  farthestM = max(max(depths.x, depths.y), depths.z);
+  int corner = gl_VertexID % 3;
+  vec3 own = corner == 0 ? p : corner == 1 ? q : r;
+  viewM = -own.z;
+  gl_Position = clipFromView * vec4(own, 1.0);
+  if (nearestM <= 0.0) {
+    // Unknown, or behind the eye: outside of everything.
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+  } else if (farthestM - nearestM > GAP * nearestM) {
+    vec4 behind = clipFromView * vec4(own.xy, -farthestM, 1.0);
+    gl_Position.z = behind.z / behind.w * gl_Position.w;
+  } else {
+    farthestM = 0.0;
+  }
+}
+`;
+
+const FRAGMENT = `#version 300 es
+precision highp float;
+in float viewM;
+flat in float farthestM;
+out vec4 color;
+void main() { color = vec4(farthestM > 0.0 ? farthestM : viewM, 0.0, 0.0, 1.0); }
+`;
