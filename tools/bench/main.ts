@@ -36,7 +36,8 @@ export async function main(args: readonly string[], context: ToolContext): Promi
       path,
       appendResults(
         csv,
-        measured.map((m) => ({ ...m, ...stamp })),
+        // What could not be measured is no figure.
+        measured.filter(({ median }) => !Number.isNaN(median)).map((m) => ({ ...m, ...stamp })),
       ),
     );
   }

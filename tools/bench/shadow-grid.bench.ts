@@ -43,7 +43,8 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
         samples: SAMPLES,
         sample: async () => {
           opened ??= open(root, model, { ...PLAN, shadowMapPx, filter });
-          const ms = await frameCostMs((await opened).page);
+          const { page } = await opened;
+          const ms = await frameCostMs(page).catch(() => Number.NaN);
           samples.push(ms);
           return ms;
         },
@@ -68,7 +69,8 @@ async function open(root: string, model: string, plan: RoomPlan): Promise<Opened
   const folder = await roomFolder(model);
   const browser = await startBenchBrowser();
   const page = await openOurs(browser, root, folder, plan);
-  await call(page, 'frameMs', WARM_FRAMES);
+  // Where it fails, the samples do, too.
+  await call(page, 'frameMs', WARM_FRAMES).catch(() => {});
   return { browser, page, folder };
 }
 
@@ -86,7 +88,8 @@ function printGrid(samples: ReadonlyMap<string, readonly number[]>): string {
     return counted.sort((a, b) => a - b)[Math.floor(counted.length / 2)] ?? Number.NaN;
   };
   const least = medianOf('basic', SIZES[0]);
-  const cell = (ms: number, leastMs: number) => `${ms.toPrecision(3)} (${(ms / leastMs).toFixed(2)}×)`;
+  const cell = (ms: number, leastMs: number) =>
+    Number.isNaN(ms) ? 'graphics lost' : `${ms.toPrecision(3)} (${(ms / leastMs).toFixed(2)}×)`;
   const rows = FILTERS.map((filter) => {
     const cells = SIZES.map((size, i) => {
       const paper = PAPER_MS[filter]?.[i];

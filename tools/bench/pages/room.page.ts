@@ -105,6 +105,7 @@ function farDepth(gl: WebGL2RenderingContext): WebGLTexture {
 /** See `measureFrames`. */
 export function frameMs(count: number): number {
   if (wrong !== null) throw new Error(wrong);
+  if (drawn?.gl.isContextLost()) throw new Error(LOST);
   if (!drawn) throw new Error('Nothing is open.');
   return measureFrames(drawn, count);
 }
@@ -121,6 +122,8 @@ export function picture(): string {
   return (drawn.gl.canvas as HTMLCanvasElement).toDataURL();
 }
 
+/** Drivers give up where memory does not suffice. */
+const LOST = 'The graphics were lost.';
 let drawn: Drawn | null = null;
 /** A picture with something missing is no measure of a whole one. */
 let wrong: string | null = null;
