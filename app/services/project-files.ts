@@ -10,6 +10,8 @@ import { errorCode, readRefusal, refusal } from './file-errors.ts';
 export const PROJECT_FILE = 'project.scrim.json';
 export const LAYOUT_FILE = 'project.layout.json';
 export const SHADERS_FOLDER = 'shaders';
+/** Pieces that techniques include. */
+export const CHUNKS_FOLDER = `${SHADERS_FOLDER}/chunks`;
 export const ASSETS_FOLDER = 'assets';
 
 /** What the contract lets cross. */
@@ -33,7 +35,9 @@ export async function readProjectFiles(root: string): Promise<ProjectFiles> {
   const project = await readText(root, PROJECT_FILE, MAX_DOCUMENT_BYTES);
   if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is gone from ${root}.`);
   const sources: Record<string, string> = {};
-  for (const name of await listNames(root, SHADERS_FOLDER)) {
+  const chunks = (await listChunkFolders(root)).map(async (folder) => (await listNames(root, folder)).map((name) => `${folder}/${name}`));
+  const inChunks = (await Promise.all(chunks)).flat().map((path) => path.slice(SHADERS_FOLDER.length + 1));
+  for (const name of [...(await listNames(root, SHADERS_FOLDER)), ...inChunks]) {
     if (!isShaderFile(name)) continue;
     const text = await readText(root, `${SHADERS_FOLDER}/${name}`, MAX_SHADER_BYTES);
     if (text !== null) sources[name] = text;
@@ -83,6 +87,18 @@ export async function listAssets(root: string): Promise<OpenProject['assetFiles'
   // A folder that is missing, or a link, has no assets; the project opens, and whatever names them is told so.
   if (await isRealFolder(join(root, ASSETS_FOLDER))) await walk(ASSETS_FOLDER);
   return found.sort((a, b) => (a.path < b.path ? -1 : 1));
+}
+
+/** `shaders/chunks` and the folders in it, without links; empty where there is none. */
+export async function listChunkFolders(root: string): Promise<string[]> {
+  const folders: string[] = [];
+  if (await isRealFolder(join(root, CHUNKS_FOLDER))) folders.push(CHUNKS_FOLDER);
+  // The list grows while it is walked.
+  for (const folder of folders) {
+    const entries = await readdir(await resolveInside(root, folder), { withFileTypes: true }).catch(() => []);
+    folders.push(...entries.filter((entry) => entry.isDirectory()).map(({ name }) => `${folder}/${name}`));
+  }
+  return folders;
 }
 
 async function isRealFolder(path: string): Promise<boolean> {

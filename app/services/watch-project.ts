@@ -1,6 +1,6 @@
 import { type FSWatcher, watch } from 'node:fs';
 import { join } from 'node:path';
-import { readProjectFiles, revisionOf, SHADERS_FOLDER } from './project-files.ts';
+import { CHUNKS_FOLDER, listChunkFolders, readProjectFiles, revisionOf, SHADERS_FOLDER } from './project-files.ts';
 import { isLocked } from './project-lock.ts';
 
 /** An editor that saves touches several files; they are read once all is quiet for this long. */
@@ -21,7 +21,22 @@ export interface ProjectWatch {
 export function watchProject(root: string, onRevision: (revision: string) => void): ProjectWatch {
   let timer: NodeJS.Timeout | undefined;
   let disposed = false;
-  let shaders: FSWatcher | null = null;
+  /** Not every system watches what is below a folder: each has a watcher of its own. */
+  const watchers = new Map<string, FSWatcher>();
+
+  const follow = (path: string, onChange: () => void) => {
+    const watcher = watchers.has(path) || disposed ? null : watchFolder(join(root, path), onChange);
+    if (!watcher) return;
+    watchers.set(path, watcher);
+    watcher.on('close', () => watchers.delete(path));
+  };
+  const followShaders = async () => {
+    follow(SHADERS_FOLDER, touchShader);
+    const folders = await listChunkFolders(root).catch((): string[] => []);
+    for (const folder of folders) follow(folder, touchShader);
+    // A folder that is made anew under the same name is another one.
+    for (const [path, watcher] of watchers) if (path.startsWith(CHUNKS_FOLDER) && !folders.includes(path)) watcher.close();
+  };
 
   const read = async () => {
     // Another process is in the middle of a save: half of it would be taken for a change of its own.
@@ -29,7 +44,7 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
       if (!disposed) touch();
       return;
     }
-    shaders ??= watchFolder(join(root, SHADERS_FOLDER), touchShader);
+    await followShaders();
     const files = await readProjectFiles(root).catch(() => null);
     if (files && !disposed) onRevision(revisionOf(files));
   };
@@ -40,14 +55,13 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
   const touch = () => readAfter(QUIET_MS);
   const touchShader = () => readAfter(SHADER_QUIET_MS);
 
-  const folder = watchFolder(root, touch);
-  shaders = watchFolder(join(root, SHADERS_FOLDER), touchShader);
+  follow('', touch);
+  void followShaders();
   return {
     dispose: () => {
       disposed = true;
       clearTimeout(timer);
-      folder?.close();
-      shaders?.close();
+      for (const watcher of watchers.values()) watcher.close();
     },
   };
 }

@@ -221,6 +221,27 @@ describe('changes from outside', () => {
       shaders: [{ file: 'new.fs', before: null, text: 'void main() {}\n' }],
     });
   });
+
+  test('of chunks are noticed, and of those in folders of theirs that are new', async () => {
+    const host = startHost();
+    const { handle } = await openWindow(host, 'a').call('project.open', { path: project });
+    const folder = join(project, 'shaders', 'chunks');
+    const said = async (write: () => Promise<void>) => {
+      const heard = nextEvent(host);
+      await write();
+      return heard;
+    };
+    await mkdir(join(folder, 'ink'), { recursive: true });
+    const file = 'chunks/ink/dots.glsl';
+    expect(await said(() => writeFile(join(folder, 'ink', 'dots.glsl'), 'float a;\n'))).toMatchObject({
+      kind: 'shaders-changed-outside',
+      handle,
+      shaders: [{ file, before: null, text: 'float a;\n' }],
+    });
+    expect(await said(() => writeFile(join(folder, 'ink', 'dots.glsl'), 'float b;\n'))).toMatchObject({
+      shaders: [{ file, before: 'float a;\n', text: 'float b;\n' }],
+    });
+  });
 });
 
 describe('a disk that fails', () => {

@@ -267,13 +267,27 @@ describe('what is beside the document', () => {
     expect(output && saveProject(output).project).toBe(CANONICAL);
   });
 
-  test.each(['../edge.fs', 'a/b.fs', 'edge.txt', '__proto__', '.fs', 'edge.fs '])('a shader file cannot be called %j', (name) => {
+  test.each([
+    '../edge.fs',
+    'a/b.fs',
+    'edge.txt',
+    '__proto__',
+    '.fs',
+    'edge.fs ',
+    'chunks/../a.glsl',
+    'chunks/a.fs',
+    'chunks//a.glsl',
+    'a/chunks/b.glsl',
+  ])('a shader file cannot be called %j', (name) => {
     const { output, diagnostics } = load(document(), null, JSON.parse(`{${JSON.stringify(name)}: ""}`));
     expect(output).toBeNull();
     expect(diagnostics).toMatchObject([{ code: 'SCR002', severity: 'error' }]);
   });
 
-  test.each(['edge.fs', 'CMYK Halftone (v2).fs', '3d Rotate.vs', 'Größe.fs'])('a shader file can be called %j', (name) => {
-    expect(load(document(), null, { [name]: 'x' }).output?.sources).toEqual({ [name]: 'x' });
-  });
+  test.each(['edge.fs', 'CMYK Halftone (v2).fs', '3d Rotate.vs', 'Größe.fs', 'chunks/a.glsl', 'chunks/noise/simplex-3d.glsl'])(
+    'a shader file can be called %j',
+    (name) => {
+      expect(load(document(), null, { [name]: 'x' }).output?.sources).toEqual({ [name]: 'x' });
+    },
+  );
 });

@@ -12,6 +12,8 @@ const IDENTIFIER = /^[A-Za-z_][A-Za-z0-9_]*$/;
 const FILE_STEM = String.raw`[\p{L}\p{N}_](?:[\p{L}\p{N} ._+()-]*[\p{L}\p{N}_)+-])?`;
 const NODE_TYPE = new RegExp(`^[a-z][a-z0-9-]*/${FILE_STEM}$`, 'u');
 const SHADER_FILE = new RegExp(`^${FILE_STEM}\\.(?:fs|vs|glsl)$`, 'u');
+/** As `#include` can name it. */
+const CHUNK_FILE = /^chunks\/(?:[A-Za-z0-9_-]+\/)*[A-Za-z0-9_-]+\.glsl$/;
 
 const MAX_LENGTH = 128;
 
@@ -34,9 +36,14 @@ export function isNodeType(text: string): boolean {
   return text.length <= MAX_LENGTH && NODE_TYPE.test(text);
 }
 
-/** A file in `shaders/`: `edge.fs`, or the vertex shader beside it, or the technique `ink.glsl`. */
+/** A file in `shaders/`: `edge.fs`, the vertex shader beside it, the technique `ink.glsl`, or what techniques include, `chunks/ink/dots.glsl`. */
 export function isShaderFile(text: string): boolean {
-  return text.length <= MAX_LENGTH && SHADER_FILE.test(text);
+  return text.length <= MAX_LENGTH && (SHADER_FILE.test(text) || isChunkFile(text));
+}
+
+/** A piece that techniques include, and no node type by itself; the library's are called the same. */
+export function isChunkFile(text: string): boolean {
+  return text.length <= MAX_LENGTH && CHUNK_FILE.test(text);
 }
 
 const MAX_STEM = 60;

@@ -9,7 +9,7 @@ export interface Project {
   /** The main graph is `main`; all others are subgraphs, usable as node type `graph/NAME`. */
   readonly graphs: Readonly<Record<string, Graph>>;
   readonly layout: Readonly<Record<string, GraphLayout>>;
-  /** Shader texts of the project's own, by file name in `shaders/`: `edge.fs`. */
+  /** Shader texts of the project's own, by file name in `shaders/`: `edge.fs`, `chunks/ink/dots.glsl`. */
   readonly sources: Readonly<Record<string, string>>;
   readonly assets: Readonly<Record<string, Asset>>;
 }

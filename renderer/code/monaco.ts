@@ -35,7 +35,7 @@ import { registerGlslLanguage } from './glsl-language.ts';
 import { markDiagnostics } from './markers.ts';
 import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
-import { type ChunkOf, chunkFileOf, chunkModel, forgetModels, shaderModel } from './shader-models.ts';
+import { type ChunkOf, chunkFileOf, forgetModels, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
 import { optionsFor, readOnlyOptions } from './view-options.ts';
 
@@ -53,8 +53,6 @@ export interface ShownText {
 export interface ShaderEditor {
   /** Shows a text; one shown before comes back with its caret and its own undo. */
   show(shown: ShownText): void;
-  /** Shows a chunk of the library to be read; `null` goes back to the text. */
-  showChunk(file: string | null): void;
   /** Shows the text beside another one, or alone again. */
   compare(original: string | null): void;
   /** Marks the text shown. */
@@ -72,8 +70,8 @@ export interface ShaderEditorOptions {
   readonly onType: (name: string, text: string, live: boolean) => void;
   /** What was typed is done with: the focus left the text, or something else begins. */
   readonly onLeave: () => void;
-  /** A chunk is shown in the place of the text, or no more. */
-  readonly onChunk: (file: string | null) => void;
+  /** Someone wants to see a place in a chunk, `chunks/NAME.glsl`. */
+  readonly onChunk: (file: string, line: number, column: number) => void;
 }
 
 /** Caret and scroll of texts that are not shown, also while no view is there at all. */
@@ -107,12 +105,6 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
     }
     view.updateOptions(readOnlyOptions(readOnly));
   };
-  const openChunk = (file: string | null) => {
-    const model = file === null ? null : chunkModel(file, chunkOf);
-    if (model) setModel(model, 'A chunk of the library is shared by all its techniques: it cannot be changed here.');
-    else if (shown) setModel(shown.model, shown.readOnly);
-    onChunk(model ? file : null);
-  };
   const onChange = (model: editor.ITextModel) => {
     if (ours || !shown || model !== shown.model) return;
     onType(shown.name, model.getValue(), tuning);
@@ -145,9 +137,9 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
         openCodeEditor: (_, resource, target) => {
           const file = chunkFileOf(resource);
           if (file === null) return false;
-          openChunk(file);
-          const at = target && ('lineNumber' in target ? target : { lineNumber: target.startLineNumber, column: target.startColumn });
-          if (at) reveal(at.lineNumber, at.column);
+          if (!target) onChunk(file, 1, 1);
+          else if ('lineNumber' in target) onChunk(file, target.lineNumber, target.column);
+          else onChunk(file, target.startLineNumber, target.startColumn);
           return true;
         },
       }),
@@ -168,12 +160,6 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
     ),
   ];
 
-  const reveal = (lineNumber: number, column: number) => {
-    view.setPosition({ lineNumber, column });
-    view.revealLineInCenterIfOutsideViewport(lineNumber);
-    view.focus();
-  };
-
   return {
     show: ({ name, file, text, readOnly }) => {
       const model = shaderModel(name, file, text);
@@ -182,19 +168,14 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
         comparison?.dispose();
         comparison = null;
       }
-      const stays = shown?.model === model && view.getModel() !== model;
       shown = { name, model, readOnly };
       // An edit, not a new value, so that the text's own undo goes back over what came from outside.
       ours = true;
       if (model.getValue() !== text) model.pushEditOperations([], [{ range: model.getFullModelRange(), text }], () => null);
       ours = false;
       comparison?.setReadOnly(readOnly);
-      // A chunk that is being read stays.
-      if (stays) return;
       setModel(model, readOnly);
-      onChunk(null);
     },
-    showChunk: openChunk,
     compare: (original) => {
       comparison?.dispose();
       comparison = original === null || !shown ? null : compareWith(parent, original, shown.model, shown.readOnly, onLeave);
@@ -203,8 +184,9 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
       if (shown) markDiagnostics(shown.model, diagnostics);
     },
     goTo: (line, column) => {
-      if (shown && view.getModel() !== shown.model) openChunk(null);
-      reveal(line, column);
+      view.setPosition({ lineNumber: line, column });
+      view.revealLineInCenterIfOutsideViewport(line);
+      view.focus();
     },
     focus: () => (comparison ?? view).focus(),
     forget: forgetModels,

@@ -12,6 +12,8 @@ export type ChunkOf = (name: string) => string | undefined;
 interface Reading {
   readonly version: number;
   readonly file: string;
+  /** The chunks that it asked for, with what they were. */
+  readonly chunks: ReadonlyMap<string, string | undefined>;
   readonly document: ShaderDocument;
 }
 
@@ -27,7 +29,7 @@ export function shaderModel(name: string, file: string, text: string): editor.IT
   return model;
 }
 
-/** A chunk of the library, to be read; null where there is none of the file's name. */
+/** A chunk to be looked at where it is named, before it is opened; null where there is none of the file's name. */
 export function chunkModel(file: string, chunkOf: ChunkOf): editor.ITextModel | null {
   const text = chunkOf(file.replace(/^chunks\//, '').replace(/\.glsl$/, ''));
   if (text === undefined) return null;
@@ -48,15 +50,22 @@ export function forgetModels(keep: (name: string) => boolean): void {
   for (const model of editor.getModels()) if (model.uri.scheme === SHADER_SCHEME && !keep(model.uri.path.slice(1))) model.dispose();
 }
 
-/** What the language knows of a model's text, read once per version. */
+/** What the language knows of a model's text, read once per version of it and of what it includes. */
 export function documentOf(model: editor.ITextModel, chunkOf: ChunkOf): ShaderDocument {
   const known = readings.get(model);
   const version = model.getVersionId();
   const file = files.get(model) ?? '';
-  if (known?.version === version && known.file === file) return known.document;
-  const options = known?.file === file ? { chunkOf, before: known.document } : { chunkOf };
+  const isSame = (chunks: Reading['chunks']) => [...chunks].every(([name, text]) => chunkOf(name) === text);
+  if (known?.version === version && known.file === file && isSame(known.chunks)) return known.document;
+  const chunks = new Map<string, string | undefined>();
+  const remember: ChunkOf = (name) => {
+    const text = chunkOf(name);
+    chunks.set(name, text);
+    return text;
+  };
+  const options = known?.file === file ? { chunkOf: remember, before: known.document } : { chunkOf: remember };
   const document = readShaderDocument(model.getValue(), file, options);
-  readings.set(model, { version, file, document });
+  readings.set(model, { version, file, chunks, document });
   return document;
 }
 

@@ -1,5 +1,6 @@
 import { type RefObject, useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
+import { own } from '../../export/graph/own.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useProblems } from '../shell/use-problems.ts';
@@ -7,13 +8,14 @@ import { chunkOf } from '../state/edit-header.ts';
 import { originalOf, shaderOf } from '../state/edit-shader.ts';
 import { takeBack } from '../state/outside.ts';
 import { createTyping, type Typing } from '../state/typing.ts';
-import { Button } from '../ui/button.tsx';
-import { Icon } from '../ui/icon.tsx';
+import { revealCode } from '../state/ui.ts';
+import { CodeBar } from './code-bar.tsx';
 import { CodeHead } from './code-head.tsx';
 import { HeaderForm } from './header-form.tsx';
 import type { ShaderEditor } from './monaco.ts';
 
-const OUTSIDE = 'Another program has saved this shader. “Edit it here”, above, takes it back.';
+const OUTSIDE = 'Another program has saved this. “Edit it here”, above, takes it back.';
+const LIBRARY_CHUNK = 'A chunk of the library is shared by all its techniques. “Copy into project”, above, gives this project its own.';
 
 interface Tools {
   readonly view: ShaderEditor;
@@ -30,78 +32,81 @@ export function ShaderView({ node }: { readonly node: string }) {
   const problems = useProblems();
   const position = useStore(editor.ui, (state) => state.codePosition);
   const file = useDocument((state) => shaderOf(state, node)?.file ?? null);
-  const outside = useStore(editor.ui, (state) => file !== null && state.outside.includes(file));
   const form = useStore(editor.ui, (state) => state.headerForm);
-  const [chunk, setChunk] = useState<string | null>(null);
+  /** A chunk that is looked at in the place of the node's own text. */
+  const [looked, setLooked] = useState<{ readonly node: string; readonly chunk: string } | null>(null);
+  const chunk = useDocument((state) => (looked?.node === node && state.library.shader(looked.chunk) !== undefined ? looked.chunk : null));
   /** The node whose text stands beside its original. */
   const [compared, setCompared] = useState<string | null>(null);
-  const comparing = compared === node;
+  const comparing = compared === node && chunk === null;
   const parent = useRef<HTMLDivElement>(null);
-  const tools = useShaderEditor(parent, setChunk);
+  const tools = useShaderEditor(parent);
+  const shown = chunk ?? node;
+  const shownFile = chunk ?? name;
+  const shownText = useDocument((state) => (chunk === null ? text : (state.library.shader(chunk) ?? '')));
+  const readOnly = useReadOnly(chunk, file);
 
   useEffect(() => {
     if (!tools) return;
-    tools.typing.flush(node);
+    tools.typing.flush(shown);
     // What is being typed is newer than the document.
-    if (!tools.typing.isAhead(node)) tools.view.show({ name: `${handle}/${node}`, file: name, text, readOnly: outside ? OUTSIDE : null });
-  }, [tools, handle, node, name, text, outside]);
+    if (!tools.typing.isAhead(shown)) tools.view.show({ name: `${handle}/${shown}`, file: shownFile, text: shownText, readOnly });
+  }, [tools, handle, shown, shownFile, shownText, readOnly]);
 
   useEffect(() => tools?.view.forget((kept) => kept.startsWith(`${handle}/`)), [tools, handle]);
 
   useEffect(() => tools?.view.compare(comparing ? original : null), [tools, comparing, original]);
 
   useEffect(() => {
-    tools?.view.mark(problems.filter((problem) => isAbout(problem, node, name)));
-  }, [tools, problems, node, name]);
+    tools?.view.mark(problems.filter((problem) => (chunk === null ? isAbout(problem, node, name) : problem.file === chunk)));
+  }, [tools, problems, node, name, chunk]);
 
   useEffect(() => {
     if (position === null || !tools) return;
+    if (position.chunk !== chunk) {
+      setLooked(position.chunk === null ? null : { node, chunk: position.chunk });
+      return;
+    }
     tools.view.goTo(position.line, position.column);
     editor.ui.setState({ codePosition: null });
-  }, [editor, tools, position]);
+  }, [editor, tools, position, node, chunk]);
 
+  const hasForm = form && chunk === null;
   const onTakeBack = () => {
-    if (file !== null) takeBack(editor, file);
+    const taken = chunk ?? file;
+    if (taken !== null) takeBack(editor, taken);
     // The button goes with the bar that it is on: the focus has to have left it by then, or it is lost.
     tools?.view.focus();
   };
 
   return (
-    <div className={form ? 'shader-view shader-view-with-form' : 'shader-view'}>
+    <div className={hasForm ? 'shader-view shader-view-with-form' : 'shader-view'}>
       <CodeHead
         node={node}
         form={form}
         comparing={comparing}
-        readOnly={outside}
+        readOnly={readOnly !== null}
         onForm={(headerForm) => editor.ui.setState({ headerForm })}
         onCompare={(on) => setCompared(on ? node : null)}
       />
-      {chunk !== null && (
-        <p className="code-bar">
-          <code>{chunk}</code>
-          <span>A chunk of the library, to be read.</span>
-          <Button look="quiet" onPress={() => tools?.view.showChunk(null)}>
-            Back to the shader
-          </Button>
-        </p>
-      )}
-      {chunk === null && outside && (
-        <p className="code-bar code-bar-outside">
-          <Icon name="link" size={14} />
-          <span>Another program has saved this shader: it is read only here, and follows what is saved there.</span>
-          <Button look="quiet" onPress={onTakeBack}>
-            Edit it here
-          </Button>
-        </p>
-      )}
-      {form && <HeaderForm node={node} readOnly={outside} />}
+      <CodeBar chunk={chunk} outside={readOnly === OUTSIDE} onTakeBack={onTakeBack} onBack={() => setLooked(null)} />
+      {hasForm && <HeaderForm node={node} readOnly={readOnly !== null} />}
       {/* New browsers give Monaco text without a text field: the marks tell keys meant for the canvas, and React Flow, to keep off. */}
       <div ref={parent} className="code-text nokey" data-typing="" />
     </div>
   );
 }
 
-function useShaderEditor(parent: RefObject<HTMLDivElement | null>, onChunk: (file: string | null) => void): Tools | null {
+/** Why the text cannot be typed in: what `file` of the project, or a chunk, is to others; null where it can. */
+function useReadOnly(chunk: string | null, file: string | null): string | null {
+  const editor = useEditor();
+  const ofLibrary = useDocument(({ project }) => chunk !== null && own(project.sources, chunk) === undefined);
+  const outside = useStore(editor.ui, (state) => state.outside.includes(chunk ?? file ?? ''));
+  if (ofLibrary) return LIBRARY_CHUNK;
+  return outside ? OUTSIDE : null;
+}
+
+function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null {
   const editor = useEditor();
   const [tools, setTools] = useState<Tools | null>(null);
   useEffect(() => {
@@ -116,12 +121,12 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>, onChunk: (fil
       view = createShaderEditor(element, {
         chunkOf: chunkOf(editor),
         onType: (key, text, live) => {
-          const node = key.slice(key.indexOf('/') + 1);
-          if (live) typing.tune(node, text);
-          else typing.type(node, text);
+          const shader = key.slice(key.indexOf('/') + 1);
+          if (live) typing.tune(shader, text);
+          else typing.type(shader, text);
         },
         onLeave: typing.end,
-        onChunk,
+        onChunk: (file, line, column) => revealCode(editor.ui, line, column, file),
       });
       setTools({ view, typing });
     });
@@ -131,7 +136,7 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>, onChunk: (fil
       view?.dispose();
       setTools(null);
     };
-  }, [editor, parent, onChunk]);
+  }, [editor, parent]);
   return tools;
 }
 

@@ -3,7 +3,7 @@ import { type Change, change, inTurn, unchanged } from '../../export/graph/comma
 import { setSource } from '../../export/graph/commands/sources.ts';
 import { copyOfGraph } from '../../export/graph/commands/unpack-subgraph.ts';
 import { loadProject, type ProjectTexts } from '../../export/graph/load.ts';
-import { shaderFilesOf, subgraphName, subgraphType } from '../../export/graph/names.ts';
+import { isChunkFile, shaderFilesOf, subgraphName, subgraphType } from '../../export/graph/names.ts';
 import { newProject } from '../../export/graph/new-project.ts';
 import { own } from '../../export/graph/own.ts';
 import { type Graph, type GraphNode, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
@@ -26,7 +26,9 @@ export function broughtBy(project: Project, nodes: readonly GraphNode[]): Brough
     all.push(...Object.values(graph.nodes));
   }
   const stems = new Set(all.flatMap(({ type }) => shaderFilesOf(type).map(stem)));
-  const sources = pick(project.sources, (file) => stems.has(file.replace(/\.\w+$/, '')));
+  const shaders = pick(project.sources, (file) => stems.has(stem(file)));
+  const includes = Object.values(shaders).some((text) => text.includes('#include'));
+  const sources = pick(project.sources, (file) => Object.hasOwn(shaders, file) || (includes && isChunkFile(file)));
   const values = new Set(
     all.flatMap(({ params }) => Object.values(params).flatMap((binding) => ('value' in binding ? [binding.value] : []))),
   );
@@ -60,6 +62,8 @@ export function bring(editor: Editor, brought: Brought, paths: ReadonlyMap<strin
   if (guest === null || open === null) return { types, change: unchanged };
   const steps: ((project: Project) => Change)[] = [];
   for (const [file, text] of Object.entries(guest.sources)) {
+    // Under another name, nothing would include it: what the project has of that name stays.
+    if (isChunkFile(file) && own(project.sources, file) !== undefined) continue;
     const name = freeKey(project.sources, file, (known) => known === text);
     if (name !== file)
       for (const kind of ['filter', 'operator', 'generator', 'technique']) types.set(`${kind}/${stem(file)}`, `${kind}/${stem(name)}`);

@@ -1,5 +1,6 @@
 import { inTurn } from '../../export/graph/commands/change.ts';
 import { forkShader, setSource } from '../../export/graph/commands/sources.ts';
+import { own } from '../../export/graph/own.ts';
 import { apply, endGesture } from './apply.ts';
 import { nodeOf, type OpenGraph } from './document.ts';
 import type { Editor } from './editor.ts';
@@ -57,6 +58,25 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
     inTurn(state.project, () => forked, set(file)),
     `source ${file}`,
   );
+}
+
+/**
+ * Takes over the text of a chunk, `chunks/NAME.glsl`, as one of the project: its techniques get it in the place of the library's.
+ * Typing is one step until `endGesture`.
+ */
+export function editChunk(editor: Editor, file: string, text: string): boolean {
+  const { project, library } = editor.document.getState();
+  const { base, readShader } = editor.libraries;
+  if (own(project.sources, file) === text) return false;
+  return apply(editor, `Edit ${file}`, setSource(project, { base, readShader, file, text, known: library }), `source ${file}`);
+}
+
+/** Copies a chunk from the library into the project, as it stands. */
+export function copyChunk(editor: Editor, file: string): boolean {
+  const text = editor.document.getState().library.shader(file);
+  const copied = text !== undefined && editChunk(editor, file, text);
+  endGesture(editor);
+  return copied;
 }
 
 /** Copies a node's shader from the library into the project, as it stands. */

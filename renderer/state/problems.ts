@@ -1,3 +1,4 @@
+import { isChunkFile } from '../../export/graph/names.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeProblem } from '../canvas/project-canvas.ts';
 import { graphOf, nodeOf, type OpenGraph } from './document.ts';
@@ -57,7 +58,8 @@ export function goToProblem(editor: Editor, problem: Diagnostic): void {
   if (node === null) return;
   selectOnly(editor.selection, [node]);
   revealNodes(editor.ui, [node]);
-  if (problem.line !== undefined && shaderOf(state, node) !== null) revealCode(editor.ui, problem.line, problem.column ?? 1);
+  if (problem.line !== undefined && shaderOf(state, node) !== null)
+    revealCode(editor.ui, problem.line, problem.column ?? 1, chunkIn(problem));
 }
 
 /** The node of the open graph that `look-a2b3/sepia-k7q2` is, or is in. */
@@ -71,4 +73,9 @@ function nodeOfProblem(editor: Editor, { nodeId, file }: Diagnostic): string | n
   const named = nodeId === undefined ? undefined : nodeHere(state, nodeId);
   if (named !== undefined || file === undefined) return named ?? null;
   return Object.keys(graphOf(state).nodes).find((id) => shaderOf(state, id)?.name === file) ?? null;
+}
+
+/** The chunk that a problem is in, though it is told of the node whose technique includes it. */
+function chunkIn({ file }: Diagnostic): string | null {
+  return file !== undefined && isChunkFile(file) ? file : null;
 }

@@ -3,7 +3,7 @@ import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { undo } from './apply.ts';
 import { graphOf } from './document.ts';
 import { addNodeFromPalette } from './edit-graph.ts';
-import { shaderOf } from './edit-shader.ts';
+import { copyChunk, shaderOf } from './edit-shader.ts';
 import { filesOf } from './files.ts';
 import { createTyping } from './typing.ts';
 
@@ -34,6 +34,29 @@ describe('typing a shader', () => {
     expect(steps()).toBe(stepsBefore + 1);
     undo(editor);
     expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('a chunk is copied into the project and typed there, for all techniques that include it', async () => {
+    const { editor, clock, typing, steps } = await withSepia();
+    const file = 'chunks/light/strength.glsl';
+    const chunk = () => editor.document.getState().library.shader(file);
+    const original = chunk();
+    expect(original).toContain('lightStrength');
+    expect(copyChunk(editor, file)).toBe(true);
+    expect(editor.document.getState().project.sources[file]).toBe(original);
+    const stepsBefore = steps();
+    typing.type(file, `${original}// a\n`);
+    expect(typing.isAhead(file)).toBe(true);
+    clock.pass(300);
+    typing.type(file, `${original}// ab\n`);
+    clock.pass(300);
+    typing.end();
+    expect(chunk()).toBe(`${original}// ab\n`);
+    expect(steps()).toBe(stepsBefore + 1);
+    undo(editor);
+    expect(chunk()).toBe(original);
+    undo(editor);
+    expect(editor.document.getState().project.sources).toEqual({});
   });
 
   test('a technique is copied and typed as a filter is', async () => {

@@ -1,6 +1,7 @@
+import { isChunkFile } from '../../export/graph/names.ts';
 import { debounce } from '../clock.ts';
 import { endGesture } from './apply.ts';
-import { editShader } from './edit-shader.ts';
+import { editChunk, editShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 
 /** A pause this long takes the text over: long enough not to compile every letter, short enough to feel live. */
@@ -8,24 +9,27 @@ const PAUSE_MS = 300;
 
 /** Text on its way from the keyboard into the document. */
 export interface Typing {
-  type(node: string, text: string): void;
+  /** `shader`: the node whose shader it is, or the file of a chunk. */
+  type(shader: string, text: string): void;
   /** Takes over at once what a slider in the text makes of it; with what follows it is one step until `end`. */
-  tune(node: string, text: string): void;
-  /** Whether text of the node's has been typed that the document does not have yet. */
-  isAhead(node: string): boolean;
-  /** Takes over at once what was typed for other nodes than this. */
-  flush(node: string): void;
+  tune(shader: string, text: string): void;
+  /** Whether text of the shader's has been typed that the document does not have yet. */
+  isAhead(shader: string): boolean;
+  /** Takes over at once what was typed for other shaders than this. */
+  flush(shader: string): void;
   /** Takes over what was typed, as a step of its own. */
   end(): void;
   dispose(): void;
 }
 
 export function createTyping(editor: Editor): Typing {
-  let waiting: { readonly node: string; readonly text: string } | null = null;
+  let waiting: { readonly shader: string; readonly text: string } | null = null;
   const take = () => {
     const typed = waiting;
     waiting = null;
-    if (typed !== null) editShader(editor, typed.node, typed.text);
+    if (typed === null) return;
+    if (isChunkFile(typed.shader)) editChunk(editor, typed.shader, typed.text);
+    else editShader(editor, typed.shader, typed.text);
   };
   const pause = debounce(editor.clock, PAUSE_MS, take);
   let tuning = false;
@@ -40,21 +44,21 @@ export function createTyping(editor: Editor): Typing {
   };
   editor.unfinished.add(finish);
   return {
-    type: (node, text) => {
-      if (waiting !== null && waiting.node !== node) end();
-      waiting = { node, text };
+    type: (shader, text) => {
+      if (waiting !== null && waiting.shader !== shader) end();
+      waiting = { shader, text };
       pause.trigger();
     },
-    tune: (node, text) => {
-      if (waiting !== null && waiting.node !== node) end();
+    tune: (shader, text) => {
+      if (waiting !== null && waiting.shader !== shader) end();
       tuning = true;
-      waiting = { node, text };
+      waiting = { shader, text };
       pause.cancel();
       take();
     },
-    isAhead: (node) => waiting?.node === node,
-    flush: (node) => {
-      if (waiting !== null && waiting.node !== node) end();
+    isAhead: (shader) => waiting?.shader === shader,
+    flush: (shader) => {
+      if (waiting !== null && waiting.shader !== shader) end();
     },
     end,
     dispose: () => {

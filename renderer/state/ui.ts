@@ -62,6 +62,8 @@ export interface CodePosition {
   readonly serial: number;
   readonly line: number;
   readonly column: number;
+  /** `chunks/NAME.glsl`, where it is in one. */
+  readonly chunk: string | null;
 }
 
 export interface Exporting {
@@ -134,6 +136,10 @@ export function revealNodes(store: UiStore, nodes: readonly string[], how: Revea
   store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
 }
 
-export function revealCode(store: UiStore, line: number, column: number): void {
-  store.setState(({ codePosition }) => ({ bottom: 'code', codePosition: { serial: (codePosition?.serial ?? 0) + 1, line, column } }));
+/** `chunk`: the file of one that the selected node's technique includes; null for its own text. */
+export function revealCode(store: UiStore, line: number, column: number, chunk: string | null = null): void {
+  store.setState(({ codePosition }) => ({
+    bottom: 'code',
+    codePosition: { serial: (codePosition?.serial ?? 0) + 1, line, column, chunk },
+  }));
 }

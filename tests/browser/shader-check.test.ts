@@ -103,6 +103,14 @@ beforeAll(async () => {
     'b.glsl':
       'uniform ivec2 size; // = ivec2(4)\nvec4 transition(vec2 p) { return mix(getFromColor(p), getToColor(p), progress * size.x); }',
   });
+  const including = (chunk: string, call: string) =>
+    `/*{ "DESCRIPTION": "One colour." }*/\n#include <${chunk}>\nvec4 surface(const in Surface s) { return vec4(vec3(${call}), 1.0); }`;
+  await writeProject(join(folder, 'chunked'), {
+    'fine.glsl': including('light/strength', 'lightStrength(0.5)'),
+    'wrong.glsl': including('own/wrong', 'wrong()'),
+    'chunks/light/strength.glsl': 'float lightStrength(float x) { return x; }',
+    'chunks/own/wrong.glsl': 'float wrong() {\n  return nowhere;\n}',
+  });
 });
 afterAll(() => rm(folder, { recursive: true, force: true }));
 
@@ -125,6 +133,20 @@ describe('scrim shader check', () => {
     ]);
     const place = { file: join(folder, 'beside', 'a.vs'), line: 4, column: 30 };
     expect(files[0]?.diagnostics).toMatchObject([{ code: 'SCR042', severity: 'error', ...place }]);
+  });
+
+  test('takes the chunks beside a technique before the library’s, and tells of mistakes in them', async () => {
+    const { status, out } = await check(join(folder, 'chunked'), '--json');
+    const { files } = JSON.parse(out) as Report;
+    expect([status, files.map(({ path, ok }) => [path, ok])]).toEqual([
+      1,
+      [
+        [join(folder, 'chunked', 'fine.glsl'), true],
+        [join(folder, 'chunked', 'wrong.glsl'), false],
+      ],
+    ]);
+    const place = { file: join(folder, 'chunked', 'chunks', 'own', 'wrong.glsl'), line: 2, column: 10 };
+    expect(files[1]?.diagnostics).toMatchObject([{ code: 'SCR042', severity: 'error', ...place }]);
   });
 
   test('tells header, syntax, input, driver and loop errors at the author’s word', async () => {

@@ -14,6 +14,29 @@ async function start(graph: GraphText = TINTED, node = 'tint-aaaa'): Promise<Ope
   return open;
 }
 
+/** A ball in one colour, which a chunk of the project's own gives. */
+const WASHED: GraphText = {
+  nodes: {
+    'ball-aaaa': { type: 'objects/primitive', params: { shape: 'sphere' } },
+    'wash-aaaa': { type: 'technique/wash' },
+    'apply-aaaa': { type: 'objects/apply-technique' },
+    'scene-aaaa': { type: 'layer/scene' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: [
+    'ball-aaaa.objects -> apply-aaaa.objects',
+    'wash-aaaa.technique -> apply-aaaa.technique',
+    'apply-aaaa.objects -> scene-aaaa.objects',
+    'scene-aaaa.layer -> screen-aaaa.layer',
+  ],
+  places: { 'ball-aaaa': [0, 0], 'wash-aaaa': [0, 160], 'apply-aaaa': [240, 0], 'scene-aaaa': [480, 0], 'screen-aaaa': [720, 0] },
+  shaders: {
+    'wash.glsl':
+      '/*{ "DESCRIPTION": "One colour." }*/\n#include <paint/wash>\nvec4 surface(const in Surface s) { return vec4(wash(), 1.0); }\n',
+    'chunks/paint/wash.glsl': 'vec3 wash() { return vec3(0.1, 0.2, 0.9); }\n',
+  },
+};
+
 /** The main graph and the shader as they are written, after a save by keys. */
 async function saved(open: OpenEditor) {
   const { main } = await saveGraphs(open);
@@ -106,6 +129,53 @@ describe('the text helps', () => {
       .waitFor();
     await editor.press('Back to the shader');
     await page.locator('.view-line', { hasText: 'strongestLight(s)' }).waitFor();
+  });
+
+  test('a chunk of the project changes the picture, from outside and here, and its mistakes are marked in it', async () => {
+    const { page, editor, project } = await start(WASHED, 'wash-aaaa');
+    const chunk = join(project, 'shaders/chunks/paint/wash.glsl');
+    const blue = await editor.rewind();
+    await editor.findInText('wash()');
+    await page.keyboard.press('F12');
+    const bar = page.locator('.code-bar');
+    await bar.getByText('chunks/paint/wash.glsl').waitFor();
+    await bar.getByText(/^A chunk of this project/).waitFor();
+    await page.locator('.monaco-editor.focused').waitFor();
+    expect(await editor.lineText()).toBe('vec3 wash() { return vec3(0.1, 0.2, 0.9); }');
+
+    // Another program saves it: it plays, and is read only here.
+    await writeFile(chunk, 'vec3 wash() { return vec3(0.9, 0.2, 0.1); }\n');
+    await bar.getByText('Another program has saved this chunk').waitFor();
+    await page.locator('.view-line', { hasText: 'vec3(0.9, 0.2, 0.1)' }).waitFor();
+    const red = await editor.pictureOtherThan(blue, 300);
+    await editor.findInText('vec3(0.9');
+    await editor.type('7');
+    expect(await editor.lineText()).toBe('vec3 wash() { return vec3(0.9, 0.2, 0.1); }');
+
+    // Here, it is typed again; a mistake is marked where it is, and the last good one plays on.
+    await editor.press('Edit it here');
+    await bar.getByText(/^A chunk of this project/).waitFor();
+    await editor.findInText('vec3(0.9');
+    await editor.type('w');
+    await page.locator('.monaco-editor .squiggly-error').first().waitFor();
+    await editor.press('Back to the shader');
+    await page.locator('.view-line', { hasText: 'vec4(wash()' }).waitFor();
+    await page.getByRole('button', { name: 'Problems' }).click();
+    const problems = page.getByRole('list', { name: 'Problems' });
+    await problems
+      .getByRole('button', { name: /chunks\/paint\/wash\.glsl:1/ })
+      .first()
+      .click();
+    await page.locator('.monaco-editor.focused').waitFor();
+    expect(await editor.lineText()).toBe('vec3 wash() { return wvec3(0.9, 0.2, 0.1); }');
+    await editor.pictureSameAs(red, 'broken chunk');
+    await editor.findInText('wvec3');
+    await page.keyboard.press('Delete');
+    await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
+    await editor.findInText('0.9, 0.2');
+    await page.keyboard.press('Delete');
+    await editor.type('1');
+    await editor.pictureOtherThan(red, 300);
   });
 });
 
@@ -266,7 +336,7 @@ test('a shader that another program saves plays at once, and is read only here u
   expect(await page.locator('.tuner').count()).toBe(0);
   // What says so lies over the text, and takes no press from it.
   await editor.type('7');
-  const { x, y } = await centreOf(page.locator('.monaco-editor-overlaymessage', { hasText: 'Another program has saved this shader.' }));
+  const { x, y } = await centreOf(page.locator('.monaco-editor-overlaymessage', { hasText: 'Another program has saved this.' }));
   await page.mouse.click(x, y);
   expect(await page.locator('.monaco-editor.focused').count()).toBe(1);
 

@@ -1,9 +1,10 @@
 import { readFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
 import { uniqueDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
 import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import type * as DriverPage from './driver.page.ts';
-import { type LinkedFile, linkFile } from './link-file.ts';
+import { chunkBeside, type LinkedFile, linkFile } from './link-file.ts';
 import { type DriverOptions, type Judge, verdictDiagnostics, withDriver } from './with-driver.ts';
 
 export interface CheckedFile {
@@ -61,8 +62,18 @@ async function judgeFiles(judge: Judge, files: readonly ReadFile[]): Promise<Che
 }
 
 function checkedFile({ file, source, vertex, passes, diagnostics }: ReadFile, verdicts: readonly DriverPage.ShaderVerdict[]): CheckedFile {
-  const said = passes.flatMap(({ shader }, i) => verdictDiagnostics(shader, verdicts[i], (name) => (name === file ? source : vertex)));
+  const chunkIn = (name: string) => {
+    const chunk = name === file ? undefined : /^chunks\/(.+)\.glsl$/.exec(name)?.[1];
+    return chunk === undefined ? undefined : chunkBeside(file, chunk);
+  };
+  const sourceOf = (name: string) => (name === file ? source : (chunkIn(name) ?? vertex));
+  const said = passes.flatMap(({ shader }, i) => verdictDiagnostics(shader, verdicts[i], sourceOf));
   // There is no node: the file alone says where.
-  const all = uniqueDiagnostics([...diagnostics, ...said].map(({ nodeId: _, ...diagnostic }) => ({ file, ...diagnostic })));
+  const all = uniqueDiagnostics(
+    [...diagnostics, ...said].map(({ nodeId: _, file: at = file, ...diagnostic }) => ({
+      ...diagnostic,
+      file: chunkIn(at) === undefined ? at : join(dirname(file), at),
+    })),
+  );
   return { path: file, ok: !hasErrors(all), diagnostics: all };
 }

@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { countRounds } from '../../../export/glsl/check/count-rounds.ts';
 import { checkIsf } from '../../../export/glsl/isf/checked-isf.ts';
 import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
@@ -58,7 +60,7 @@ function endsInTime(shader: IsfShader): boolean {
 
 function linkTechniqueFile(source: string, file: string): LinkedFile {
   const read = readTechnique(source, file);
-  const options = { chunkOf: (name: string) => LIBRARY.shader(`chunks/${name}.glsl`), loopBudget: true };
+  const options = { chunkOf: (name: string) => chunkBeside(file, name) ?? LIBRARY.shader(`chunks/${name}.glsl`), loopBudget: true };
   const linked = read.output && linkTechnique(read.output, options);
   const trial = linked?.output?.trial;
   const samplers = (linked?.output?.samplers ?? []).map(({ name }) => ({ name, holds: 'color' as const }));
@@ -68,6 +70,15 @@ function linkTechniqueFile(source: string, file: string): LinkedFile {
     passes: trial ? [{ shader: trial, job: { shader: trial, passIndex: 0, uniforms: [], samplers } }] : [],
     diagnostics: [...read.diagnostics, ...(linked?.diagnostics ?? [])],
   };
+}
+
+/** A chunk in the folder `chunks` beside a technique comes before the library's of the same name, as in projects. */
+export function chunkBeside(file: string, name: string): string | undefined {
+  try {
+    return readFileSync(join(dirname(file), 'chunks', `${name}.glsl`), 'utf8');
+  } catch {
+    return undefined;
+  }
 }
 
 function jobOf({ shader, passIndex, uniforms, samplers }: LinkedPass, { inputs, imported }: IsfShader): ShaderJob {

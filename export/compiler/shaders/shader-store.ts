@@ -30,7 +30,7 @@ export interface ShaderStore {
   read(file: string, source: string): Result<IsfShader>;
   /** `vertex`: the text of the vertex shader beside it, where there is one. */
   link(file: string, source: string, vertex: string | null, variant: LinkVariant): Result<readonly LinkedPass[]>;
-  /** Chunks are the library's, and do not change. */
+  /** Linked anew where a chunk that it includes has changed, too. */
   linkTechnique(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
   /** Only for shaders whose `depth` is `over`. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;

@@ -18,7 +18,13 @@ interface Entry {
   readonly technique: Result<TechniqueShader>;
   definition: Result<NodeDefinition> | null;
   /** By whether loops are bounded, and what has no wire. */
-  readonly texts: Map<string, Result<TechniqueText>>;
+  readonly texts: Map<string, RememberedText>;
+}
+
+interface RememberedText {
+  readonly text: Result<TechniqueText>;
+  /** The chunks that were asked for, with what they were. */
+  readonly chunks: ReadonlyMap<string, string | undefined>;
 }
 
 export function createTechniqueStore(): TechniqueStore {
@@ -42,15 +48,23 @@ export function createTechniqueStore(): TechniqueStore {
     link: (file, source, options) => {
       const { technique, texts } = entryOf(file, source);
       const key = `${options.loopBudget};${options.absent?.join() ?? ''}`;
-      const text = texts.get(key) ?? linkText(technique, options);
-      texts.set(key, text);
-      return text;
+      const known = texts.get(key);
+      if (known && [...known.chunks].every(([name, chunk]) => options.chunkOf(name) === chunk)) return known.text;
+      const made = linkText(technique, options);
+      texts.set(key, made);
+      return made.text;
     },
   };
 }
 
-function linkText({ output: technique, diagnostics }: Result<TechniqueShader>, options: TechniqueOptions): Result<TechniqueText> {
-  if (technique === null) return { output: null, diagnostics };
-  const linked = linkTechnique(technique, options);
-  return { output: linked.output && { technique, linked: linked.output }, diagnostics: linked.diagnostics };
+function linkText({ output: technique, diagnostics }: Result<TechniqueShader>, options: TechniqueOptions): RememberedText {
+  const chunks = new Map<string, string | undefined>();
+  if (technique === null) return { text: { output: null, diagnostics }, chunks };
+  const chunkOf = (name: string) => {
+    const chunk = options.chunkOf(name);
+    chunks.set(name, chunk);
+    return chunk;
+  };
+  const linked = linkTechnique(technique, { ...options, chunkOf });
+  return { text: { output: linked.output && { technique, linked: linked.output }, diagnostics: linked.diagnostics }, chunks };
 }

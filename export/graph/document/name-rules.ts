@@ -12,4 +12,7 @@ export const PORT_NAME: NameRule = {
   words: 'ports and params are named with letters, digits and underscores, and begin with no digit.',
 };
 export const NODE_TYPE: NameRule = { is: isNodeType, words: 'a node type is a category, a slash and a name: filter/sepia.' };
-export const SHADER_FILE: NameRule = { is: isShaderFile, words: 'a shader file is a name without folders that ends in .fs, .vs or .glsl.' };
+export const SHADER_FILE: NameRule = {
+  is: isShaderFile,
+  words: 'a shader file is a name without folders that ends in .fs, .vs or .glsl; pieces to include lie in chunks/, and end in .glsl.',
+};

@@ -1,5 +1,6 @@
 import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
+import { isChunkFile } from '../names.ts';
 import { sortedEntries } from '../own.ts';
 
 /** Makes a node type of an ISF file or a technique. `file` is what `lowering.shader` will name: `shaders/edge.fs`. */
@@ -19,7 +20,8 @@ export function projectShaderName(file: string): string {
 
 /**
  * The library with the project's own shaders before it: a file `sepia.fs` that is a filter is `filter/sepia`, whatever the
- * library calls so. A file whose header cannot be read brings no type and is in `diagnostics`.
+ * library calls so. A file whose header cannot be read brings no type and is in `diagnostics`. A file in `chunks/` brings none: it
+ * is what techniques get that include it, the library's too.
  */
 export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<string, string>>, readShader: ReadShader): ProjectLibrary {
   const definitions = new Map<string, NodeDefinition>();
@@ -29,7 +31,8 @@ export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<strin
   for (const [file, source] of sortedEntries(sources)) {
     const name = projectShaderName(file);
     shaders.set(name, source);
-    if (!/\.(fs|glsl)$/.test(file)) continue;
+    if (isChunkFile(file)) shaders.set(file, source);
+    if (!/\.(fs|glsl)$/.test(file) || isChunkFile(file)) continue;
     const read = readShader(name, source);
     diagnostics.push(...read.diagnostics.map((d) => ({ ...d, file: name })));
     if (read.output === null) continue;
