@@ -25,7 +25,7 @@ export function CodeBar({ chunk, outside, onTakeBack, onBack }: CodeBarProps) {
       <span>{reason(chunk !== null, ofLibrary, outside)}</span>
       {chunk !== null && ofLibrary && (
         <Button look="quiet" onPress={() => void copyChunk(editor, chunk)}>
-          Copy into project
+          Copy chunk into project
         </Button>
       )}
       {outside && (

@@ -15,7 +15,8 @@ import { HeaderForm } from './header-form.tsx';
 import type { ShaderEditor } from './monaco.ts';
 
 const OUTSIDE = 'Another program has saved this. “Edit it here”, above, takes it back.';
-const LIBRARY_CHUNK = 'A chunk of the library is shared by all its techniques. “Copy into project”, above, gives this project its own.';
+const LIBRARY_CHUNK =
+  'A chunk of the library is shared by all its techniques. “Copy chunk into project”, above, gives this project its own.';
 
 interface Tools {
   readonly view: ShaderEditor;
