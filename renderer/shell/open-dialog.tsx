@@ -77,7 +77,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
             {templates.map(({ name, title, description, picture }) => (
               <li key={name}>
                 <PictureCard
-                  label={`New project: ${title}`}
+                  purpose="New project"
                   title={title}
                   text={description}
                   picture={picture}
@@ -96,13 +96,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
             <ul className="open-cards open-cards-small">
               {examples.map((example) => (
                 <li key={example.path}>
-                  <PictureCard
-                    label={example.title}
-                    title={example.title}
-                    picture={example.picture}
-                    disabled={busy}
-                    onPress={() => void open(example.path)}
-                  />
+                  <PictureCard title={example.title} picture={example.picture} disabled={busy} onPress={() => void open(example.path)} />
                 </li>
               ))}
             </ul>

@@ -1,7 +1,8 @@
 import { Icon } from '../ui/icon.tsx';
 
 interface PictureCardProps {
-  readonly label: string;
+  /** Said before the title to those who do not see where the card is. */
+  readonly purpose?: string;
   readonly title: string;
   readonly text?: string;
   readonly picture: string | undefined;
@@ -10,9 +11,9 @@ interface PictureCardProps {
 }
 
 /** Something to begin with, by its picture. */
-export function PictureCard({ label, title, text, picture, disabled, onPress }: PictureCardProps) {
+export function PictureCard({ purpose, title, text, picture, disabled, onPress }: PictureCardProps) {
   return (
-    <button type="button" className="picture-card" aria-label={label} disabled={disabled} onClick={onPress}>
+    <button type="button" className="picture-card" disabled={disabled} onClick={onPress}>
       {picture === undefined ? (
         <span className="picture-card-none">
           <Icon name="image" size={24} />
@@ -20,7 +21,10 @@ export function PictureCard({ label, title, text, picture, disabled, onPress }: 
       ) : (
         <img src={picture} alt="" width={240} height={180} draggable={false} />
       )}
-      <span className="picture-card-title">{title}</span>
+      <span className="picture-card-title">
+        {purpose !== undefined && <span className="visually-hidden">{purpose}: </span>}
+        {title}
+      </span>
       {text !== undefined && <span className="picture-card-text">{text}</span>}
     </button>
   );

@@ -40,12 +40,12 @@ export function ShortcutRow({ id }: { readonly id: AppCommandId }) {
           <button
             type="button"
             className="shortcuts-keys"
-            aria-label={`Keys for ${label}`}
             data-tip="Press for other keys"
             onClick={() => setWaiting(true)}
             onBlur={() => setWaiting(false)}
             onKeyDown={onKeyDown}
           >
+            <span className="visually-hidden">Keys for {label}: </span>
             {waiting
               ? 'Press keys…'
               : chords.length === 0

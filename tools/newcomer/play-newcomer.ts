@@ -36,7 +36,7 @@ export async function playNewcomer({ page, model, project, exportTo, onDone }: N
     await node(made).first().waitFor();
   };
 
-  await hands.click('New project', button('New project: Empty'));
+  await hands.click('New project', page.getByRole('button', { name: 'New project: Empty' }));
   await hands.type('Its folder', project, field('Folder'));
   await node('screen').waitFor();
   const canvas = await page.locator('.canvas').boundingBox();
