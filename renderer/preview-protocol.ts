@@ -14,6 +14,8 @@ export type ToPreview =
   /** Set a uniform param without a compile. */
   | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: number | boolean | string | readonly number[] }
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
+  /** Goes to a moment, seconds since the session began. Only recordings can; what remembers begins anew. */
+  | { readonly kind: 'seek'; readonly timeS: number }
   | { readonly kind: 'session'; readonly source: PreviewSource }
   /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. */
   | { readonly kind: 'poster'; readonly widthPx: number; readonly heightPx: number }

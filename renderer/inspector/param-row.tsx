@@ -7,8 +7,10 @@ import { useEditor } from '../shell/editor-context.ts';
 import { endGesture } from '../state/apply.ts';
 import { bindExpression } from '../state/bind-params.ts';
 import { editParam, resetParam } from '../state/edit-params.ts';
+import { isAnimatable } from '../state/keyframes.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ExpressionField } from './expression-field.tsx';
+import { KeyButton, TrackField } from './key-button.tsx';
 import { ParamControl } from './param-control.tsx';
 import { ParamMenu } from './param-menu.tsx';
 import { SourceLink } from './source-link.tsx';
@@ -60,7 +62,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
         ) : binding && 'expression' in binding ? (
           <ExpressionField id={id} node={node} name={name} param={param} expression={binding.expression} />
         ) : binding && 'track' in binding ? (
-          <span className="param-bound">{`${binding.track.keys.length} keyframes`}</span>
+          <TrackField id={id} node={node} name={name} param={param} track={binding.track} />
         ) : (
           <ParamControl
             id={id}
@@ -73,6 +75,9 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
         )}
       </div>
       <span className="param-actions">
+        {isAnimatable(param) && !source && !(binding && 'expression' in binding) && (
+          <KeyButton node={node} name={name} label={param.label} track={binding && 'track' in binding ? binding.track : null} />
+        )}
         {changed && <IconButton icon="reset" label={`Reset ${param.label}`} small onPress={() => void resetParam(editor, node, name)} />}
         <IconButton icon="more" label={`More for ${param.label}`} small onPress={() => setMenuAt(below(row.current))} />
       </span>

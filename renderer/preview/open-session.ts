@@ -24,6 +24,8 @@ export interface OpenSession {
   /** One frame of the recording, or of the display. */
   readonly frameS: number;
   rewind(): void;
+  /** To a moment of a recording, seconds since it began; rooms have none. */
+  seek(timeS: number): void;
   /** Of an emulated device's screen, from the next frame on; null: as it was. Recordings follow the canvas. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
   end(): Promise<void>;
@@ -80,6 +82,7 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
     diagnostics,
     frameS: DISPLAY_FRAME_S,
     rewind: () => {},
+    seek: () => {},
     resize: () => {},
     end: async () => output?.end(),
   };
@@ -93,6 +96,7 @@ async function openRecording(url: string, { gl, clock }: SessionPlace): Promise<
     diagnostics,
     frameS: output === null ? DISPLAY_FRAME_S : output.durationS / output.frameCount,
     rewind: () => session.seek(0),
+    seek: (timeS) => session.seekTime(timeS),
     resize: () => {},
     end: () => session.end(),
   };
@@ -104,7 +108,15 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   if (room === null) {
     const message = 'The emulated room could not be read.';
     const broken: Diagnostic = { code: 'SCR054', severity: 'error', message, fix: 'Install Scrim again, or choose another source.' };
-    return { session: null, diagnostics: [broken], frameS: DISPLAY_FRAME_S, rewind: () => {}, resize: () => {}, end: async () => {} };
+    return {
+      session: null,
+      diagnostics: [broken],
+      frameS: DISPLAY_FRAME_S,
+      rewind: () => {},
+      seek: () => {},
+      resize: () => {},
+      end: async () => {},
+    };
   }
   const ratio = Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO);
   const sizePx = [Math.max(1, Math.round(window.innerWidth * ratio)), Math.max(1, Math.round(window.innerHeight * ratio))] as const;
@@ -124,6 +136,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     diagnostics,
     frameS: DISPLAY_FRAME_S,
     rewind: walk.rewind,
+    seek: () => {},
     resize: (asked) => emulator.setSize(asked ?? sizePx),
     end: async () => {
       walk.dispose();

@@ -239,6 +239,10 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
         case 'probe':
           probes.ask(message);
           return;
+        case 'seek':
+          open?.seek(message.timeS);
+          clock.wake();
+          return;
         case 'transport':
           transport(message.action);
           return;

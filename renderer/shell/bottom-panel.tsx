@@ -1,6 +1,7 @@
 import { useStore } from 'zustand';
 import { CodePanel } from '../code/code-panel.tsx';
 import type { BottomTab } from '../state/ui.ts';
+import { TimelinePanel } from '../timeline/timeline-panel.tsx';
 import { IconButton } from '../ui/button.tsx';
 import './bottom-panel.css';
 import { useEditor } from './editor-context.ts';
@@ -8,6 +9,7 @@ import { ProblemsPanel } from './problems-panel.tsx';
 
 const TABS: readonly { readonly id: BottomTab; readonly label: string }[] = [
   { id: 'code', label: 'Shader' },
+  { id: 'timeline', label: 'Timeline' },
   { id: 'problems', label: 'Problems' },
 ];
 
@@ -25,7 +27,7 @@ export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
         <span className="bottom-gap" />
         <IconButton icon="close" label="Close the panel" small onPress={() => ui.setState({ bottom: null })} />
       </div>
-      <div className="bottom-body">{tab === 'code' ? <CodePanel /> : <ProblemsPanel />}</div>
+      <div className="bottom-body">{tab === 'code' ? <CodePanel /> : tab === 'timeline' ? <TimelinePanel /> : <ProblemsPanel />}</div>
     </section>
   );
 }

@@ -81,6 +81,7 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'view.probe',
       'line',
       'view.code',
+      'view.timeline',
       'view.problems',
       'line',
       'view.theme',

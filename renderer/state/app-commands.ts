@@ -150,6 +150,7 @@ const COMMANDS = {
     run: (editor) => toggleBottom(editor, 'code'),
     whileTyping: true,
   },
+  'view.timeline': { label: 'Timeline', chords: ['Shift+T'], enabled: isOpen, run: (editor) => toggleBottom(editor, 'timeline') },
   'view.problems': {
     label: 'Problems',
     chords: ['Mod+M'],

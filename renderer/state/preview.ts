@@ -60,6 +60,11 @@ export function createPreviewState(): PreviewStore {
   }));
 }
 
+/** Of the session, seconds; 0 before it plays. */
+export function timeOf({ status }: PreviewState): number {
+  return status?.timeS ?? 0;
+}
+
 export function chosenSource({ sources, sourceId }: PreviewState): ChosenSource | null {
   return sources.find((source) => source.id === sourceId) ?? LOCAL_SOURCES.find(({ id }) => id === sourceId) ?? sources[0] ?? null;
 }

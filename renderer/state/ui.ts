@@ -12,7 +12,7 @@ export interface PanelSizes {
 
 export const DEFAULT_SIZES: PanelSizes = { sideWidthPx: 380, previewHeightPx: 330, bottomHeightPx: 280 };
 
-export type BottomTab = 'code' | 'problems';
+export type BottomTab = 'code' | 'timeline' | 'problems';
 
 /** Someone asked for a new node: where it goes, and what wire waits for it. */
 export interface PaletteRequest {

@@ -1,7 +1,7 @@
 import type { Program } from '../../export/program/program.ts';
 import * as expressionBinding from '../../nodes/binding/expression/runtime.ts';
-import { type Easing, ease } from '../../nodes/binding/track/ease.ts';
 import * as trackBinding from '../../nodes/binding/track/runtime.ts';
+import { type Easing, ease } from '../../nodes/kit/ease.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
 import * as expression from '../../nodes/value/expression/runtime.ts';

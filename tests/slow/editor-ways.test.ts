@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -6,7 +7,7 @@ import type { Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { EditorDriver } from '../support/editor-driver.ts';
+import { centreOf, EditorDriver } from '../support/editor-driver.ts';
 
 // Waits are for conditions; this ends what hangs, also on a busy machine.
 jest.setTimeout(240_000);
@@ -38,6 +39,22 @@ afterAll(async () => {
   expect(errors).toEqual([]);
 });
 
+const AXE = readFileSync(join(ROOT, 'node_modules/axe-core/axe.min.js'), 'utf8');
+
+interface AxeResults {
+  readonly violations: readonly { readonly id: string; readonly nodes: readonly { readonly target: readonly string[] }[] }[];
+}
+
+/** What axe-core finds wrong with the window as it is; the preview is a page of its own. */
+async function findings(): Promise<string[]> {
+  await page.evaluate(AXE);
+  const { violations } = await page.evaluate(() => {
+    const { axe } = window as unknown as { axe: { run: (context: object) => Promise<AxeResults> } };
+    return axe.run({ exclude: [['iframe']] });
+  });
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
+}
+
 const theme = () => page.evaluate(() => [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]);
 const isLightColour = (colour: string | undefined) => Number(/\d+/.exec(colour ?? '')?.[0]) > 200;
 
@@ -52,6 +69,7 @@ test('the start screen shows templates and examples with their pictures', async 
     return images.map((image) => (image as HTMLImageElement).naturalWidth);
   });
   expect(shown.filter((width) => width === 240)).toHaveLength(await cards.count());
+  expect(await findings()).toEqual([]);
 });
 
 test('the tour goes through the window in five steps, by keys alone', async () => {
@@ -64,6 +82,7 @@ test('the tour goes through the window in five steps, by keys alone', async () =
     titles.push((await card.getByRole('heading').textContent()) ?? '');
     const frame = await page.locator('.tour-frame').boundingBox();
     expect((frame?.width ?? 0) * (frame?.height ?? 0)).toBeGreaterThan(1000);
+    if (step === 1) expect(await findings()).toEqual([]);
     if (step === 2) {
       await page.keyboard.press('ArrowLeft');
       await card.getByText('1 of 5').waitFor();
@@ -79,6 +98,7 @@ test('the tour goes through the window in five steps, by keys alone', async () =
 test('commands are found by name, and do what they say', async () => {
   await page.keyboard.press('Control+k');
   const dialog = page.getByRole('dialog', { name: 'Commands' });
+  expect(await findings()).toEqual([]);
   await dialog.getByRole('combobox').fill('light dark');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.documentElement.dataset.theme === 'light');
@@ -98,6 +118,7 @@ test('keys are chosen in the sheet, and hold in the next window', async () => {
   await sheet.getByRole('button', { name: 'Keys for Problems' }).click();
   await page.keyboard.press('Control+f');
   await sheet.getByText('taken from Find in the graph').waitFor();
+  expect(await findings()).toEqual([]);
   await page.keyboard.press('Escape');
   await sheet.waitFor({ state: 'detached' });
   const panel = page.getByRole('region', { name: 'Problems' });
@@ -131,4 +152,49 @@ test('a problem is mended by its button', async () => {
   await fix.click();
   if (label?.startsWith('Delete')) await editor.node('sepia').waitFor({ state: 'detached' });
   else await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
+});
+
+test('keyframes are set by the diamond beside a value, dragged in the panel, and taken away', async () => {
+  const editor = new EditorDriver(page);
+  await editor.node('warm').locator('.node-title').click();
+  await editor.press('Pause');
+  await editor.press('Back to the first frame');
+  await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
+  const row = editor.inspector
+    .getByRole('group')
+    .filter({ has: page.locator('.key-button') })
+    .first();
+  const label = (await row.getAttribute('aria-label')) ?? '';
+  const number = row.getByRole('textbox', { name: label, exact: true });
+  const first = Number.parseFloat(await number.inputValue());
+  await row.getByRole('button', { name: `Set a keyframe of ${label}` }).click();
+  const panel = page.getByRole('region', { name: 'Timeline' });
+  await panel.getByRole('button', { name: /^Keyframe 1/ }).waitFor();
+
+  // Another value at a later moment is another key.
+  const ruler = (await panel.locator('.timeline-ruler').boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  await page.mouse.click(ruler.x + 0.6 * ruler.width, ruler.y + ruler.height / 2);
+  await page.waitForFunction(() => Number.parseFloat(document.querySelector('.transport-time')?.textContent ?? '') > 2.5);
+  await row.getByRole('slider').focus();
+  await page.keyboard.press('End');
+  const second = panel.getByRole('button', { name: /^Keyframe 2/ });
+  await second.waitFor();
+  expect(Number.parseFloat(await number.inputValue())).toBeGreaterThan(first);
+  expect(await findings()).toEqual([]);
+
+  // Dragged to the left; one undo takes all of the drag back.
+  const timeOf = async () => Number(/, ([\d.]+) s/.exec((await second.getAttribute('aria-label')) ?? '')?.[1]);
+  const before = await timeOf();
+  const from = await centreOf(second);
+  await editor.drag(from, { x: from.x - 0.2 * ruler.width, y: from.y });
+  expect(await timeOf()).toBeLessThan(before - 0.5);
+  await page.keyboard.press('Control+z');
+  expect(await timeOf()).toBeCloseTo(before, 2);
+
+  // By keys.
+  await second.focus();
+  await page.keyboard.press('ArrowLeft');
+  expect(await timeOf()).toBeCloseTo(before - 0.1, 2);
+  await page.keyboard.press('Delete');
+  await second.waitFor({ state: 'detached' });
 });

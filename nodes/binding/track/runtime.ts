@@ -1,7 +1,7 @@
 import { type BindingContext, type BoundValue, createWriter } from '../../kit/binding.ts';
+import { type Easing, ease } from '../../kit/ease.ts';
 import type { NodeRuntime } from '../../kit/runtime.ts';
-import { type Easing, ease } from './ease.ts';
-import { type Repeat, timeInTrack } from './repeat.ts';
+import { type Repeat, timeInTrack } from '../../kit/track-time.ts';
 
 interface Config {
   /** Seconds since the session began, ascending. */

@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
-import { type Easing, ease } from './ease.ts';
-import { type Repeat, timeInTrack } from './repeat.ts';
+import { type Easing, ease } from '../../kit/ease.ts';
+import { type Repeat, timeInTrack } from '../../kit/track-time.ts';
 import { create } from './runtime.ts';
 
 interface Key {

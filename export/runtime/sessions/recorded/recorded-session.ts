@@ -40,6 +40,8 @@ export interface RecordedSession extends Session {
   step(index: number): Promise<boolean>;
   /** Goes on from frame `index`, and says so with a `reset`. */
   seek(index: number): void;
+  /** Goes on from a moment, seconds since its first frame, later rounds included; says so with a `reset`. */
+  seekTime(timeS: number): void;
   /** Decodes all frames that the budget holds. */
   preload(): Promise<void>;
 }
@@ -129,6 +131,11 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     reel.view = createRecordedView(gl, reel.file, reel.textures);
     shown = null;
   };
+  const seekTime = (timeS: number): void => {
+    playback?.seek(Math.max(0, timeS));
+    deliveredS = null;
+    onEvent?.({ kind: 'reset' });
+  };
   gl.canvas.addEventListener('webglcontextrestored', restore);
   return {
     kind: 'recorded',
@@ -153,10 +160,9 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       return decoded !== null && !ended && deliver(current, decoded, index, timeOfFrame(current.file, index));
     },
     seek: (index) => {
-      if (reel) playback?.seek(timeOfFrame(reel.file, index));
-      deliveredS = null;
-      onEvent?.({ kind: 'reset' });
+      if (reel) seekTime(timeOfFrame(reel.file, index));
     },
+    seekTime,
     preload: async () => {
       const count = reel ? Math.min(reel.file.frames.length, reel.cache.capacity) : 0;
       for (let i = 0; i < count; i++) await reel?.cache.request(i);
