@@ -1,4 +1,5 @@
-import { companionOf } from '../../export/glsl/isf/read-isf.ts';
+import { companionOf, readIsf } from '../../export/glsl/isf/read-isf.ts';
+import { moveImported } from '../../export/glsl/language/edit-header.ts';
 import { isShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { putAsset } from '../../export/graph/commands/assets.ts';
 import { inTurn } from '../../export/graph/commands/change.ts';
@@ -51,11 +52,11 @@ export interface DroppedFile {
 
 /**
  * Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. A vertex shader
- * goes with the shader of its name.
+ * goes with the shader of its name, and so do pictures with the shader that imports them.
  */
 export async function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   const added: string[] = [];
-  const { others, vertexOf } = pairShaders(files);
+  const { others, vertexOf, picturesOf } = await pairShaders(files);
   for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
@@ -78,32 +79,62 @@ export async function addFiles(editor: Editor, files: readonly DroppedFile[], pl
     }
     const node =
       kind === 'shader'
-        ? addShader(editor, await readShaderFile(file, vertexOf.get(file)), at)
+        ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), picturesOf.get(file)), at)
         : await addAssetNode(editor, file, kind, at);
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
 }
 
+/** Pictures that a shader imports, by the path in its header. */
+type Pictures = ReadonlyMap<string, DroppedFile>;
+
 interface PairedFiles {
-  /** All but the vertex shaders that another file brings along. */
+  /** All but the vertex shaders and pictures that a shader brings along. */
   readonly others: readonly DroppedFile[];
   readonly vertexOf: ReadonlyMap<DroppedFile, DroppedFile>;
+  readonly picturesOf: ReadonlyMap<DroppedFile, Pictures>;
 }
 
-function pairShaders(files: readonly DroppedFile[]): PairedFiles {
+async function pairShaders(files: readonly DroppedFile[]): Promise<PairedFiles> {
   const vertexOf = new Map<DroppedFile, DroppedFile>();
+  const picturesOf = new Map<DroppedFile, Pictures>();
+  const paired = new Set<DroppedFile>();
   for (const file of files) {
     if (!SHADERS.test(file.name)) continue;
-    const vertex = files.find(({ name }) => name.toLowerCase() === companionOf(file.name).toLowerCase());
+    const vertex = named(files, companionOf(file.name));
     if (vertex) vertexOf.set(file, vertex);
+    const imported = readIsf(await textOf(file), file.name).output?.imported ?? [];
+    const pictures = new Map<string, DroppedFile>();
+    for (const path of imported.flatMap(({ paths }) => paths)) {
+      const picture = named(files, path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1));
+      if (picture) pictures.set(path, picture);
+    }
+    picturesOf.set(file, pictures);
+    for (const used of [vertex, ...pictures.values()]) if (used) paired.add(used);
   }
-  const paired = new Set(vertexOf.values());
-  return { others: files.filter((file) => !paired.has(file)), vertexOf };
+  return { others: files.filter((file) => !paired.has(file)), vertexOf, picturesOf };
 }
 
-async function readShaderFile(file: DroppedFile, vertex: DroppedFile | undefined): Promise<ForeignShader> {
-  return { name: file.name, text: await textOf(file), ...(vertex && { vertex: await textOf(vertex) }) };
+/** Dropped files come without their folders. */
+function named(files: readonly DroppedFile[], wanted: string): DroppedFile | undefined {
+  return files.find(({ name }) => name.toLowerCase() === wanted.toLowerCase());
+}
+
+/** Its pictures become files of the project, and its header says where they are now. */
+async function readShaderFile(
+  editor: Editor,
+  file: DroppedFile,
+  vertex: DroppedFile | undefined,
+  pictures: Pictures = new Map(),
+): Promise<ForeignShader> {
+  const moved = new Map<string, string>();
+  for (const [path, picture] of pictures) {
+    const imported = await importFile(editor, picture, 'image');
+    if (imported !== null) moved.set(path, `../${imported.path}`);
+  }
+  const text = moveImported(await textOf(file), moved);
+  return { name: file.name, text, ...(vertex && { vertex: await textOf(vertex) }) };
 }
 
 /** A file's text where it is a source of shadertoy.com, else null. */

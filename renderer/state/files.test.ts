@@ -176,6 +176,30 @@ describe('files', () => {
     expect(editor.ui.getState().toasts.map(({ tone }) => tone)).toContain('error');
   });
 
+  test('a shader that is dropped with its pictures finds them in the project', async () => {
+    const { editor, host } = await openTestEditor();
+    const file = (name: string, text = '') => ({ name, arrayBuffer: async () => new TextEncoder().encode(text).buffer as ArrayBuffer });
+    const isf = `/*{"IMPORTED":{
+      "grain":{"PATH":"pics/Grain 1.PNG"}, "other":{"PATH":"other.jpg"},
+      "sky":{"TYPE":"cube","PATH":["a.png","b.png","c.png","d.png","e.png","f.png"]}
+    }}*/
+void main() { gl_FragColor = IMG_THIS_PIXEL(grain); }
+`;
+    await addFiles(editor, [file('a.png'), file('leak.fs', isf), file('grain 1.png'), file('mine.png')], { x: 0, y: 0 });
+    const { project } = editor.document.getState();
+    expect(project.sources['leak.fs']).toBe(
+      isf.replace('pics/Grain 1.PNG', '../assets/grain 1.png').replace('"a.png"', '"../assets/a.png"'),
+    );
+    expect(host.calls.flatMap(({ method, input }) => (method === 'asset.import' ? [(input as { name: string }).name] : []))).toEqual([
+      'grain 1.png',
+      'a.png',
+      'mine.png',
+    ]);
+    // What no shader asks for is a picture in the graph, as ever.
+    const types = Object.values(graphOf(editor.document.getState()).nodes).map(({ type }) => type);
+    expect(types.sort()).toEqual(['generator/leak', 'source/image-file']);
+  });
+
   test('dropped files become assets, shaders and nodes; what cannot be used is named', async () => {
     const { editor } = await openTestEditor();
     const file = (name: string, text = '') => ({ name, arrayBuffer: async () => new TextEncoder().encode(text).buffer as ArrayBuffer });

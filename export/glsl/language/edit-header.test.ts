@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { moveInHeader, readHeaderForm, setInHeader } from './edit-header.ts';
+import { moveImported, moveInHeader, readHeaderForm, setInHeader } from './edit-header.ts';
 
 const SOURCE = `/*{
   // Whose it is.
@@ -49,7 +49,20 @@ describe('editing a header', () => {
     expect(moveInHeader(SOURCE, ['INPUTS'], 1, 2)).toBeNull();
   });
 
+  test('imported pictures are found where they are now, in every way of naming them', () => {
+    const moved = new Map([
+      ['a.png', '../assets/a-2.png'],
+      ['x.png', '../assets/x.png'],
+    ]);
+    const list = '/*{ "IMPORTED": [{ "NAME": "a", "PATH": "a.png" }, { "NAME": "b", "PATH": "b.png" }] }*/';
+    expect(moveImported(list, moved)).toBe(list.replace('a.png', '../assets/a-2.png'));
+    const cube = '/*{ "IMPORTED": { "c": { "PATH": ["x.png", "b.png", "x.png"] }, "a": { "PATH": "a.png" } } }*/';
+    expect(moveImported(cube, moved)).toBe(cube.replaceAll('x.png', '../assets/x.png').replace('a.png', '../assets/a-2.png'));
+    expect(moveImported(SOURCE, moved)).toBe(SOURCE);
+  });
+
   test('a header that cannot be read is left alone', () => {
+    expect(moveImported('/*{ "IMPORTED": [ */', new Map([['a', 'b']]))).toBe('/*{ "IMPORTED": [ */');
     expect(setInHeader('/*{ "INPUTS": [ */', ['CREDIT'], 'x')).toBeNull();
     expect(readHeaderForm('void main() {}')).toBeNull();
   });

@@ -34,6 +34,20 @@ export function moveInHeader(source: string, path: HeaderPath, from: number, to:
   return source.slice(0, a.offset) + text(b) + source.slice(a.offset + a.length, b.offset) + text(a) + source.slice(b.offset + b.length);
 }
 
+/** Says of imported pictures where they are now, by where the header says that they are. A header that cannot be read stays as it is. */
+export function moveImported(source: string, moved: ReadonlyMap<string, string>): string {
+  const imported = property(rootOf(source) ?? undefined, 'IMPORTED');
+  const values = imported?.type === 'object' ? [...entries(imported)].map(([, value]) => value) : items(imported);
+  const paths = values.flatMap((value) => {
+    const path = property(value, 'PATH');
+    return path?.type === 'array' ? items(path) : path === undefined ? [] : [path];
+  });
+  return paths.reduceRight((text, path) => {
+    const to = moved.get(textOf(path) ?? '');
+    return to === undefined ? text : text.slice(0, path.offset) + printValue(to) + text.slice(path.offset + path.length);
+  }, source);
+}
+
 function rootOf(source: string): Node | null {
   return readHeader(source, '').header?.root ?? null;
 }
