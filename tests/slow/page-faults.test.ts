@@ -4,7 +4,7 @@ import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import type { Picture } from '../support/picture.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
-import { ROOM_BOX } from '../xr/room-box.ts';
+import { roomBox } from '../xr/room-box.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
 
 // What fails on devices, one after the other, beside a page that runs on: each is said, and unsaid when it is over.
@@ -24,7 +24,7 @@ const EYE = { position: [0, 0.9, 3] } as const;
 const chromium = useBrowser();
 let served: ServedExport;
 beforeAll(async () => {
-  served = await serveProjectText(ROOM_BOX, {});
+  served = await serveProjectText(roomBox(0, 0), {});
 });
 afterAll(() => served?.close());
 

@@ -1,29 +1,35 @@
 import type { ProjectText } from '../support/project-kit.ts';
 
-/** A box on the floor: metres. */
-export const BOX_M = { min: [-0.5, 0, -0.5], max: [0.5, 0.9, 0.5] } as const;
+/** Half of its width and depth, and its height: metres. */
+export const BOX_HALF_M = 0.3;
+export const BOX_HEIGHT_M = 0.8;
 /** Of the square that stands for the real floor. */
 export const FLOOR_HALF_M = 2.5;
 export const SHADOW_STRENGTH = 0.6;
 
-/** The box in the visitor's room: lit as that is, its shadow on the floor, both hidden by what is before them. */
-export const ROOM_BOX: ProjectText = {
+/** A box on the floor of the visitor's room: lit as that is, its shadow on the floor, both hidden by what is before them. */
+export function roomBox(x: number, z: number): ProjectText {
+  return { ...ROOM_BOX, nodes: { ...NODES, 'place-0000': ['objects/transform', { positionM: [x, BOX_HEIGHT_M / 2, z] }] } };
+}
+
+const NODES: ProjectText['nodes'] = {
+  'box-0000': ['objects/primitive', { sizeM: [2 * BOX_HALF_M, BOX_HEIGHT_M, 2 * BOX_HALF_M], color: [0.9, 0.9, 0.9, 1] }],
+  'floor-0000': ['objects/primitive', { shape: 'plane', sizeM: [5, 0, 5] }],
+  'real-0000': 'objects/phantom',
+  'light-0000': ['world/light-estimate', { smoothingS: 0 }],
+  'depth-0000': 'world/depth',
+  'scene-0000': 'layer/scene',
+  'hide-0000': 'layer/depth-occlusion',
+  'shadow-0000': ['layer/shadow', { strength: SHADOW_STRENGTH }],
+  // Scanned floors are off by centimetres.
+  'clip-0000': ['layer/depth-occlusion', { biasM: 0.1 }],
+  'over-0000': 'operator/over',
+  'screen-0000': 'output/screen',
+};
+
+const ROOM_BOX: ProjectText = {
   title: 'A box in the room',
-  nodes: {
-    'box-0000': ['objects/primitive', { sizeM: [1, 0.9, 1], color: [0.9, 0.9, 0.9, 1] }],
-    'place-0000': ['objects/transform', { positionM: [0, 0.45, 0] }],
-    'floor-0000': ['objects/primitive', { shape: 'plane', sizeM: [5, 0, 5] }],
-    'real-0000': 'objects/phantom',
-    'light-0000': ['world/light-estimate', { smoothingS: 0 }],
-    'depth-0000': 'world/depth',
-    'scene-0000': 'layer/scene',
-    'hide-0000': 'layer/depth-occlusion',
-    'shadow-0000': ['layer/shadow', { strength: SHADOW_STRENGTH }],
-    // Scanned floors are off by centimetres.
-    'clip-0000': ['layer/depth-occlusion', { biasM: 0.1 }],
-    'over-0000': 'operator/over',
-    'screen-0000': 'output/screen',
-  },
+  nodes: NODES,
   wires: [
     'box-0000.objects -> place-0000.objects',
     'place-0000.objects -> scene-0000.objects',
