@@ -8,11 +8,10 @@ import type { StartWorker } from './cpu/worker-source.ts';
 import { createDiagnosticsBoard } from './diagnostics-board.ts';
 import { createEngine, type Engine, type PlayerCounts } from './engine.ts';
 import type { ShaderError } from './gl/program-cache.ts';
+import type { Inspected } from './inspected.ts';
 import { type Loading, loadProgram } from './loading.ts';
 import { createPlayState } from './play-state.ts';
 import type { SessionTraits } from './present/background.ts';
-import { showLayer } from './present/show-layer.ts';
-import { type ProbedDepth, probeDepth } from './probe-depth.ts';
 import { type LayerDepth, type LayerPixels, readColor, readDepth } from './readback.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
 import { releaseCast } from './stage/cast.ts';
@@ -84,13 +83,8 @@ export interface Player {
   readLayer(tap: string, viewIndex: number, heightPx?: number): LayerPixels | null;
   /** Depth of a tapped layer. Throws where the GPU cannot draw 32-bit floats. */
   readLayerDepth(tap: string, viewIndex: number): LayerDepth | null;
-  /**
-   * Within a frame, after `draw`: a tapped layer over part of a view's width, as `showLayer` says. False where it is not tapped or not
-   * drawn.
-   */
-  showLayer(tap: string, viewIndex: number, from: number, to: number): boolean;
-  /** Within a frame, after `draw`: what has depth at a point of a view, of the room and of a tapped layer. */
-  probeDepth(tap: string | null, viewIndex: number, u: number, v: number): ProbedDepth | null;
+  /** Within a frame, after `draw`, and no longer: what is to be looked at, with a tapped layer or without. Null where nothing was drawn. */
+  inspect(tap: string | null): Inspected | null;
   counts(): PlayerCounts;
   /** Stops drawing; to be called on `webglcontextlost`, whose default the caller prevents. */
   contextLost(): void;
@@ -217,13 +211,9 @@ export function createPlayer(options: PlayerOptions): Player {
       const layer = stage?.program.taps[tap];
       return live && stage && layer ? readDepth(engine, stage.resources, layer, viewIndex) : null;
     },
-    showLayer: (tap, viewIndex, from, to) => {
-      const layer = stage?.program.taps[tap];
-      return live && stage && layer ? showLayer(engine, stage.resources, layer, viewIndex, from, to) : false;
-    },
-    probeDepth: (tap, viewIndex, u, v) => {
-      const layer = (tap === null ? undefined : stage?.program.taps[tap]) ?? null;
-      return live ? probeDepth(engine, stage?.resources ?? null, layer, viewIndex, u, v) : null;
+    inspect: (tap) => {
+      if (!live || !stage) return null;
+      return { engine, resources: stage.resources, layer: (tap === null ? undefined : stage.program.taps[tap]) ?? null };
     },
     counts: () => engine.counts(),
     contextLost: () => {

@@ -1,6 +1,7 @@
 import type { LayerRef } from '../program/program.ts';
 import type { Engine } from './engine.ts';
 import { COPY_UV } from './gl/copy-shader.ts';
+import type { Inspected } from './inspected.ts';
 import { setDecode } from './passes/depth-decode.ts';
 import { DEPTH_SHADER, drawn, readRows } from './readback.ts';
 import type { LiveResources } from './resources/resources.ts';
@@ -17,17 +18,10 @@ export interface ProbedDepth {
  * The nearer of a layer and the room at a point of a view, parts of its size from the bottom left; null where nothing is known to be.
  * The room's depth is taken to be the view's own: where a device measures it from beside, it is as good as the two are near.
  */
-export function probeDepth(
-  engine: Engine,
-  resources: LiveResources | null,
-  layer: LayerRef | null,
-  viewIndex: number,
-  u: number,
-  v: number,
-): ProbedDepth | null {
+export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: number, u: number, v: number): ProbedDepth | null {
   const view = engine.state.frame.views[viewIndex];
   if (!view || !engine.objects.limits.floatTargets) return null;
-  const ofLayer = resources && layer ? layerMetres(engine, resources, layer, viewIndex, u, v) : 0;
+  const ofLayer = layer ? layerMetres(engine, resources, layer, viewIndex, u, v) : 0;
   const ofRoom = view.depth ? metresAt(engine, view.depth.texture, 'metres', viewIndex, pointIn(view.depth.uvFromViewUv, u, v)) : 0;
   const isLayer = ofLayer > 0 && (ofRoom <= 0 || ofLayer <= ofRoom);
   const metres = isLayer ? ofLayer : ofRoom;

@@ -1,4 +1,5 @@
 import type { Player } from '../../export/runtime/player.ts';
+import { probeDepth } from '../../export/runtime/probe-depth.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewProbe, ToPreview } from '../preview-protocol.ts';
 import type { PosterPlace } from './posters.ts';
@@ -9,7 +10,7 @@ type Question = Extract<ToPreview, { kind: 'probe' }>;
 export interface Probes {
   ask(question: Question): void;
   beforeFrame(place: PosterPlace | null): void;
-  afterFrame(player: Pick<Player, 'probeDepth'>, frame: SessionFrame, place: PosterPlace | null): void;
+  afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: PosterPlace | null): void;
 }
 
 /** `wake` asks for a frame, also of a preview that is held. */
@@ -42,14 +43,16 @@ export function createProbes(send: (message: FromPreview) => void, wake: () => v
   };
 }
 
-function depthAt(player: Pick<Player, 'probeDepth'>, frame: SessionFrame, layer: string | null, x: number, y: number) {
+function depthAt(player: Pick<Player, 'inspect'>, frame: SessionFrame, layer: string | null, x: number, y: number) {
   const { framebufferWidthPx: width, framebufferHeightPx: height } = frame;
   for (let index = 0; index < frame.viewCount; index++) {
     const viewport = frame.views[index]?.viewport;
     if (!viewport) continue;
     const u = (x * width - viewport.x) / viewport.widthPx;
     const v = ((1 - y) * height - viewport.y) / viewport.heightPx;
-    if (u >= 0 && u < 1 && v >= 0 && v < 1) return player.probeDepth(layer, index, u, v);
+    if (u < 0 || u >= 1 || v < 0 || v >= 1) continue;
+    const inspected = player.inspect(layer);
+    return inspected && probeDepth(inspected, index, u, v);
   }
   return null;
 }

@@ -2,6 +2,7 @@ import { phantomNodes } from '../../export/program/phantom-nodes.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import type { PlayResult } from '../../export/runtime/player.ts';
+import { showLayer } from '../../export/runtime/present/show-layer.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
@@ -260,9 +261,10 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
 }
 
 function showLook(player: House['player'], frame: SessionFrame, { left, right, split }: Extract<ToPreview, { kind: 'look' }>): void {
+  const [ofLeft, ofRight] = [left === null ? null : player.inspect(left), right === null ? null : player.inspect(right)];
   for (let view = 0; view < frame.viewCount; view++) {
-    if (left !== null) player.showLayer(left, view, 0, split);
-    if (right !== null) player.showLayer(right, view, split, 1);
+    if (ofLeft) showLayer(ofLeft, view, 0, split);
+    if (ofRight) showLayer(ofRight, view, split, 1);
   }
 }
 

@@ -1,25 +1,18 @@
-import type { LayerRef } from '../../program/program.ts';
-import type { Engine } from '../engine.ts';
 import { clearRectangle } from '../gl/clear.ts';
 import { COPY_SAMPLER, COPY_UV } from '../gl/copy-shader.ts';
+import type { Inspected } from '../inspected.ts';
 import { findPicture } from '../readback.ts';
-import type { LiveResources } from '../resources/resources.ts';
 
 const CLEAR = new Float32Array(4);
 
 /**
  * Draws a layer over a view of the frame's framebuffer, between two parts of its width; pictures of another shape lie in its middle,
- * whole. False where the layer has not been drawn: the screen stays as it is.
+ * whole. False where the layer is not tapped or has not been drawn: the screen stays as it is.
  */
-export function showLayer(
-  { state, objects, drawer, copy }: Engine,
-  resources: LiveResources,
-  layer: LayerRef,
-  viewIndex: number,
-  from: number,
-  to: number,
-): boolean {
+export function showLayer({ engine, resources, layer }: Inspected, viewIndex: number, from: number, to: number): boolean {
+  const { state, objects, drawer, copy } = engine;
   const { gl } = objects;
+  if (layer === null) return false;
   const view = state.frame.views[viewIndex];
   const picture = findPicture(state, resources, layer.color, viewIndex);
   const location = copy.state === 'linked' ? copy.uniform(COPY_SAMPLER) : null;
