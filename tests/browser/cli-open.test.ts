@@ -80,6 +80,18 @@ describe('scrim open', () => {
     expect(await nextLine()).toContain(`http://127.0.0.1:${port}/#token=`);
   });
 
+  test('has the same address at every start, so that browsers find what was chosen; beside another one, a free address', async () => {
+    const start = async () => {
+      const { child, nextLine } = scrim('open', project, '--browser');
+      return { child, origin: new URL((await nextLine()) ?? '').origin };
+    };
+    const first = await start();
+    const beside = await start();
+    expect(beside.origin).not.toBe(first.origin);
+    await end(first.child);
+    expect((await start()).origin).toBe(first.origin);
+  });
+
   test('says what is wrong with a project that is none', async () => {
     const { child, errors } = scrim('open', base, '--browser');
     expect(await new Promise((done) => child.once('exit', done))).toBe(1);

@@ -8,6 +8,9 @@ import { type Command, type Context, type Outcome, UsageError } from '../command
 import { findElectron } from '../find-electron.ts';
 import { openAddress } from '../open-address.ts';
 
+/** Browsers keep what a person chose (theme, keys, recent projects) by address, so it is the same at every start, where it is free. */
+const USUAL_PORT = 17_246;
+
 /** An Electron that ends by itself this soon did not start: a library is missing, say. */
 const STARTED_MS = 5_000;
 
@@ -19,7 +22,7 @@ export const openCommand: Command = {
   project: 'optional',
   options: {
     browser: { type: 'boolean', doc: 'In the browser, even where Electron is there.' },
-    port: { type: 'string', value: 'N', doc: 'The port for the browser; a free one unless given.' },
+    port: { type: 'string', value: 'N', doc: `The port for the browser; ${USUAL_PORT}, or a free one where that is taken, unless given.` },
   },
   examples: [
     { line: 'scrim open examples/first-light', says: 'Opens an example.' },
@@ -41,8 +44,10 @@ export const openCommand: Command = {
   },
 };
 
-function readPort(text: string | null): number {
-  const port = text === null ? 0 : Number(text);
+/** Null where none was asked for. */
+function readPort(text: string | null): number | null {
+  if (text === null) return null;
+  const port = Number(text);
   if (Number.isInteger(port) && port >= 0 && port <= 65_535) return port;
   throw new UsageError(`--port ${text} is no port: give a number from 1 to 65535.`);
 }
@@ -70,13 +75,15 @@ function runElectron(path: string, { installation }: Context, project: string | 
   });
 }
 
-async function serve(context: Context, project: string | null, port: number, why: string | null, json: boolean): Promise<Outcome> {
+async function serve(context: Context, project: string | null, port: number | null, why: string | null, json: boolean): Promise<Outcome> {
   const { installation, print } = context;
   const log = (message: string) => console.error(message);
-  const server = await startServer({ installation, startPath: project, port, log }).catch((error: unknown) => {
-    if (errorCode(error) === 'EADDRINUSE' || errorCode(error) === 'EACCES') return null;
-    throw error;
-  });
+  const listenAt = (wanted: number) =>
+    startServer({ installation, startPath: project, port: wanted, log }).catch((error: unknown) => {
+      if (errorCode(error) === 'EADDRINUSE' || errorCode(error) === 'EACCES') return null;
+      throw error;
+    });
+  const server = port === null ? ((await listenAt(USUAL_PORT)) ?? (await listenAt(0))) : await listenAt(port);
   if (server === null) throw new UsageError(`Port ${port} is taken or forbidden: give another one, or none.`);
   if (json) print(JSON.stringify({ ok: true, shell: 'server', url: server.url }));
   else {
