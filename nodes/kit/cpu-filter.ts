@@ -2,7 +2,7 @@ import type { NodeDefinition } from './definition.ts';
 import type { NodeContext, NodeModule } from './runtime.ts';
 
 /**
- * Between a CPU filter, which works in a worker, and the runtime that carries pictures there and back (ADR 22). A filter is a folder
+ * Between a CPU filter, which works in a worker, and the runtime that carries pictures there and back (ADR 21). A filter is a folder
  * `nodes/filter/cpu-NAME` with `definition.ts` (lowering `cpu`) and `worker.ts`, which exports `process`.
  *
  * @example

@@ -155,7 +155,7 @@ export type Lowering =
       /** The same result can be had by discarding fragments while a scene is drawn, when that scene feeds only this node. */
       readonly early?: 'occlusion';
     }
-  /** Pixels of one layer, changed by the processor in a worker (`worker.ts` of the node): its layer is a frame late (ADR 22). */
+  /** Pixels of one layer, changed by the processor in a worker (`worker.ts` of the node): its layer is a frame late (ADR 21). */
   | { readonly kind: 'cpu' }
   /** Makes, arranges or draws objects and lights (three.js). Draws when it has a layer output. */
   | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse }

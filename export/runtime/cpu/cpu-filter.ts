@@ -11,7 +11,7 @@ import type { TargetBuffer } from '../targets/target-buffer.ts';
 import { createViewExchange } from './view-exchange.ts';
 import type { CpuWorker, StartWorker } from './worker-source.ts';
 
-/** Plays a node whose pixels a worker changes (ADR 22). */
+/** Plays a node whose pixels a worker changes (ADR 21). */
 export interface CpuFilter extends NodeRuntime {
   /** Once per view and frame: draws what came back last, or the picture itself, and sends the picture if the worker is free. */
   exchange(viewIndex: number, picture: TargetBuffer, into: TargetBuffer): void;
