@@ -38,6 +38,10 @@ const GOOD: ProjectText = {
   assets: { robot: { path: 'assets/robot.glb', kind: 'model' } },
 };
 
+const OWN_WITH_PICTURE = `/*{ "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }], "IMPORTED": { "leak": { "PATH": "leak.png" } } }*/
+void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) + IMG_THIS_PIXEL(leak); }
+`;
+
 let base = '';
 let project = '';
 beforeEach(async () => {
@@ -160,6 +164,12 @@ describe('scrim check', () => {
       () => write({ ...GOOD, wires: [...GOOD.wires, 'video-a1b2.layer -> scene-e5f6.lights'] }),
       'SCR013',
       'scene-e5f6',
+    ],
+    [
+      'a missing picture of a shader',
+      () => write({ ...GOOD, nodes: { ...GOOD.nodes, 'sepia-j9k2': 'filter/own' } }, { 'shaders/own.fs': OWN_WITH_PICTURE }),
+      'SCR030',
+      'shaders/leak.png',
     ],
     ['a missing asset', () => rm(join(project, 'assets', 'robot.glb')), 'SCR030', 'assets/robot.glb'],
     ['a model that is cut off', () => truncate(join(project, 'assets', 'robot.glb'), 1000), 'SCR032', 'cut off'],

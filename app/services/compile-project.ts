@@ -1,4 +1,5 @@
 import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
+import { isImported } from '../../export/compiler/imported-assets.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
@@ -27,11 +28,12 @@ export async function compileProject(
   const project = loaded.output;
   if (project === null) return { project, program: null, diagnostics: loaded.diagnostics };
   const compiled = compile({ project, library: LIBRARY, options: optionsOf(project) });
-  const used = new Set(compiled.output?.assets.map(({ id }) => id) ?? Object.keys(project.assets));
+  const played = compiled.output?.assets ?? [];
+  const used = new Set(compiled.output ? played.map(({ id }) => id) : Object.keys(project.assets));
+  // Pictures that shaders import stand in no table of the project's.
+  const all = { ...project.assets, ...Object.fromEntries(played.filter(isImported).map((asset) => [asset.id, asset])) };
   // A path that the compiler refused already is not told of twice.
-  const assets = (await checkAssets(root, project.assets, used)).filter(
-    ({ code }) => code !== 'SCR031' || !hasErrors(compiled.diagnostics),
-  );
+  const assets = (await checkAssets(root, all, used)).filter(({ code }) => code !== 'SCR031' || !hasErrors(compiled.diagnostics));
   const known = new Set(assets.flatMap(({ file }) => file ?? []));
   const models = compiled.output === null ? [] : await checkModels(root, compiled.output, known);
   const diagnostics = [...loaded.diagnostics, ...compiled.diagnostics, ...assets, ...models];

@@ -16,6 +16,10 @@ export function importedAssetId(file: string, path: string): string {
   return `${PREFIX}${parts.join('/')}`;
 }
 
+export function isImported({ id }: ProgramAsset): boolean {
+  return id.startsWith(PREFIX);
+}
+
 /** What passes import, each once. */
 export function importedAssets(passes: readonly PassOperation[]): ProgramAsset[] {
   const ids = passes.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'import' ? source.assets : [])));

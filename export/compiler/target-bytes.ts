@@ -24,7 +24,7 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
   return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };
 }
 
-const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, rgba16f: 8, r32f: 4 };
+const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, rgba16f: 8, rgba32f: 16, r32f: 4 };
 const DEPTH_BYTES_PER_PIXEL = 4;
 
 /** Texture memory of a target per view, or null. Multisampled ones are resolved into a second; persistent ones are two, shared ones none. */

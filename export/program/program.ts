@@ -146,8 +146,8 @@ export interface TechniqueUniform {
   readonly slot: number;
 }
 
-/** `rgba8`: a layer. `rgba16f`: unclamped. `r32f`: depth in metres, 0 where there is none. */
-export type TargetFormat = 'rgba8' | 'rgba16f' | 'r32f';
+/** `rgba8`: a layer. `rgba16f`: unclamped. `rgba32f`: numbers. `r32f`: depth in metres, 0 where there is none. */
+export type TargetFormat = 'rgba8' | 'rgba16f' | 'rgba32f' | 'r32f';
 
 /** Pixels: the view's, or another resource's; each side times `scale`, or an ISF size expression over slots. */
 export interface TargetSize {

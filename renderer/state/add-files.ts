@@ -25,7 +25,7 @@ const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly str
   { kind: 'audio', endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
   { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
 ];
-const SHADERS = /\.(fs|glsl)$/i;
+const SHADERS = /\.(fs|isf|glsl)$/i;
 const TABLES = /\.cube$/i;
 /** What sources of shadertoy.com are kept in. */
 const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;

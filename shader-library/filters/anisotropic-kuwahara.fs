@@ -11,9 +11,9 @@
     { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How clearly the calmest part of a stroke wins: low is soft, high gives hard brush edges.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 8.0 }
   ],
   "PASSES": [
-    { "TARGET": "tensor", "FLOAT": true },
-    { "TARGET": "across", "FLOAT": true },
-    { "TARGET": "smoothed", "FLOAT": true },
+    { "TARGET": "tensor", "FLOAT": true, "SCRIM_HALF": true },
+    { "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true },
+    { "TARGET": "smoothed", "FLOAT": true, "SCRIM_HALF": true },
     { }
   ]
 }*/

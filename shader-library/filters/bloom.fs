@@ -11,9 +11,9 @@
     { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "How much glow is added. 0 changes nothing.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ],
   "PASSES": [
-    { "TARGET": "bright", "FLOAT": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Light above the level, at half the size." },
-    { "TARGET": "across", "FLOAT": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Blurs along x." },
-    { "TARGET": "glow", "FLOAT": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Blurs along y." },
+    { "TARGET": "bright", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Light above the level, at half the size." },
+    { "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Blurs along x." },
+    { "TARGET": "glow", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Blurs along y." },
     { "DESCRIPTION": "Adds the glow." }
   ]
 }*/

@@ -15,7 +15,7 @@
     { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the lines.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
     { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the picture", "DOC": "Draw the lines over the picture instead of over the paper.", "DEFAULT": false }
   ],
-  "PASSES": [{ "TARGET": "across", "FLOAT": true, "DESCRIPTION": "Blurs along x, twice." }, { "DESCRIPTION": "Blurs along y, twice, and draws." }]
+  "PASSES": [{ "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "DESCRIPTION": "Blurs along x, twice." }, { "DESCRIPTION": "Blurs along y, twice, and draws." }]
 }*/
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);

@@ -87,24 +87,24 @@ const LIGHT_SILENT = 'does not measure the light';
 const notice = (page: XrPage, text: string) => page.page.getByText(text);
 
 describe.each([
-  ['phone', 1],
-  ['headset', 2],
-] as const)('on a %s', (device, views) => {
+  ['phone', 1, 0.4],
+  // Its eyes see further outwards, so that the left one has less of the box on the left.
+  ['headset', 2, 0.1],
+] as const)('on a %s', (device, views, leastShare) => {
   const options: EmulatorOptions = { device, extra: ['light-estimation'] };
 
   test('depth stops: it is said, the picture goes on with nothing hidden, and all is well when it is back', async () => {
     const page = await enter(options);
     const before = halves(await page.readLayer(), views);
     expect(before[1]).toBeGreaterThan(100);
-    // A headset's eyes see further outwards, so that its left one has less of the box on the left.
-    expect(before[0]).toBeLessThan(before[1] / 8);
+    expect(before[0]).toBeLessThan((before[1] * leastShare) / 4);
     await set(page, 'setDepth', 'stopped');
     await wait(page, 1);
     expect(await notice(page, DEPTH_SILENT).count()).toBe(0);
     await wait(page, 1.5);
     await notice(page, DEPTH_SILENT).waitFor({ state: 'attached' });
     const during = halves(await page.readLayer(), views);
-    expect(during[0]).toBeGreaterThan(during[1] * 0.4);
+    expect(during[0]).toBeGreaterThan(during[1] * leastShare);
     await set(page, 'setDepth', 'working');
     await page.step(2);
     await notice(page, DEPTH_SILENT).waitFor({ state: 'detached' });
@@ -152,7 +152,7 @@ describe.each([
     await notice(page, 'light of the room.').waitFor({ state: 'attached' });
     const [left, right] = halves(await page.readLayer(), views);
     expect(right).toBeGreaterThan(100);
-    expect(left).toBeGreaterThan(right * 0.4);
+    expect(left).toBeGreaterThan(right * leastShare);
     await wait(page, 8);
     // What was never granted is not missed.
     expect(await notice(page, DEPTH_SILENT).count()).toBe(0);

@@ -84,7 +84,7 @@ describe('pictures', () => {
   test('a persistent buffer lasts, in the precision it asks for', () => {
     expect(program(imageOnly()).resources.find(({ id }) => id === 'trails-a.trail')).toMatchObject({
       lifetime: 'persistent',
-      format: 'rgba16f',
+      format: 'rgba32f',
     });
   });
 

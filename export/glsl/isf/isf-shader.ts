@@ -89,7 +89,9 @@ export interface IsfPass {
   /** Buffer that the pass draws into; null for the node's output. */
   readonly target: string | null;
   readonly persistent: boolean;
+  /** 32 bits per channel, as ISF has it; 16 where the author says that those do (SCRIM_HALF). */
   readonly float: boolean;
+  readonly half: boolean;
   /** Null for the layer's own. */
   readonly width: NamedSize | null;
   readonly height: NamedSize | null;

@@ -106,15 +106,16 @@ describe('passes', () => {
       { "TARGET": "memory", "PERSISTENT": "YES", "WIDTH": "floor($part * $HEIGHT)", "HEIGHT": "$HEIGHT" },
       { } ] }`);
     expect(passes).toEqual([
-      { target: 'small', persistent: false, float: true, width: [{ op: 'width' }, 2, { op: '/' }], height: [64] },
+      { target: 'small', persistent: false, float: true, half: false, width: [{ op: 'width' }, 2, { op: '/' }], height: [64] },
       {
         target: 'memory',
         persistent: true,
         float: false,
+        half: false,
         width: [{ param: 'part' }, { op: 'height' }, { op: '*' }, { op: 'floor' }],
         height: null,
       },
-      { target: null, persistent: false, float: false, width: null, height: null },
+      { target: null, persistent: false, float: false, half: false, width: null, height: null },
     ]);
   });
 
@@ -210,9 +211,21 @@ describe('the header as a whole', () => {
     expect(readIsf('\ufeff/*{ "CREDIT": "me" }*/ void main() {}', 'bom.fs')).toMatchObject({ output: { credit: 'me' }, diagnostics: [] });
   });
 
+  test('the licence is in a key of ours, or in comments, as people have it', () => {
+    const body = '// License Creative Commons Attribution-NonCommercial-ShareAlike 3.0\nvoid main() {}';
+    expect(readIsf(`/*{ "CREDIT": "me" }*/ ${body}`, 'x.fs').output?.licence).toBe('CC BY-NC-SA 3.0');
+    expect(readIsf(`/*{ "LICENSE": "MIT" }*/ ${body}`, 'x.fs').output?.licence).toBe('MIT');
+    expect(readIsf('/*{ "CREDIT": "me" }*/ void main() {} // a limit', 'x.fs').output?.licence).toBe('');
+  });
+
   test('keys of our own', () => {
     const shader = read('{ "SCRIM_TITLE": "T", "SCRIM_ALPHA": "premultiplied", "SCRIM_DEPTH": "none" }');
     expect(shader).toMatchObject({ title: 'T', premultiplied: true, depth: 'none' });
     expect(problems('{ "SCRIM_ALPHA": "both" }')).toMatchObject([{ severity: 'warning' }]);
+    const passes = read('{ "PASSES": [{ "TARGET": "a", "FLOAT": true, "SCRIM_HALF": true }, { "TARGET": "b", "FLOAT": true }] }').passes;
+    expect(passes.map(({ float, half }) => [float, half])).toEqual([
+      [true, true],
+      [true, false],
+    ]);
   });
 });

@@ -1,4 +1,5 @@
 import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
+import { findTerms } from './find-terms.ts';
 import { type Header, items, property, readHeader, textOf } from './header.ts';
 import type { IsfInput, IsfShader } from './isf-shader.ts';
 import { readInputs } from './read-inputs.ts';
@@ -25,7 +26,8 @@ export function readIsf(source: string, file: string, vertex: string | null = nu
     title: textOf(property(header.root, 'SCRIM_TITLE')),
     description: textOf(property(header.root, 'DESCRIPTION'))?.trim() ?? '',
     credit: textOf(property(header.root, 'CREDIT'))?.trim() ?? '',
-    licence: textOf(property(header.root, 'LICENSE'))?.trim() ?? '',
+    // ISF has no key for it: files that have terms say so in comments.
+    licence: textOf(property(header.root, 'LICENSE'))?.trim() ?? findTerms(source).licence,
     categories: items(property(header.root, 'CATEGORIES'))
       .map(textOf)
       .filter((category) => category !== null),

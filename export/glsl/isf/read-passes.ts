@@ -9,7 +9,7 @@ const MAX_PASSES = 64;
 
 const SIDES = 6;
 
-const OUTPUT_PASS: IsfPass = { target: null, persistent: false, float: false, width: null, height: null };
+const OUTPUT_PASS: IsfPass = { target: null, persistent: false, float: false, half: false, width: null, height: null };
 
 /**
  * Everything under `PASSES`, with what version 1 says of its buffers under `PERSISTENT_BUFFERS`. One pass that makes the
@@ -44,6 +44,7 @@ function readPass(header: Header, node: Node, inputs: readonly IsfInput[], buffe
     target,
     persistent: target !== null && (flagOf(property(node, 'PERSISTENT')) || buffer !== undefined),
     float: settings.some((from) => flagOf(property(from, 'FLOAT'))),
+    half: settings.some((from) => flagOf(property(from, 'SCRIM_HALF'))),
     width: readSize(header, settings, 'WIDTH', inputs),
     height: readSize(header, settings, 'HEIGHT', inputs),
   };

@@ -101,7 +101,8 @@ export const HEADER_KEYS: Readonly<Record<'root' | 'input' | 'pass', Readonly<Re
   pass: {
     TARGET: 'Buffer that the pass draws into; without it, the node’s output.',
     PERSISTENT: 'Whether the buffer keeps what it held in the last frame.',
-    FLOAT: 'Whether the buffer holds more than 8 bits, below 0 and above 1 too.',
+    FLOAT: 'Whether the buffer holds 32-bit floats, below 0 and above 1 too.',
+    SCRIM_HALF: 'Whether 16-bit floats do, which take half the memory.',
     WIDTH: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
     HEIGHT: 'Number, or expression of $WIDTH, $HEIGHT and inputs.',
     SIDE: 'Techniques: "front", "back", "both" or "object".',

@@ -31,7 +31,7 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
     if (pass.target === null && passIndex < last) return;
     const seen = new Map(readable);
     if (passIndex === last && !pass.persistent && !sized) {
-      planned.push({ kind: 'author', passIndex, target: { kind: 'output', format: formatOf(pass) }, readable: seen, copyFrom: null });
+      planned.push({ kind: 'author', passIndex, target: { kind: 'output', format: outputFormat(pass) }, readable: seen, copyFrom: null });
       return;
     }
     const target = pass.target ?? freeName(shader, 'result');
@@ -45,7 +45,7 @@ export function planPasses(shader: IsfShader): PlannedPass[] {
       planned.push({
         kind: 'copy',
         passIndex,
-        target: { kind: 'output', format: formatOf(pass) },
+        target: { kind: 'output', format: outputFormat(pass) },
         readable: new Map(readable),
         copyFrom: target,
       });
@@ -61,17 +61,23 @@ function withBufferSettings(pass: IsfPass, shader: IsfShader): IsfPass {
   return {
     ...pass,
     float: same.some((other) => other.float),
+    half: same.every((other) => !other.float || other.half),
     width: same.find((other) => other.width !== null)?.width ?? null,
     height: same.find((other) => other.height !== null)?.height ?? null,
   };
 }
 
 function bufferTarget(pass: IsfPass, name: string): PassTarget {
-  return { kind: 'buffer', name, format: formatOf(pass), persistent: pass.persistent, width: pass.width, height: pass.height };
+  return { kind: 'buffer', name, format: bufferFormat(pass), persistent: pass.persistent, width: pass.width, height: pass.height };
 }
 
-function formatOf(pass: IsfPass): 'rgba8' | 'rgba16f' {
-  return pass.float ? 'rgba16f' : 'rgba8';
+function bufferFormat({ float, half }: IsfPass): PassTarget['format'] {
+  return float && !half ? 'rgba32f' : outputFormat({ float });
+}
+
+/** What is handed on is a picture: colours, if bright ones, to which 16 bits do justice. */
+function outputFormat({ float }: Pick<IsfPass, 'float'>): PassTarget['format'] {
+  return float ? 'rgba16f' : 'rgba8';
 }
 
 function freeName(shader: IsfShader, wanted: string): string {

@@ -1,9 +1,12 @@
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
-import { findTerms } from './licence.ts';
+import { findTerms } from '../isf/find-terms.ts';
 import { printIsf } from './print-isf.ts';
 import { readShadertoyJson } from './read-json.ts';
 import { hasMain, readPasted } from './read-pasted.ts';
 import { type Shadertoy, tabName } from './shadertoy.ts';
+
+/** What shadertoy.com/terms says of works whose author names no licence. */
+export const SITE_LICENCE = 'CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no licence)';
 
 export interface ConvertedShader {
   /** Empty where the source does not say. */
@@ -34,7 +37,7 @@ export function convertShadertoy(source: string, file: string): Result<Converted
     [output.description === '' ? '' : `/* ${output.description} */`, output.common, ...output.tabs.map(({ code }) => code)].join('\n'),
   );
   const credit = [output.credit, terms.credit].filter((part) => part !== '').join('; ') || 'Somebody on shadertoy.com';
-  const { licence } = terms;
+  const licence = terms.licence || SITE_LICENCE;
   return { output: { title: output.title, text: printIsf(output, { credit, licence }), credit, licence }, diagnostics };
 }
 

@@ -81,7 +81,7 @@ function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): Is
       inputOf(PROGRESS, 'float', { label: 'Progress', doc: 'How far it has gone.', default: [0], min: [0], max: [1] }),
       ...inputs,
     ],
-    passes: [{ target: null, persistent: false, float: false, width: null, height: null }],
+    passes: [{ target: null, persistent: false, float: false, half: false, width: null, height: null }],
     imported: [],
     premultiplied: false,
     depth: 'none',

@@ -36,6 +36,8 @@ export interface GlLimits {
   readonly maxSamples: number;
   /** Renders to 32-bit and 16-bit float. */
   readonly floatTargets: boolean;
+  /** Smooths between 32-bit floats. */
+  readonly floatLinear: boolean;
   /** Renders to 16-bit float at least. */
   readonly halfFloatTargets: boolean;
   /** `KHR_parallel_shader_compile`, or null. */
@@ -55,6 +57,7 @@ export function createGlObjects(gl: WebGL2RenderingContext): GlObjects {
       maxTextureSizePx: gl.getParameter(gl.MAX_TEXTURE_SIZE) as number,
       maxSamples: gl.getParameter(gl.MAX_SAMPLES) as number,
       floatTargets,
+      floatLinear: gl.getExtension('OES_texture_float_linear') !== null,
       halfFloatTargets: floatTargets || gl.getExtension('EXT_color_buffer_half_float') !== null,
       parallelCompile: gl.getExtension('KHR_parallel_shader_compile'),
     },

@@ -60,7 +60,7 @@ export function createTargetBuffer(objects: GlObjects, resource: TargetResource,
 }
 
 /**
- * Without 32-bit float targets, depth in metres is kept in 16 bits (1 mm at 1 m); without any float targets colour is clamped,
+ * Numbers are kept in 32 bits where such can be smoothed, too; else in 16. Without 32-bit float targets, depth in metres is kept in 16 bits (1 mm at 1 m); without any float targets colour is clamped,
  * and depth too. Every WebGL 2 device seen since 2020 renders to 16-bit float.
  */
 function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limits: GlLimits): { internal: GLenum; filter: GLenum } {
@@ -68,6 +68,9 @@ function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limit
     case 'rgba8':
       return { internal: gl.RGBA8, filter: gl.LINEAR };
     case 'rgba16f':
+      return { internal: limits.halfFloatTargets ? gl.RGBA16F : gl.RGBA8, filter: gl.LINEAR };
+    case 'rgba32f':
+      if (limits.floatTargets && limits.floatLinear) return { internal: gl.RGBA32F, filter: gl.LINEAR };
       return { internal: limits.halfFloatTargets ? gl.RGBA16F : gl.RGBA8, filter: gl.LINEAR };
     case 'r32f':
       return { internal: limits.floatTargets ? gl.R32F : limits.halfFloatTargets ? gl.R16F : gl.R8, filter: gl.NEAREST };

@@ -142,6 +142,11 @@ const PASSES: readonly FileIdiom[] = [
   passes('a TARGET that is empty', '{ "TARGET": "one" }, { "TARGET": "" }'),
   passes('flags as texts', '{ "TARGET": "one", "PERSISTENT": "true", "FLOAT": "1" }, {}'),
   passes('flags as numbers', '{ "TARGET": "one", "PERSISTENT": 1, "FLOAT": 0 }, {}'),
+  passes(
+    'numbers of 32 bits',
+    '{ "TARGET": "one", "FLOAT": true }, {}',
+    'void main() { vec4 was = IMG_THIS_PIXEL(one); if (PASSINDEX == 0) gl_FragColor = vec4(100001.0, 2049.0, 0.0, 1.0); else gl_FragColor = was.rg == vec2(100001.0, 2049.0) ? vec4(0, 1, 0, 1) : vec4(1, 0, 0, 1); }',
+  ),
   passes('a TARGET on the last pass', '{ "TARGET": "one" }, { "TARGET": "two" }'),
   passes(
     'the last pass alone, with a TARGET',

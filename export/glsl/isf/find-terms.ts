@@ -1,9 +1,7 @@
-/** What shadertoy.com/terms says of works whose author names no licence. */
-export const SITE_LICENCE = 'CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no licence)';
-
 export interface Terms {
   /** Who is named in the comments; empty where nobody is. */
   readonly credit: string;
+  /** Empty where none is named. */
   readonly licence: string;
 }
 
@@ -58,7 +56,7 @@ function licenceOf(lines: readonly string[]): string {
     return version === undefined ? name : `${name} ${version}`;
   }
   const line = lines.find((one) => SPEAKS_OF_LICENCE.test(one));
-  return line === undefined ? SITE_LICENCE : `As its source says: ${line}`;
+  return line === undefined ? '' : `As its source says: ${line}`;
 }
 
 /** The text of all comments, without what only decorates it. */
