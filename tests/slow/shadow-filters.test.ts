@@ -2,6 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
 
 const page = useModule('tests/slow/shadow-filters.page.ts');
+const lamps = useModule('tests/slow/shadow-lamps.page.ts');
 
 interface Edge {
   readonly inside: number;
@@ -53,6 +54,14 @@ describe('the filters of a shadow map', () => {
     expect(await page.call('acne', filter)).toEqual({ floor: 0, ramp: 0, box: 0, error: 0 });
   });
 });
+
+test.each(['soft', 'vsm', 'pcss'])(
+  'with the %s filter, a shadow is whole also where something stands close to the lamp',
+  async (filter) => {
+    const distances = [0.02, 0.05, 0.1, 0.3, 1];
+    expect(await lamps.call('closeToLamp', filter, distances)).toEqual(distances.map(() => [255, 255]));
+  },
+);
 
 describe('shadows on what room depth shows', () => {
   test.each<readonly ['none' | 'floor', boolean]>([
@@ -107,6 +116,29 @@ describe('see-through things', () => {
       above: 0,
       beside: 0,
       cut: 255,
+      error: 0,
+    });
+  });
+
+  test.each(['sun', 'spot', 'bulb'])(
+    'dim the light of a %s also close above the floor, with something else beside the lamp',
+    async (kind) => {
+      const heights = [0.01, 0.02, 0.05, 0.1, 0.3, 0.5];
+      const found = await lamps.call<number[][]>('lowPanes', kind, heights);
+      const wanted = expect.closeTo(255 * 0.75, -0.4);
+      expect(found).toEqual(heights.map(() => [wanted, wanted]));
+    },
+  );
+
+  test.each(['sun', 'spot', 'bulb'])('that let light of a %s through stop the rest, as glass', async (kind) => {
+    const near = (part: number) => expect.closeTo(255 * part, -0.4);
+    expect(await lamps.call('glass', kind)).toEqual({
+      clear: 0,
+      smoked: near(0.75),
+      unblended: near(0.75),
+      blended: near(0.25),
+      cut: 0,
+      solid: 255,
       error: 0,
     });
   });

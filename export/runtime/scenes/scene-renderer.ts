@@ -19,7 +19,7 @@ export interface SceneRenderer {
   draw(view: DrawView, scene: Scene, camera: Camera): void;
   /** Clears a target of three's own, or one face of a cube, to depth 1 and colour 0, and draws into it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
-  /** Clears a target of three's own without depth, or one face of a cube, to white and draws into it; leaves no framebuffer bound. */
+  /** Clears a target of three's own without depth, or one face of a cube, to white and as far away as can be, and draws into it; leaves no framebuffer bound. */
   drawVeil(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /** Draws over what a target of three's own holds, which has to be covered; leaves no framebuffer bound. */
   drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
@@ -49,6 +49,9 @@ function createFramebufferTarget(): WebGLRenderTarget {
   const target = new WebGLRenderTarget(1, 1, { colorSpace: SRGBColorSpace, depthBuffer: true });
   return Object.assign(target, { isXRRenderTarget: true });
 }
+
+/** Alpha: the largest half float; three would multiply the colour by it. */
+const NO_VEIL = [1, 1, 1, 65504] as const;
 
 export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const { gl } = host;
@@ -113,8 +116,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       if (compiling) {
         compiling.push(three.compileAsync(scene, camera));
       } else {
-        three.setClearColor(0xffffff, 1);
-        three.clear(true, false, false);
+        gl.clearBufferfv(gl.COLOR, 0, NO_VEIL);
         three.render(scene, camera);
       }
       three.setRenderTarget(null);

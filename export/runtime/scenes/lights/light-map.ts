@@ -43,7 +43,10 @@ export interface ShadowMap {
   readonly depths: Texture | null;
   /** Of `vsm`: see `moments.ts`; else null. */
   readonly moments: Texture | null;
-  /** What is left of the light, in red, beyond what is see-through, whose least depth is in alpha; null where nothing is. */
+  /**
+   * What is left of the light, in red, beyond what is see-through, and how far away the nearest of that is, in alpha: metres along
+   * the light's axis. Null where nothing is.
+   */
   readonly veil: Texture | null;
   /** Of a lamp with a place, metres; 0 and the whole range for parallel light. */
   readonly nearM: number;
@@ -122,7 +125,7 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
     render: (renderer, scene, veils, castersWorld) => {
       fitShadow(fit, light.towardsLightWorld, castersWorld, shadow.areaM, flat.part.target.width);
       source.set(Math.tan((shadow.sourceRad ?? 0) / 2) / shadow.areaM, 0);
-      flat.render(renderer, scene, veils, cameraOf(fit));
+      flat.render(renderer, scene, veils, cameraOf(fit), 0, fit.farM);
     },
     dispose: flat.dispose,
   };
@@ -160,7 +163,7 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       aimCone(fit, light.positionWorld, light.towardsLightWorld, light.halfAngleRad, mapFromWorld);
       source.set((shadow.sourceM ?? 0) / 2, 0.5 / Math.tan(light.halfAngleRad));
-      flat.render(renderer, scene, veils, cameraOf(fit));
+      flat.render(renderer, scene, veils, cameraOf(fit), fit.nearM, fit.farM);
     },
     dispose: flat.dispose,
   };
@@ -239,7 +242,7 @@ const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestF
 interface FlatTarget {
   readonly part: Pick<ShadowMap, 'target' | 'filter' | 'depths' | 'moments'>;
   readonly veil: Veil;
-  render(renderer: SceneRenderer, scene: Scene, veils: Scene | null, camera: Camera): void;
+  render(renderer: SceneRenderer, scene: Scene, veils: Scene | null, camera: Camera, nearM: number, farM: number): void;
   dispose(): void;
 }
 
@@ -254,9 +257,9 @@ function createFlatTarget({ mapSizePx, filter: asked = 'soft' }: LightShadow | L
   return {
     part: { target, filter, depths: filter === 'pcss' ? target.texture : null, moments: moments?.texture ?? null },
     veil,
-    render: (renderer, scene, veils, camera) => {
+    render: (renderer, scene, veils, camera, nearM, farM) => {
       renderer.drawDepth(target, scene, camera);
-      moments?.update(renderer);
+      moments?.update(renderer, nearM, farM);
       veil.render(renderer, veils, camera);
     },
     dispose: () => {

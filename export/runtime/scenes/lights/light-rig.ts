@@ -37,6 +37,7 @@ export function createLightRig(scene: Scene): LightRig {
   const watch = createVersionWatch();
   const rig: RigLight[] = [];
   const veilsBy = { directional: [] as Veils, spot: [] as Veils, point: [] as Veils };
+  const directionalFarM: number[] = [];
 
   function clear(): void {
     for (const { light } of rig) {
@@ -66,6 +67,7 @@ export function createLightRig(scene: Scene): LightRig {
     },
     bindShadows: (maps, veils, maxTextures) => {
       for (const list of Object.values(veilsBy)) list.length = 0;
+      directionalFarM.length = 0;
       let shadows = 0;
       for (const { item, light } of rig) {
         const map = maps?.mapOf(item) ?? null;
@@ -74,8 +76,9 @@ export function createLightRig(scene: Scene): LightRig {
         shadows++;
         // three goes through lights of one kind in this order, those with a shadow first.
         veilsBy[item.kind as keyof typeof veilsBy].push(map.veil);
+        if (item.kind === 'directional') directionalFarM.push(map.farM);
       }
-      veils.bind(veilsBy.directional, veilsBy.spot, veilsBy.point, 2 * shadows + MATERIAL_TEXTURES <= maxTextures);
+      veils.bind(veilsBy.directional, directionalFarM, veilsBy.spot, veilsBy.point, 2 * shadows + MATERIAL_TEXTURES <= maxTextures);
     },
     dispose: clear,
   };

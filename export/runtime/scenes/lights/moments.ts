@@ -16,13 +16,15 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 
 /**
  * Blurred moments of a shadow map (Donnelly and Lauritzen 2006), of what casts alone: red is how much of the blur's window casts,
- * green its depth, and blue its depth squared, both times red. What does not cast counts for nothing: receivers need not be in
- * the map, and an empty background would pull the mean behind them, where nothing is ever in shadow.
+ * green its depth in metres along the light's axis, and blue its depth squared, both times red. Perspective depth would not do:
+ * with a caster close to the lamp, all others lie within the last thousandth of it, which squares of 32 bits do not tell apart.
+ * What does not cast counts for nothing: receivers need not be in the map, and an empty background would pull the mean behind them,
+ * where nothing is ever in shadow.
  */
 export interface Moments {
   readonly texture: Texture;
-  /** After the map was drawn. */
-  update(renderer: SceneRenderer): void;
+  /** After the map was drawn; near and far of it, metres, near 0 for parallel light. */
+  update(renderer: SceneRenderer, nearM: number, farM: number): void;
   dispose(): void;
 }
 
@@ -30,11 +32,13 @@ export interface Moments {
 export function createMoments(depths: Texture, sizePx: number): Moments {
   const across = createTarget(sizePx);
   const both = createTarget(sizePx);
-  const first = createBlur(FIRST, { source: { value: depths }, along: { value: new Vector2(1 / sizePx, 0) } });
+  const reach = new Vector2();
+  const first = createBlur(FIRST, { source: { value: depths }, along: { value: new Vector2(1 / sizePx, 0) }, reach: { value: reach } });
   const second = createBlur(SECOND, { source: { value: across.texture }, along: { value: new Vector2(0, 1 / sizePx) } });
   return {
     texture: both.texture,
-    update: (renderer) => {
+    update: (renderer, nearM, farM) => {
+      reach.set(nearM, farM);
       renderer.drawOver(across, first.scene, CAMERA);
       renderer.drawOver(both, second.scene, CAMERA);
     },
@@ -97,8 +101,11 @@ void main() {
 `;
 
 /** Nothing was drawn where it is still 0: depth 1. */
-const FIRST =
-  'float stored = texture2D( source, at ).r; float depth = 1.0 - stored; return stored > 0.0 ? vec3( 1.0, depth, depth * depth ) : vec3( 0.0 );';
+const FIRST = /* glsl */ `
+  float stored = texture2D( source, at ).r;
+  float metres = reach.x > 0.0 ? reach.x * reach.y / ( reach.x + stored * ( reach.y - reach.x ) ) : ( 1.0 - stored ) * reach.y;
+  return stored > 0.0 ? vec3( 1.0, metres, metres * metres ) : vec3( 0.0 );
+`;
 const SECOND = 'return texture2D( source, at ).rgb;';
 
 /** Nine texels by a Gaussian of two: about as wide as three of the `soft` filter. */
@@ -109,6 +116,7 @@ function fragment(read: string): string {
   return /* glsl */ `
 uniform sampler2D source;
 uniform vec2 along;
+uniform vec2 reach;
 varying vec2 vUv;
 
 vec3 momentsAt( const in vec2 at ) { ${read} }

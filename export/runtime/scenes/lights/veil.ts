@@ -9,7 +9,7 @@ export interface Veil {
   dispose(): void;
 }
 
-/** Half floats: depth in alpha to 1 mm at 3 m of parallel light. Not filtered, because depth of different things has no mean. */
+/** Half floats: metres in alpha to a 2048th part. Not filtered, because depth of different things has no mean. */
 export const VEIL = {
   format: RGBAFormat,
   type: HalfFloatType,
@@ -18,6 +18,16 @@ export const VEIL = {
   generateMipmaps: false,
   depthBuffer: false,
 } as const;
+
+/**
+ * What lies so far behind what is see-through is dimmed by it: 3 mm for what is pasted onto it, and the rounding of half floats,
+ * also where a GPU cuts off rather than rounds. Metres along the light's axis.
+ */
+export const BEHIND_VEIL = /* glsl */ `
+bool behindVeil( const in float metres, const in float veilM ) {
+  return metres > veilM * 1.001 + 0.003;
+}
+`;
 
 export function createVeil(createTarget: () => WebGLRenderTarget): Veil {
   let target: WebGLRenderTarget | null = null;

@@ -10,7 +10,7 @@ const SOLID_ALPHA = 0.5;
  *
  * - `surface`: for what stands for a real thing or is drawn again in its colours. It lies a little behind the surface itself, so
  *   that what lies on the surface wins over it.
- * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is blended dims the light instead
+ * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is see-through dims the light instead
  *   (`veil-twin.ts`).
  * - `solid`: as `surface`, but what is blended is there where its alpha is above one half.
  */

@@ -1,3 +1,4 @@
+import { BEHIND_VEIL } from '../lights/veil.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 
 /**
@@ -105,6 +106,7 @@ ${SHADOW_COLOR}
 ${count > 0 ? lightUniforms(count) : ''}
 ${declarations}
 ${ARRIVING}
+${BEHIND_VEIL}
 ${flatParts(flat, extras)}
 ${cubeParts(cube)}
 void main() {

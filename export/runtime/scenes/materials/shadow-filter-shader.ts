@@ -25,19 +25,21 @@ float litBySoft( const in sampler2DShadow map, const in vec3 at, const in float 
 }
 `,
   vsm: /* glsl */ `
-// Standard deviation of depth that counts as none, metres: what rounding and the slope within a texel make.
+// Standard deviation of depth that counts as none, metres: what rounding and the slope within a texel make; and beyond 8 m, where
+// squares of 32 bits tell less apart, per metre.
 #define LEAST_SPREAD 0.004
+#define LEAST_SPREAD_PART 0.0005
 // Light that the bound lets through at most where nothing arrives: cut off, and the rest stretched (Lauritzen 2007, section 8.4.3).
 #define BLEEDING 0.2
 
 // Of what casts around here, how much may lie behind the receiver, at most (Chebyshev's inequality).
-float litByVsm( const in sampler2D moments, const in vec3 at, const in float rangeM ) {
+float litByVsm( const in sampler2D moments, const in vec3 at, const in vec4 reach ) {
   vec3 m = texture2D( moments, at.xy ).rgb;
   if ( m.x <= 0.0 ) return 1.0;
   float mean = m.y / m.x;
-  float behind = at.z - mean;
+  float behind = metresFromLight( at.z, reach ) - mean;
   if ( behind <= 0.0 ) return 1.0;
-  float least = LEAST_SPREAD / rangeM;
+  float least = max( LEAST_SPREAD, LEAST_SPREAD_PART * mean );
   float variance = max( m.z / m.x - mean * mean, least * least );
   float bound = variance / ( variance + behind * behind );
   return 1.0 - m.x * ( 1.0 - clamp( ( bound - BLEEDING ) / ( 1.0 - BLEEDING ), 0.0, 1.0 ) );
@@ -53,11 +55,6 @@ float litByVsm( const in sampler2D moments, const in vec3 at, const in float ran
 vec2 inDisc( const in int tap, const in float taps, const in float turn ) {
   float angle = float( tap ) * 2.399963229728653 + turn;
   return sqrt( ( float( tap ) + 0.5 ) / taps ) * vec2( cos( angle ), sin( angle ) );
-}
-
-float metresFromLight( const in float depth, const in vec4 reach ) {
-  // Parallel light measures evenly from the nearest caster on.
-  return reach.w <= 0.0 ? depth * reach.y : reach.x * reach.y / ( reach.y - depth * ( reach.y - reach.x ) );
 }
 
 // Radius of the penumbra in UV, by similar triangles (Fernando 2005).
@@ -103,14 +100,30 @@ export interface CubeLight {
   readonly veil: number;
 }
 
-/** Of nine texels: what is before the nearest thing that dims is not dimmed. */
+/** Along the light's axis. */
+const METRES = /* glsl */ `
+float metresFromLight( const in float depth, const in vec4 reach ) {
+  // Parallel light measures evenly from the nearest caster on.
+  return reach.w <= 0.0 ? depth * reach.y : reach.x * reach.y / ( reach.y - depth * ( reach.y - reach.x ) );
+}
+`;
+
+/**
+ * Of nine texels: what is before the nearest thing that dims is not dimmed. Receivers are where they are, not moved along their
+ * normals: nothing here is see-through itself.
+ */
 const VEIL = /* glsl */ `
-float throughVeil( const in sampler2D veil, const in vec3 at, const in float texel ) {
+float metresToPoint( const in mat4 fromWorld, const in vec4 reach, const in vec3 positionWorld ) {
+  vec4 at = fromWorld * vec4( positionWorld, 1.0 );
+  return reach.w <= 0.0 ? at.z * reach.y : at.w;
+}
+
+float throughVeil( const in sampler2D veil, const in vec3 at, const in float texel, const in float metres ) {
   float through = 0.0;
   for ( int y = -1; y <= 1; y ++ ) {
     for ( int x = -1; x <= 1; x ++ ) {
       vec4 v = texture2D( veil, at.xy + vec2( x, y ) * texel );
-      through += at.z > v.a + 0.0005 ? v.r : 1.0;
+      through += behindVeil( metres, v.a ) ? v.r : 1.0;
     }
   }
   return through / 9.0;
@@ -118,12 +131,11 @@ float throughVeil( const in sampler2D veil, const in vec3 at, const in float tex
 `;
 
 const CUBE_VEIL = /* glsl */ `
-float throughCubeVeil( const in samplerCube veil, const in vec3 positionWorld, const in vec3 place, const in vec4 reach ) {
+float throughCubeVeil( const in samplerCube veil, const in vec3 positionWorld, const in vec3 place ) {
   vec3 offset = positionWorld - place;
   vec3 size = abs( offset );
-  float depth = ( reach.y - reach.x * reach.y / max( max( size.x, size.y ), size.z ) ) / ( reach.y - reach.x );
   vec4 v = textureCube( veil, offset );
-  return depth > v.a + 0.0005 ? v.r : 1.0;
+  return behindVeil( max( max( size.x, size.y ), size.z ), v.a ) ? v.r : 1.0;
 }
 `;
 
@@ -150,12 +162,15 @@ vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 position
   // Beyond the map's far end everything in it still stands before.
   return vec3( at.xy, min( at.z - bias.y, 1.0 ) );
 }
-${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ veil }) => veil >= 0) ? VEIL : ''}`;
+${METRES}${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ veil }) => veil >= 0) ? VEIL : ''}`;
 }
 
 /** Sets \`at\` and \`lit\` for the light at \`i\` among those with a map of one side. */
 export function flatLit({ filter, extra, veil }: FlatLight, i: number): string {
-  const through = veil < 0 ? '' : ` * throughVeil( flatExtras[ ${veil} ], at, flatBias[ ${i} ].x )`;
+  const through =
+    veil < 0
+      ? ''
+      : ` * throughVeil( flatExtras[ ${veil} ], at, flatBias[ ${i} ].x, metresToPoint( mapFromWorld[ ${i} ], flatReach[ ${i} ], positionWorld ) )`;
   return `at = inFlat( mapFromWorld[ ${i} ], flatBias[ ${i} ], positionWorld, normal ); lit = at.x < 0.0 ? 1.0 : ${call(filter, i, extra)}${through};`;
 }
 
@@ -168,7 +183,7 @@ function call(filter: ShadowFilter, i: number, extra: number): string {
     case 'soft':
       return `litBySoft( flatMaps[ ${i} ], at, flatBias[ ${i} ].x )`;
     case 'vsm':
-      return `litByVsm( flatExtras[ ${extra} ], at, flatReach[ ${i} ].y )`;
+      return `litByVsm( flatExtras[ ${extra} ], at, flatReach[ ${i} ] )`;
     case 'pcss':
       return `litByPcss( flatMaps[ ${i} ], flatExtras[ ${extra} ], at, flatBias[ ${i} ].x, flatReach[ ${i} ] )`;
   }
@@ -224,7 +239,6 @@ vec3 texelOfCube( const in vec3 direction, const in float texel ) {
 }`;
 
 export function cubeLit({ filter, veil }: CubeLight, i: number, light: number): string {
-  const through =
-    veil < 0 ? '' : ` * throughCubeVeil( cubeVeils[ ${veil} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ] )`;
+  const through = veil < 0 ? '' : ` * throughCubeVeil( cubeVeils[ ${veil} ], positionWorld, lightPlace[ ${light} ].xyz )`;
   return `lit = litByCube( cubeMaps[ ${i} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ], normal, ${CUBE_SIDE[filter]}, ${filter === 'basic'} )${through};`;
 }

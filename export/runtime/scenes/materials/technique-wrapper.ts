@@ -162,7 +162,7 @@ void scrimGatherLights() {
     getPointLightInfo( pointLights[ i ], positionView, light );
     lit = 1.0;
     #if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS )
-    if ( receiveShadow ) lit = getPointShadow( pointShadowMap[ i ], pointLightShadows[ i ].shadowMapSize, pointLightShadows[ i ].shadowIntensity, pointLightShadows[ i ].shadowBias, pointLightShadows[ i ].shadowRadius, vPointShadowCoord[ i ], pointLightShadows[ i ].shadowCameraNear, pointLightShadows[ i ].shadowCameraFar ) * SCRIM_POINT_VEIL( scrimPointVeils[ i ], vPointShadowCoord[ i ], pointLightShadows[ i ].shadowCameraNear, pointLightShadows[ i ].shadowCameraFar );
+    if ( receiveShadow ) lit = getPointShadow( pointShadowMap[ i ], pointLightShadows[ i ].shadowMapSize, pointLightShadows[ i ].shadowIntensity, pointLightShadows[ i ].shadowBias, pointLightShadows[ i ].shadowRadius, vPointShadowCoord[ i ], pointLightShadows[ i ].shadowCameraNear, pointLightShadows[ i ].shadowCameraFar ) * SCRIM_POINT_VEIL( scrimPointVeils[ i ], vPointShadowCoord[ i ] );
     #endif
     scrimLights[ count ++ ] = scrimLight( light, lit );
   }
@@ -174,7 +174,7 @@ void scrimGatherLights() {
     getSpotLightInfo( spotLights[ i ], positionView, light );
     lit = 1.0;
     #if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
-    if ( receiveShadow ) lit = getShadow( spotShadowMap[ i ], spotLightShadows[ i ].shadowMapSize, spotLightShadows[ i ].shadowIntensity, spotLightShadows[ i ].shadowBias, spotLightShadows[ i ].shadowRadius, vSpotLightCoord[ i ] ) * SCRIM_VEIL( scrimSpotVeils[ i ], vSpotLightCoord[ i ] );
+    if ( receiveShadow ) lit = getShadow( spotShadowMap[ i ], spotLightShadows[ i ].shadowMapSize, spotLightShadows[ i ].shadowIntensity, spotLightShadows[ i ].shadowBias, spotLightShadows[ i ].shadowRadius, vSpotLightCoord[ i ] ) * SCRIM_VEIL( scrimSpotVeils[ i ], vSpotLightCoord[ i ], 0.0 );
     #endif
     scrimLights[ count ++ ] = scrimLight( light, lit );
   }
@@ -186,7 +186,7 @@ void scrimGatherLights() {
     getDirectionalLightInfo( directionalLights[ i ], light );
     lit = 1.0;
     #if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
-    if ( receiveShadow ) lit = getShadow( directionalShadowMap[ i ], directionalLightShadows[ i ].shadowMapSize, directionalLightShadows[ i ].shadowIntensity, directionalLightShadows[ i ].shadowBias, directionalLightShadows[ i ].shadowRadius, vDirectionalShadowCoord[ i ] ) * SCRIM_VEIL( scrimDirVeils[ i ], vDirectionalShadowCoord[ i ] );
+    if ( receiveShadow ) lit = getShadow( directionalShadowMap[ i ], directionalLightShadows[ i ].shadowMapSize, directionalLightShadows[ i ].shadowIntensity, directionalLightShadows[ i ].shadowBias, directionalLightShadows[ i ].shadowRadius, vDirectionalShadowCoord[ i ] ) * SCRIM_VEIL( scrimDirVeils[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] );
     #endif
     scrimLights[ count ++ ] = scrimLight( light, lit );
   }

@@ -1,4 +1,5 @@
 import { type IUniform, type Material, ShaderChunk, type Texture } from 'three';
+import { BEHIND_VEIL } from '../lights/veil.ts';
 import type { ShaderPatch } from './shader-patch.ts';
 
 /** Lets three's own materials be dimmed by what is see-through, beside its shadows. */
@@ -6,9 +7,13 @@ export interface VeilPatch extends ShaderPatch {
   /** From now on the material is compiled as the lights need it. */
   attach(material: Material): void;
   detach(material: Material): void;
-  /** Of lights with a shadow, by kind and in three's order; a null dims nothing. `fits`: whether there are texture units for them. */
+  /**
+   * Of lights with a shadow, by kind and in three's order; a null dims nothing. `directionalFarM`: where their depth is 1. `fits`:
+   * whether there are texture units for them.
+   */
   bind(
     directional: readonly (Texture | null)[],
+    directionalFarM: readonly number[],
     spot: readonly (Texture | null)[],
     point: readonly (Texture | null)[],
     fits: boolean,
@@ -25,6 +30,8 @@ export const VEIL_PARS = /* glsl */ `
 #ifdef ${DEFINE}
   #if NUM_DIR_LIGHT_SHADOWS > 0
     uniform sampler2D scrimDirVeils[ NUM_DIR_LIGHT_SHADOWS ];
+    // Metres at which depth is 1.
+    uniform float scrimDirFar[ NUM_DIR_LIGHT_SHADOWS ];
   #endif
   #if NUM_SPOT_LIGHT_SHADOWS > 0
     uniform sampler2D scrimSpotVeils[ NUM_SPOT_LIGHT_SHADOWS ];
@@ -32,41 +39,40 @@ export const VEIL_PARS = /* glsl */ `
   #if NUM_POINT_LIGHT_SHADOWS > 0
     uniform samplerCube scrimPointVeils[ NUM_POINT_LIGHT_SHADOWS ];
   #endif
-  float scrimVeil( const in sampler2D veil, const in vec4 coord ) {
+${BEHIND_VEIL}
+  // far: 0 for a lamp with a place, whose w is metres.
+  float scrimVeil( const in sampler2D veil, const in vec4 coord, const in float far ) {
     vec3 at = coord.xyz / coord.w;
     if ( coord.w <= 0.0 || any( greaterThan( abs( at.xy - 0.5 ), vec2( 0.5 ) ) ) ) return 1.0;
+    float metres = far > 0.0 ? at.z * far : coord.w;
     vec2 texel = 1.0 / vec2( textureSize( veil, 0 ) );
     float through = 0.0;
     for ( int y = -1; y <= 1; y ++ ) {
       for ( int x = -1; x <= 1; x ++ ) {
         vec4 v = textureLod( veil, at.xy + vec2( x, y ) * texel, 0.0 );
-        through += at.z > v.a + 0.0005 ? v.r : 1.0;
+        through += behindVeil( metres, v.a ) ? v.r : 1.0;
       }
     }
     return through / 9.0;
   }
-  float scrimPointVeil( const in samplerCube veil, const in vec4 coord, const in float near, const in float far ) {
+  float scrimPointVeil( const in samplerCube veil, const in vec4 coord ) {
     vec3 size = abs( coord.xyz );
-    float depth = ( far - near * far / max( max( size.x, size.y ), size.z ) ) / ( far - near );
     vec4 v = textureLod( veil, coord.xyz, 0.0 );
-    return depth > v.a + 0.0005 ? v.r : 1.0;
+    return behindVeil( max( max( size.x, size.y ), size.z ), v.a ) ? v.r : 1.0;
   }
-  #define SCRIM_VEIL( veil, coord ) scrimVeil( veil, coord )
-  #define SCRIM_POINT_VEIL( veil, coord, near, far ) scrimPointVeil( veil, coord, near, far )
+  #define SCRIM_VEIL( veil, coord, far ) scrimVeil( veil, coord, far )
+  #define SCRIM_POINT_VEIL( veil, coord ) scrimPointVeil( veil, coord )
 #else
-  #define SCRIM_VEIL( veil, coord ) 1.0
-  #define SCRIM_POINT_VEIL( veil, coord, near, far ) 1.0
+  #define SCRIM_VEIL( veil, coord, far ) 1.0
+  #define SCRIM_POINT_VEIL( veil, coord ) 1.0
 #endif
 `;
 
 /** What three writes where it looks shadows up, and what that is multiplied by. */
 const ADDED = [
-  ['vDirectionalShadowCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimDirVeils[ i ], vDirectionalShadowCoord[ i ] )'],
-  ['vSpotLightCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimSpotVeils[ i ], vSpotLightCoord[ i ] )'],
-  [
-    'pointLightShadow.shadowCameraFar ) : 1.0',
-    'SCRIM_POINT_VEIL( scrimPointVeils[ i ], vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar )',
-  ],
+  ['vDirectionalShadowCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimDirVeils[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] )'],
+  ['vSpotLightCoord[ i ] ) : 1.0', 'SCRIM_VEIL( scrimSpotVeils[ i ], vSpotLightCoord[ i ], 0.0 )'],
+  ['pointLightShadow.shadowCameraFar ) : 1.0', 'SCRIM_POINT_VEIL( scrimPointVeils[ i ], vPointShadowCoord[ i ] )'],
 ] as const;
 
 function veiledLights(): string {
@@ -80,7 +86,7 @@ function veiledLights(): string {
 
 export function createVeilPatch(): VeilPatch {
   const materials = new Set<Material>();
-  const veils = { scrimDirVeils: list(), scrimSpotVeils: list(), scrimPointVeils: list() };
+  const veils = { scrimDirVeils: list(), scrimSpotVeils: list(), scrimPointVeils: list(), scrimDirFar: { value: [] as readonly number[] } };
   let active = false;
 
   function mark(material: Material): void {
@@ -103,9 +109,10 @@ export function createVeilPatch(): VeilPatch {
       if (active) mark(material);
     },
     detach: (material) => void materials.delete(material),
-    bind: (directional, spot, point, fits) => {
+    bind: (directional, directionalFarM, spot, point, fits) => {
       const next = fits && (hasAny(directional) || hasAny(spot) || hasAny(point));
       veils.scrimDirVeils.value = directional;
+      veils.scrimDirFar.value = directionalFarM;
       veils.scrimSpotVeils.value = spot;
       veils.scrimPointVeils.value = point;
       if (next === active) return;

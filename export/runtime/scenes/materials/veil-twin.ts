@@ -4,30 +4,46 @@ import {
   CustomBlending,
   type Material,
   MeshDepthMaterial,
-  type MeshStandardMaterial,
+  type MeshPhysicalMaterial,
   MinEquation,
   OneFactor,
   SrcColorFactor,
   ZeroFactor,
 } from 'three';
+import { isTransmissive } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { Twin } from './twins.ts';
 
-/** Instead of the depth that three writes: what comes through, and how far away it is that dims. */
-const THROUGH: ShaderPatch = {
-  key: 'veil',
-  apply: (shader) => {
-    shader.fragmentShader = wrapMain(shader.fragmentShader, {
-      before: '',
-      start: '',
-      end: 'gl_FragColor = vec4( vec3( 1.0 - clamp( diffuseColor.a, 0.0, 1.0 ) ), fragCoordZ );',
-    });
-  },
-};
+/** Of a master: how much of the light it stops where its alpha is 1, and whether its alpha counts beyond the alpha test. */
+interface Solid {
+  readonly part: { value: number };
+  readonly blends: { value: boolean };
+}
+
+/** Instead of the depth that three writes: what comes through, and how far away it is that dims, metres along the light's axis. */
+function createThrough({ part, blends }: Solid): ShaderPatch {
+  return {
+    key: 'veil',
+    apply: (shader) => {
+      Object.assign(shader.uniforms, { solidPart: part, alphaBlends: blends });
+      shader.vertexShader = wrapMain(shader.vertexShader, {
+        before: 'varying float vMetres;',
+        start: '',
+        end: 'vMetres = - mvPosition.z;',
+      });
+      shader.fragmentShader = wrapMain(shader.fragmentShader, {
+        before: 'varying float vMetres;\nuniform float solidPart;\nuniform bool alphaBlends;',
+        start: '',
+        end: `float solid = solidPart * ( alphaBlends ? clamp( diffuseColor.a, 0.0, 1.0 ) : 1.0 );
+  gl_FragColor = vec4( vec3( 1.0 - solid ), vMetres );`,
+      });
+    },
+  };
+}
 
 /**
- * Draws what is blended as a light sees it, over white: red is what is left of the light after all of it, alpha the depth of the
- * nearest. Sides are the master's own, so that a closed body dims once.
+ * Draws what is see-through as a light sees it, over white: red is what is left of the light after all of it, alpha the distance of
+ * the nearest. Sides are the master's own, so that a closed body dims once.
  */
 export function createVeilTwin(master: Material): Twin {
   const material = new MeshDepthMaterial();
@@ -42,9 +58,12 @@ export function createVeilTwin(master: Material): Twin {
   material.blendEquationAlpha = MinEquation;
   material.blendSrcAlpha = OneFactor;
   material.blendDstAlpha = OneFactor;
-  patchMaterial(material, null, [THROUGH]);
+  const solid: Solid = { part: { value: 1 }, blends: { value: true } };
+  patchMaterial(material, null, [createThrough(solid)]);
   function sync(): void {
-    const from = master as Partial<MeshStandardMaterial> & Material;
+    const from = master as Partial<MeshPhysicalMaterial> & Material;
+    solid.part.value = 1 - (from.transmission ?? 0);
+    solid.blends.value = from.transparent;
     material.visible = from.visible && castsVeil(master);
     material.side = from.shadowSide ?? from.side;
     material.wireframe = from.wireframe ?? false;
@@ -63,7 +82,7 @@ export function createVeilTwin(master: Material): Twin {
   return { material, sync, dispose: () => material.dispose() };
 }
 
-/** Whether it dims the light, rather than stopping it. */
+/** Whether it dims the light, rather than stopping it: what is blended, and glass. */
 export function castsVeil(master: Material): boolean {
-  return master.transparent;
+  return master.transparent || isTransmissive(master);
 }
