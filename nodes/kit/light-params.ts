@@ -63,7 +63,7 @@ const MAP_SIZES = {
 } as const;
 
 const MAP_SIZE_DOC =
-  'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB, and each step up four times as much. A device that cannot make it so large takes the largest it can.';
+  'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB, with variance edges 170 MB, and each step up four times as much. A device that cannot make it so large takes the largest it can; with variance edges, that is at most 4096.';
 
 /** Of parallel light. */
 export const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;

@@ -151,6 +151,23 @@ describe('see-through things', () => {
   });
 });
 
+test.each<readonly ['phantoms' | 'things', string, number, number, RegExp | null]>([
+  ['phantoms', 'pcss', 4, 0.5, null],
+  ['phantoms', 'pcss', 6, 1, null],
+  ['phantoms', 'soft', 6, 0.5, null],
+  ['phantoms', 'pcss', 5, 0.5, /: see-through things throw no shadow in the light of 1 of them\.$/],
+  ['phantoms', 'vsm', 6, 0.5, /: the shadow edges of 2 of them are “Soft” instead, and see-through .* of 2 of them\.$/],
+  ['things', 'soft', 3, 0.5, null],
+  ['things', 'soft', 4, 1, null],
+  ['things', 'soft', 4, 0.5, /: see-through things throw no shadow in the light of 4 of them\.$/],
+])(
+  'what the shadows on %s lack, of %s lights as many as %d and casters of alpha %d, is told once',
+  async (shown, filter, count, opacity, told) => {
+    const found = await lamps.call('manyLights', shown, filter, count, opacity);
+    expect(found).toEqual({ told: told ? [expect.stringMatching(told)] : [], error: 0 });
+  },
+);
+
 test('a contact shadow is dark where things touch and gone a little above, and lights nothing', async () => {
   interface At {
     readonly below: number;

@@ -7,9 +7,24 @@ import {
   type MeshPhysicalMaterialParameters,
   PlaneGeometry,
 } from 'three';
+import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ShadowFilter } from '../../nodes/kit/light-shadow.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
-import { bulb, item, lookingAt, pixel, spot, sun, translation } from '../browser/scenes-kit.ts';
+import {
+  bulb,
+  createStand,
+  drawView,
+  item,
+  lights,
+  lookingAt,
+  objects,
+  pixel,
+  spot,
+  sun,
+  translation,
+  viewOf,
+} from '../browser/scenes-kit.ts';
 import { desk, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
 
 /** Straight down from 2 m. */
@@ -67,4 +82,46 @@ export function glass(kind: 'sun' | 'spot' | 'bulb') {
     solid: underLamp(kind, 'soft', pane({})),
     error: stand.gl.getError(),
   };
+}
+
+/** A device with as many texture units as WebGL 2 promises, and no more. */
+const fewUnits = createStand(SIDES.widthPx, SIDES.heightPx, (host) => {
+  const { gl } = host;
+  const read = gl.getParameter.bind(gl);
+  gl.getParameter = (name: GLenum): unknown => (name === gl.MAX_TEXTURE_IMAGE_UNITS ? 16 : read(name));
+  return createScenes(host);
+});
+
+/** What layers tell, over two draws, of so many lights on a see-through pane or a solid plate. */
+export function manyLights(shown: 'phantoms' | 'things', filter: ShadowFilter, count: number, opacity: number) {
+  const { backend, layer, gl } = fewUnits;
+  const lamps = Array.from({ length: count }, (_, i) => {
+    const shadow = { mapSizePx: 64, areaM: 3, bias: 0, normalBiasM: 0.01, filter } as const;
+    return sun([0.02 * i, 1, 0], { radiance: 1, shadow });
+  });
+  const material = new MeshLambertMaterial({ transparent: opacity < 1, opacity });
+  const casters = objects(
+    thing(new PlaneGeometry(0.6, 0.6).rotateX(-Math.PI / 2), { material, at: translation(0, 0.5, 0), receivesShadow: false }),
+  );
+  const told: string[] = [];
+  const lamplight = lights(...lamps);
+  const maps = backend.createShadowMaps([casters], [lamplight]);
+  const report = ({ code, message }: Omit<Diagnostic, 'nodeId'>): void => void told.push(`${code} ${message}`);
+  const scene = backend
+    .serviceFor({ shadowMaps: maps, occlusion: null, report })
+    .createScene(
+      shown === 'things'
+        ? { kind: 'shaded', ambient: { value: 0 } }
+        : { kind: 'shadow-catcher', strength: { value: 1 }, color: { value: Float64Array.of(0, 0, 0, 1) }, on: 'phantoms' },
+    );
+  const floor = shown === 'things' ? thing(new PlaneGeometry(3, 3).rotateX(-Math.PI / 2), { castsShadow: false }) : desk();
+  scene.update([objects(floor)], [lamplight]);
+  backend.invalidateState();
+  maps.update();
+  layer.clear();
+  backend.invalidateState();
+  for (let frame = 0; frame < 2; frame++) scene.draw(drawView(viewOf(ABOVE, { x: 0, y: 0, ...SIDES }), layer.framebuffer));
+  scene.dispose();
+  maps.dispose();
+  return { told: [...new Set(told)], error: gl.getError() };
 }

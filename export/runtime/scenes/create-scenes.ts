@@ -3,7 +3,7 @@ import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '..
 import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore } from './environments/panorama-store.ts';
 import { type ReadRadiance, readRadiance } from './environments/read-radiance.ts';
-import { createLightLimits, mapLimitsOf } from './lights/light-limits.ts';
+import { createLightLimits, createTextureLimits, mapLimitsOf } from './lights/light-limits.ts';
 import { createShadowMaps, type RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createMaskScene } from './mask-scene.ts';
 import { createOcclusionPatch } from './materials/occlusion-patch.ts';
@@ -47,6 +47,7 @@ function create(host: SceneHost, tools: SceneTools): SceneBackend {
                 shadowMaps,
                 occlusion,
                 watchLimits: createLightLimits(binding.report, 'all', limits),
+                textureLimits: createTextureLimits(binding.report),
               });
             case 'shadow-catcher':
               return createShadowLayer({ renderer, look, maps: shadowMaps, occlusion, limits, report: binding.report });

@@ -3,7 +3,7 @@ import type { DrawnScene, NumberView, ObjectItem } from '../../../nodes/kit/runt
 import type { NeutralEnvironment } from './environments/neutral.ts';
 import type { PanoramaStore } from './environments/panorama-store.ts';
 import { createSurroundings } from './environments/surroundings.ts';
-import type { LightLimits } from './lights/light-limits.ts';
+import type { LightLimits, TextureLimits } from './lights/light-limits.ts';
 import { createLightRig } from './lights/light-rig.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
@@ -28,6 +28,7 @@ export interface ShadedSceneOptions {
   readonly shadowMaps: RenderedShadowMaps | null;
   readonly occlusion: OcclusionPatch | null;
   readonly watchLimits: LightLimits;
+  readonly textureLimits: TextureLimits;
 }
 
 /** Phantoms before all, so that what they hide costs nothing; then the depth of surfaces that fade at a soft border. */
@@ -38,7 +39,7 @@ type Side = LayerTwinOptions['side'];
 
 /** Virtual objects with their own materials, lit and shadowed; phantoms as depth alone. */
 export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
-  const { renderer, shadowMaps, occlusion, watchLimits } = options;
+  const { renderer, shadowMaps, occlusion, watchLimits, textureLimits } = options;
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
@@ -92,7 +93,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     },
     draw: (drawView) => {
       view.set(drawView.view);
-      lights.bindShadows(shadowMaps, veils, maxTextures);
+      textureLimits.tell(0, lights.bindShadows(shadowMaps, veils, maxTextures));
       occlusion?.bind(drawView);
       techniques.bind(drawView);
       renderer.draw(drawView, scene, view.camera);

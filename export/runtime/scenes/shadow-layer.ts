@@ -1,7 +1,7 @@
 import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
 import type { ShadowCatcherLook } from '../../../nodes/kit/scene-look.ts';
 import type { DrawBinding } from '../scene-backend.ts';
-import { createLightLimits } from './lights/light-limits.ts';
+import { createLightLimits, createTextureLimits } from './lights/light-limits.ts';
 import type { MapLimits } from './lights/light-map.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
@@ -27,7 +27,7 @@ export function createShadowLayer({ renderer, look, maps, occlusion, limits, rep
   const surface = room ? createRoomSurface(room.depth, room.toleranceM) : null;
   const shared = { strength, color, occlusion: [occlusion, surface?.clip ?? null].filter((patch) => patch !== null) };
   if (!volumesOf) {
-    const catcher = createMapCatcher({ ...shared, maps });
+    const catcher = createMapCatcher({ ...shared, maps, textureLimits: createTextureLimits(report) });
     return createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits: createLightLimits(report, 'shadows', limits) });
   }
   const catcher = createVolumeCatcher({ ...shared, renderer, casters: volumesOf, catches, tellShaped: createTellShaped(report) });

@@ -2,7 +2,7 @@ import type { WebGLRenderer } from 'three';
 import type { LightItem, LightList } from '../../../../nodes/kit/runtime.ts';
 import type { DrawBinding } from '../../scene-backend.ts';
 import { isLamp } from './is-lamp.ts';
-import { type MapLimits, needsFloats, shadowOf } from './light-map.ts';
+import { MAX_VSM_PX, type MapLimits, mapSizeOf, needsFloats, shadowOf } from './light-map.ts';
 
 /**
  * Lights of one set of maps that cast shadows, the first ones in their order. WebGL 2 promises 16 texture units and 15 varyings;
@@ -36,6 +36,15 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         fix: 'Choose a smaller “Shadow resolution”, or a smaller “Shadow area”, so that all devices show the same.',
       });
     }
+    if (countLights(lists, (light) => isCutForVariance(light, limits)) > 0) {
+      report({
+        code: 'SCR025',
+        severity: 'info',
+        port: 'lights',
+        message: `Shadow maps with “Variance” edges are at most ${MAX_VSM_PX} pixels a side, because larger ones take gigabytes: maps that should be larger are as large as that.`,
+        fix: `Choose ${MAX_VSM_PX} as the “Shadow resolution”, or other “Shadow edges”.`,
+      });
+    }
     if (shown === 'shadows' && !limits.floats && countLights(lists, (light) => needsFloats(shadowOf(light)?.filter)) > 0) {
       report({
         code: 'SCR025',
@@ -56,6 +65,36 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         fix: 'Remove all wires of such lights but one.',
       });
     }
+  };
+}
+
+function isCutForVariance(light: LightItem, limits: MapLimits): boolean {
+  const shadow = shadowOf(light);
+  return shadow !== null && mapSizeOf(shadow, limits) < Math.min(shadow.mapSizePx, limits.maxSizePx);
+}
+
+/** Tells the node that draws where its device has too few texture units for all that shadows read. */
+export interface TextureLimits {
+  /** Lights whose filter falls back to `soft`, and lights that see-through things do not dim. */
+  tell(softened: number, undimmed: number): void;
+}
+
+export function createTextureLimits(report: DrawBinding['report']): TextureLimits {
+  return {
+    tell: (softened, undimmed) => {
+      if (!report || softened + undimmed === 0) return;
+      const losses = [
+        softened > 0 ? `the shadow edges of ${softened} of them are “Soft” instead` : '',
+        undimmed > 0 ? `see-through things throw no shadow in the light of ${undimmed} of them` : '',
+      ];
+      report({
+        code: 'SCR025',
+        severity: 'warning',
+        port: 'lights',
+        message: `The shadows of so many lights need more textures at once than can be had: ${losses.filter((loss) => loss !== '').join(', and ')}.`,
+        fix: 'Turn “Cast shadows” off at the lights where it matters least, or choose “Soft” as their “Shadow edges”.',
+      });
+    },
   };
 }
 

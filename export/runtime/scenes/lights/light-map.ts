@@ -77,6 +77,14 @@ export interface MapLimits {
   readonly floats: boolean;
 }
 
+/** With moments and what they are blurred by, 670 MB; a map twice as wide takes 2.7 GB, for which browsers drop the whole context. */
+export const MAX_VSM_PX = 4096;
+
+/** Side of the map that a light gets. */
+export function mapSizeOf({ mapSizePx, filter }: LightShadow | LampShadow, { maxSizePx, floats }: MapLimits): number {
+  return Math.min(mapSizePx, maxSizePx, filter === 'vsm' && floats ? MAX_VSM_PX : maxSizePx);
+}
+
 /** Null where the light casts no shadow. */
 export function createLightMap(light: LightItem, limits: MapLimits): LightMap | null {
   if (!isLamp(light) || light.shadow === null) return null;
@@ -171,9 +179,9 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
 
 const NO_SOURCE = new Vector2();
 
-function createCubeMap(light: PointLightItem, shadow: LampShadow, { maxSizePx }: MapLimits): LightMap {
+function createCubeMap(light: PointLightItem, shadow: LampShadow, limits: MapLimits): LightMap {
   const fit = createLampFit();
-  const target = createCubeTarget(Math.min(shadow.mapSizePx, maxSizePx));
+  const target = createCubeTarget(mapSizeOf(shadow, limits));
   const veil = createVeil(() => new WebGLCubeRenderTarget(target.width, VEIL));
   const mapFromWorld = new Matrix4();
   return {
@@ -247,9 +255,10 @@ interface FlatTarget {
 }
 
 /** With whatever the filter reads beside depth that compares. */
-function createFlatTarget({ mapSizePx, filter: asked = 'soft' }: LightShadow | LampShadow, { maxSizePx, floats }: MapLimits): FlatTarget {
-  const sizePx = Math.min(mapSizePx, maxSizePx);
-  const filter = needsFloats(asked) && !floats ? 'soft' : asked;
+function createFlatTarget(shadow: LightShadow | LampShadow, limits: MapLimits): FlatTarget {
+  const asked = shadow.filter ?? 'soft';
+  const sizePx = mapSizeOf(shadow, limits);
+  const filter = needsFloats(asked) && !limits.floats ? 'soft' : asked;
   const depthTexture = comparing(new DepthTexture(sizePx, sizePx, UnsignedIntType));
   const target = new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, ...(needsFloats(filter) ? { type: FloatType } : {}), depthTexture });
   const veil = createVeil(() => new WebGLRenderTarget(sizePx, sizePx, VEIL));

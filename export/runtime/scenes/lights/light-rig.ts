@@ -9,8 +9,11 @@ import type { RenderedShadowMaps } from './shadow-maps.ts';
 export interface LightRig {
   /** Takes over changed lists and this frame's places and colours. */
   update(lists: readonly LightList[]): void;
-  /** Hands three the maps rendered this frame, or takes them away, and to `veils` what dims. */
-  bindShadows(maps: RenderedShadowMaps | null, veils: VeilPatch, maxTextures: number): void;
+  /**
+   * Hands three the maps rendered this frame, or takes them away, and to `veils` what dims. Returns how many lights should be dimmed
+   * and are not, because there are no texture units left for it.
+   */
+  bindShadows(maps: RenderedShadowMaps | null, veils: VeilPatch, maxTextures: number): number;
   dispose(): void;
 }
 
@@ -69,16 +72,20 @@ export function createLightRig(scene: Scene): LightRig {
       for (const list of Object.values(veilsBy)) list.length = 0;
       directionalFarM.length = 0;
       let shadows = 0;
+      let dimmed = 0;
       for (const { item, light } of rig) {
         const map = maps?.mapOf(item) ?? null;
         bindShadow(light, map);
         if (map === null) continue;
         shadows++;
+        if (map.veil !== null) dimmed++;
         // three goes through lights of one kind in this order, those with a shadow first.
         veilsBy[item.kind as keyof typeof veilsBy].push(map.veil);
         if (item.kind === 'directional') directionalFarM.push(map.farM);
       }
-      veils.bind(veilsBy.directional, directionalFarM, veilsBy.spot, veilsBy.point, 2 * shadows + MATERIAL_TEXTURES <= maxTextures);
+      const fits = 2 * shadows + MATERIAL_TEXTURES <= maxTextures;
+      veils.bind(veilsBy.directional, directionalFarM, veilsBy.spot, veilsBy.point, fits);
+      return fits ? 0 : dimmed;
     },
     dispose: clear,
   };

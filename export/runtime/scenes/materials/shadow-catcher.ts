@@ -12,6 +12,7 @@ import {
 } from 'three';
 import type { DrawView, LightList, NumberView, ObjectItem, ObjectList, VectorView } from '../../../../nodes/kit/runtime.ts';
 import { isLamp } from '../lights/is-lamp.ts';
+import type { TextureLimits } from '../lights/light-limits.ts';
 import { needsFloats, type ShadowMap } from '../lights/light-map.ts';
 import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
 import { type Drawable, materialsOf } from '../proxies/drawable.ts';
@@ -41,13 +42,14 @@ export interface MapCatcherOptions {
   readonly maps: RenderedShadowMaps | null;
   /** Hides what lies behind the room. */
   readonly occlusion: readonly ShaderPatch[];
+  readonly textureLimits: TextureLimits;
 }
 
 /** Texture units that catchers take at most, of sixteen: those left are for room depth. */
 const MAX_TEXTURES = 14;
 
 /** Catches shadows by shadow maps, with the filter of each light; edges follow what pictures cut out. */
-export function createMapCatcher({ strength, color, maps, occlusion }: MapCatcherOptions): ShadowCatcher {
+export function createMapCatcher({ strength, color, maps, occlusion, textureLimits }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
   const lamps = createLampUniforms();
   const flatMaps: (Texture | null)[] = [];
@@ -77,8 +79,8 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
   let fragmentShader = catcherFragment(lights);
   let roomFragment = catcherFragment(lights, ROOM_SURFACE);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
-  /** `textures`: units that are taken. */
-  const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeVeils: 0, textures: 0 };
+  /** `textures`: units that are taken; `softened` and `undimmed`: lights that found none left. */
+  const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeVeils: 0, textures: 0, softened: 0, undimmed: 0 };
   let outdated = false;
 
   function countMaps(): number {
@@ -99,7 +101,9 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     const extra = addExtra(map.depths ?? map.moments);
     // Without its texture a filter of the last two is the soft one.
     const filter = extra < 0 && needsFloats(map.filter) ? 'soft' : map.filter;
+    if (filter !== map.filter) counts.softened++;
     const veil = addExtra(map.veil);
+    if (veil < 0 && map.veil !== null) counts.undimmed++;
     if (flat[i]?.filter === filter && flat[i]?.extra === extra && flat[i]?.veil === veil) return;
     flat[i] = { filter, extra, veil };
     outdated = true;
@@ -120,6 +124,7 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
     cubeReach[i].set(map.nearM, map.farM, 2 / map.target.width, map.normalBias);
     const veil = map.veil !== null && counts.textures++ < MAX_TEXTURES ? counts.cubeVeils++ : -1;
     if (veil >= 0) cubeVeils[veil] = map.veil;
+    else if (map.veil !== null) counts.undimmed++;
     if (cube[i]?.filter === map.filter && cube[i]?.veil === veil) return;
     cube[i] = { filter: map.filter, veil };
     outdated = true;
@@ -189,10 +194,13 @@ export function createMapCatcher({ strength, color, maps, occlusion }: MapCatche
       counts.plain = 0;
       counts.extras = 0;
       counts.cubeVeils = 0;
+      counts.softened = 0;
+      counts.undimmed = 0;
       counts.textures = countMaps();
       addLights('flat');
       addLights('cube');
       addLights(null);
+      textureLimits.tell(counts.softened, counts.undimmed);
       fitShader();
     },
     dispose: () => {},
