@@ -167,9 +167,11 @@ export interface LightEstimate {
   readonly reflection?: ReflectionCube | null;
 }
 
-/** Radiance from all sides, as GL reads a cube map by directions of world space; linear where it is sampled, no mip levels. */
+/** Radiance from all sides, as GL reads a cube map by directions; linear where it is sampled, no mip levels. */
 export interface ReflectionCube {
   readonly texture: WebGLTexture;
-  /** Raised when the texture is another one or shows something else. */
+  /** Raised when the texture is another one, shows something else or lies otherwise. */
   readonly version: number;
+  /** Column-major 3×3: directions of its axes from those of world space. Absent: they are the same. */
+  readonly cubeFromWorld?: Float32Array;
 }

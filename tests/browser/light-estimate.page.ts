@@ -1,4 +1,15 @@
-import { Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, Raycaster, Sphere, SphereGeometry, Vector2, Vector3 } from 'three';
+import {
+  type Material,
+  Mesh,
+  MeshLambertMaterial,
+  MeshStandardMaterial,
+  PlaneGeometry,
+  Raycaster,
+  Sphere,
+  SphereGeometry,
+  Vector2,
+  Vector3,
+} from 'three';
 import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import { createPassDrawer } from '../../export/runtime/gl/pass-drawer.ts';
 import { createProgramCache } from '../../export/runtime/gl/program-cache.ts';
@@ -159,10 +170,58 @@ export function mirrors() {
   const first = SIDES.map(look);
   light.reflection = cube(gl, 2, 1);
   const second = SIDES.map(look);
+  // A quarter turn about y, after which what lies towards -z is seen towards +x.
+  light.reflection = { ...cube(gl, 3), cubeFromWorld: Float32Array.of(0, 0, -1, 0, 1, 0, 1, 0, 0) };
+  const turned = SIDES.map(look);
   light.reflection = null;
   const without = look([0, 1, 0]);
   scene.dispose();
-  return { first, second, without, colors: COLORS, leaked: backend.counts().textures - before, error: gl.getError() };
+  return { first, second, turned, without, colors: COLORS, leaked: backend.counts().textures - before, error: gl.getError() };
+}
+
+/** What it takes to draw a frame after a change of the light: draws that are made, buffers that are made, and what a matt and a shiny plane show. */
+export function redrawn() {
+  const stand = sharedStand();
+  const { gl, backend, layer } = stand;
+  const sphericalHarmonics = HARMONICS.slice();
+  const light = probe({ sphericalHarmonics, reflection: cube(gl, 7) });
+  const plane = (material: Material, x: number): ObjectItem =>
+    item(new Mesh(new PlaneGeometry(1, 2).rotateX(-Math.PI / 2), material), { at: translation(x, 0, 0) });
+  const things = objects(plane(new MeshLambertMaterial(), -0.5), plane(new MeshStandardMaterial({ metalness: 1, roughness: 0 }), 0.5));
+  const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 1 } });
+  const tally = { draws: 0, buffers: 0 };
+  const { drawElements, createBuffer } = gl;
+  gl.drawElements = (...args) => {
+    tally.draws++;
+    drawElements.apply(gl, args);
+  };
+  gl.createBuffer = () => {
+    tally.buffers++;
+    return createBuffer.call(gl);
+  };
+  const look = () => {
+    Object.assign(tally, { draws: 0, buffers: 0 });
+    scene.update([things], [lights(light)]);
+    layer.clear();
+    backend.invalidateState();
+    scene.draw(drawView(viewOf(lookingAt([0, 2, 1e-4], [0, 0, 0])), layer.framebuffer));
+    const pixels = layer.pixels();
+    const at = (x: number): number[] => pixel(pixels, WIDTH / 2 + x, HEIGHT / 2).slice(0, 3);
+    return { ...tally, matt: at(-8), shiny: at(8) };
+  };
+  look();
+  const still = look();
+  for (let i = 0; i < 27; i++) sphericalHarmonics[i] = (HARMONICS[i] ?? 0) * 0.5;
+  const dimmed = look();
+  light.reflection = cube(gl, 8, 1);
+  const mirroredAnew = look();
+  light.reflection = null;
+  const without = look();
+  for (let i = 0; i < 27; i++) sphericalHarmonics[i] = HARMONICS[i] ?? 0;
+  const brightened = look();
+  scene.dispose();
+  Object.assign(gl, { drawElements: drawElements.bind(gl), createBuffer: createBuffer.bind(gl) });
+  return { still, dimmed, mirroredAnew, without, brightened, error: gl.getError() };
 }
 
 /** On which side of a ball's foot its shadow lies on the floor, for lights from several sides: the way from foot to shadow. */

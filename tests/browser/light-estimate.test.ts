@@ -17,9 +17,10 @@ describe('the light estimate', () => {
   );
 
   test('is mirrored by metal where the device gives a cube map, face by face, and again when that changes', async () => {
-    const { first, second, without, colors, leaked, error } = await page.call<{
+    const { first, second, turned, without, colors, leaked, error } = await page.call<{
       first: number[][];
       second: number[][];
+      turned: number[][];
       without: number[];
       colors: number[][];
       leaked: number;
@@ -32,9 +33,39 @@ describe('the light estimate', () => {
     second.forEach((seen, i) => {
       expect([i, near(seen)]).toEqual([i, near(colors[(i + 1) % 6])]);
     });
+    // Sides as they are listed: +x shows what lay towards -z, and so on around.
+    turned.forEach((seen, i) => {
+      expect([i, near(seen)]).toEqual([i, near(colors[[5, 4, 2, 3, 0, 1][i] ?? 0])]);
+    });
     // The coefficients alone, straight up: 0.2821 · 1.1 + 0.4886 · 0.3 − 0.3154 · −0.1 · 1 − 0.5463 · 0.06 = 0.455, encoded 180.
     expect(Math.abs((without[0] ?? 0) - 180)).toBeLessThanOrEqual(3);
     expect([leaked, error]).toEqual([0, 0]);
+  });
+
+  test('that changes alone draws what matt surfaces receive, six faces, and leaves what is mirrored as it is', async () => {
+    interface Shot {
+      readonly draws: number;
+      readonly buffers: number;
+      readonly matt: number[];
+      readonly shiny: number[];
+    }
+    const { still, dimmed, mirroredAnew, without, brightened, error } = await page.call<
+      Record<'still' | 'dimmed' | 'mirroredAnew' | 'without' | 'brightened', Shot> & { error: number }
+    >('redrawn');
+    const extra = (shot: Shot) => [shot.draws - still.draws, shot.buffers];
+    expect(extra(dimmed)).toEqual([6, 0]);
+    expect(dimmed.matt[0]).toBeLessThan((still.matt[0] ?? 0) - 20);
+    expect(dimmed.shiny).toEqual(still.shiny);
+    // Six faces of the cube map and of four levels.
+    expect(extra(mirroredAnew)).toEqual([30, 0]);
+    expect(mirroredAnew.matt).toEqual(dimmed.matt);
+    expect(mirroredAnew.shiny).not.toEqual(dimmed.shiny);
+    // Without a cube map, coefficients are what is mirrored too.
+    expect(extra(without)).toEqual([24, 0]);
+    expect(extra(brightened)).toEqual([24, 0]);
+    expect(brightened.matt).toEqual(still.matt);
+    expect(brightened.shiny[0]).toBeGreaterThan((without.shiny[0] ?? 0) + 20);
+    expect(error).toBe(0);
   });
 
   test('throws shadows away from the strongest light', async () => {

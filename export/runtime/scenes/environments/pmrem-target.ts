@@ -20,8 +20,8 @@ import {
  */
 export interface PmremTarget {
   readonly texture: Texture;
-  /** Draws all levels; `materialFor` gives the material of `createCubeMaterial` for the roughness of each. */
-  draw(three: WebGLRenderer, materialFor: (roughness: number, level: number) => ShaderMaterial): void;
+  /** Draws all levels from this one on; `materialFor` gives the material of `createCubeMaterial` for the roughness of each. */
+  draw(three: WebGLRenderer, materialFor: (roughness: number, level: number) => ShaderMaterial, fromLevel?: number): void;
   dispose(): void;
 }
 
@@ -37,8 +37,8 @@ export function createPmremTarget(facePx: number, roughestFacePx: number): Pmrem
   const camera = new CubeCamera(0.1, 10, target);
   return {
     texture: target.texture,
-    draw: (three, materialFor) => {
-      for (let level = 0; level < sizes.length; level++) {
+    draw: (three, materialFor, fromLevel = 0) => {
+      for (let level = fromLevel; level < sizes.length; level++) {
         const size = sizes[level] ?? facePx;
         box.material = materialFor(roughnessOf(level, sizes.length - 1), level);
         target.viewport.set(0, 0, size, size);

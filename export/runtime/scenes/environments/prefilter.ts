@@ -1,4 +1,4 @@
-import { BoxGeometry, CubeCamera, Mesh, type ShaderMaterial, type Texture, type WebGLRenderer } from 'three';
+import { BoxGeometry, CubeCamera, Mesh, type ShaderMaterial, type Texture, type WebGLCubeRenderTarget, type WebGLRenderer } from 'three';
 import type { EnvironmentAsset } from '../../../../nodes/kit/runtime.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem-target.ts';
@@ -37,6 +37,7 @@ export function prefilter(renderer: SceneRenderer, { texture, widthPx }: Environ
     // Texels of the panorama for one of the cube's, seen at its middle.
     level: { value: Math.max(0, Math.log2(widthPx / (4 * facePx))) },
   });
+  const filler = createCubeFiller(source, unfold);
   const cube = { value: source.texture };
   const sampled = createSampledMaterial(cube, facePx);
   const summed = createCubeMaterial('summed roughness', SUMMED_FRAGMENT, {
@@ -46,10 +47,10 @@ export function prefilter(renderer: SceneRenderer, { texture, widthPx }: Environ
     level: { value: Math.log2(facePx / SUMMED_FACE_PX) },
   });
   renderer.work((three) => {
-    fillCube(three, source, unfold);
+    filler.fill(three);
     target.draw(three, (roughness, level) => withRoughness(level < levels - SUMMED_LEVELS ? sampled : summed, roughness));
   });
-  for (const part of [source, unfold, sampled, summed]) part.dispose();
+  for (const part of [source, filler, unfold, sampled, summed]) part.dispose();
   return target;
 }
 
@@ -64,9 +65,15 @@ export function withRoughness(material: ShaderMaterial, roughness: number): Shad
   return material;
 }
 
-/** All faces of the sharpest level; the others follow by themselves. */
-export function fillCube(three: WebGLRenderer, target: ReturnType<typeof createCubeTarget>, material: ShaderMaterial): void {
+/** Draws all faces of a cube map's sharpest level; the others follow by themselves. */
+export interface CubeFiller {
+  fill(three: WebGLRenderer): void;
+  dispose(): void;
+}
+
+/** The target and the material stay their owner's. */
+export function createCubeFiller(target: WebGLCubeRenderTarget, material: ShaderMaterial): CubeFiller {
   const box = new Mesh(new BoxGeometry(2, 2, 2), material);
-  new CubeCamera(0.1, 10, target).update(three, box);
-  box.geometry.dispose();
+  const camera = new CubeCamera(0.1, 10, target);
+  return { fill: (three) => camera.update(three, box), dispose: () => box.geometry.dispose() };
 }

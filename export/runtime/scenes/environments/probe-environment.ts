@@ -1,9 +1,9 @@
-import { CubeTexture, type ShaderMaterial, type Texture, Vector3, type WebGLCubeRenderTarget } from 'three';
+import { CubeTexture, Matrix3, type ShaderMaterial, type Texture, Vector3, type WebGLCubeRenderTarget } from 'three';
 import type { ProbeLightItem } from '../../../../nodes/kit/runtime.ts';
 import type { ReflectionCube } from '../../../../nodes/kit/session.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem-target.ts';
-import { createSampledMaterial, fillCube, withRoughness } from './prefilter.ts';
+import { createCubeFiller, createSampledMaterial, withRoughness } from './prefilter.ts';
 import { HARMONICS_FRAGMENT, REFLECTION_FRAGMENT } from './probe-shader.ts';
 
 /** A measured light in the form that three's materials are lit with. */
@@ -55,22 +55,24 @@ export function createProbeEnvironment(renderer: SceneRenderer): ProbeEnvironmen
     return byHarmonics;
   }
 
-  function draw(reflection: ReflectionCube | null): void {
-    if (reflection) {
-      mirrored ??= createMirroredCube();
-      mirrored.fill(renderer, reflection);
-    }
+  function mirror(reflection: ReflectionCube | null): void {
     drawnVersion = reflection?.version ?? 0;
-    renderer.work((three) => target.draw(three, materialFor));
+    if (!reflection) return;
+    mirrored ??= createMirroredCube();
+    mirrored.fill(renderer, reflection);
   }
 
   return {
     texture: target.texture,
     update: ({ sphericalHarmonics, reflection }) => {
-      if (!differs(drawn, sphericalHarmonics) && (reflection?.version ?? 0) === drawnVersion) return;
+      const isOther = (reflection?.version ?? 0) !== drawnVersion;
+      if (!isOther && !differs(drawn, sphericalHarmonics)) return;
       drawn.set(sphericalHarmonics);
       for (let i = 0; i < 9; i++) harmonics[i]?.fromArray(drawn, i * 3);
-      draw(reflection);
+      if (isOther) mirror(reflection);
+      // Coefficients change in every frame, and say nothing of what a cube map shows.
+      const fromLevel = isOther || drawnVersion === 0 ? 0 : LAST_LEVEL;
+      renderer.work((three) => target.draw(three, materialFor, fromLevel));
     },
     dispose: () => {
       target.dispose();
@@ -106,18 +108,25 @@ function createMirroredCube(): MirroredCube {
   const source: WebGLCubeRenderTarget = createCubeTarget(FACE_PX, true);
   // three uploads nothing into a texture of version 0, and binds what it finds at it.
   const given = new CubeTexture();
-  const unfold = createCubeMaterial('reflection', REFLECTION_FRAGMENT, { reflection: { value: given } });
+  const cubeFromWorld = new Matrix3();
+  const unfold = createCubeMaterial('reflection', REFLECTION_FRAGMENT, {
+    reflection: { value: given },
+    cubeFromWorld: { value: cubeFromWorld },
+  });
+  const filler = createCubeFiller(source, unfold);
   const sampled = createSampledMaterial({ value: source.texture }, FACE_PX);
   return {
     sampled,
-    fill: (renderer, { texture }) => {
+    fill: (renderer, { texture, cubeFromWorld: turn }) => {
+      if (turn) cubeFromWorld.fromArray(turn);
+      else cubeFromWorld.identity();
       renderer.work((three) => {
         Object.assign(three.properties.get(given) as object, { __webglTexture: texture });
-        fillCube(three, source, unfold);
+        filler.fill(three);
       });
     },
     dispose: () => {
-      for (const part of [source, unfold, sampled]) part.dispose();
+      for (const part of [source, filler, unfold, sampled]) part.dispose();
     },
   };
 }

@@ -22,9 +22,10 @@ void main() {
 
 export const REFLECTION_FRAGMENT = /* glsl */ `
 uniform samplerCube reflection;
+uniform mat3 cubeFromWorld;
 varying vec3 vDirection;
 
 void main() {
-  gl_FragColor = vec4( textureLod( reflection, vDirection, 0.0 ).rgb, 1.0 );
+  gl_FragColor = vec4( textureLod( reflection, cubeFromWorld * vDirection, 0.0 ).rgb, 1.0 );
 }
 `;

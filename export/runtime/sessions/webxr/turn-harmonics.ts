@@ -1,0 +1,68 @@
+/**
+ * Spherical harmonics of a light whose axes are turned against those of the world: of a direction in the world they say afterwards
+ * what they said of the same direction in the light's own axes.
+ *
+ * The second band is a linear form, v · n, and v turns as a vector does. The third is a quadratic form without trace, n · M n, and
+ * becomes R M Rᵀ. `out` and `from`: 9 coefficients × RGB in the order of WebXR Lighting Estimation §3.2; they may be the same.
+ * `worldFromLight`: pose, column-major 4×4, of which the rotation counts.
+ */
+export function turnHarmonics(out: Float32Array, from: Float32Array, worldFromLight: Float32Array): void {
+  for (let i = 0; i < 9; i++) scratchTurn[i] = worldFromLight[Math.floor(i / 3) + (i % 3) * 4] ?? 0;
+  for (let channel = 0; channel < 3; channel++) {
+    const [x, y, z] = [at(from, 9 + channel), at(from, 3 + channel), at(from, 6 + channel)];
+    for (let row = 0; row < 3; row++) {
+      const turned = at(scratchTurn, row * 3) * x + at(scratchTurn, row * 3 + 1) * y + at(scratchTurn, row * 3 + 2) * z;
+      out[(VECTOR_AT[row] ?? 0) + channel] = turned;
+    }
+    setForm(scratchForm, from, channel);
+    setTimes(scratchHalf, scratchTurn, scratchForm);
+    setTimesTransposed(scratchForm, scratchHalf, scratchTurn);
+    out[12 + channel] = at(scratchForm, 1);
+    out[15 + channel] = at(scratchForm, 5);
+    out[18 + channel] = at(scratchForm, 8) * HALF_ROOT_3;
+    out[21 + channel] = at(scratchForm, 2);
+    out[24 + channel] = (at(scratchForm, 0) - at(scratchForm, 4)) / 2;
+    out[channel] = at(from, channel);
+  }
+}
+
+const HALF_ROOT_3 = Math.sqrt(3) / 2;
+/** Where the coefficients of x, y and z begin. */
+const VECTOR_AT: readonly number[] = [9, 3, 6];
+
+/** Row by row, 3×3. */
+const scratchTurn = new Float64Array(9);
+const scratchForm = new Float64Array(9);
+const scratchHalf = new Float64Array(9);
+
+function at(numbers: Float32Array | Float64Array, i: number): number {
+  return numbers[i] ?? 0;
+}
+
+/** In units of the basis's factor on x² - y²: that on products is twice it, and they come twice; that on 3 z² - 1 is 1/√3 of it. */
+function setForm(out: Float64Array, from: Float32Array, channel: number): void {
+  const [third, difference] = [at(from, 18 + channel) / Math.sqrt(3), at(from, 24 + channel)];
+  out[0] = difference - third;
+  out[4] = -difference - third;
+  out[8] = 2 * third;
+  out[1] = at(from, 12 + channel);
+  out[3] = at(from, 12 + channel);
+  out[5] = at(from, 15 + channel);
+  out[7] = at(from, 15 + channel);
+  out[2] = at(from, 21 + channel);
+  out[6] = at(from, 21 + channel);
+}
+
+function setTimes(out: Float64Array, a: Float64Array, b: Float64Array): void {
+  for (let i = 0; i < 9; i++) {
+    const [row, column] = [i - (i % 3), i % 3];
+    out[i] = at(a, row) * at(b, column) + at(a, row + 1) * at(b, column + 3) + at(a, row + 2) * at(b, column + 6);
+  }
+}
+
+function setTimesTransposed(out: Float64Array, a: Float64Array, b: Float64Array): void {
+  for (let i = 0; i < 9; i++) {
+    const [row, other] = [i - (i % 3), (i % 3) * 3];
+    out[i] = at(a, row) * at(b, other) + at(a, row + 1) * at(b, other + 1) + at(a, row + 2) * at(b, other + 2);
+  }
+}
