@@ -2,6 +2,7 @@ import { readIsf } from '../../export/glsl/isf/read-isf.ts';
 import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { createRandom } from '../../export/runtime/random.ts';
 import { createDepthReprojector } from '../../export/runtime/sessions/webxr/reproject-depth.ts';
+import { createViewSources } from '../../export/runtime/sessions/webxr/view-sources.ts';
 import type { AssetService, NodeRuntime } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 import depthViewSource from '../../nodes/layer/depth-view/depth-view.fs';
@@ -216,13 +217,13 @@ export function edges(withCamera: boolean) {
 }
 
 /** Black, grey, white and nothing, from the left, at 1 m to 4 m; the picture is wider than the view. */
-export function painted(shades: string) {
+export function painted(shades: string, fillHoles: boolean) {
   const gl = createGl();
   const row = [0, 0, 0, 255, 0, 0, 0, 255, 128, 128, 128, 255, 255, 255, 255, 255, 0, 0, 0, 0, 255, 255, 255, 255];
   const asset = { texture: texture(gl, 6, 1, row), widthPx: 6, heightPx: 1 };
   const handle = { kind: 'image', value: asset, settled: Promise.resolve(), release: () => {} };
   const assets = { image: () => handle } as unknown as AssetService;
-  const params = { source: 'picture', picture: 'painted', shades, nearM: 1, farM: 4, fillHoles: false, filter: 'nearest' };
+  const params = { source: 'picture', picture: 'painted', shades, nearM: 1, farM: 4, fillHoles, filter: 'nearest' };
   const { step, node } = stand(params, { gl, assets });
   const [left, right] = step([seen(null), seen(null)]);
   const result = {
@@ -344,6 +345,37 @@ export function reprojected() {
   });
   reprojector.dispose();
   return { ...tally, all: found.length, error: gl.getError() };
+}
+
+/** Programs that it takes to bring depth of one sample to the view, by the lens that it was measured through. */
+export function lenses() {
+  const session = { depthUsage: 'cpu-optimized', depthDataFormat: 'float32' } as unknown as XRSession;
+  const wanted = view(0, 0, VIEW_W, VIEW_H);
+  const programsFor = (change: (projection: Float32Array) => void): number => {
+    const gl = createGl();
+    const leaks = trackGl(gl);
+    const sources = createViewSources(gl, session, null, true);
+    const projectionMatrix = wanted.clipFromView.slice();
+    change(projectionMatrix);
+    const info = {
+      width: 1,
+      height: 1,
+      data: Float32Array.of(2).buffer,
+      rawValueToMeters: 1,
+      normDepthBufferFromNormView: { matrix: Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) },
+      projectionMatrix,
+    };
+    sources.depth({ getDepthInformation: () => info } as unknown as XRFrame, {} as XRView, 0, wanted);
+    const programs = leaks.alive().Program ?? 0;
+    sources.dispose();
+    return programs;
+  };
+  return {
+    same: programsFor(() => {}),
+    otherPlanes: programsFor((m) => m.set([-1, -1, 0, 0, -0.2, 0], 10)),
+    wider: programsFor((m) => m.set([(m[0] ?? 1) * 0.9])),
+    shifted: programsFor((m) => m.set([0.1], 9)),
+  };
 }
 
 /** A GPU that can draw no floats. */

@@ -41,14 +41,17 @@ describe('room depth is cleaned before anything reads it', () => {
 
   test('a picture is depth by its shades, laid over the view', async () => {
     const half = (4 * (255 - 128) + 128) / 255;
-    expect(await page.call('painted', 'distance')).toEqual({
+    const byDistance = await page.call('painted', 'distance', false);
+    expect(byDistance).toEqual({
       metres: [4, 4, expect.closeTo(half, 2), 1, 0, 1],
       // A view of 16 to 9 cut from the middle of a picture of 6 to 1.
       uv: [0.296, 0, 0, 0, 1, 0, 0.352, 0, 1],
       error: 0,
     });
+    // What is not painted stays unknown also where holes of sensors are filled, as they are by default.
+    expect(await page.call('painted', 'distance', true)).toEqual(byDistance);
     const inverse = 1 / (0.25 * (1 - 128 / 255) + 128 / 255);
-    expect(await page.call('painted', 'inverse')).toMatchObject({ metres: [4, 4, expect.closeTo(inverse, 2), 1, 0, 1] });
+    expect(await page.call('painted', 'inverse', false)).toMatchObject({ metres: [4, 4, expect.closeTo(inverse, 2), 1, 0, 1] });
   });
 
   test('makes nothing anew from frame to frame, and leaves nothing behind', async () => {
@@ -87,4 +90,8 @@ test('depth of a camera that stands and looks elsewhere is brought to where the 
   expect(known / found.all).toBeLessThan(0.75);
   expect(found.right / known).toBeGreaterThan(0.97);
   expect(found.between).toBe(0);
+});
+
+test('depth measured through the lens of the view is taken as it is, whatever its near and far planes', async () => {
+  expect(await page.call('lenses')).toEqual({ same: 0, otherPlanes: 0, wider: 1, shifted: 1 });
 });

@@ -49,7 +49,7 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'uniform',
       label: 'Fill holes',
-      doc: 'Gives places that the sensor knows nothing about the distance of what is around them, so that no virtual thing shows through them. Off, nothing is hidden there.',
+      doc: 'Gives places that the sensor knows nothing about the distance of what is around them, so that no virtual thing shows through them. Off, nothing is hidden there. A picture is taken as it is painted.',
       default: true,
     },
     picture: {

@@ -29,7 +29,8 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     update: (frame) => {
       wishes.smoothingS = params.smoothingS.value;
       wishes.deltaS = frame.deltaS;
-      wishes.fillHoles = params.fillHoles.value;
+      // What is left unpainted is meant to be unknown.
+      wishes.fillHoles = config.source === 'device' && params.fillHoles.value;
       const isPlain = config.filter === 'nearest' && !wishes.fillHoles && wishes.smoothingS <= 0;
       for (let i = 0; i < views.length; i++) {
         const view = i < frame.viewCount ? frame.views[i] : null;

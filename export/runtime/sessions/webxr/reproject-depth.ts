@@ -108,6 +108,14 @@ export function isSameMatrix(a: ArrayLike<number>, b: ArrayLike<number>): boolea
   return true;
 }
 
+/** Whether two projections see the same at every place: planes, between which they keep things, move nothing. */
+export function isSameLens(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  return LENS.every((i) => Math.abs((a[i] ?? 0) - (b[i] ?? 0)) <= 1e-4);
+}
+
+/** Of a column-major projection: how x and y are scaled, and how far they are shifted. */
+const LENS: readonly number[] = [0, 5, 8, 9];
+
 function setProduct(out: Float32Array, a: Float32Array, b: Float32Array): void {
   for (let column = 0; column < 16; column += 4) {
     for (let row = 0; row < 4; row++) {

@@ -3,7 +3,7 @@ import { MAX_VIEWS } from '../../targets/target.ts';
 import type { MutableCameraImage, MutableRoomDepth } from '../session-frame.ts';
 import { type CpuDepth, createCpuDepth } from './cpu-depth.ts';
 import { createGpuDepth, type GpuDepth } from './gpu-depth.ts';
-import { createDepthReprojector, type DepthReprojector, isSameMatrix, type WantedView } from './reproject-depth.ts';
+import { createDepthReprojector, type DepthReprojector, isSameLens, isSameMatrix, type WantedView } from './reproject-depth.ts';
 import type { XrBinding, XrViewWithCamera } from './webxr-types.ts';
 
 /** What the device sees of the world, view by view. Asked only for what was granted. */
@@ -31,7 +31,7 @@ export function createViewSources(
     // Browsers before 2025 leave it out: their depth is always the view's.
     const clipFromDepth = info.projectionMatrix ?? seen.clipFromView;
     const { worldFromDepth } = depth;
-    if (isSameMatrix(worldFromDepth, seen.worldFromView) && isSameMatrix(clipFromDepth, seen.clipFromView)) return depth;
+    if (isSameMatrix(worldFromDepth, seen.worldFromView) && isSameLens(clipFromDepth, seen.clipFromView)) return depth;
     const reprojector = reprojectors[index] ?? createDepthReprojector(gl);
     reprojectors[index] = reprojector;
     return reprojector?.reproject(depth, { worldFromDepth, clipFromDepth }, seen) ?? depth;
