@@ -127,7 +127,7 @@ export const CONTACT_SHADOW = {
   type: 'number',
   stage: 'uniform',
   label: 'Contact shadow',
-  doc: 'Light from all sides, as a part of this light, and the dark that it leaves where things touch real ones. It lightens the other shadow a little, as a bright room does. 0: none.',
+  doc: 'Light from all sides, as a part of this light, and the dark that it leaves where things touch real ones. It lightens the other shadow a little, as a bright room does. It is cast from straight above, whichever way surfaces face: walls and the undersides of things get none. 0: none.',
   default: 0,
   min: 0,
   max: 1,

@@ -98,6 +98,7 @@ function needs(definition: NodeDefinition): string {
 
 function choiceWords({ params }: NodeDefinition, { param: name, is }: NonNullable<Need['where']>): string {
   const param = params[name];
+  if (typeof is === 'boolean') return `“${param?.label ?? name}” ${is ? 'on' : 'off'}`;
   const option = param?.type === 'choice' ? param.options.find(({ value }) => value === is) : undefined;
   return `“${param?.label ?? name}” at “${option?.label ?? String(is)}”`;
 }

@@ -1,5 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
+import { LIBRARY } from '../../../tests/support/library.ts';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { readShader } from '../../../tests/support/test-library.ts';
+import { TestStudio } from '../../../tests/support/test-studio.ts';
 import type { DirectionalLightItem, ProbeLightItem } from '../../kit/runtime.ts';
 import type { LightEstimate } from '../../kit/session.ts';
 import { definition } from './definition.ts';
@@ -112,4 +115,21 @@ describe('world/light-estimate', () => {
     step(0.01);
     expect([around.sphericalHarmonics[0], lights.version]).toEqual([5, 1]);
   });
+});
+
+test('asks for the camera only where that is wanted, and never requires it', () => {
+  const asked = (params: Record<string, boolean>) =>
+    new TestStudio({ library: LIBRARY, readShader })
+      .add('box-a', 'objects/primitive')
+      .add('room-a', 'world/light-estimate', params)
+      .add('scene-a', 'layer/scene')
+      .add('screen-a', 'output/screen')
+      .wire('box-a.objects -> scene-a.objects', 'room-a.lights -> scene-a.lights', 'scene-a.layer -> screen-a.layer')
+      .compile()
+      .output?.needs.map(({ capability, required }) => [capability, required]);
+  expect(asked({})).toEqual([['light-estimation', false]]);
+  expect(asked({ guessFromCamera: true })).toEqual([
+    ['camera-image', false],
+    ['light-estimation', false],
+  ]);
 });
