@@ -105,6 +105,17 @@ void mainImage(out vec4 c, in vec2 p) { c = vec4(mouse * inputImage(p / iResolut
     const sizes = ['iChannelResolution[0].x', 'iChannelResolution[1].y', 'iChannelTime[3]'];
     read(convert(`void mainImage(out vec4 c, in vec2 p) { c = vec4(${[...names, ...sizes].join(' + ')}); }`).text);
   });
+
+  test('who asks for the size of one channel needs no others', () => {
+    const layers = (index: string) =>
+      read(
+        convert(`void mainImage(out vec4 c, in vec2 p) { int i = 1; c = texture(iChannel0, p / iChannelResolution[${index}].xy); }`).text,
+      )
+        .inputs.filter(({ type }) => type === 'image')
+        .map(({ name }) => name);
+    expect(layers('0')).toEqual(['inputImage']);
+    expect(layers('i')).toHaveLength(4);
+  });
 });
 
 describe('several tabs', () => {

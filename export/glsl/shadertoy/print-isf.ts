@@ -77,8 +77,7 @@ function picturesOf(
   for (const { code, channels } of tabs) {
     const words = wordsOf(code);
     channels.forEach((channel, index) => {
-      const used =
-        words.has(`iChannel${index}`) || shared.has(`iChannel${index}`) || (words.has('iChannelResolution') && tabs.length === 1);
+      const used = words.has(`iChannel${index}`) || shared.has(`iChannel${index}`) || (tabs.length === 1 && isMeasured(code, index));
       const picture = asPicture(channel, buffers);
       if (used && picture && !keys.has(picture.key)) keys.set(picture.key, picture);
     });
@@ -89,6 +88,12 @@ function picturesOf(
       return [key, { name, label: i === 0 ? 'Layer' : `Layer ${i + 1}`, repeat }];
     }),
   );
+}
+
+/** Whether the size of a channel is asked for; one whose number is worked out may be any. */
+function isMeasured(code: string, channel: number): boolean {
+  const asked = [...code.matchAll(/\biChannelResolution\s*\[\s*([^\]]*?)\s*\]/g)].map(([, index]) => index ?? '');
+  return asked.some((index) => !/^\d+$/.test(index) || Number(index) === channel);
 }
 
 /** A buffer that is not there reads as a picture. */
