@@ -221,6 +221,53 @@ export function clipped() {
   return { misplaced, left, differs, error: stand.gl.getError() };
 }
 
+/**
+ * Where a phantom floor's shadow ends behind a wavy room of few samples, one of which is unknown, against what blending the known
+ * ones or the nearest says by hand. The plate lies so low that what is before the floor is lit.
+ */
+export function clipBorder(interpolate: boolean) {
+  const [columns, rows, hole, toleranceM] = [24, 18, 9 * 24 + 11, 0.05];
+  const depth = { ...measuredRoom(columns, rows, false), interpolate };
+  const metres = Float32Array.from({ length: columns * rows }, (_, i) => {
+    const [x, y] = [i % columns, Math.floor(i / columns)];
+    const wave = 1 + 0.045 * Math.sin(x * 0.5 + 0.7) * Math.cos(y * 0.6);
+    return i === hole ? 0 : look((x + 0.5) / columns, 1 - (y + 0.5) / rows, false).metres * wave;
+  });
+  stand.gl.bindTexture(stand.gl.TEXTURE_2D, depth.texture);
+  stand.gl.texSubImage2D(stand.gl.TEXTURE_2D, 0, 0, 0, columns, rows, stand.gl.RED, stand.gl.FLOAT, metres);
+  const sample = (x: number, y: number): number =>
+    metres[Math.min(Math.max(y, 0), rows - 1) * columns + Math.min(Math.max(x, 0), columns - 1)] ?? 0;
+  const roomM = (u: number, v: number): number => {
+    if (!interpolate) return sample(Math.floor(u * columns), Math.floor((1 - v) * rows));
+    const [x, y] = [u * columns - 0.5, (1 - v) * rows - 0.5];
+    const [left, top] = [Math.floor(x), Math.floor(y)];
+    let [sum, known] = [0, 0];
+    for (const [dx, dy] of [0, 1, 2, 3].map((i) => [i & 1, i >> 1] as const)) {
+      const m = sample(left + dx, top + dy);
+      const weight = m > 0 ? (dx ? x - left : 1 - x + left) * (dy ? y - top : 1 - y + top) : 0;
+      sum += weight * m;
+      known += weight;
+    }
+    return known > 0 ? sum / known : 0;
+  };
+  const plate = thing(new PlaneGeometry(1.6, 1.6).rotateX(-Math.PI / 2), { at: translation(0.1, 0.01, 0) });
+  const light = sun([0, 1, 0], { shadow: { areaM: 3, mapSizePx: 1024, bias: 0, normalBiasM: 0.002 } });
+  const shot = { casters: [plate], receivers: [desk()], lights: [light], method: 'map', camera: ROOM_CAMERA, strength: 1 } as const;
+  const whole = shoot(stand, shot);
+  const cut = shoot(stand, { ...shot, room: { depth: { views: [depth] }, toleranceM: { value: toleranceM } } });
+  const tally = { kept: 0, hidden: 0, lost: 0, left: 0 };
+  for (let y = 0; y < SIDES.heightPx; y++) {
+    for (let x = 0; x < SIDES.widthPx; x++) {
+      const [u, v] = [(x + 0.5) / SIDES.widthPx, (y + 0.5) / SIDES.heightPx];
+      const behindM = look(u, v, false).metres - (roomM(u, v) || 99) - toleranceM;
+      if ((pixel(whole, x, y, SIDES.widthPx)[3] ?? 0) < 250 || Math.abs(behindM) < 0.001) continue;
+      const isDark = (pixel(cut, x, y, SIDES.widthPx)[3] ?? 0) > 127;
+      tally[behindM > 0 ? (isDark ? 'left' : 'hidden') : isDark ? 'kept' : 'lost']++;
+    }
+  }
+  return { ...tally, error: stand.gl.getError() };
+}
+
 /** The same shadow on a floor that is a phantom, and that depth alone shows. */
 export function byDepthAlone() {
   const mesh = new Mesh(new BoxGeometry(0.3, 0.3, 0.3), new MeshLambertMaterial());

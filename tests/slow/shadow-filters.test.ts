@@ -89,6 +89,15 @@ describe('shadows on what room depth shows', () => {
     expect([differs, error]).toEqual([0, 0]);
   });
 
+  test.each([true, false])('are cut off where an occlusion hides what is behind, also between samples (blended: %s)', async (blended) => {
+    const { kept, hidden, lost, left, error } = await page.call<Record<string, number>>('clipBorder', blended);
+    console.log(`${kept} pixels kept, ${hidden} hidden, ${lost} lost, ${left} left`);
+    expect(Math.min(kept ?? 0, hidden ?? 0)).toBeGreaterThan(10_000);
+    expect([lost, error]).toEqual([0, 0]);
+    // Beside the unknown sample the shadow on the room itself is told by the nearest one.
+    expect(left).toBeLessThan((hidden ?? 0) * 0.01);
+  });
+
   test('are those of a phantom in its place', async () => {
     const { overlap, shadowed } = await page.call<Record<string, number>>('byDepthAlone');
     expect(shadowed).toBeGreaterThan(1000);

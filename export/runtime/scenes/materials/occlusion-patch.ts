@@ -1,7 +1,7 @@
 import { ExternalTexture, Matrix3, Vector2, Vector4 } from 'three';
 import type { DrawView } from '../../../../nodes/kit/runtime.ts';
-import { ROOM_DEPTH_TEXT } from '../../../program/room-depth.ts';
 import type { OcclusionBinding } from '../../scene-backend.ts';
+import { ROOM_DEPTH_CHUNK } from './room-depth-chunk.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 
 /**
@@ -36,9 +36,7 @@ uniform mat3 scrimRoomUvFromViewUv;
 uniform vec4 scrimOcclusion;
 uniform vec2 scrimViewPx;
 varying vec4 scrimPositionClip;
-
-${ROOM_DEPTH_TEXT}
-
+${ROOM_DEPTH_CHUNK}
 float scrimVisibilityAt( vec2 viewUv ) {
   vec3 uv = scrimRoomUvFromViewUv * vec3( clamp( viewUv, 0.0, 1.0 ), 1.0 );
   vec2 at = uv.xy / uv.z;

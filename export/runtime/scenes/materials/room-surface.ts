@@ -11,6 +11,7 @@ import {
   Vector4,
 } from 'three';
 import type { DrawView, NumberView, RoomDepthOutput } from '../../../../nodes/kit/runtime.ts';
+import { ROOM_DEPTH_CHUNK } from './room-depth-chunk.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { CatcherSurface } from './shadow-catcher-shader.ts';
 
@@ -41,7 +42,7 @@ export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: Number
     // What the projection scales x and y by, and how far it shifts them.
     roomLens: { value: new Vector4() },
     roomWorldFromView: { value: new Matrix4() },
-    // x: 1 where there is room depth; y: tolerance, metres.
+    // x: 1 where there is room depth, 2 where it is blended; y: tolerance, metres.
     roomClip: { value: new Vector2() },
   };
   return {
@@ -61,7 +62,7 @@ export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: Number
     bind: ({ view, viewIndex }) => {
       const depth = roomDepth.views[viewIndex] ?? null;
       texture.sourceTexture = depth?.texture ?? null;
-      uniforms.roomClip.value.set(depth ? 1 : 0, toleranceM.value);
+      uniforms.roomClip.value.set(depth ? (depth.interpolate ? 2 : 1) : 0, toleranceM.value);
       if (!depth) return false;
       uniforms.roomUvFromViewUv.value.fromArray(depth.uvFromViewUv);
       scratchInverse.copy(uniforms.roomUvFromViewUv.value).invert();
@@ -84,14 +85,15 @@ uniform sampler2D roomDepth;
 uniform mat3 roomUvFromViewUv;
 uniform vec2 roomClip;
 varying vec4 vRoomClip;
-
+${ROOM_DEPTH_CHUNK}
 bool behindRoom() {
   if ( roomClip.x == 0.0 ) return false;
   vec3 uv = roomUvFromViewUv * vec3( vRoomClip.xy / vRoomClip.w * 0.5 + 0.5, 1.0 );
   vec2 at = uv.xy / uv.z;
   // What is unknown clips nothing, and so does what the depth camera does not see.
   if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return false;
-  float roomM = texture2D( roomDepth, at ).r;
+  // As an occlusion reads it, so that shadows end where things are hidden.
+  float roomM = scrim_roomM( roomDepth, roomClip.x > 1.5, at );
   return roomM > 0.0 && vRoomClip.w > roomM + roomClip.y;
 }`,
   start: 'if ( behindRoom() ) discard;',

@@ -1,0 +1,9 @@
+import { ROOM_DEPTH_TEXT } from '../../../program/room-depth.ts';
+
+/** `scrim_roomM` for materials, several of whose patches may need it. */
+export const ROOM_DEPTH_CHUNK = /* glsl */ `
+#ifndef SCRIM_ROOM_DEPTH
+#define SCRIM_ROOM_DEPTH
+${ROOM_DEPTH_TEXT}
+#endif
+`;
