@@ -60,6 +60,8 @@ test.each(['soft', 'vsm', 'pcss'])(
   async (filter) => {
     const distances = [0.02, 0.05, 0.1, 0.3, 1];
     expect(await lamps.call('closeToLamp', filter, distances)).toEqual(distances.map(() => [255, 255]));
+    const heights = [0.02, 0.05, 0.1, 0.5];
+    expect(await lamps.call('lowPlates', filter, heights)).toEqual(heights.map(() => 255));
   },
 );
 

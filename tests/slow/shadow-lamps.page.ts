@@ -64,6 +64,14 @@ export function closeToLamp(filter: ShadowFilter, distances: readonly number[]) 
   ]);
 }
 
+/** Of a solid plate close above the floor, by height in metres, with a box beside the lamp, which throws no shadow there. */
+export function lowPlates(filter: ShadowFilter, heights: readonly number[]) {
+  const box = thing(new BoxGeometry(0.05, 0.05, 0.05), { at: translation(0.05, LAMP_M, 0) });
+  return heights.map((heightM) =>
+    underLamp('spot', filter, thing(new PlaneGeometry(0.6, 0.6).rotateX(-Math.PI / 2), { at: translation(0, heightM, 0) }), box),
+  );
+}
+
 /** Of panes of glass as files have them: what is not blended, and lets light through. */
 export function glass(kind: 'sun' | 'spot' | 'bulb') {
   const pane = (parameters: MeshPhysicalMaterialParameters): ObjectItem => {
