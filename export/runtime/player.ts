@@ -12,7 +12,6 @@ import type { Inspected } from './inspected.ts';
 import { type Loading, loadProgram } from './loading.ts';
 import { createPlayState } from './play-state.ts';
 import type { SessionTraits } from './present/background.ts';
-import { type LayerDepth, type LayerPixels, readColor, readDepth } from './readback.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
 import { releaseCast } from './stage/cast.ts';
 import type { Meter } from './stage/meter.ts';
@@ -77,13 +76,9 @@ export interface Player {
   /** State of nodes and pictures back to the first frame. */
   reset(): void;
   /**
-   * A tapped layer (`node.port`) of the last frame, or null where it is not tapped or not drawn; `heightPx` scales it. Camera
-   * pictures of WebXR can only be read before the frame's callback ends.
+   * Within a frame, after `draw`, and no longer: what `readColor`, `readDepth`, `showLayer` and `probeDepth` look at, with a tapped
+   * layer (`node.port`) or without. Null where nothing was drawn.
    */
-  readLayer(tap: string, viewIndex: number, heightPx?: number): LayerPixels | null;
-  /** Depth of a tapped layer. Throws where the GPU cannot draw 32-bit floats. */
-  readLayerDepth(tap: string, viewIndex: number): LayerDepth | null;
-  /** Within a frame, after `draw`, and no longer: what is to be looked at, with a tapped layer or without. Null where nothing was drawn. */
   inspect(tap: string | null): Inspected | null;
   counts(): PlayerCounts;
   /** Stops drawing; to be called on `webglcontextlost`, whose default the caller prevents. */
@@ -202,14 +197,6 @@ export function createPlayer(options: PlayerOptions): Player {
     reset: () => {
       forget();
       stage?.reset();
-    },
-    readLayer: (tap, viewIndex, heightPx) => {
-      const layer = stage?.program.taps[tap];
-      return live && stage && layer ? readColor(engine, stage.resources, layer, viewIndex, heightPx) : null;
-    },
-    readLayerDepth: (tap, viewIndex) => {
-      const layer = stage?.program.taps[tap];
-      return live && stage && layer ? readDepth(engine, stage.resources, layer, viewIndex) : null;
     },
     inspect: (tap) => {
       if (!live || !stage) return null;

@@ -1,8 +1,9 @@
-import type { LayerRef, LinkedShader, ResourceId } from '../program/program.ts';
+import type { LinkedShader, ResourceId } from '../program/program.ts';
 import type { Engine } from './engine.ts';
 import { COPY_SAMPLER, COPY_SHADER, COPY_UV } from './gl/copy-shader.ts';
 import type { GlProgram } from './gl/program-cache.ts';
 import { prepareReadback } from './gl/upload.ts';
+import type { Inspected } from './inspected.ts';
 import { setDecode } from './passes/depth-decode.ts';
 import type { PlayState } from './play-state.ts';
 import { IDENTITY } from './resources/identity.ts';
@@ -43,14 +44,13 @@ void main() {
 `,
 };
 
-/** What a layer shows now; null where it has not been drawn. `heightPx` scales it, keeping its shape. */
-export function readColor(
-  engine: Engine,
-  resources: LiveResources,
-  layer: LayerRef,
-  viewIndex: number,
-  heightPx?: number,
-): LayerPixels | null {
+/**
+ * What a layer shows now; null where it is not tapped or has not been drawn. `heightPx` scales it, keeping its shape. Camera pictures
+ * of WebXR can only be read before the frame's callback ends.
+ */
+export function readColor(inspected: Inspected | null, viewIndex: number, heightPx?: number): LayerPixels | null {
+  if (!inspected?.layer) return null;
+  const { engine, resources, layer } = inspected;
   const picture = findPicture(engine.state, resources, layer.color, viewIndex);
   if (!picture) return null;
   const scale = heightPx === undefined ? 1 : heightPx / picture.heightPx;
@@ -71,8 +71,10 @@ export function readColor(
   });
 }
 
-/** How far what a layer shows is away; null where it has no depth or has not been drawn. */
-export function readDepth(engine: Engine, resources: LiveResources, layer: LayerRef, viewIndex: number): LayerDepth | null {
+/** How far what a layer shows is away; null where it has no depth or has not been drawn. Throws where the GPU cannot draw 32-bit floats. */
+export function readDepth(inspected: Inspected | null, viewIndex: number): LayerDepth | null {
+  if (!inspected?.layer) return null;
+  const { engine, resources, layer } = inspected;
   const { gl, limits } = engine.objects;
   if (!limits.floatTargets) throw new Error('This GPU cannot draw 32-bit floats, so depth cannot be read back.');
   const { depth } = layer;

@@ -7,8 +7,8 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
   const thumbnails = createThumbnails({ nowS: () => nowS }, () => {});
   const player = {
     // Reading takes 5 ms, and gives nothing where nothing is tapped yet.
-    readLayer: (layer: string) => {
-      read.push([layer, Math.round(nowS * 1000)]);
+    inspect: (layer: string | null) => {
+      read.push([layer ?? '', Math.round(nowS * 1000)]);
       nowS += 0.005;
       return null;
     },

@@ -1,5 +1,6 @@
 import type { FrameClock } from '../../export/runtime/clock.ts';
 import type { Player } from '../../export/runtime/player.ts';
+import { readColor } from '../../export/runtime/readback.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 
 /** Small copies of tapped layers, one a turn, so that looking at many costs no more than looking at one. */
@@ -8,7 +9,7 @@ export interface Thumbnails {
   /** The layers may have changed though time stands still. */
   anew(): void;
   /** Whether another frame is needed for those that have not been looked at since something changed. */
-  afterFrame(player: Pick<Player, 'readLayer'>): boolean;
+  afterFrame(player: Pick<Player, 'inspect'>): boolean;
 }
 
 /** Reading pixels back waits for the GPU: at most this part of the time goes into it. */
@@ -38,7 +39,7 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send): T
       next = (next + 1) % ports.length;
       left = Math.max(0, left - 1);
       const port = ports[next];
-      const layer = port === undefined ? null : player.readLayer(port, 0, heightPx);
+      const layer = port === undefined ? null : readColor(player.inspect(port), 0, heightPx);
       if (port !== undefined && layer !== null) {
         // Pixels of `ImageData` are straight, those of a layer premultiplied.
         const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);

@@ -1,4 +1,5 @@
 import type { Program } from '../../export/program/program.ts';
+import { readColor } from '../../export/runtime/readback.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import { createGl, frame, HEIGHT, pixel, stand, texture, view, WIDTH } from './runtime-kit.ts';
 
@@ -28,7 +29,7 @@ export async function play(first: Program, second: Program, cameras: readonly nu
     );
     player.draw(frame(index, views));
     shown.push(colors.map((_, i) => pixel(gl, (i + 0.5) * widthPx, HEIGHT / 2)));
-    tapped.push([...(player.readLayer(tap, 0)?.pixels.subarray(0, 4) ?? [])]);
+    tapped.push([...(readColor(player.inspect(tap), 0)?.pixels.subarray(0, 4) ?? [])]);
   }
   player.dispose();
   return { shown, tapped, diagnostics: diagnostics(), error: gl.getError() };

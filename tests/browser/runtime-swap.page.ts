@@ -1,5 +1,6 @@
 import type { DrawOperation, NodeOperation, Program } from '../../export/program/program.ts';
 import type { PlayResult } from '../../export/runtime/player.ts';
+import { readColor, readDepth } from '../../export/runtime/readback.ts';
 import type { NodeContext, NodeModule } from '../../nodes/kit/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
 import { colorSampler, createGl, frame, HEIGHT, pass, pixel, program, shader, stand, target, view, WIDTH } from './runtime-kit.ts';
@@ -281,15 +282,15 @@ export async function taps() {
     },
   });
   const { gl, player } = await stand(first, { modules: { draw: drawing } });
-  const undrawn = player.readLayer('scene.layer', 0);
+  const undrawn = readColor(player.inspect('scene.layer'), 0);
   player.draw(frame(0, [view(0, 0, 32, 32), view(32, 0, 32, 32)]));
   const at = (picture: { widthPx: number; pixels: Uint8Array } | null, x: number, y: number) =>
     picture && [...picture.pixels.subarray((y * picture.widthPx + x) * 4, (y * picture.widthPx + x + 1) * 4)];
-  const left = player.readLayer('scene.layer', 0);
-  const right = player.readLayer('scene.layer', 1);
-  const small = player.readLayer('scene.layer', 1, 8);
-  const window = player.readLayerDepth('scene.layer', 1);
-  const metres = player.readLayerDepth('metres.layer', 0);
+  const left = readColor(player.inspect('scene.layer'), 0);
+  const right = readColor(player.inspect('scene.layer'), 1);
+  const small = readColor(player.inspect('scene.layer'), 1, 8);
+  const window = readDepth(player.inspect('scene.layer'), 1);
+  const metres = readDepth(player.inspect('metres.layer'), 0);
   const result = {
     undrawn,
     left: [at(left, 2, 2), at(left, 30, 2)],
@@ -298,7 +299,11 @@ export async function taps() {
     window: window && [window.metres[2], window.metres[30]],
     // Rows from the top: the upper half of the layer has no depth.
     metres: metres && [metres.metres[0], metres.metres[metres.metres.length - 1]],
-    missing: [player.readLayer('nothing.layer', 0), player.readLayer('outside.layer', 0), player.readLayerDepth('outside.layer', 0)],
+    missing: [
+      readColor(player.inspect('nothing.layer'), 0),
+      readColor(player.inspect('outside.layer'), 0),
+      readDepth(player.inspect('outside.layer'), 0),
+    ],
     error: gl.getError(),
   };
   player.dispose();

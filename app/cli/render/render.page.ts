@@ -3,6 +3,7 @@ import { createFetchAssetSource } from '../../../export/runtime/assets/asset-sou
 import { createBrowserClock, createManualClock, type FrameClock } from '../../../export/runtime/clock.ts';
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
+import { readColor, readDepth } from '../../../export/runtime/readback.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
@@ -153,11 +154,11 @@ function readSubject({ gl, player, subject }: Stage): Picture | null {
     case 'screen':
       return readScreen(gl);
     case 'layer': {
-      const layer = player.readLayer(subject.tap, 0);
+      const layer = readColor(player.inspect(subject.tap), 0);
       return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: layer.pixels };
     }
     case 'depth': {
-      const layer = player.readLayerDepth(subject.tap, 0);
+      const layer = readDepth(player.inspect(subject.tap), 0);
       return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: new Uint8Array(layer.metres.buffer) };
     }
   }
