@@ -73,13 +73,18 @@ test('an export that takes long can be cancelled', async () => {
     await held;
     await route.fulfill({ json: { output: { ok: false, out, diagnostics: [], bytes: 0 } } });
   });
+  // Once the host is at it: a cancel while the picture is still being taken ends the export without it, and at once.
+  const run = page.waitForRequest('**/api/call/export.run');
   const cancel = page.waitForRequest('**/api/call/export.cancel');
-  await askFor(out);
-  await page.getByRole('status').getByText('picture…').waitFor();
-  await page.getByRole('button', { name: 'Cancel' }).click();
-  await page.getByRole('status').getByText('Cancelling…').waitFor();
-  await cancel;
-  letGo();
+  try {
+    await askFor(out);
+    await run;
+    await page.getByRole('button', { name: 'Cancel' }).click();
+    await page.getByRole('status').getByText('Cancelling…').waitFor();
+    await cancel;
+  } finally {
+    letGo();
+  }
   await page.getByText('The export was cancelled').waitFor();
   await page.getByRole('button', { name: 'Export', exact: true }).first().waitFor();
   await page.unroute('**/api/call/export.run');
