@@ -1,5 +1,5 @@
 import type { Program, Resource, SizeExpression } from '../program/program.ts';
-import { applySizeOperation, SIZE_STACK_BOTTOM } from '../program/size-operation.ts';
+import { runSize, SIZE_STACK_BOTTOM, type SizeSource } from '../program/size-operation.ts';
 
 /** At which sizes are given in pixels and bytes, per view. */
 export interface ReferenceSize {
@@ -19,8 +19,17 @@ export function targetsOf({ resources }: Program): Target[] {
 /** Null where it depends on the size of a file. */
 export function targetSize(target: Target, { slots }: Program, { widthPx, heightPx }: ReferenceSize): ReferenceSize | null {
   if (target.size.base !== 'view') return null;
-  const slotNumber = (slot: number) => slots.numbers[slots.slots[slot]?.offset ?? -1] ?? 0;
-  const pixels = (expression: SizeExpression) => Math.max(1, Math.floor(evaluate(expression, widthPx, heightPx, slotNumber)) || 1);
+  const source: SizeSource<{ readonly slot: number }> = {
+    width: widthPx,
+    height: heightPx,
+    put: ({ slot }, stack, at) => {
+      stack[at] = slots.numbers[slots.slots[slot]?.offset ?? -1] ?? 0;
+    },
+  };
+  const pixels = (expression: SizeExpression) => {
+    const stack = new Float64Array(SIZE_STACK_BOTTOM + expression.length);
+    return runSize(expression, source, stack) ? Math.max(1, Math.floor(stack[SIZE_STACK_BOTTOM] ?? 1) || 1) : 1;
+  };
   return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };
 }
 
@@ -36,18 +45,4 @@ export function targetBytes(target: Target, program: Program, reference: Referen
   const samples = target.samples > 1 ? target.samples + 1 : 1;
   const copies = target.lifetime === 'persistent' ? 2 : 1;
   return size.widthPx * size.heightPx * perSample * samples * copies;
-}
-
-/** Postfix, as the runtime evaluates it each frame. */
-function evaluate(expression: SizeExpression, width: number, height: number, slotNumber: (slot: number) => number): number {
-  const stack = new Float64Array(SIZE_STACK_BOTTOM + expression.length);
-  let top = SIZE_STACK_BOTTOM - 1;
-  for (const token of expression) {
-    if (typeof token === 'number') stack[++top] = token;
-    else if ('slot' in token) stack[++top] = slotNumber(token.slot);
-    else if (token.op === 'width') stack[++top] = width;
-    else if (token.op === 'height') stack[++top] = height;
-    else top = applySizeOperation(token.op, stack, top);
-  }
-  return stack[top] ?? Number.NaN;
 }

@@ -36,7 +36,7 @@ export const SHADOW_BIAS_PX = {
 } as const;
 
 /** What a map of parallel light covers. */
-export const SHADOW_AREA_M = {
+const SHADOW_AREA_M = {
   type: 'number',
   stage: 'uniform',
   label: 'Shadow area',
@@ -66,7 +66,7 @@ const MAP_SIZE_DOC =
   'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB, with variance edges 170 MB, and each step up four times as much. A device that cannot make it so large takes the largest it can; with variance edges, that is at most 4096.';
 
 /** Of parallel light. */
-export const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;
+const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;
 
 /** Of a light in a cone. */
 export const CONE_MAP_SIZE = {
@@ -97,7 +97,7 @@ export const SHADOW_FILTER = {
 export const POINT_SHADOW_FILTER = { ...FILTER, doc: FILTER_DOC, options: FILTERS } as const;
 
 /** How large parallel light seems. */
-export const SHADOW_SOURCE_RAD = {
+const SHADOW_SOURCE_RAD = {
   type: 'number',
   stage: 'uniform',
   label: 'Size of the light',
@@ -123,7 +123,7 @@ export const SHADOW_SOURCE_M = {
 } as const;
 
 /** How dark it is where things touch. */
-export const CONTACT_SHADOW = {
+const CONTACT_SHADOW = {
   type: 'number',
   stage: 'uniform',
   label: 'Contact shadow',
@@ -133,4 +133,14 @@ export const CONTACT_SHADOW = {
   max: 1,
   step: 0.01,
   unit: 'ratio',
+} as const;
+
+/** How parallel light throws shadows, all of it: one node's worth of params. */
+export const SUN_SHADOW = {
+  areaM: SHADOW_AREA_M,
+  mapSize: SHADOW_MAP_SIZE,
+  biasPx: SHADOW_BIAS_PX,
+  filter: SHADOW_FILTER,
+  sourceRad: SHADOW_SOURCE_RAD,
+  contact: CONTACT_SHADOW,
 } as const;

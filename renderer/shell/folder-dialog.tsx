@@ -3,6 +3,7 @@ import { exportPage } from '../state/export-page.ts';
 import { saveAs } from '../state/files.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
+import { FolderField } from './folder-field.tsx';
 
 interface FolderDialogProps {
   readonly purpose: 'save-as' | 'export';
@@ -38,16 +39,7 @@ export function FolderDialog({ purpose, onClose }: FolderDialogProps) {
   };
   return (
     <FormDialog title={words.title} action={words.action} ready={!busy && path.trim() !== ''} onGo={() => void go()} onClose={onClose}>
-      <label htmlFor={id}>Folder</label>
-      <input
-        id={id}
-        className="field"
-        data-autofocus=""
-        spellCheck={false}
-        placeholder={words.example}
-        value={path}
-        onChange={(event) => setPath(event.target.value)}
-      />
+      <FolderField id={id} label="Folder" path={path} example={words.example} onChange={setPath} />
       <p className="dialog-note">{words.note}</p>
     </FormDialog>
   );

@@ -4,6 +4,7 @@ import { createProject } from '../state/files.ts';
 import { Button } from '../ui/button.tsx';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
+import { FolderField } from './folder-field.tsx';
 import './new-dialog.css';
 
 interface NewDialogProps {
@@ -40,17 +41,7 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
           </label>
         ))}
       </fieldset>
-      <label htmlFor={id}>Folder</label>
-      <div className="new-folder">
-        <input
-          id={id}
-          className="field"
-          data-autofocus=""
-          spellCheck={false}
-          placeholder="/home/me/projects/my-effect"
-          value={path}
-          onChange={(event) => setPath(event.target.value)}
-        />
+      <FolderField id={id} label="Folder" path={path} onChange={setPath}>
         {canPick && (
           <Button
             icon="folder"
@@ -62,7 +53,7 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
             Choose…
           </Button>
         )}
-      </div>
+      </FolderField>
       <p className="dialog-note">The folder must be empty or new; its name becomes the project’s title.</p>
     </FormDialog>
   );

@@ -7,6 +7,7 @@ import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { useEditor } from './editor-context.ts';
+import { FolderField } from './folder-field.tsx';
 import './open-dialog.css';
 import { PictureCard } from './picture-card.tsx';
 
@@ -104,16 +105,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
         )}
       </div>
       <form className="dialog-form open-folder" onSubmit={submit}>
-        <label htmlFor={id}>Folder of the project</label>
-        <input
-          id={id}
-          className="field"
-          data-autofocus=""
-          spellCheck={false}
-          placeholder="/home/me/projects/my-effect"
-          value={path}
-          onChange={(event) => setPath(event.target.value)}
-        />
+        <FolderField id={id} label="Folder of the project" path={path} onChange={setPath} />
       </form>
     </Dialog>
   );

@@ -9,7 +9,7 @@ import {
   readProbe,
 } from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
-import { applySizeOperation, SIZE_STACK_BOTTOM } from '../../export/program/size-operation.ts';
+import { runSize, SIZE_STACK_BOTTOM } from '../../export/program/size-operation.ts';
 
 /**
  * Plays linked passes as `export/program/program.ts` says, in a few lines of plain WebGL 2 and without the runtime: what the
@@ -337,13 +337,9 @@ function read(output: Buffer | null, last: LinkedPass | undefined): Pick<Drawing
 function evaluateSize(size: NamedSize | null, whole: number, job: DrawJob): number {
   if (size === null) return whole;
   const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
-  let top = SIZE_STACK_BOTTOM - 1;
-  for (const item of size) {
-    if (typeof item === 'number') stack[++top] = item;
-    else if ('param' in item) stack[++top] = Number(job.params?.[item.param]);
-    else if (item.op === 'width') stack[++top] = job.width;
-    else if (item.op === 'height') stack[++top] = job.height;
-    else top = applySizeOperation(item.op, stack, top);
-  }
-  return Math.max(1, Math.round(stack[top] ?? whole));
+  const put = ({ param }: { readonly param: string }, into: Float64Array, at: number) => {
+    into[at] = Number(job.params?.[param]);
+  };
+  runSize(size, { width: job.width, height: job.height, put }, stack);
+  return Math.max(1, Math.round(stack[SIZE_STACK_BOTTOM] ?? whole));
 }

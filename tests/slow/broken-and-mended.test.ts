@@ -17,18 +17,20 @@ test(`a shader broken and mended ${TIMES} times by typing shows no black frame, 
   if (!preview) throw new Error('There is no preview.');
   const seen = () => preview.evaluate(() => ({ ...(globalThis as unknown as { framesSeen: FramesSeen }).framesSeen }));
   const mark = page.locator('.monaco-editor .squiggly-error').first();
-  await editor.findInText('pixel.a)');
-  const breakAndMend = async () => {
+  await editor.findInText('0), pixel.a)');
+  // Mended with one more digit, so that it is linked anew each time and not found among the programs that were.
+  const breakAndMend = async (digit: number) => {
     await editor.type('q');
     await mark.waitFor();
     await page.keyboard.press('Backspace');
+    await editor.type(String(digit));
     await mark.waitFor({ state: 'detached' });
     await page.locator('.status-bar').getByText('No problems').waitFor();
   };
   // Once for what is made only once.
-  await breakAndMend();
+  await breakAndMend(1);
   const before = await seen();
-  for (let i = 0; i < TIMES; i++) await breakAndMend();
+  for (let i = 0; i < TIMES; i++) await breakAndMend(i % 10);
   const after = await seen();
   expect(after.frames).toBeGreaterThan(before.frames + TIMES);
   expect([after.black - before.black, after.lostContexts]).toEqual([0, 0]);

@@ -1,4 +1,4 @@
-import { test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { useEditor } from '../support/open-editor.ts';
 
 const openEditor = useEditor();
@@ -12,17 +12,23 @@ test('the preview of an emulated room comes back after the graphics device was l
     places: { 'video-aaaa': [0, 0], 'screen-aaaa': [520, 0] },
   });
   await editor.settled();
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  const source = page.getByRole('combobox', { name: 'Where the picture comes from' });
+  await source.selectOption('room/studio');
   await editor.settled();
   const before = await editor.rewind();
   const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
-  await frame?.evaluate(() => {
+  const canLose = await frame?.evaluate(() => {
     const extension = document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.getExtension('WEBGL_lose_context');
     (globalThis as Losing).lost = extension ?? null;
     extension?.loseContext();
+    return extension !== null && extension !== undefined;
   });
+  expect(canLose).toBe(true);
   await page.getByText('The graphics device was lost').waitFor();
   await frame?.evaluate(() => (globalThis as Losing).lost?.restoreContext());
   await page.getByText('The graphics device was lost').waitFor({ state: 'detached' });
+  const isLost = () => document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.isContextLost();
+  expect(await frame?.evaluate(isLost)).toBe(false);
+  expect(await source.inputValue()).toBe('room/studio');
   await editor.pictureSameAs(before);
 });

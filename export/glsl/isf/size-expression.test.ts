@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
-import { applySizeOperation, SIZE_STACK_BOTTOM } from '../../program/size-operation.ts';
+import { runSize, SIZE_STACK_BOTTOM } from '../../program/size-operation.ts';
 import type { NamedSize } from './isf-shader.ts';
 import { isSizeProblem, parseSizeExpression } from './size-expression.ts';
 
@@ -12,19 +12,13 @@ function evaluate(text: string, width = 640, height = 360): number {
   return run(size, width, height);
 }
 
-/** The stack machine that the program format describes. */
 function run(size: NamedSize, width: number, height: number): number {
   const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
-  let top = SIZE_STACK_BOTTOM - 1;
-  for (const item of size) {
-    if (typeof item === 'number') stack[++top] = item;
-    else if ('param' in item) stack[++top] = PARAMS.get(item.param) ?? Number.NaN;
-    else if (item.op === 'width') stack[++top] = width;
-    else if (item.op === 'height') stack[++top] = height;
-    else top = applySizeOperation(item.op, stack, top);
-  }
-  expect(top).toBe(SIZE_STACK_BOTTOM);
-  return stack[top] ?? Number.NaN;
+  const put = ({ param }: { readonly param: string }, into: Float64Array, at: number) => {
+    into[at] = PARAMS.get(param) ?? Number.NaN;
+  };
+  expect(runSize(size, { width, height, put }, stack)).toBe(true);
+  return stack[SIZE_STACK_BOTTOM] ?? Number.NaN;
 }
 
 describe('size expressions', () => {

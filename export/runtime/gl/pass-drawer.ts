@@ -1,5 +1,5 @@
+import { setPassState, setSampler } from '../../../nodes/kit/pass-state.ts';
 import type { GlObjects } from './gl-objects.ts';
-import { setPassState, setSampler } from './pass-state.ts';
 import type { GlProgram } from './program-cache.ts';
 
 /** As `LinkedShader.geometry` says. */

@@ -1,9 +1,9 @@
+import { setPassState } from '../../../nodes/kit/pass-state.ts';
 import type { DrawView } from '../../../nodes/kit/runtime.ts';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { DrawOperation } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import { clearAll, clearRectangle } from '../gl/clear.ts';
-import { setPassState } from '../gl/pass-state.ts';
 import type { NodeInstance } from '../operations/node-instance.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Step } from './step.ts';

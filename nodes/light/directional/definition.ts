@@ -1,12 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import {
-  CONTACT_SHADOW,
-  SHADOW_AREA_M,
-  SHADOW_BIAS_PX,
-  SHADOW_FILTER,
-  SHADOW_MAP_SIZE,
-  SHADOW_SOURCE_RAD,
-} from '../../kit/light-params.ts';
+import { SUN_SHADOW } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/directional',
@@ -58,12 +51,7 @@ export const definition = defineNode({
       doc: 'Whether objects in this light throw shadows.',
       default: true,
     },
-    areaM: SHADOW_AREA_M,
-    mapSize: SHADOW_MAP_SIZE,
-    biasPx: SHADOW_BIAS_PX,
-    filter: SHADOW_FILTER,
-    sourceRad: SHADOW_SOURCE_RAD,
-    contact: CONTACT_SHADOW,
+    ...SUN_SHADOW,
   },
   lowering: { kind: 'geometry' },
 });

@@ -1,7 +1,6 @@
 import { Color } from 'three';
-import { createContactShadow } from '../../kit/contact-shadow.ts';
-import type { LightShadow } from '../../kit/light-shadow.ts';
-import type { DirectionalLightItem, NodeContext, NodeRuntime, Writable } from '../../kit/runtime.ts';
+import type { DirectionalLightItem, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import { createSunShadow } from '../../kit/sun-shadow.ts';
 import type { definition } from './definition.ts';
 
 /** A matt surface sends back 1/π of the light that meets it: this much light makes a white one white. */
@@ -11,11 +10,7 @@ const WHITE_ON_WHITE = Math.PI;
 const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { color, intensity, azimuthRad, elevationRad, castShadow, areaM, biasPx, sourceRad, contact } = ctx.params;
-  const mapSizePx = Number(ctx.config.mapSize);
-  // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
-  // shadow's filter, so it is counted in the map's pixels.
-  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0, filter: ctx.config.filter, sourceRad: 0 };
+  const { color, intensity, azimuthRad, elevationRad } = ctx.params;
   const light: DirectionalLightItem = {
     key: 'light',
     kind: 'directional',
@@ -25,7 +20,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
   ctx.outputs.lights.items.push(light);
   ctx.outputs.lights.version++;
-  const contactShadow = createContactShadow(ctx.outputs.lights);
+  const shadow = createSunShadow(ctx);
 
   return {
     update: () => {
@@ -35,11 +30,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       light.towardsLightWorld[0] = horizontal * Math.sin(azimuthRad.value);
       light.towardsLightWorld[1] = Math.sin(elevationRad.value);
       light.towardsLightWorld[2] = horizontal * Math.cos(azimuthRad.value);
-      shadow.areaM = areaM.value;
-      shadow.sourceRad = sourceRad.value;
-      shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
-      light.shadow = castShadow.value ? shadow : null;
-      contactShadow.update(castShadow.value ? contact.value : 0, areaM.value, light.radiance);
+      shadow.update(light);
     },
     dispose: () => {},
   };

@@ -1,6 +1,9 @@
+import { linkProgram } from '../../kit/link-program.ts';
+import { setPassState, setSampler } from '../../kit/pass-state.ts';
+
 /**
  * Full-screen passes over pictures of metres. They set all state that they depend on and leave no sampler bound, as everything does
- * that shares the context (`export/runtime/gl/pass-state.ts`).
+ * that shares the context.
  */
 export interface DepthDrawing {
   /** Metres in the red channel, all unknown. */
@@ -66,18 +69,7 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
       return pass;
     },
     begin: (target, { program, samplers: locations }) => {
-      gl.bindFramebuffer(gl.FRAMEBUFFER, target.framebuffer);
-      gl.viewport(0, 0, target.widthPx, target.heightPx);
-      gl.disable(gl.SCISSOR_TEST);
-      gl.disable(gl.DEPTH_TEST);
-      gl.disable(gl.STENCIL_TEST);
-      gl.disable(gl.CULL_FACE);
-      gl.disable(gl.BLEND);
-      gl.disable(gl.RASTERIZER_DISCARD);
-      gl.disable(gl.SAMPLE_ALPHA_TO_COVERAGE);
-      gl.disable(gl.SAMPLE_COVERAGE);
-      gl.colorMask(true, true, true, true);
-      gl.bindVertexArray(vertexArray);
+      setPassState(gl, target.framebuffer, vertexArray, 0, 0, target.widthPx, target.heightPx);
       gl.useProgram(program);
       for (let unit = 0; unit < locations.length; unit++) gl.uniform1i(locations[unit] ?? null, unit);
     },
@@ -105,8 +97,7 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
 
 function createSampler(gl: WebGL2RenderingContext, filter: GLenum): WebGLSampler {
   const sampler = gl.createSampler();
-  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.samplerParameteri(sampler, name, filter);
-  for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.samplerParameteri(sampler, name, gl.CLAMP_TO_EDGE);
+  setSampler(gl, sampler, filter);
   return sampler;
 }
 
@@ -134,19 +125,7 @@ bool isInside(vec2 at) { return all(lessThanEqual(abs(at - 0.5), vec2(0.50001)))
 `;
 
 function createPass(gl: WebGL2RenderingContext, fragment: string, samplers: readonly string[]): DepthPass {
-  const program = gl.createProgram();
-  for (const [type, text] of [
-    [gl.VERTEX_SHADER, VERTEX],
-    [gl.FRAGMENT_SHADER, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(metres(), 0.0, 0.0, 1.0); }\n`],
-  ] as const) {
-    const shader = gl.createShader(type);
-    if (!shader) continue;
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    gl.attachShader(program, shader);
-    gl.deleteShader(shader);
-  }
-  gl.linkProgram(program);
+  const program = linkProgram(gl, VERTEX, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(metres(), 0.0, 0.0, 1.0); }\n`);
   return {
     program,
     samplers: samplers.map((name) => gl.getUniformLocation(program, name)),

@@ -1,6 +1,6 @@
+import { setInverse3 } from '../../kit/matrices.ts';
 import type { CameraImage, RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { DepthDrawing, MetresPicture } from './drawing.ts';
-import { setInverse3 } from './matrices.ts';
 
 /** Brings depth to the view's resolution along the edges of things, for one view. */
 export interface EdgeFollower {

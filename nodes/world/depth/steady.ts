@@ -1,6 +1,6 @@
+import { multiplyMatrices, setInverse3 } from '../../kit/matrices.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { DepthDrawing, MetresPicture } from './drawing.ts';
-import { multiplyMatrices, setInverse3 } from './matrices.ts';
 
 /** Smooths what a sensor measures over time, for one view. */
 export interface Steadier {

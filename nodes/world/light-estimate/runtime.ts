@@ -1,7 +1,6 @@
-import { createContactShadow } from '../../kit/contact-shadow.ts';
-import type { LightShadow } from '../../kit/light-shadow.ts';
-import type { DirectionalLightItem, NodeContext, NodeRuntime, ProbeLightItem, Writable } from '../../kit/runtime.ts';
+import type { DirectionalLightItem, NodeContext, NodeRuntime, ProbeLightItem } from '../../kit/runtime.ts';
 import type { LightEstimate } from '../../kit/session.ts';
+import { createSunShadow } from '../../kit/sun-shadow.ts';
 import type { definition } from './definition.ts';
 import { createRoomLight, DEFAULT_MEAN, guessLight, type RoomLight } from './guess-light.ts';
 
@@ -12,10 +11,7 @@ import { createRoomLight, DEFAULT_MEAN, guessLight, type RoomLight } from './gue
 const HOLD_S = 2;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  const { intensity, smoothingS, castShadow, areaM, biasPx, sourceRad, contact } = ctx.params;
-  const { mapSize } = ctx.config;
-  const mapSizePx = Number(mapSize);
-  const shadow: Writable<LightShadow> = { areaM: 0, mapSizePx, bias: 0, normalBiasM: 0, filter: ctx.config.filter, sourceRad: 0 };
+  const { intensity, smoothingS } = ctx.params;
   const primary: DirectionalLightItem = {
     key: 'primary',
     kind: 'directional',
@@ -32,7 +28,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
   ctx.outputs.lights.items.push(primary, around);
   ctx.outputs.lights.version++;
-  const contactShadow = createContactShadow(ctx.outputs.lights);
+  const shadow = createSunShadow(ctx);
   const target = createRoomLight();
   const now = createRoomLight();
   /** Since when there has been no estimate; null where there never was one. */
@@ -76,11 +72,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       around.intensity = intensity.value;
       primary.towardsLightWorld.set(now.directionWorld);
       for (let c = 0; c < 3; c++) primary.radiance[c] = (now.irradiance[c] ?? 0) * intensity.value;
-      shadow.areaM = areaM.value;
-      shadow.sourceRad = sourceRad.value;
-      shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
-      primary.shadow = castShadow.value ? shadow : null;
-      contactShadow.update(castShadow.value ? contact.value : 0, areaM.value, primary.radiance);
+      shadow.update(primary);
     },
     reset,
     dispose: () => {},

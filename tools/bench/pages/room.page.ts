@@ -1,14 +1,10 @@
 import { PerspectiveCamera } from 'three';
 import type { Program } from '../../../export/program/program.ts';
-import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
-import { createBrowserClock, createManualClock } from '../../../export/runtime/clock.ts';
-import { createPlayer } from '../../../export/runtime/player.ts';
-import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { coverCanvas, createSessionFrame } from '../../../export/runtime/sessions/session-frame.ts';
-import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import type { Session } from '../../../nodes/kit/session.ts';
 import { type Drawn, measureFrames } from './frame-ms.ts';
 import { createGpuBytes, type GpuBytes } from './gpu-bytes.ts';
+import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 import { AMBIENT, EYE_M, FOV_DEG, LOOK_M, type RoomPlan, SUN_IRRADIANCE, TOWARDS_SUN } from './room-plan.ts';
 
 /** Plays a program as a device in AR does whose depth and light stay as they are: what WebXR itself costs is measured apart. */
@@ -20,22 +16,8 @@ export async function open(program: Program, plan: RoomPlan): Promise<void> {
   const gl = canvas.getContext('webgl2', { alpha: true, antialias: true, depth: true, stencil: false });
   if (!gl) throw new Error('The browser has no WebGL 2.');
   bytes = createGpuBytes(gl);
-  const clock = createManualClock();
-  const assets = createFetchAssetSource(document.baseURI, fetch.bind(globalThis));
-  const player = createPlayer({
-    gl,
-    canvas,
-    program,
-    modules: RUNTIMES,
-    createScenes: createScenesWith({ decoders: {}, files: assets.load }),
-    assets,
-    seed: 1,
-    clock: { ...clock, delay: createBrowserClock().delay },
-    onDiagnostics: (diagnostics) => {
-      wrong = diagnostics.find(({ severity }) => severity === 'error')?.message ?? null;
-    },
-  });
-  await player.ready;
+  measured = await openPlayer(gl, canvas, program, document.baseURI);
+  const { player } = measured;
   const frame = createRoomFrame(gl);
   player.setSession(ROOM);
   // What its nodes wait for, the models among them, is there after this.
@@ -104,7 +86,7 @@ function farDepth(gl: WebGL2RenderingContext): WebGLTexture {
 
 /** See `measureFrames`. */
 export function frameMs(count: number): number {
-  if (wrong !== null) throw new Error(wrong);
+  if (measured?.wrong) throw new Error(measured.wrong);
   if (drawn?.gl.isContextLost()) throw new Error(LOST);
   if (!drawn) throw new Error('Nothing is open.');
   return measureFrames(drawn, count);
@@ -125,6 +107,5 @@ export function picture(): string {
 /** Drivers give up where memory does not suffice. */
 const LOST = 'The graphics were lost.';
 let drawn: Drawn | null = null;
-/** A picture with something missing is no measure of a whole one. */
-let wrong: string | null = null;
+let measured: MeasuredPlayer | null = null;
 let bytes: GpuBytes | null = null;

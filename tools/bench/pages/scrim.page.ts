@@ -1,11 +1,7 @@
 import type { Program } from '../../../export/program/program.ts';
-import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
-import { createBrowserClock, createManualClock } from '../../../export/runtime/clock.ts';
-import { createPlayer, type Player } from '../../../export/runtime/player.ts';
-import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { createOrbitSession } from '../../../export/runtime/sessions/orbit/orbit-session.ts';
-import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
 import { type Drawn, measureFrames } from './frame-ms.ts';
+import { type MeasuredPlayer, openPlayer } from './measured-player.ts';
 
 /** Plays a program as a page without AR does, at a clock of its own. */
 export async function open(program: Program, assetsUrl: string, widthPx: number, heightPx: number): Promise<void> {
@@ -16,44 +12,29 @@ export async function open(program: Program, assetsUrl: string, widthPx: number,
   const { antialias, around } = program.presentation;
   const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
   if (!gl) throw new Error('The browser has no WebGL 2.');
-  const clock = createManualClock();
-  const assets = createFetchAssetSource(new URL(assetsUrl, document.baseURI).href, fetch.bind(globalThis));
-  const player = createPlayer({
-    gl,
-    canvas,
-    program,
-    modules: RUNTIMES,
-    createScenes: createScenesWith({ decoders: {}, files: assets.load }),
-    assets,
-    seed: 1,
-    clock: { ...clock, delay: createBrowserClock().delay },
-    onDiagnostics: (diagnostics) => {
-      failure = diagnostics.find(({ severity }) => severity === 'error')?.message ?? null;
-    },
-  });
+  const measured = await openPlayer(gl, canvas, program, new URL(assetsUrl, document.baseURI).href);
+  const { player, clock } = measured;
   const session = createOrbitSession({ gl, canvas, clock, ...(around && { start: around }) });
-  await player.ready;
   player.setSession(session);
   session.start(
     (frame) => player.draw(frame),
     () => {},
   );
-  stage = { gl, player, draw: clock.advance };
+  stage = { gl, measured, draw: clock.advance };
 }
 
 /** Plays another program in the place of the one that was opened. */
 export async function show(program: Program): Promise<void> {
-  const result = await stage?.player.replaceProgram(program);
+  const result = await stage?.measured.player.replaceProgram(program);
   if (result?.outcome !== 'playing') throw new Error(`The program is not played: ${JSON.stringify(result)}`);
 }
 
 /** See `measureFrames`. */
 export function frameMs(count: number): number {
   if (!stage) throw new Error('Nothing is open.');
-  if (failure !== null) throw new Error(`What is measured is not what is to be drawn: ${failure}`);
+  const { wrong } = stage.measured;
+  if (wrong !== null) throw new Error(`What is measured is not what is to be drawn: ${wrong}`);
   return measureFrames(stage, count);
 }
 
-/** What is missing on the stage, such as a model. */
-let failure: string | null = null;
-let stage: (Drawn & { readonly player: Player }) | null = null;
+let stage: (Drawn & { readonly measured: MeasuredPlayer }) | null = null;

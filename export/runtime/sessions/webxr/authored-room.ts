@@ -1,6 +1,6 @@
+import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import type { CameraImage } from '../../../../nodes/kit/session.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
-import { setPassState } from '../../gl/pass-state.ts';
 import { MAX_VIEWS } from '../../targets/target.ts';
 import type { MutableCameraImage, MutableView } from '../session-frame.ts';
 import { linkPass } from './link-pass.ts';

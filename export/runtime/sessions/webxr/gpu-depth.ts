@@ -1,5 +1,5 @@
+import { setPassState, setSampler } from '../../../../nodes/kit/pass-state.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
-import { setPassState, setSampler } from '../../gl/pass-state.ts';
 import type { MutableRoomDepth } from '../session-frame.ts';
 import { createDecoder, type DepthDecoder, type DepthSource } from './depth-decoder.ts';
 import { setDepthUv } from './depth-uv.ts';

@@ -1,7 +1,8 @@
+import { linkProgram } from '../../../../nodes/kit/link-program.ts';
+import { multiplyMatrices, setInverse3 } from '../../../../nodes/kit/matrices.ts';
+import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
-import { setPassState } from '../../gl/pass-state.ts';
 import type { MutableRoomDepth } from '../session-frame.ts';
-import { linkProgram } from './link-pass.ts';
 
 /** Where depth was measured from: pose and projection of the depth camera, column-major 4×4. */
 export interface DepthGeometry {
@@ -66,7 +67,7 @@ export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReproje
       const { widthPx, heightPx } = depth;
       if (seen?.widthPx !== widthPx || seen.heightPx !== heightPx) seen = resize(widthPx, heightPx);
       setInverse3(depthFromUv, depth.uvFromViewUv);
-      setProduct(viewFromDepth, view.viewFromWorld, from.worldFromDepth);
+      multiplyMatrices(viewFromDepth, view.viewFromWorld, from.worldFromDepth);
       setPassState(gl, framebuffer, vertexArray, 0, 0, widthPx, heightPx);
       gl.disable(gl.POLYGON_OFFSET_FILL);
       gl.enable(gl.DEPTH_TEST);
@@ -115,30 +116,6 @@ export function isSameLens(a: ArrayLike<number>, b: ArrayLike<number>): boolean 
 
 /** Of a column-major projection: how x and y are scaled, and how far they are shifted. */
 const LENS: readonly number[] = [0, 5, 8, 9];
-
-function setProduct(out: Float32Array, a: Float32Array, b: Float32Array): void {
-  for (let column = 0; column < 16; column += 4) {
-    for (let row = 0; row < 4; row++) {
-      let sum = 0;
-      for (let i = 0; i < 4; i++) sum += (a[i * 4 + row] ?? 0) * (b[column + i] ?? 0);
-      out[column + row] = sum;
-    }
-  }
-}
-
-/** By the cross products of the columns; all zero where there is none. */
-function setInverse3(out: Float32Array, m: Float32Array): void {
-  const at = (i: number): number => m[i] ?? 0;
-  const cross = (a: number, b: number, i: number): number =>
-    at(a + ((i + 1) % 3)) * at(b + ((i + 2) % 3)) - at(a + ((i + 2) % 3)) * at(b + ((i + 1) % 3));
-  const determinant = at(0) * cross(3, 6, 0) + at(1) * cross(3, 6, 1) + at(2) * cross(3, 6, 2);
-  const scale = determinant === 0 ? 0 : 1 / determinant;
-  for (let i = 0; i < 3; i++) {
-    out[i * 3] = cross(3, 6, i) * scale;
-    out[i * 3 + 1] = cross(6, 0, i) * scale;
-    out[i * 3 + 2] = cross(0, 3, i) * scale;
-  }
-}
 
 const VERTEX = `#version 300 es
 precision highp float;

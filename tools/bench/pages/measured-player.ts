@@ -1,0 +1,47 @@
+import type { Program } from '../../../export/program/program.ts';
+import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
+import { createBrowserClock, createManualClock, type ManualClock } from '../../../export/runtime/clock.ts';
+import { createPlayer, type Player } from '../../../export/runtime/player.ts';
+import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
+import { RUNTIMES } from '../../../nodes/generated/runtimes.gen.ts';
+
+/** A player at a clock of its own, with every node type and no decoder. */
+export interface MeasuredPlayer {
+  readonly player: Player;
+  readonly clock: ManualClock;
+  /** What is missing in the picture, such as a model; null where it is whole: a part of a picture is no measure of all of it. */
+  readonly wrong: string | null;
+}
+
+/** Files are found below `assetsUrl`. */
+export async function openPlayer(
+  gl: WebGL2RenderingContext,
+  canvas: HTMLCanvasElement,
+  program: Program,
+  assetsUrl: string,
+): Promise<MeasuredPlayer> {
+  const clock = createManualClock();
+  const assets = createFetchAssetSource(assetsUrl, fetch.bind(globalThis));
+  let wrong: string | null = null;
+  const player = createPlayer({
+    gl,
+    canvas,
+    program,
+    modules: RUNTIMES,
+    createScenes: createScenesWith({ decoders: {}, files: assets.load }),
+    assets,
+    seed: 1,
+    clock: { ...clock, delay: createBrowserClock().delay },
+    onDiagnostics: (diagnostics) => {
+      wrong = diagnostics.find(({ severity }) => severity === 'error')?.message ?? null;
+    },
+  });
+  await player.ready;
+  return {
+    player,
+    clock,
+    get wrong() {
+      return wrong;
+    },
+  };
+}
