@@ -1,0 +1,102 @@
+import type { ChildProcess } from 'node:child_process';
+import { once } from 'node:events';
+import { cp, mkdtemp, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Browser, Frame, Page } from 'playwright-core';
+import type { ToolContext } from '../lib/tool.ts';
+import type { Bench } from './bench.ts';
+import { childrenCpuMs } from './cpu-time.ts';
+import { startBenchBrowser } from './open-page.ts';
+import { openServer } from './open-server.ts';
+
+const PROJECT = 'near-in-colour-far-in-ink';
+const FRAMES = 20;
+const SAMPLES = 7;
+
+/**
+ * What pictures on nodes cost while a recording plays: the layers that are looked at are drawn by passes of their own, and are read
+ * back one a turn. Computing time of editor and preview together, where the system tells it.
+ */
+export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
+  let opened: Promise<Opened> | undefined;
+  const open = () => {
+    opened ??= openEditor(root);
+    return opened;
+  };
+  return [
+    {
+      name: 'frame of the editor with pictures on its nodes, against none',
+      unit: 'ratio',
+      samples: SAMPLES,
+      sample: async () => {
+        const { page, preview } = await open();
+        const without = await frameMs(preview);
+        await showPictures(page, true);
+        const withPictures = await frameMs(preview);
+        await showPictures(page, false);
+        return withPictures / without;
+      },
+      dispose: async () => {
+        if (!opened) return;
+        const { browser, server, folder } = await opened;
+        await browser.close();
+        server.kill();
+        await once(server, 'exit');
+        await rm(folder, { recursive: true, force: true });
+      },
+    },
+  ];
+}
+
+interface Opened {
+  readonly server: ChildProcess;
+  readonly browser: Browser;
+  readonly page: Page;
+  readonly preview: Frame;
+  readonly folder: string;
+}
+
+async function openEditor(root: string): Promise<Opened> {
+  const folder = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
+  await cp(join(root, 'examples', PROJECT), folder, { recursive: true });
+  const { server, url } = await openServer(root, folder);
+  const browser = await startBenchBrowser();
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.goto(url);
+  await page.locator('.react-flow__node').first().waitFor();
+  await page.waitForFunction(() => /[1-9]/.test(document.querySelector('.transport-time span')?.textContent ?? ''));
+  const preview = page.frames().find((frame) => frame !== page.mainFrame());
+  if (!preview) throw new Error('There is no preview.');
+  return { server, browser, page, preview, folder };
+}
+
+/** On or off, and drawn so. */
+async function showPictures(page: Page, shown: boolean): Promise<void> {
+  await page.locator('.react-flow__pane').click({ position: { x: 4, y: 4 } });
+  await page.keyboard.press('t');
+  await page
+    .locator('.node-picture')
+    .first()
+    .waitFor({ state: shown ? 'visible' : 'detached' });
+}
+
+async function frameMs(preview: Frame): Promise<number> {
+  const wall = (frames: number) =>
+    preview.evaluate(
+      (wanted) =>
+        new Promise<number>((resolve) => {
+          let left = wanted;
+          const beganMs = performance.now();
+          const look = () => (--left < 0 ? resolve((performance.now() - beganMs) / wanted) : requestAnimationFrame(look));
+          requestAnimationFrame(look);
+        }),
+      frames,
+    );
+  // What comes of the change itself, such as programs that are compiled, is no frame's.
+  await wall(FRAMES / 4);
+  const before = childrenCpuMs();
+  const wallMs = await wall(FRAMES);
+  const after = childrenCpuMs();
+  return before === null || after === null ? wallMs : (after - before) / FRAMES;
+}
