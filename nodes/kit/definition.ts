@@ -152,7 +152,7 @@ export type Lowering =
       readonly kind: 'image';
       readonly shader: string;
       readonly access: Access;
-      /** The same result can be had by discarding fragments while a scene is drawn, when that scene feeds only this node. */
+      /** The same result can be had by discarding fragments while a scene is drawn, when what this node takes in is that scene. */
       readonly early?: 'occlusion';
     }
   /** Pixels of one layer, changed by the processor in a worker (`worker.ts` of the node): its layer is a frame late (ADR 21). */

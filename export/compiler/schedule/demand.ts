@@ -1,5 +1,5 @@
 import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
-import { drawBehind, layerInputs } from './layers.ts';
+import { drawBehind } from './layers.ts';
 
 /** What has to be there for some layers to be shown. */
 export interface Demand {
@@ -17,17 +17,8 @@ export interface DemandStart {
   readonly sunk: readonly { readonly occlusion: FlatNode; readonly draw: FlatNode }[];
 }
 
-/**
- * Walks from what is shown to where it comes from. `order` is topological; `canSink` says whether a draw may be drawn with its
- * occlusion alone; what is in `already` is not asked for again.
- */
-export function findDemand(
-  graph: FlatGraph,
-  order: readonly FlatNode[],
-  start: DemandStart,
-  canSink: (hidden: Source) => boolean,
-  already: Demand | null = null,
-): Demand {
+/** Walks from what is shown to where it comes from. `order` is topological; what is in `already` is not asked for again. */
+export function findDemand(graph: FlatGraph, order: readonly FlatNode[], start: DemandStart, already: Demand | null = null): Demand {
   const nodes = new Set(start.nodes);
   const images = new Set<string>();
   const sunk = new Map<string, FlatNode>();
@@ -44,9 +35,8 @@ export function findDemand(
   const walked = new Set<string>();
   const walk = (node: FlatNode) => {
     walked.add(node.id);
-    const [hidden] = layerInputs(node);
     const draw = drawBehind(graph, node);
-    if (draw && hidden && !sunk.has(node.id) && canSink(hidden)) {
+    if (draw && !sunk.has(node.id)) {
       sunk.set(node.id, draw);
       nodes.add(draw.id);
     }

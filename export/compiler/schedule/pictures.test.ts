@@ -28,12 +28,27 @@ describe('pictures', () => {
     );
   });
 
-  test('a draw with a second reader is not drawn with its occlusion', () => {
-    const made = program(
-      arScene().add('sepia-a', 'filter/sepia').wire('scene-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> over-a.top'),
+  test('a scene with a second reader is drawn twice: hidden onto the screen, and whole for the other', () => {
+    const twice = () => arScene().add('sepia-a', 'filter/sepia').wire('scene-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> over-a.top');
+    const made = program(twice());
+    const ofScene = draws(made).filter(({ node }) => node === 'scene-a');
+    expect(ofScene).toMatchObject([
+      { id: 'scene-a', target: 'scene-a.layer', occlusion: null },
+      { id: 'hide-a', target: 'screen', occlusion: { node: 'hide-a' } },
+    ]);
+    expect(passes(made).map(({ id }) => id)).toEqual(['sepia-a.pass0']);
+    const nearer = program(
+      twice()
+        .add('hide-b', 'layer/depth-occlusion')
+        .add('over-c', 'operator/over')
+        .wire('scene-a.layer -> hide-b.layer', 'room-a.depth -> hide-b.depth')
+        .wire('hide-b.layer -> over-c.top', 'over-b.layer -> over-c.bottom', 'over-c.layer -> screen-a.layer'),
     );
-    expect(draws(made).find(({ id }) => id === 'scene-a')).toMatchObject({ target: 'scene-a.layer', occlusion: null });
-    expect(passes(made).map(({ id }) => id)).toContain('hide-a.pass0');
+    expect(draws(nearer).map(({ id, target }) => [id, target])).toEqual([
+      ['scene-a', 'scene-a.layer'],
+      ['hide-a', 'screen'],
+      ['hide-b', 'screen'],
+    ]);
   });
 
   test('depth is merged only where somebody reads it', () => {

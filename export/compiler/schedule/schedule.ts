@@ -55,7 +55,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const { antialias, around } = readScreen(screen);
   const samples = antialias ? DRAW_SAMPLES : 1;
   const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
-  const demand = findDemand(graph, live, startOf(plan), (hidden) => uses.get(portKey(hidden)) === 1);
+  const demand = findDemand(graph, live, startOf(plan));
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   if (hasErrors(lowering.diagnostics)) return { output: null, diagnostics: lowering.diagnostics };
   const presentation: Presentation = { ...presentationOf(plan, lowering), ...(around && { around }) };
@@ -66,7 +66,7 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
     taps.map(({ source }) => source.node),
   );
   const besides = tapped.filter(({ id }) => behind.has(id));
-  const looked = findDemand(graph, besides, { nodes: [], images: taps.map(({ source }) => source), sunk: [] }, () => true, demand);
+  const looked = findDemand(graph, besides, { nodes: [], images: taps.map(({ source }) => source), sunk: [] }, demand);
   lowerTapped(lowering, besides, looked, shown);
   const isLive = new Set(live.map(({ id }) => id));
   const tappedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
@@ -92,7 +92,7 @@ function startOf({ leaves }: ScreenPlan): DemandStart {
   return {
     nodes: [...of('draw'), ...of('passes')].map(({ node }) => node.id),
     images: of('picture').map(({ source }) => source),
-    sunk: of('draw').flatMap(({ node: draw, occlusion }) => (occlusion ? [{ occlusion, draw }] : [])),
+    sunk: of('draw').flatMap(({ node, draw }) => (node === draw ? [] : [{ occlusion: node, draw }])),
   };
 }
 

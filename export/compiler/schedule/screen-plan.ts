@@ -7,8 +7,8 @@ import { movingBinding, startValue } from './slots.ts';
 
 /** One thing laid onto the screen, over those before it. */
 export type Leaf =
-  /** Drawn straight into the session's framebuffer. */
-  | { readonly kind: 'draw'; readonly node: FlatNode; readonly occlusion: FlatNode | null }
+  /** Drawn straight into the session's framebuffer: `draw` is the node itself, or what this occlusion hides a part of. */
+  | { readonly kind: 'draw'; readonly node: FlatNode; readonly draw: FlatNode }
   /** An image node whose last pass draws there. */
   | { readonly kind: 'passes'; readonly node: FlatNode }
   /** A picture that has to be there first, and is then copied. */
@@ -43,7 +43,7 @@ export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTabl
     if (node && over) {
       blended.add(node.id);
       open.push({ source: over.top, fit: fitOf(node) }, { source: over.bottom, fit: fitOf(node) });
-    } else leaves.push((node && once && directLeaf(graph, node, layers, uses)) || { kind: 'picture', ...next });
+    } else leaves.push((node && once && directLeaf(graph, node, layers)) || { kind: 'picture', ...next });
   }
   const [lowest] = leaves;
   const source = lowest?.kind === 'picture' ? graph.nodes.get(lowest.source.node) : undefined;
@@ -65,13 +65,12 @@ function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: 
 }
 
 /** What needs no picture on its way to the screen, if nobody else needs one of it. */
-function directLeaf(graph: FlatGraph, node: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): Leaf | null {
-  if (isDraw(node)) return { kind: 'draw', node, occlusion: null };
+function directLeaf(graph: FlatGraph, node: FlatNode, layers: LayerTable): Leaf | null {
+  if (isDraw(node)) return { kind: 'draw', node, draw: node };
   // A delayed picture has to be kept.
   if (node.definition.lowering.kind !== 'image' || node.definition.delay) return null;
   const draw = drawBehind(graph, node);
-  const [hidden] = layerInputs(node);
-  if (draw && hidden && uses.get(portKey(hidden)) === 1) return { kind: 'draw', node: draw, occlusion: node };
+  if (draw) return { kind: 'draw', node, draw };
   const output = layerOutput(node);
   // A picture of its own size is drawn once for all views.
   return output && layers.get(portKey(output))?.domain === 'view' ? { kind: 'passes', node } : null;

@@ -6,7 +6,7 @@ import { createSurroundings } from './environments/surroundings.ts';
 import type { LightLimits, TextureLimits } from './lights/light-limits.ts';
 import { createLightRig } from './lights/light-rig.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
-import { createDepthTwin } from './materials/depth-twin.ts';
+import { blendsWithoutDepth, createDepthTwin } from './materials/depth-twin.ts';
 import { isOpaque } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
@@ -31,9 +31,13 @@ export interface ShadedSceneOptions {
   readonly textureLimits: TextureLimits;
 }
 
-/** Phantoms before all, so that what they hide costs nothing; then the depth of surfaces that fade at a soft border. */
+/**
+ * Phantoms before all, so that what they hide costs nothing; then the depth of surfaces that fade at a soft border. After all the
+ * depth of what is blended, which those who read the layer's depth find there.
+ */
 const PHANTOMS_FIRST = -2e9;
 const DEPTH_FIRST = -1e9;
+const BLENDED_DEPTH_LAST = 1e9;
 
 type Side = LayerTwinOptions['side'];
 
@@ -71,10 +75,18 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
       twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, veils, onChange })),
     );
     if (byTechnique) return byTechnique;
-    if (isTwoPass(master.material)) return [draw(BackSide), draw(FrontSide)];
-    if (!occlusion || !materialsOf(master).every(isOpaque)) return [draw(null)];
+    const colours = isTwoPass(master.material) ? [draw(BackSide), draw(FrontSide)] : [draw(null)];
+    if (materialsOf(master).some(blendsWithoutDepth)) return [...colours, blendedDepth(master, features)];
+    if (!occlusion || !materialsOf(master).every(isOpaque)) return colours;
     // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
-    return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, draw(null)];
+    return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, ...colours];
+  }
+
+  function blendedDepth(master: Drawable, features: string): ProxyPlan {
+    const material = mapMaterials(master, (part) =>
+      twins.get(part, `${features}|blended depth`, () => createDepthTwin(part, 'blended', occlusion)),
+    );
+    return { material, renderOrder: BLENDED_DEPTH_LAST };
   }
 
   return {

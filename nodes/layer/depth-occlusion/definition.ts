@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'layer/depth-occlusion',
   version: 1,
   title: 'Depth occlusion',
-  doc: 'Hides what of a layer lies behind the real room. Where the depth of the layer or of the room is not known, nothing is hidden.',
+  doc: 'Hides what of a layer lies behind the real room. Where the depth of the layer or of the room is not known, nothing is hidden. Right after a Scene, see-through things and what is seen through them are hidden each by its own depth; after filters, by that of the nearest.',
   keywords: ['occlude', 'hide', 'behind', 'depth', 'mask', 'real'],
   inputs: {
     layer: { type: 'layer', label: 'Layer', doc: 'The layer to hide parts of, with depth.', required: true },

@@ -22,34 +22,54 @@ export function lowerShown(lowering: Lowering, order: readonly FlatNode[], leave
   const direct = new Set(leaves.flatMap((leaf) => (leaf.kind === 'picture' ? [] : [leaf.node.id])));
   const sinking = new Set([...demand.sunk.values()].map(({ id }) => id));
   const ends = new Map<string, LoweredPasses>();
+  const drawnBy = new Map<string, string>();
   for (const node of order) {
     if (!demand.nodes.has(node.id)) continue;
     const sunkInto = demand.sunk.get(node.id);
     // Where the occlusion stands, because the room's depth may come after what it hides.
-    const draw = sunkInto ?? (isDraw(node) && !sinking.has(node.id) ? node : null);
+    const draw = sunkInto ?? (isDraw(node) && (!sinking.has(node.id) || isWanted(node, demand)) ? node : null);
     if (isTechnique(node)) lowerTechnique(lowering, node);
     else if (isPlayed(node)) lowerNode(lowering, node);
     else if (isCpu(node)) lowerCpu(lowering, node);
     else if (isDelayed(node)) lowerDelayed(lowering, node);
     else if (draw) {
-      lowerDraw(lowering, {
+      const { id } = lowerDraw(lowering, {
         node: draw,
         occlusion: sunkInto ? node : null,
-        target: direct.has(draw.id) ? 'screen' : 'picture',
-        extra: false,
+        target: direct.has(node.id) ? 'screen' : 'picture',
+        id: sunkInto ? idOfHidden(node, sunkInto, demand) : node.id,
       });
+      drawnBy.set(node.id, id);
     } else if (node.definition.lowering.kind === 'image') {
       const lowered = lowerPasses(lowering, node, direct.has(node.id) ? 'screen' : 'picture');
       if (direct.has(node.id)) ends.set(node.id, lowered);
     }
   }
   lowerCaptures(lowering);
-  return { onScreen: leaves.map((leaf, index) => lowerLeaf(lowering, leaf, index, ends)), ends };
+  return { onScreen: leaves.map((leaf, index) => lowerLeaf(lowering, leaf, index, ends, drawnBy)), ends };
+}
+
+/** Whether the layer of a node has to be a picture as it is. */
+function isWanted(node: FlatNode, { images }: Demand): boolean {
+  const output = layerOutput(node);
+  return output !== null && images.has(portKey(output));
+}
+
+/** Of the operation that draws a node as its occlusion leaves it. It is the node's own, unless that is drawn in other ways too. */
+function idOfHidden(occlusion: FlatNode, draw: FlatNode, demand: Demand): string {
+  const isAlone = [...demand.sunk.values()].filter(({ id }) => id === draw.id).length === 1;
+  return isAlone && !isWanted(draw, demand) ? draw.id : occlusion.id;
+}
+
+/** Of a draw besides the one that the screen needs. */
+function tapId(node: FlatNode): string {
+  const output = layerOutput(node);
+  return `${output ? portKey(output) : node.id}.tap`;
 }
 
 /** The operation that draws the leaf. Its place among the leaves names a copy, because two may show the same picture. */
-function lowerLeaf(lowering: Lowering, leaf: Leaf, index: number, ends: Shown['ends']): string {
-  if (leaf.kind === 'draw') return leaf.node.id;
+function lowerLeaf(lowering: Lowering, leaf: Leaf, index: number, ends: Shown['ends'], drawnBy: ReadonlyMap<string, string>): string {
+  if (leaf.kind === 'draw') return drawnBy.get(leaf.node.id) ?? leaf.node.id;
   if (leaf.kind === 'passes') return `${leaf.node.id}.pass${(ends.get(leaf.node.id)?.passes.length ?? 1) - 1}`;
   const id = `${portKey(leaf.source)}.screen${index}`;
   lowerCopyToScreen(lowering, id, leaf.source, leaf.fit);
@@ -60,19 +80,17 @@ function lowerLeaf(lowering: Lowering, leaf: Leaf, index: number, ends: Shown['e
 export function lowerTapped(lowering: Lowering, order: readonly FlatNode[], demand: Demand, { ends }: Shown): void {
   for (const node of order) {
     if (!demand.nodes.has(node.id)) continue;
-    const output = layerOutput(node);
-    const isPicture = output !== null && demand.images.has(portKey(output));
     const sunkInto = demand.sunk.get(node.id);
     const ended = ends.get(node.id);
     if (isTechnique(node)) {
       lowerTechnique(lowering, node);
     } else if (isPlayed(node)) {
       if (!lowering.computedBy.has(node.id)) lowerNode(lowering, node);
-    } else if (sunkInto) lowerDraw(lowering, { node: sunkInto, occlusion: node, target: 'picture', extra: true });
-    else if (!isPicture) continue;
+    } else if (sunkInto) lowerDraw(lowering, { node: sunkInto, occlusion: node, target: 'picture', id: tapId(node) });
+    else if (!isWanted(node, demand)) continue;
     else if (isCpu(node)) lowerCpu(lowering, node);
     else if (isDelayed(node)) lowerDelayed(lowering, node);
-    else if (isDraw(node)) lowerDraw(lowering, { node, occlusion: null, target: 'picture', extra: true });
+    else if (isDraw(node)) lowerDraw(lowering, { node, occlusion: null, target: 'picture', id: tapId(node) });
     else if (ended) lowerLastPassAgain(lowering, node, ended);
     else lowerPasses(lowering, node, 'picture');
   }

@@ -42,16 +42,15 @@ export interface DrawRequest {
   /** Sinks into the draw. */
   readonly occlusion: FlatNode | null;
   readonly target: 'screen' | 'picture';
-  /** For a draw besides the one that the screen needs. */
-  readonly extra: boolean;
+  /** Of the operation. */
+  readonly id: string;
 }
 
 /** A node that draws objects: straight onto the screen, or into a picture that stands for its layer, or its occlusion's. */
-export function lowerDraw(lowering: Lowering, { node, occlusion, target, extra }: DrawRequest): DrawOperation {
+export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: DrawRequest): DrawOperation {
   const shown = layerOutput(occlusion ?? node);
   const drawn = layerOutput(node);
   if (!shown || !drawn) throw new Error(`${node.id} draws no layer.`);
-  const id = extra ? `${portKey(shown)}.tap` : node.id;
   const picture = target === 'picture' ? addPicture(lowering, shown, id) : null;
   const shadowMaps = shadowMapsOf(lowering, node);
   const base = nodeOperation(lowering, node, id, 'draw');

@@ -1,9 +1,22 @@
-import { BasicDepthPacking, DoubleSide, type Material, MeshDepthMaterial, type MeshStandardMaterial, type Texture } from 'three';
+import {
+  BasicDepthPacking,
+  DoubleSide,
+  type Material,
+  MeshDepthMaterial,
+  type MeshStandardMaterial,
+  NoBlending,
+  NormalBlending,
+  type Texture,
+} from 'three';
+import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import type { Twin } from './twins.ts';
 import { castsVeil } from './veil-twin.ts';
 
 /** Below this, a surface that is blended lets light through rather than stopping it. */
 const SOLID_ALPHA = 0.5;
+
+/** Below this, of what is blended nothing is to be seen. */
+const SEEN_ALPHA = 1 / 255;
 
 /**
  * Draws the master's shape into depth alone: holes cut by its alpha test, moved by its displacement map.
@@ -13,20 +26,28 @@ const SOLID_ALPHA = 0.5;
  * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is see-through dims the light instead
  *   (`veil-twin.ts`).
  * - `solid`: as `surface`, but what is blended is there where its alpha is above one half.
+ * - `blended`: what is blended and writes no depth with its colours, after all of these: so that its layer has it.
  */
-export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid'): Twin {
+export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid' | 'blended', clip: ShaderPatch | null = null): Twin {
   const material = new MeshDepthMaterial();
   // In a shadow map, some filters read what it writes: 1 less the depth.
   material.depthPacking = BasicDepthPacking;
   material.colorWrite = use === 'shadow';
-  material.polygonOffset = use !== 'shadow';
+  material.polygonOffset = use === 'surface' || use === 'solid';
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;
+  if (use === 'blended') {
+    // three draws whatever is transparent after all that is not.
+    material.transparent = true;
+    material.blending = NoBlending;
+  }
+  if (clip) patchMaterial(material, null, [clip]);
+  const leastAlpha = use === 'solid' ? SOLID_ALPHA : use === 'blended' ? SEEN_ALPHA : 0;
   function sync(): void {
     // Materials that lack one of these, such as lines, have no such holes.
     const from = master as Partial<MeshStandardMaterial> & Material;
-    const alphaTest = from.alphaTest > 0 ? from.alphaTest : use === 'solid' && from.transparent ? SOLID_ALPHA : 0;
-    material.visible = from.visible && !(use === 'shadow' && castsVeil(master));
+    const alphaTest = from.alphaTest > 0 ? from.alphaTest : from.transparent ? leastAlpha : 0;
+    material.visible = from.visible && !(use === 'shadow' && castsVeil(master)) && !(use === 'blended' && !blendsWithoutDepth(master));
     material.side = use === 'shadow' ? (from.shadowSide ?? DoubleSide) : from.side;
     material.wireframe = from.wireframe ?? false;
     material.opacity = from.opacity;
@@ -39,6 +60,11 @@ export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 's
   }
   sync();
   return { material, sync, dispose: () => material.dispose() };
+}
+
+/** Whether a material covers what is behind it and writes no depth. What only adds light covers nothing. */
+export function blendsWithoutDepth({ transparent, depthWrite, blending }: Material): boolean {
+  return transparent && !depthWrite && blending === NormalBlending;
 }
 
 function setMap(material: MeshDepthMaterial, name: 'map' | 'alphaMap' | 'displacementMap', texture: Texture | null | undefined): void {

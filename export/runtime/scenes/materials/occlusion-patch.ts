@@ -8,9 +8,9 @@ import { type ShaderPatch, wrapMain } from './shader-patch.ts';
  * Hides fragments behind the room while a scene is drawn: the early form of `layer/depth-occlusion`, with the formula of its
  * `occlusion.fs`.
  *
- * The two forms give the same picture, but for what the layer form cannot know: it hides a pixel by the depth of the nearest
- * surface that wrote any, and blended surfaces write none; here each fragment is hidden by its own depth. At a soft border the
- * layer form fades the finished pixel. So that a surface which fades here lets through nothing of those behind it, soft scenes
+ * The two forms give the same picture, but for what the layer form cannot know: it hides a pixel by the depth of its nearest
+ * surface, seen through or not; here each fragment is hidden by its own depth. So the compiler takes the layer form only where a
+ * layer is not as it was drawn (ADR 26). At a soft border the layer form fades the finished pixel. So that a surface which fades here lets through nothing of those behind it, soft scenes
  * draw the depth of opaque surfaces first (`shaded-scene.ts`).
  */
 export interface OcclusionPatch extends ShaderPatch {
