@@ -28,8 +28,11 @@ export type ToPreview =
   | { readonly kind: 'screenshot' }
   /** Record the picture as a video until told to stop; the answer comes then. */
   | { readonly kind: 'record'; readonly on: boolean }
-  /** What is under a point of the picture, parts of its size from the top left? `layer`: whose depth, where it is tapped. */
-  | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null }
+  /**
+   * What is under a point of the picture, parts of its size from the top left? `layer`: whose depth, where it is tapped. `aroundPx`:
+   * how many pixels on each side to tell of, too.
+   */
+  | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null; readonly aroundPx?: number }
   /** Whether to tell what operations cost. */
   | { readonly kind: 'cost'; readonly on: boolean }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
@@ -89,6 +92,8 @@ export interface PreviewProbe {
   readonly y: number;
   /** Display-referred sRGB with alpha, as shown, each in [0, 255]. */
   readonly color: readonly [number, number, number, number];
+  /** As `color`, of a square around it, row by row from the top left, where that was asked for; transparent beyond the picture. */
+  readonly around?: Uint8ClampedArray<ArrayBuffer>;
   /** Nearest of what has depth there; null where nothing has. */
   readonly depth: {
     readonly of: 'layer' | 'room';

@@ -15,6 +15,7 @@ import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
 import { Slider } from '../ui/slider.tsx';
 import { AssetPicker } from './asset-picker.tsx';
 import './inspector.css';
+import { Pipette } from './pipette.tsx';
 import { parseTyped } from './typed-number.ts';
 import { clampTo, formatNumber, rangeOf, shownUnit } from './units.ts';
 
@@ -127,7 +128,16 @@ function asList(text: string, parts: readonly number[], index: number): string {
 function ColorControl({ param, value, onEdit, onEnd }: ControlProps<ColorParam>) {
   const [r = 0, g = 0, b = 0, a = 1] = Array.isArray(value) ? (value as readonly number[]) : param.default;
   const color: Rgba = [r, g, b, a];
-  return <ColorField label={param.label} value={color} onEdit={onEdit} onEnd={onEnd} />;
+  const pipette = (
+    <Pipette
+      label={param.label}
+      onTake={([red, green, blue]) => {
+        onEdit([red, green, blue, a]);
+        onEnd();
+      }}
+    />
+  );
+  return <ColorField label={param.label} value={color} pipette={pipette} onEdit={onEdit} onEnd={onEnd} />;
 }
 
 function ToggleControl({ param, value, id, onEdit, onEnd }: ControlProps<ToggleParam>) {

@@ -6,6 +6,9 @@ import type { PosterPlace } from './posters.ts';
 
 type Question = Extract<ToPreview, { kind: 'probe' }>;
 
+/** What is known before the picture is shown. */
+type Found = Pick<PreviewProbe, 'x' | 'y' | 'depth'> & { readonly aroundPx: number };
+
 /** Says what is under the pointer: one answer a frame, to the last question. */
 export interface Probes {
   ask(question: Question): void;
@@ -17,9 +20,9 @@ export interface Probes {
 export function createProbes(send: (message: FromPreview) => void, wake: () => void): Probes {
   let question: Question | null = null;
   /** An emulated device shows its picture when the frame is over. */
-  let waiting: Omit<PreviewProbe, 'color'> | null = null;
-  const answer = (place: PosterPlace, { x, y, depth }: Omit<PreviewProbe, 'color'>) =>
-    send({ kind: 'probed', probe: { x, y, depth, color: colorAt(place.canvas, x, y) } });
+  let waiting: Found | null = null;
+  const answer = (place: PosterPlace, { x, y, depth, aroundPx }: Found) =>
+    send({ kind: 'probed', probe: { x, y, depth, ...colorsAt(place.canvas, x, y, aroundPx) } });
   return {
     ask: (asked) => {
       question = asked;
@@ -31,9 +34,9 @@ export function createProbes(send: (message: FromPreview) => void, wake: () => v
     },
     afterFrame: (player, frame, place) => {
       if (!question || !place) return;
-      const { x, y, layer } = question;
+      const { x, y, layer, aroundPx = 0 } = question;
       question = null;
-      const probe = { x, y, depth: depthAt(player, frame, layer, x, y) };
+      const probe = { x, y, depth: depthAt(player, frame, layer, x, y), aroundPx };
       if (place.shows === 'in the frame') answer(place, probe);
       else {
         waiting = probe;
@@ -57,15 +60,20 @@ function depthAt(player: Pick<Player, 'inspect'>, frame: SessionFrame, layer: st
   return null;
 }
 
-let point: OffscreenCanvasRenderingContext2D | null = null;
+let square: OffscreenCanvasRenderingContext2D | null = null;
 
-function colorAt(canvas: HTMLCanvasElement, x: number, y: number): PreviewProbe['color'] {
-  point ??= new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
-  if (!point) return [0, 0, 0, 0];
-  const left = Math.min(canvas.width - 1, Math.floor(x * canvas.width));
-  const top = Math.min(canvas.height - 1, Math.floor(y * canvas.height));
-  point.clearRect(0, 0, 1, 1);
-  point.drawImage(canvas, left, top, 1, 1, 0, 0, 1, 1);
-  const [r = 0, g = 0, b = 0, a = 0] = point.getImageData(0, 0, 1, 1).data;
-  return [r, g, b, a];
+function colorsAt(canvas: HTMLCanvasElement, x: number, y: number, aroundPx: number): Pick<PreviewProbe, 'color' | 'around'> {
+  square ??= new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
+  if (!square) return { color: [0, 0, 0, 0] };
+  const sidePx = 2 * aroundPx + 1;
+  // Given a size, also the one that it has, it is transparent again.
+  square.canvas.width = sidePx;
+  square.canvas.height = sidePx;
+  const left = Math.min(canvas.width - 1, Math.floor(x * canvas.width)) - aroundPx;
+  const top = Math.min(canvas.height - 1, Math.floor(y * canvas.height)) - aroundPx;
+  square.drawImage(canvas, -left, -top);
+  const { data } = square.getImageData(0, 0, sidePx, sidePx);
+  const middle = 4 * (aroundPx * sidePx + aroundPx);
+  const [r = 0, g = 0, b = 0, a = 0] = data.subarray(middle, middle + 4);
+  return { color: [r, g, b, a], ...(aroundPx > 0 ? { around: data } : {}) };
 }

@@ -4,6 +4,7 @@ import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
 import { layerTitle, lookAtNothing, probedLayer } from '../state/looks.ts';
 import { IconButton } from '../ui/button.tsx';
+import { Eyedropper } from './eyedropper.tsx';
 import './look-layer.css';
 import { probeWords } from './probe-words.ts';
 
@@ -14,12 +15,14 @@ export function LookLayer() {
   const { look } = useEditor();
   const pinned = useStore(look, (state) => state.left !== null);
   const wiping = useStore(look, (state) => state.split !== null);
-  const probing = useStore(look, (state) => state.probing);
+  const picking = useStore(look, (state) => state.picking);
+  const probing = useStore(look, (state) => state.probing && state.picking === null);
   return (
     <>
       {probing && <Probe />}
       {pinned && wiping && <Wipe />}
       {pinned && <Pinned />}
+      {picking && <Eyedropper key={picking.label} wish={picking} />}
     </>
   );
 }

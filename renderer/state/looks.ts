@@ -20,18 +20,31 @@ export interface LookState {
   /** The pointer over the preview asks what is under it. */
   readonly probing: boolean;
   readonly probed: PreviewProbe | null;
+  /** Somebody waits for a colour of the picture. */
+  readonly picking: ColorWish | null;
+}
+
+/** The eyedropper is over the preview for it. */
+export interface ColorWish {
+  /** What the colour is for. */
+  readonly label: string;
+  /** Display-referred sRGB, each in [0, 1]. */
+  readonly take: (color: readonly [number, number, number]) => void;
+  /** It has ended by itself, with a colour or without. */
+  readonly onEnd: () => void;
 }
 
 export type LookStore = StoreApi<LookState>;
 
-const NOTHING: LookState = { thumbnails: false, left: null, right: null, split: null, probing: false, probed: null };
+const NOTHING: LookState = { thumbnails: false, left: null, right: null, split: null, probing: false, probed: null, picking: null };
 
 export function createLookState(): LookStore {
   return createStore<LookState>(() => NOTHING);
 }
 
 export function lookAtNothing(store: LookStore): void {
-  store.setState({ ...NOTHING, thumbnails: store.getState().thumbnails });
+  const { thumbnails, picking } = store.getState();
+  store.setState({ ...NOTHING, thumbnails, picking });
 }
 
 /** Who wants small pictures of which layers. They come here and not through a store: nothing else of the page is drawn for them. */

@@ -1,4 +1,4 @@
-import { useState } from 'react';
+import { type ReactNode, useState } from 'react';
 import './fields.css';
 import { colorFromHex, hexFromColor, type Rgba } from './color-text.ts';
 import type { EditHandlers } from './number-field.tsx';
@@ -7,10 +7,12 @@ import { Slider } from './slider.tsx';
 interface ColorFieldProps extends EditHandlers<Rgba> {
   readonly value: Rgba;
   readonly label: string;
+  /** A button that takes the colour from elsewhere. */
+  readonly pipette?: ReactNode;
 }
 
-/** Swatch with the browser's own picker (eyedropper included), hexadecimal text, and a slider for the alpha. */
-export function ColorField({ value, label, onEdit, onEnd }: ColorFieldProps) {
+/** Swatch with the browser's own picker, hexadecimal text, and a slider for the alpha. */
+export function ColorField({ value, label, pipette, onEdit, onEnd }: ColorFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const [r, g, b, a] = value;
   const hex = hexFromColor(value);
@@ -21,7 +23,7 @@ export function ColorField({ value, label, onEdit, onEnd }: ColorFieldProps) {
     onEnd();
   };
   return (
-    <div className="color-field">
+    <div className="color-field" data-pipette={pipette !== undefined}>
       <span className="swatch" style={{ ['--swatch' as string]: `rgb(${r * 255} ${g * 255} ${b * 255} / ${a})` }}>
         <input
           type="color"
@@ -45,6 +47,7 @@ export function ColorField({ value, label, onEdit, onEnd }: ColorFieldProps) {
           if (event.key === 'Enter') finish();
         }}
       />
+      {pipette}
       <Slider
         label={`${label}, opacity`}
         min={0}

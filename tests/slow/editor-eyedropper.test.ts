@@ -1,0 +1,123 @@
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { useBrowser } from '../support/browser.ts';
+import { FLAG_PX } from '../support/editor-driver.ts';
+import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import type { Picture } from '../support/picture.ts';
+
+/** What the camera sees, with a tint of a colour that is half see-through. */
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'color-aaaa': { type: 'value/color', params: { value: [1, 0, 0, 0.5] } },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'color-aaaa': [0, 200], 'screen-aaaa': [300, 0] },
+};
+
+const browser = useBrowser();
+let open: OpenEditor;
+let picture: Picture;
+beforeAll(async () => {
+  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+  await open.editor.settled();
+  picture = await open.editor.rewind();
+  await open.editor.node('color').locator('.node-title').click();
+});
+afterAll(async () => {
+  expect(open.errors).toEqual([]);
+  await open.close();
+});
+
+const pipette = () => open.editor.inspector.getByRole('button', { name: /take it from the preview/ });
+const eyedropper = () => open.page.getByRole('application', { name: /take a colour from the preview/ });
+const shown = () => open.page.getByRole('status', { name: 'Colour that a click takes' });
+
+/** Of the preview's picture, in points from its top left. */
+function colorAt(x: number, y: number): readonly number[] {
+  const index = ((y - FLAG_PX) * picture.width + x) * 4;
+  return [...picture.data.slice(index, index + 3)];
+}
+
+/** In points from the preview's top left, where the picture changes most from one pixel to the next. */
+async function edgePoint(): Promise<{ readonly x: number; readonly y: number }> {
+  let best = { x: 0, y: 0, change: -1 };
+  for (let y = FLAG_PX + 60; y < picture.height - 20; y += 7) {
+    for (let x = 140; x < picture.width - 140; x += 3) {
+      const [here, there] = [colorAt(x, y), colorAt(x + 1, y)];
+      const change = here.reduce((sum, part, i) => sum + Math.abs(part - (there[i] ?? 0)), 0);
+      if (change > best.change) best = { x, y, change };
+    }
+  }
+  return best;
+}
+
+async function savedColor(): Promise<unknown> {
+  const graphs = await saveGraphs(open);
+  return graphs.main?.nodes['color-aaaa']?.params?.value;
+}
+
+test('a click takes the colour of the pixel that is shown large, as one step, and the preview does not see it', async () => {
+  const { page, editor } = open;
+  const frame = await page.locator('iframe[title="Preview"]').boundingBox();
+  if (!frame) throw new Error('There is no preview.');
+  const { x, y } = await edgePoint();
+  const [r = 0, g = 0, b = 0] = colorAt(x, y);
+  await pipette().click();
+  await page.mouse.move(frame.x + x + 0.5, frame.y + y + 0.5);
+  await shown().getByText(`${r} ${g} ${b}`, { exact: true }).waitFor();
+  // The pixel beside it is another one, and stands beside it in the magnifier.
+  const middle = await page.locator('.loupe canvas').evaluate((canvas) => {
+    const pixels = (canvas as HTMLCanvasElement).getContext('2d')?.getImageData(5, 5, 2, 1).data ?? [];
+    return [...pixels];
+  });
+  expect(middle).toEqual([r, g, b, 255, ...colorAt(x + 1, y), 255]);
+  await page.mouse.down();
+  await page.mouse.up();
+  await eyedropper().waitFor({ state: 'detached' });
+  expect(await pipette().evaluate((button) => button === document.activeElement)).toBe(true);
+  // The opacity is the param's own.
+  expect(await savedColor()).toEqual([r / 255, g / 255, b / 255, 0.5]);
+  await editor.node('color').locator('.node-title').click();
+  await page.keyboard.press('Control+z');
+  expect(await savedColor()).toEqual([1, 0, 0, 0.5]);
+});
+
+test('by keys: arrows go from pixel to pixel, Enter takes, and Escape leaves all as it was', async () => {
+  const { page } = open;
+  await pipette().focus();
+  await page.keyboard.press('Enter');
+  await eyedropper().waitFor();
+  const middle = [Math.floor(picture.width / 2), Math.floor((picture.height + FLAG_PX) / 2)] as const;
+  const expectShown = async (dx: number, dy: number) =>
+    shown()
+      .getByText(colorAt(middle[0] + dx, middle[1] + dy).join(' '), { exact: true })
+      .waitFor();
+  await expectShown(0, 0);
+  for (const key of ['Shift+ArrowRight', 'Shift+ArrowRight', 'ArrowLeft', 'Shift+ArrowUp', 'ArrowDown']) await page.keyboard.press(key);
+  await expectShown(19, -9);
+  await page.keyboard.press('Escape');
+  await eyedropper().waitFor({ state: 'detached' });
+  expect(await savedColor()).toEqual([1, 0, 0, 0.5]);
+
+  await pipette().focus();
+  await page.keyboard.press('Enter');
+  await expectShown(0, 0);
+  await page.keyboard.press('Shift+ArrowDown');
+  await expectShown(0, 10);
+  await page.keyboard.press('Enter');
+  await eyedropper().waitFor({ state: 'detached' });
+  expect(await savedColor()).toEqual([...colorAt(middle[0], middle[1] + 10).map((part) => part / 255), 0.5]);
+});
+
+test('pressed again it ends, and so it does when another node is selected', async () => {
+  const { editor } = open;
+  await pipette().click();
+  await eyedropper().waitFor();
+  await pipette().click();
+  await eyedropper().waitFor({ state: 'detached' });
+  await pipette().click();
+  await eyedropper().waitFor();
+  await editor.node('video').locator('.node-title').click();
+  await eyedropper().waitFor({ state: 'detached' });
+});
