@@ -11,6 +11,9 @@ import type { LinkedShader } from './program.ts';
  * pixels of an RG8 texture at `PROBE_ATTACHMENT`, before the picture is drawn: what is endless anywhere but in a few pixels is
  * endless there.
  *
+ * Where the text itself says that all loops end within `COUNTED_BUDGET` rounds, nothing is cut short and no gate is there: the
+ * probe only tells of those beyond `LOOP_BUDGET`. Within that, nothing of all this is printed.
+ *
  * Its vertex shader can look at the probe's texture and draw nothing where the budget was exceeded: so the picture waits for
  * no answer, and not one frame of an endless loop is drawn in full.
  */
@@ -20,6 +23,12 @@ import type { LinkedShader } from './program.ts';
  * so four times that is room enough; in a probe it is milliseconds even on a CPU.
  */
 export const LOOP_BUDGET = 16_384;
+
+/**
+ * Loops whose text says how often they go round are not bounded up to this, the taps of a blur over 512 × 512 pixels: they end, and
+ * one who counts that far means it. Beyond, a picture takes so long that no matter how surely it ends, the GPU would be given up.
+ */
+export const COUNTED_BUDGET = 262_144;
 
 /** `int`: another budget; 0, what a GL program starts with, stands for `LOOP_BUDGET`. Bounded shaders alone have it. */
 export const LOOP_BUDGET_UNIFORM = 'scrim_loopBudget';
@@ -53,10 +62,10 @@ export function readProbe(bytes: Uint8Array): number | null {
   return null;
 }
 
-/** A diagnostic of the kit's, which this folder does not know. */
+/** A diagnostic of the kit's, which this folder does not know. A warning where the loops are counted, and so the picture is drawn. */
 export interface TooManyRounds {
   readonly code: 'SCR044';
-  readonly severity: 'error';
+  readonly severity: 'error' | 'warning';
   readonly message: string;
   readonly fix: string;
   readonly file?: string;
@@ -68,11 +77,17 @@ export interface TooManyRounds {
 export function tooManyRounds(shader: LinkedShader | undefined, line: number): TooManyRounds {
   const entry = shader?.sourceMap?.lines.find((mapped) => mapped?.[1] === line);
   const file = entry ? shader?.sourceMap?.sources[entry[0]] : undefined;
+  const isCounted = shader?.loops === 'counted';
+  const often = `one pixel went round more than ${LOOP_BUDGET} times`;
   return {
     code: 'SCR044',
-    severity: 'error',
-    message: `The loops do not end in time: one pixel went round more than ${LOOP_BUDGET} times, the last time here.`,
-    fix: 'See that the loop ends, or let it go round less often. The preview leaves the node out until then.',
+    severity: isCounted ? 'warning' : 'error',
+    message: isCounted
+      ? `The loops take long: ${often}, and passed that here.`
+      : `The loops do not end in time: ${often}, the last time here.`,
+    fix: isCounted
+      ? 'It is drawn all the same, but slow devices may show few pictures a second, or none. Let it go round less often, or draw it into a smaller pass.'
+      : 'See that the loop ends, or let it go round less often. The preview leaves the node out until then.',
     ...(file === undefined ? {} : { file }),
     line,
     ...(entry ? { column: entry[2] } : {}),

@@ -312,6 +312,8 @@ export interface LinkedShader {
    * pixels out: clear what it draws into first.
    */
   readonly geometry?: 'quad' | 'moved-quad';
+  /** Its loops are looked at, but never cut short (`loop-budget.ts`). */
+  readonly loops?: 'counted';
   /** As `sourceMap`, for the lines of the vertex shader, where that is an author's. */
   readonly vertexMap?: SourceMap;
   /** Printed line (from 0) → where the author wrote it. Left out of an export. */

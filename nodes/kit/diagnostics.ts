@@ -55,7 +55,7 @@ export const DIAGNOSTICS = {
   SCR041: 'The shader has a syntax error',
   SCR042: 'The shader does not compile',
   SCR043: 'The shader uses something that Scrim cannot give it',
-  SCR044: 'The loops of the shader do not end in time',
+  SCR044: 'The loops of the shader take too long, or never end',
   SCR045: 'The Shadertoy source cannot be converted as it is',
   SCR046: 'The licence of a work forbids commercial use',
   SCR047: 'An effect that the processor works out has failed',

@@ -62,6 +62,12 @@ void main() {
   gl_FragColor = IMG_THIS_PIXEL(inputImage) * f(TIME);
 }`;
 
+/** Its text says how often it goes round. */
+const COUNTED = COUNTING.replace('i < n; i++) rounds += 1;', 'i < 150; i++) for (int j = 0; j < 200; j++) rounds += 1;').replace(
+  'rounds >= 0',
+  'rounds == 30000',
+);
+
 /** The GPU answers within a few frames where it is not starved. */
 const PATIENCE_FRAMES = 2500;
 
@@ -112,6 +118,22 @@ export async function tooLong() {
   const again = pixel(gl, 3, 3);
   player.dispose();
   return { heavy, atOnce, again, error: gl.getError() };
+}
+
+/** Loops that are long, but counted: drawn at once and on, and told of. */
+export async function counted() {
+  const { gl, player, diagnostics } = await stand(behind(COUNTED, 1));
+  player.draw(frame(0));
+  const first = pixel(gl, 3, 3);
+  const next = await drawUntil(player, 1, () => diagnostics().length > 0);
+  const told = diagnostics();
+  player.draw(frame(next));
+  const on = pixel(gl, 3, 3);
+  await player.replaceProgram(behind(COUNTING, 10));
+  player.draw(frame(next + 1));
+  const taken = diagnostics();
+  player.dispose();
+  return { first, on, told, taken, error: gl.getError() };
 }
 
 /** Nothing of it is left with the player, though an answer was on its way. */

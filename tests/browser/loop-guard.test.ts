@@ -26,6 +26,16 @@ test('a heavy loop is drawn; one that a param makes too long is left out until t
   expect(await page.call('tooLong')).toEqual({ heavy: HALF_GREEN, atOnce: HALF_BLUE, again: HALF_GREEN, error: 0 });
 });
 
+test('long loops that the text counts are drawn all the same, with a warning', async () => {
+  expect(await page.call('counted')).toEqual({
+    first: HALF_GREEN,
+    on: HALF_GREEN,
+    told: [expect.objectContaining({ code: 'SCR044', severity: 'warning', nodeId: 'looped', file: 'shaders/looped.fs', line: 4 })],
+    taken: [],
+    error: 0,
+  });
+});
+
 test('nothing stays behind on the GPU, and programs without loops pay nothing', async () => {
   expect(await page.call('leavesNothing')).toEqual([]);
   expect(await page.call('withoutLoops')).toEqual({ framebuffers: 0, programs: 2 });

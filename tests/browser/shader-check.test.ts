@@ -97,6 +97,7 @@ beforeAll(async () => {
     'deep/er/plain.fs': `${FILTER}\nvoid main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`,
   });
   await writeProject(join(folder, 'empty'), { 'read.me': '' });
+  await writeProject(join(folder, 'alone'), { 'x.vs': 'void main() { isf_vertShaderInit(); }' });
   await writeProject(join(folder, 'beside'), {
     'a.fs': `${FILTER}\nvarying vec2 left;\nvoid main() { gl_FragColor = IMG_NORM_PIXEL(inputImage, left); }`,
     'a.vs': 'varying vec2 left;\nvoid main() {\n  isf_vertShaderInit();\n  left = isf_FragNormCoord - nowhere;\n}',
@@ -133,6 +134,20 @@ describe('scrim shader check', () => {
     ]);
     const place = { file: join(folder, 'beside', 'a.vs'), line: 4, column: 30 };
     expect(files[0]?.diagnostics).toMatchObject([{ code: 'SCR042', severity: 'error', ...place }]);
+  });
+
+  test('checks a vertex shader with the file that it belongs to, once, and says which file is missing', async () => {
+    const vertex = join(folder, 'beside', 'a.vs');
+    const { status, out } = await check(vertex, join(folder, 'beside', 'a.fs'), '--json');
+    const { files } = JSON.parse(out) as Report;
+    expect([status, files.map(({ path }) => path)]).toEqual([1, [join(folder, 'beside', 'a.fs')]]);
+    expect(files[0]?.diagnostics).toMatchObject([{ file: vertex, line: 4, column: 30 }]);
+
+    const alone = await check(join(folder, 'alone', 'x.vs'));
+    expect([alone.status, alone.err]).toEqual([
+      2,
+      expect.stringContaining('x.vs is the vertex shader of an ISF file x.fs, which is not beside'),
+    ]);
   });
 
   test('takes the chunks beside a technique before the library’s, and tells of mistakes in them', async () => {
@@ -219,6 +234,8 @@ describe('a project with shaders of its own', () => {
     const plain = `${FILTER}\nvoid main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`;
     await writeProject(join(folder, 'refused'), projectWith({ 'shaders/glow.fs': refused }, 'filter/glow'));
     await writeProject(join(folder, 'endless'), projectWith({ 'shaders/round.fs': endless }, 'filter/round'));
+    const counted = `${FILTER}\nvoid main() {\n  float s = 0.0;\n  for (int i = 0; i < 20000; i++) s += 1e-5;\n  gl_FragColor = IMG_THIS_PIXEL(inputImage) * s;\n}`;
+    await writeProject(join(folder, 'counted'), projectWith({ 'shaders/long.fs': counted }, 'filter/long'));
     await writeProject(join(folder, 'taken'), projectWith({ 'shaders/plain.fs': plain }, 'filter/plain'));
   });
 
@@ -229,6 +246,11 @@ describe('a project with shaders of its own', () => {
     const endless = await scrim('check', join(folder, 'endless'));
     expect(endless.status).toBe(1);
     expect(endless.out).toMatch(/^shaders\/round\.fs:3:3: error SCR044: /m);
+    const counted = await scrim('check', join(folder, 'counted'));
+    expect([counted.status, counted.out]).toEqual([
+      0,
+      expect.stringMatching(/^shaders\/long\.fs:4:3: warning SCR044: The loops take long/m),
+    ]);
     const taken = await scrim('check', join(folder, 'taken'), '--json');
     expect([taken.status, JSON.parse(taken.out)]).toEqual([0, { ok: true, driver: 'yes', diagnostics: [] }]);
   });

@@ -42,7 +42,7 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR042: 'Mend the line that the message names: the graphics driver refused it; until then the last version that worked goes on running.',
   SCR043: 'Take the input out of the shader’s header, or live without it: Scrim has nothing to feed it with yet.',
   SCR044:
-    'Look at the loop that the message names: its condition may never fail, or a param may make it go round too often. Previews and checks allow 16,384 rounds a pixel; exported pages have no limit.',
+    'Look at the loop that the message names: its condition may never fail, or a param may make it go round too often. Previews and checks allow 16,384 rounds a pixel; exported pages have no limit. Loops whose text says how often they go round, such as `for (int i = 0; i < 20000; i++)`, are drawn up to 262,144 rounds a pixel, with a warning.',
   SCR045:
     'Paste every tab whole, with a line such as `// Buffer A` before each and `// iChannel0: Buffer A` below it. Sound, cube maps and the keyboard have no counterpart: mend the converted file by hand.',
   SCR046:

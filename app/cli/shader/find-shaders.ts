@@ -1,15 +1,19 @@
 import { readdir, stat } from 'node:fs/promises';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { UsageError } from '../command.ts';
 
 /** As ISF files and techniques are called; a file that is named itself may be called anything. */
 const SHADER = /\.(fs|isf|glsl)$/i;
 
+/** Vertex shaders of ISF files, and how the files may be called that they belong to. */
+const VERTEX = /\.vs$/i;
+const FRAGMENTS = ['.fs', '.FS', '.isf', '.frag'];
+
 /** Pieces of techniques, which are no shaders by themselves; and what others have installed. */
 const PASSED_BY = ['chunks', 'node_modules'];
 
 /**
- * The files that a command line means, once each and in order: files as they are, folders with all shaders below them but what
+ * The files that a command line means, once each and in order: files as they are, for a vertex shader the file it belongs to, folders with all shaders below them but what
  * is hidden or installed. Throws `UsageError` where there are none.
  */
 export async function findShaders(operands: readonly string[]): Promise<readonly string[]> {
@@ -18,7 +22,7 @@ export async function findShaders(operands: readonly string[]): Promise<readonly
     const found = await stat(operand).catch(() => null);
     if (!found) throw new UsageError(`There is no ${operand}.`);
     if (!found.isDirectory()) {
-      files.push(operand);
+      files.push(VERTEX.test(operand) ? await fragmentOf(operand) : operand);
       continue;
     }
     const inside = await shadersIn(operand);
@@ -26,6 +30,16 @@ export async function findShaders(operands: readonly string[]): Promise<readonly
     files.push(...inside);
   }
   return [...new Set(files)];
+}
+
+/** A vertex shader says nothing by itself: it is checked with the file that it stands beside. */
+async function fragmentOf(vertex: string): Promise<string> {
+  for (const ending of FRAGMENTS) {
+    const file = vertex.replace(VERTEX, ending);
+    if (await stat(file).catch(() => null)) return file;
+  }
+  const wanted = basename(vertex).replace(VERTEX, '.fs');
+  throw new UsageError(`${vertex} is the vertex shader of an ISF file ${wanted}, which is not beside it: put it there, and check that.`);
 }
 
 async function shadersIn(folder: string): Promise<string[]> {

@@ -1,16 +1,12 @@
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
-import { countRounds } from '../../../export/glsl/check/count-rounds.ts';
-import { checkIsf } from '../../../export/glsl/isf/checked-isf.ts';
 import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
 import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../../export/glsl/link/linked-pass.ts';
 import { readImageShader } from '../../../export/glsl/read-definition.ts';
-import { GlslError } from '../../../export/glsl/syntax/token.ts';
 import { linkTechnique } from '../../../export/glsl/technique/link-technique.ts';
 import { readTechnique } from '../../../export/glsl/technique/read-technique.ts';
 import { isTechnique } from '../../../export/glsl/technique/technique-shader.ts';
-import { LOOP_BUDGET } from '../../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../../export/program/program.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { LIBRARY } from '../../services/compile-project.ts';
@@ -37,25 +33,13 @@ function linkImageShader(source: string, file: string, vertex: string | null): L
   const read = readImageShader(source, file, vertex);
   if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics };
   const shader = read.output;
-  const linked = linkIsf(shader, { node: '', loopBudget: !endsInTime(shader) });
+  const linked = linkIsf(shader, { node: '', loopBudget: true });
   return {
     file,
     source,
     passes: (linked.output ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
     diagnostics: [...read.diagnostics, ...linked.diagnostics],
   };
-}
-
-/** Running a shader costs more than all else: those whose loops can be counted are only compiled. */
-function endsInTime(shader: IsfShader): boolean {
-  try {
-    const { checked, vertex } = checkIsf(shader);
-    return countRounds(checked) <= LOOP_BUDGET && (vertex === null || countRounds(vertex.checked) <= LOOP_BUDGET);
-  } catch (fault) {
-    if (!(fault instanceof GlslError)) throw fault;
-    // The link says what it is.
-    return true;
-  }
 }
 
 function linkTechniqueFile(source: string, file: string): LinkedFile {

@@ -96,6 +96,8 @@ function checkConditional(expression: Extract<Expression, { kind: 'conditional' 
   checkExpression(expression.then, context);
   checkExpression(expression.otherwise, context);
   unifyOperands(expression.then, expression.otherwise);
+  const struct = context.structs.get(expression.then.type);
+  if (struct !== undefined) struct.chosen = true;
   return printedType(expression.then) || printedType(expression.otherwise);
 }
 
@@ -172,6 +174,7 @@ function baseType(specifier: TypeSpecifier, context: CheckContext): GlslType {
       type: `${name}#${context.structs.size}`,
       members,
       global: context.scope.parent?.parent === null,
+      chosen: false,
     };
     context.structs.set(symbol.type, symbol);
     if (name !== '') context.scope.structs.set(name, symbol);

@@ -24,7 +24,13 @@ export function isConstant(expression: Expression): boolean {
         isConstant(expression.right)
       );
     case 'conditional':
-      return isConstant(expression.condition) && isConstant(expression.then) && isConstant(expression.otherwise);
+      // Of structs, it is printed as a call.
+      return (
+        !expression.type.includes('#') &&
+        isConstant(expression.condition) &&
+        isConstant(expression.then) &&
+        isConstant(expression.otherwise)
+      );
     case 'member':
     case 'length':
       return isConstant(expression.object);

@@ -63,17 +63,23 @@ function readInput(header: Header, node: Node): IsfInput | null {
     return null;
   }
   const typeNode = property(node, 'TYPE');
-  const type = textOf(typeNode)?.trim() ?? '';
-  if (!isInputType(type)) {
+  const written = textOf(typeNode)?.trim() ?? '';
+  const type = typeMeant(written);
+  if (type === null) {
     header.error(
       typeNode ?? node,
-      `The input "${name}" has the TYPE "${type}", which does not exist.`,
+      `The input "${name}" has the TYPE "${written}", which does not exist.`,
       `Use one of ${Object.keys(SIZES)
         .filter((known) => !NOT_IN_HEADERS.has(known))
         .join(', ')}.`,
     );
     return null;
   }
+  if (type !== written && typeNode)
+    header.warn(
+      typeNode,
+      `The TYPE "${written}" is written "${type}": Scrim reads it all the same; other programs may leave the input out.`,
+    );
   const { line, column } = header.place(nameNode.offset);
   const choices = type === 'long' ? readChoices(header, node, name) : [];
   const min = readValue(header, node, 'MIN', type, name);
@@ -197,6 +203,8 @@ function readSampleCount(node: Node, type: IsfInputType): number | null {
   return count >= 1 ? count : null;
 }
 
-function isInputType(type: string): type is IsfInputType {
-  return Object.hasOwn(SIZES, type) && !NOT_IN_HEADERS.has(type);
+/** However it is capitalised. */
+function typeMeant(written: string): IsfInputType | null {
+  const types = Object.keys(SIZES) as IsfInputType[];
+  return types.find((type) => type.toLowerCase() === written.toLowerCase() && !NOT_IN_HEADERS.has(type)) ?? null;
 }

@@ -86,6 +86,29 @@ void a_main() {
   });
 });
 
+describe('loops, for a preview', () => {
+  const linked = (body: string) => {
+    const shader = made(readIsf(`/*{}*/ void main() { float s = 0.0; ${body} gl_FragColor = vec4(s); }`, 'test.fs'));
+    const [pass] = made(linkIsf(shader, { node: 'n', loopBudget: true }));
+    return { loops: pass?.shader.loops, text: pass?.shader.fragment ?? '', vertex: pass?.shader.vertex ?? '' };
+  };
+
+  test('that end soon are left alone, long ones are looked at, and those that may never end are stopped', () => {
+    const soon = linked('for (int i = 0; i < 100; i++) s += 0.1;');
+    expect([soon.loops, soon.text.includes('scrim_spend'), soon.vertex.includes('scrim_isShut')]).toEqual([undefined, false, false]);
+    const long = linked('for (int i = 0; i < 20000; i++) s += 0.1;');
+    expect([long.loops, long.text.includes('return false;'), long.vertex.includes('scrim_isShut')]).toEqual(['counted', false, false]);
+    for (const body of ['for (int i = 0; i < 300000; i++) s += 0.1;', 'while (s < 1.0) s += 0.1;']) {
+      const stopped = linked(body);
+      expect([stopped.loops, stopped.text.includes('return false;'), stopped.vertex.includes('scrim_isShut')]).toEqual([
+        undefined,
+        true,
+        true,
+      ]);
+    }
+  });
+});
+
 describe('source maps', () => {
   const library = ['filters/gaussian-blur.fs', 'filters/sobel-edges.fs', 'filters/color-temperature.fs', 'operators/mask.fs'];
 

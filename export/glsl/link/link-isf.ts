@@ -5,7 +5,7 @@ import { companionOf } from '../isf/read-isf.ts';
 import type { GlslSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
 import { linkPass, reachOfPass } from './link-pass.ts';
-import { type LinkUnit, usable } from './link-unit.ts';
+import { type LinkUnit, loopsOf, usable } from './link-unit.ts';
 import { varyingsOf } from './link-vertex.ts';
 import type { LinkedPass, LinkOptions } from './linked-pass.ts';
 import { type PlannedPass, planPasses } from './plan-passes.ts';
@@ -16,7 +16,8 @@ import { type PlannedPass, planPasses } from './plan-passes.ts';
  */
 export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonly LinkedPass[]> {
   try {
-    const unit = { shader, options, ...checkIsf(shader) };
+    const checked = checkIsf(shader);
+    const unit = { shader, options, ...checked, loops: loopsOf(checked, options) };
     return { output: linkPasses(unit, planPasses(shader)), diagnostics: [...strayUniforms(unit), ...strayVaryings(unit)] };
   } catch (error) {
     if (!(error instanceof GlslError)) throw error;

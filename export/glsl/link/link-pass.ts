@@ -10,6 +10,7 @@ import type { LinkedPass, LinkedSampler } from './linked-pass.ts';
 import type { PlannedPass } from './plan-passes.ts';
 import {
   BOUNDED_VERTEX_SHADER,
+  COUNTED_LOOPS_TEXT,
   FRAGMENT_HEAD,
   LOOP_BUDGET_END,
   LOOP_BUDGET_START,
@@ -35,7 +36,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   const passNames = namePass(unit, pass);
   const { names, images } = passNames;
   if (pass.kind === 'copy') return linkCopy(unit, pass, images);
-  const { shader, checked, given, options } = unit;
+  const { shader, checked, given, loops } = unit;
   nameVaryings(passNames, checked, checked);
   const needed = reachOfPass(unit, pass);
   const reach = findReach(checked, { passIndex: pass.passIndex, images, names, also });
@@ -46,13 +47,13 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
     passIndex: pass.passIndex,
     images,
     structs: checked.structs,
-    loopBudget: options.loopBudget === true && reach.hasLoops,
+    loopBudget: loops !== 'free' && reach.hasLoops,
     stage: 'fragment',
     varyings: unit.vertex === null ? new Set() : new Set(varyingsOf(unit.vertex.checked).keys()),
     normCoord: unit.vertex === null ? 'scrim_uv' : NORM_COORD,
     binding: new Map(),
     returnType: '',
-    found: { discards: false, projects: false },
+    found: { discards: false, projects: false, returns: false },
   };
   printAuthorsText(checked, context);
   printMain(unit, pass, context);
@@ -63,7 +64,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   const head = [
     FRAGMENT_HEAD,
     ...(unit.vertex === null ? [] : [`in vec2 ${NORM_COORD};`]),
-    ...(context.loopBudget ? [LOOP_BUDGET_TEXT] : []),
+    ...(context.loopBudget ? [loops === 'counted' ? COUNTED_LOOPS_TEXT : LOOP_BUDGET_TEXT] : []),
     ...builtins.map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
     ...params.map((uniform) => `uniform ${uniform.type} ${uniform.name};`),
     ...helpersFor(imageTexts.join('\n'), context.found.projects),
@@ -75,8 +76,10 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   const read = [...reach.globals].filter(({ name, role }) => role === 'varying' && context.varyings.has(name));
   const vertex = linkVertex(unit, pass, new Set(read.map(({ name }) => name)));
   const reaches = vertex === null ? [needed] : [needed, vertex.needed];
+  const isGated = context.loopBudget && loops === 'bounded';
+  const linked = linkedShader(unit, head.join('\n'), context.writer, vertex ?? (isGated ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER));
   return {
-    shader: linkedShader(unit, head.join('\n'), context.writer, vertex ?? (context.loopBudget ? BOUNDED_VERTEX_SHADER : VERTEX_SHADER)),
+    shader: context.loopBudget && loops === 'counted' ? { ...linked, loops } : linked,
     passIndex: pass.passIndex,
     target: pass.target,
     samplers: samplersOf(reaches, images),

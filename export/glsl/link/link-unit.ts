@@ -1,4 +1,6 @@
+import { COUNTED_BUDGET, LOOP_BUDGET } from '../../program/loop-budget.ts';
 import type { CheckedShader } from '../check/check-shader.ts';
+import { countRounds } from '../check/count-rounds.ts';
 import { isImageType } from '../check/glsl-type.ts';
 import type { CheckedIsf } from '../isf/checked-isf.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
@@ -16,7 +18,20 @@ export interface LinkSource {
   readonly options: LinkOptions;
 }
 
-export interface LinkUnit extends LinkSource, CheckedIsf {}
+/** `free`: there is nothing to look after. `counted`: they take long, but end. `bounded`: they have to be kept from never ending. */
+export type Loops = 'free' | 'counted' | 'bounded';
+
+export interface LinkUnit extends LinkSource, CheckedIsf {
+  readonly loops: Loops;
+}
+
+/** What the text says of its loops, those of the vertex shader included (`export/program/loop-budget.ts`). */
+export function loopsOf({ checked, vertex }: CheckedIsf, { loopBudget }: LinkOptions): Loops {
+  if (loopBudget !== true) return 'free';
+  const rounds = Math.max(countRounds(checked), vertex === null ? 0 : countRounds(vertex.checked));
+  if (rounds <= LOOP_BUDGET) return 'free';
+  return rounds <= COUNTED_BUDGET ? 'counted' : 'bounded';
+}
 
 export interface PassNames {
   readonly names: Names;

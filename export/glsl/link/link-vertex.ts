@@ -56,13 +56,14 @@ export function linkVertex(unit: LinkUnit, pass: PlannedPass, wanted: ReadonlySe
 
 function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass, wanted: ReadonlySet<string>, file: string): LinkedVertex {
   const { shader, checked, given, options } = unit;
+  const isBounded = unit.loops === 'bounded';
   const passNames = namePass(unit, pass);
   nameVaryings(passNames, fragment, checked);
   const { names, images } = passNames;
   const { passIndex } = pass;
   const needed = findReach(checked, { passIndex, images, names, also: [] });
   const reach = findReach(checked, { passIndex, images, names, also: usable(checked) });
-  const loopBudget = options.loopBudget === true && reach.hasLoops;
+  const loopBudget = isBounded && reach.hasLoops;
   const context: PrintContext = {
     writer: createLineWriter(0),
     names,
@@ -76,7 +77,7 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
     normCoord: NORM_COORD,
     binding: new Map(),
     returnType: '',
-    found: { discards: false, projects: false },
+    found: { discards: false, projects: false, returns: false },
   };
   printAuthorsText(checked, context);
   const { writer } = context;
@@ -86,12 +87,12 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
   writer.indent(-1);
   writer.own('}');
   const main = checked.main.symbol === null ? '' : (reach.instances.get(checked.main.symbol)?.[0]?.name ?? '');
-  writer.own(vertexMain(main, NORM_COORD, options.loopBudget === true));
+  writer.own(vertexMain(main, NORM_COORD, isBounded));
 
   const imageTexts = [...reach.images].map(([image, uses]) => imageText(image, uses, shader.premultiplied));
   const head = [
     vertexHead(NORM_COORD),
-    ...(options.loopBudget === true ? [GATE_TEXT] : []),
+    ...(isBounded ? [GATE_TEXT] : []),
     ...(loopBudget ? [LOOPS_END] : []),
     ...builtinUniforms(reach).map((name) => `uniform ${UNIFORM_TYPES[name]} ${name};`),
     ...paramUniforms(shader, reach, given, names).map(({ type, name }) => `uniform ${type} ${name};`),

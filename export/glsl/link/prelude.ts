@@ -73,6 +73,9 @@ bool scrim_spend(int line) {
   return false;
 }`;
 
+/** The same for loops that are known to end: they are told of, and go on. */
+export const COUNTED_LOOPS_TEXT = LOOP_BUDGET_TEXT.replace('return false', 'return true');
+
 export const LOOP_BUDGET_START = `scrim_roundsLeft = ${LOOP_BUDGET_UNIFORM} > 0 ? ${LOOP_BUDGET_UNIFORM} : ${LOOP_BUDGET};`;
 export const LOOP_BUDGET_END = 'scrim_overrun = vec2(scrim_endlessLine & 255, scrim_endlessLine >> 8) / 255.0;';
 

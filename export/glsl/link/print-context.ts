@@ -23,5 +23,5 @@ export interface PrintContext {
   binding: ImageBinding;
   returnType: GlslType;
   /** Found while printing. */
-  readonly found: { discards: boolean; projects: boolean };
+  readonly found: { discards: boolean; projects: boolean; returns: boolean };
 }

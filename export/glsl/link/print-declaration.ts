@@ -10,7 +10,7 @@ import type {
   VariableSymbol,
 } from '../syntax/ast.ts';
 import type { PrintContext } from './print-context.ts';
-import { printDimensions, printExpression, printTypeName } from './print-expression.ts';
+import { CHOOSE, printDimensions, printExpression, printTypeName } from './print-expression.ts';
 import type { Instance } from './reach.ts';
 
 /**
@@ -38,6 +38,7 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
     printStruct(struct, context);
     writer.write(';');
     writer.endLine();
+    if (struct.symbol?.chosen === true) writer.own(choiceText(context.names.of(struct.symbol)));
   }
   for (const declarator of declaration.declarators) {
     const { symbol } = declarator;
@@ -58,6 +59,11 @@ export function printGlobals(declaration: VariableDeclaration, context: PrintCon
     writer.write(';');
     writer.endLine();
   }
+}
+
+/** What stands for `? :` between two of a struct. */
+export function choiceText(type: string): string {
+  return `${type} ${CHOOSE}(const in bool first, const in ${type} a, const in ${type} b) {\n  if (first) return a;\n  return b;\n}`;
 }
 
 function printGlobalQualifiers(

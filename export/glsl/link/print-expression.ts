@@ -142,11 +142,23 @@ function printBinary(expression: Extract<Expression, { kind: 'binary' }>, contex
   printExpression(expression.right, context);
 }
 
+/**
+ * WebGL 2.0 takes no `? :` of structs with arrays ("Disallowed variants of GLSL ES 3.00 operators"), and ANGLE none of any: each
+ * struct that needs it gets a function of this name.
+ */
+export const CHOOSE = 'scrim_choose';
+
 function printConditional(expression: Extract<Expression, { kind: 'conditional' }>, context: PrintContext): void {
   const value = evaluate(expression.condition, context.passIndex);
   if (value !== null) {
     context.writer.write('(');
     printExpression(value === 0 ? expression.otherwise : expression.then, context);
+    context.writer.write(')');
+    return;
+  }
+  if (context.structs.get(expression.type)?.global === true) {
+    context.writer.write(`${CHOOSE}(`, expression.token);
+    printList([expression.condition, expression.then, expression.otherwise], context);
     context.writer.write(')');
     return;
   }

@@ -1,7 +1,10 @@
 import type { CheckedShader } from '../check/check-shader.ts';
+import type { Block } from '../syntax/ast.ts';
+import { walkStatement } from '../syntax/walk.ts';
 import type { PrintContext } from './print-context.ts';
 import { needsHoisting, printFunctionHead, printGlobals, printHoisted } from './print-declaration.ts';
 import { printBlock } from './print-statement.ts';
+import { zeroOf } from './zero.ts';
 
 /** The author's functions and variables, as far as `context.reach` goes. */
 export function printAuthorsText(checked: CheckedShader, context: PrintContext): void {
@@ -21,11 +24,31 @@ export function printAuthorsText(checked: CheckedShader, context: PrintContext):
         writer.endLine();
       } else {
         writer.write(' ');
-        printBlock(declaration.body, context);
+        context.found.returns = false;
+        const { body } = declaration;
+        printBlock(body, context, () => missingReturn(body, context));
       }
     }
     context.binding = new Map();
   }
+}
+
+/** A function whose returns are all for other passes would be refused for want of one: it gives 0, which nobody looks at. */
+function missingReturn(body: Block, context: PrintContext): string {
+  if (context.found.returns || context.returnType === 'void' || !hasReturn(body)) return '';
+  const zero = zeroOf(context.returnType, context);
+  return zero === null ? '' : `return ${zero};`;
+}
+
+function hasReturn(body: Block): boolean {
+  let found = false;
+  walkStatement(body, {
+    statement: (statement) => {
+      found ||= statement.kind === 'return';
+      return undefined;
+    },
+  });
+  return found;
 }
 
 /** Sets the variables that ES 3.00 does not let start with what the author gave them. */

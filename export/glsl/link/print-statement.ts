@@ -1,4 +1,4 @@
-import type { Expression, Statement, VariableDeclaration } from '../syntax/ast.ts';
+import type { Block, Expression, Statement, VariableDeclaration } from '../syntax/ast.ts';
 import type { Token } from '../syntax/token.ts';
 import { decideBranch, reachableStatements } from './pass-condition.ts';
 import { spend } from './prelude.ts';
@@ -21,8 +21,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
       writer.write(';');
       break;
     case 'expression':
-      printExpression(statement.expression, context);
-      writer.write(';');
+      printExpressions(statement.expression, context);
       break;
     case 'empty':
       writer.write(';', statement.start);
@@ -56,8 +55,9 @@ function printStatement(statement: Statement, context: PrintContext): void {
     case 'switch':
       writer.write('switch (', statement.start);
       printExpression(statement.value, context);
-      writer.write(')');
-      printBody(statement.body, context);
+      writer.write(') ');
+      // Older GLSL lets the last label stand before nothing.
+      printBlock(statement.body, context, statement.body.statements.at(-1)?.kind === 'case' ? () => 'break;' : undefined);
       return;
     case 'case':
       writer.write(statement.value === null ? 'default' : 'case ', statement.start);
@@ -65,6 +65,7 @@ function printStatement(statement: Statement, context: PrintContext): void {
       writer.write(':');
       break;
     case 'return':
+      context.found.returns = true;
       writer.write('return', statement.start);
       if (statement.value !== null) {
         writer.write(' ');
@@ -79,12 +80,26 @@ function printStatement(statement: Statement, context: PrintContext): void {
   writer.endLine();
 }
 
-/** Goes on with the current line where there is one: what the block belongs to. */
-export function printBlock(block: Extract<Statement, { kind: 'block' }>, context: PrintContext): void {
+/** WebGL's comma takes nothing that gives no value: what `f(), g();` joins are two statements. */
+function printExpressions(expression: Expression, context: PrintContext): void {
+  if (expression.kind === 'binary' && expression.token.text === ',') {
+    printExpressions(expression.left, context);
+    context.writer.endLine();
+    printExpressions(expression.right, context);
+    return;
+  }
+  printExpression(expression, context);
+  context.writer.write(';');
+}
+
+/** Goes on with the current line where there is one: what the block belongs to. `ending` gives a last statement of the linker's. */
+export function printBlock(block: Block, context: PrintContext, ending?: () => string): void {
   const { writer } = context;
   writer.write('{');
   writer.indent(1);
   for (const statement of reachableStatements(block.statements, context.passIndex)) printStatement(statement, context);
+  const last = ending?.() ?? '';
+  if (last !== '') writer.own(last);
   writer.indent(-1);
   writer.write('}', block.end);
   writer.endLine();
@@ -181,5 +196,6 @@ function printJump(statement: { readonly start: Token; readonly word: string }, 
     return;
   }
   context.found.discards = true;
+  context.found.returns = true;
   writer.write(`{ scrim_discarded = true; return${zero === '' ? '' : ` ${zero}`}; }`, statement.start);
 }

@@ -197,4 +197,6 @@ export interface StructSymbol {
   readonly type: GlslType;
   readonly members: ReadonlyMap<string, GlslType>;
   readonly global: boolean;
+  /** Some `? :` chooses between two of them. */
+  chosen: boolean;
 }

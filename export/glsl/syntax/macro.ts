@@ -1,3 +1,4 @@
+import { lex } from './lexer.ts';
 import { GlslError, type Token } from './token.ts';
 
 /** `#define NAME body`, or with parameters `#define NAME(a, b) body`. */
@@ -74,19 +75,39 @@ function substitute(
 ): Token[] {
   const output: Token[] = [];
   const expandedArgs: (Token[] | undefined)[] = [];
-  for (const token of macro.body) {
+
+  function partsFor(token: Token, glued: boolean): readonly Token[] {
     const index = token.kind === 'word' && macro.parameters !== null ? macro.parameters.indexOf(token.text) : -1;
-    if (index < 0) {
-      output.push({ ...token, line: use.line, column: use.column, hidden: uniteAll(token.hidden, hidden) });
-      continue;
-    }
+    if (index < 0) return [{ ...token, line: use.line, column: use.column }];
+    if (glued) return args[index] ?? [];
     expandedArgs[index] ??= expandArgument(args[index] ?? [], use, macros, budget);
-    for (const part of expandedArgs[index] ?? []) {
-      output.push({ ...part, hidden: uniteAll(part.hidden, hidden) });
-      if (output.length > MAX_EXPANDED_TOKENS) throw new GlslError(use, `The macro "${macro.name}" expands to too much text.`);
-    }
+    return expandedArgs[index] ?? [];
   }
+
+  const { body } = macro;
+  body.forEach((token, at) => {
+    if (token.text === GLUE) return;
+    const gluedBefore = body[at - 1]?.text === GLUE;
+    const parts = partsFor(token, gluedBefore || body[at + 1]?.text === GLUE).map((part) => ({
+      ...part,
+      hidden: uniteAll(part.hidden, hidden),
+    }));
+    const [first, ...rest] = parts;
+    const before = gluedBefore && first ? output.pop() : undefined;
+    for (const part of before && first ? [glue(before, first, use), ...rest] : parts) output.push(part);
+    if (output.length > MAX_EXPANDED_TOKENS) throw new GlslError(use, `The macro "${macro.name}" expands to too much text.`);
+  });
   return output;
+}
+
+/** Desktop drivers know it from C (C11 §6.10.3.3): `a ## b` makes one word of two, and leaves macros' arguments as they are written. */
+const GLUE = '##';
+
+function glue(before: Token, after: Token, use: Token): Token {
+  const text = before.text + after.text;
+  const [made, end] = lex(text);
+  if (made === undefined || end?.kind !== 'end') throw new GlslError(use, `"##" makes "${text}" here, which is no word of GLSL.`);
+  return { ...before, kind: made.kind, text };
 }
 
 function expandArgument(argument: readonly Token[], use: Token, macros: MacroTable, budget: ExpansionBudget): Token[] {

@@ -40,6 +40,8 @@ describe('macros', () => {
     ['arguments over several lines', '#define F(x, y) x y\nF(1,\n 2\n)', '1 2'],
     ['joined lines', '#define A 1 \\\n + 2\nA', '1 + 2'],
     ['comments', '#define A 1 // one\nA /* two */ + A', '1 + 1'],
+    ['words glued together', '#define CAT(a, b) a##b\n#define F(n) CAT(f, n) + my ## n\nF(1) CAT(, x) CAT(1.5, e3)', 'f1 + my1 x 1.5e3'],
+    ['what is glued is not expanded before, but after', '#define A 1\n#define AB 2\n#define CAT(a, b) a ## b\nCAT(A, B)', '2'],
     ['the line', 'a\n__LINE__\n#define L __LINE__\nL', 'a 2 4'],
   ])('%s', (_, source, wanted) => {
     expect(text(source)).toBe(wanted);
@@ -84,6 +86,7 @@ test.each([
   ['#if 1 / 0\n#endif', 1, 7, 'zero'],
   ['#define F(x) x\nF(1, 2)', 2, 1, '1 argument, but 2'],
   ['#define F(x) x\n  F(1', 2, 3, 'never closed'],
+  ['#define F(a) a ## +\n F(x)', 2, 2, '"x+"'],
   ['#define 3', 1, 9, 'name of a macro'],
   ['#define F(a +', 1, 13, 'list of names'],
   ['#define F(a', 1, 9, 'list of names'],

@@ -1,7 +1,8 @@
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
-import { LOOP_BUDGET } from '../../program/loop-budget.ts';
+import { COUNTED_BUDGET, LOOP_BUDGET } from '../../program/loop-budget.ts';
 import type { LinkedShader, PassUniform, SourceMap } from '../../program/program.ts';
 import { type CheckedShader, checkShader } from '../check/check-shader.ts';
+import { countRounds } from '../check/count-rounds.ts';
 import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
 import { hashText } from '../link/hash.ts';
 import type { Image } from '../link/images.ts';
@@ -9,7 +10,7 @@ import { createLineWriter } from '../link/line-writer.ts';
 import { createNames, type Names } from '../link/names.ts';
 import { FRAGMENT_HEAD, VERTEX_SHADER } from '../link/prelude.ts';
 import type { PrintContext } from '../link/print-context.ts';
-import { needsHoisting } from '../link/print-declaration.ts';
+import { choiceText, needsHoisting } from '../link/print-declaration.ts';
 import { printAuthorsText } from '../link/print-shader.ts';
 import { findReach, type Reach } from '../link/reach.ts';
 import type { FunctionDeclaration, ParsedShader, VariableSymbol } from '../syntax/ast.ts';
@@ -187,13 +188,13 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
     passIndex: 0,
     images,
     structs: unit.checked.structs,
-    loopBudget: unit.loopBudget && reach.hasLoops,
+    loopBudget: unit.loopBudget && reach.hasLoops && countRounds(unit.checked) > COUNTED_BUDGET,
     stage: 'fragment',
     varyings: new Set(),
     normCoord: 'scrim_uv',
     binding: new Map(),
     returnType: '',
-    found: { discards: false, projects: false },
+    found: { discards: false, projects: false, returns: false },
   };
   const own = unit.checked.declarations.filter((declaration) => !isInterface(declaration));
   printAuthorsText({ ...unit.checked, declarations: own }, context);
@@ -211,6 +212,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   }
   const head = [
     PRINTED_STRUCTS,
+    ...chosenStructs(unit, names).map(choiceText),
     ...(context.loopBudget ? [LOOPS_END] : []),
     ...uniformsOf(unit, reach, names).map(({ name, type }) => `uniform ${type} ${name};`),
     ...techniqueImageText(reach),
@@ -224,6 +226,14 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
     return origin ? ([origin[0], origin[1], place.column] as const) : null;
   });
   return { text: [...head, ...context.writer.lines].join('\n'), head, lines: context.writer.lines, map };
+}
+
+/** Those of the interface whose text is not printed with the author's. */
+function chosenStructs({ checked }: Unit, names: Names): string[] {
+  return checked.declarations.filter(isInterface).flatMap((declaration) => {
+    const symbol = declaration.kind === 'variables' ? declaration.type.struct?.symbol : null;
+    return symbol?.chosen ? [names.of(symbol)] : [];
+  });
 }
 
 /** As in filters (`export/program/loop-budget.ts`), but nobody is told which loop it was. */

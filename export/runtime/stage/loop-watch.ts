@@ -6,7 +6,7 @@ import type { GlProgram } from '../gl/program-cache.ts';
 import type { LoadedProgram } from '../loading.ts';
 import type { PassGuard } from '../passes/pass.ts';
 
-/** Which nodes of a program go round too often in their loops, and are bypassed until that changes. */
+/** Which nodes of a program go round too often in their loops; those whose loops may never end are bypassed until that changes. */
 export interface LoopWatch {
   /** Null for passes of nodes without bounded loops. */
   guardOf(operation: PassOperation): PassGuard | null;
@@ -17,7 +17,9 @@ export interface LoopWatch {
   /** What is known of a pass, for the watch after this one. */
   lineOf(operation: PassOperation, glProgram: GlProgram): number | null;
   isBypassed(node: string): boolean;
-  /** Takes back what was said of nodes that `next` does not bypass. */
+  /** The user has been told of the node's loops. */
+  isTold(node: string): boolean;
+  /** Takes back what was said of nodes that `next` does not speak of. */
   release(next: LoopWatch | null): void;
 }
 
@@ -36,7 +38,9 @@ export function createLoopWatch(engine: Engine, { program, glPrograms }: LoadedP
   const { board } = engine.host;
   const byNode = new Map<string, WatchedPass[]>();
   let released = false;
-  const isBypassed = (node: string): boolean => byNode.get(node)?.some(({ line }) => line !== null) ?? false;
+  const isTold = (node: string): boolean => byNode.get(node)?.some(({ line }) => line !== null) ?? false;
+  const isBypassed = (node: string): boolean =>
+    byNode.get(node)?.some(({ line, shader }) => line !== null && shader?.loops !== 'counted') ?? false;
   const settle = (pass: WatchedPass, line: number | null): void => {
     pass.onTrial = false;
     if (released || line === pass.line) return;
@@ -65,6 +69,7 @@ export function createLoopWatch(engine: Engine, { program, glPrograms }: LoadedP
 
   return {
     isBypassed,
+    isTold,
     poll: probe.poll,
     guardOf: (operation) => {
       const { node } = operation;
@@ -94,7 +99,7 @@ export function createLoopWatch(engine: Engine, { program, glPrograms }: LoadedP
     },
     release: (next) => {
       released = true;
-      for (const node of byNode.keys()) if (isBypassed(node) && !next?.isBypassed(node)) board.clear(node);
+      for (const node of byNode.keys()) if (isTold(node) && !next?.isTold(node)) board.clear(node);
     },
   };
 }

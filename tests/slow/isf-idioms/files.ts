@@ -58,6 +58,11 @@ const INPUTS: readonly FileIdiom[] = [
   inputs('a bool by 1', '{ "NAME": "a", "TYPE": "bool", "DEFAULT": 1 }', 'a'),
   inputs('a bool by "0"', '{ "NAME": "a", "TYPE": "bool", "DEFAULT": "0" }', '!a'),
   inputs('a bool by 1.0', '{ "NAME": "a", "TYPE": "bool", "DEFAULT": 1.0 }', 'a == true'),
+  inputs(
+    'types in other capitals',
+    '{ "NAME": "a", "TYPE": "Float", "DEFAULT": 1 }, { "NAME": "b", "TYPE": "POINT2D" }',
+    'a == 1.0 && b.x == 0.0',
+  ),
   inputs('a bool without a first value', '{ "NAME": "a", "TYPE": "bool" }', '!a'),
   inputs('a bool with a range', '{ "NAME": "a", "TYPE": "bool", "MIN": false, "MAX": true, "DEFAULT": true, "IDENTITY": 0 }', 'a'),
   inputs('a float by a text', '{ "NAME": "a", "TYPE": "float", "DEFAULT": "0.25" }', 'a == 0.25'),
