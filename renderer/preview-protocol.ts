@@ -16,7 +16,8 @@ export type ToPreview =
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
   /** Goes to a moment, seconds since the session began. Only recordings can; what remembers begins anew. */
   | { readonly kind: 'seek'; readonly timeS: number }
-  | { readonly kind: 'session'; readonly source: PreviewSource }
+  /** Take the picture from there. `request` counts: the status says which one is done with. */
+  | { readonly kind: 'session'; readonly source: PreviewSource; readonly request: number }
   /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. */
   | { readonly kind: 'poster'; readonly widthPx: number; readonly heightPx: number }
   /**
@@ -111,6 +112,8 @@ export interface PreviewShaderError {
 
 export interface PreviewStatus {
   readonly state: 'loading' | 'playing' | 'paused' | 'lost';
+  /** Of the newest `session` message that is done with: its session is open, or cannot be, as a diagnostic says. Null before the first. */
+  readonly request: number | null;
   readonly frame: number;
   readonly timeS: number;
   /** Mean time of the last frames on the CPU. */

@@ -5,6 +5,7 @@ import type { FromPreview, PreviewStatus } from '../preview-protocol.ts';
 /** Tells the editor how the preview runs, at most ten times a second. */
 export interface Status {
   setState(state: PreviewStatus['state']): void;
+  setRequest(request: number): void;
   /** Around the drawing of a frame. */
   begin(): void;
   end(frame: SessionFrame): void;
@@ -17,7 +18,15 @@ const INTERVAL_S = 0.1;
 const WEIGHT = 0.1;
 
 export function createStatus(clock: FrameClock, send: (message: FromPreview) => void): Status {
-  const status = { state: 'loading' as PreviewStatus['state'], frame: 0, timeS: 0, frameMs: 0, widthPx: 0, heightPx: 0 };
+  const status = {
+    state: 'loading' as PreviewStatus['state'],
+    request: null as PreviewStatus['request'],
+    frame: 0,
+    timeS: 0,
+    frameMs: 0,
+    widthPx: 0,
+    heightPx: 0,
+  };
   let sentS = Number.NEGATIVE_INFINITY;
   let beganS = 0;
   let originS: number | null = null;
@@ -29,6 +38,11 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   return {
     setState: (state) => {
       status.state = state;
+      tell();
+    },
+    setRequest: (request) => {
+      if (status.request === request) return;
+      status.request = request;
       tell();
     },
     begin: () => {

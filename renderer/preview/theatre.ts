@@ -43,6 +43,8 @@ const RESIZE_PAUSE_S = 0.25;
 export function createTheatre({ parent, screen, clock: base, send }: TheatreOptions): Theatre {
   let wanted: Wanted | null = null;
   let source: PreviewSource | null = null;
+  /** Of the message that `source` came with. */
+  let request = 0;
   let resizes = 0;
   let metering = false;
 
@@ -164,9 +166,11 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   };
   const settle = createTurns(async () => {
     if (!wanted || !source) return;
+    const asked = request;
     if (!house?.suits(wanted.program, source.assetBaseUrl)) await build(wanted, source);
     const key = sessionKey(source, wanted.program, resizes);
     if (house && key !== openKey) await begin(house, wanted, source, key);
+    status.setRequest(asked);
   }, fail);
 
   const takeProgram = (next: Wanted) => {
@@ -212,7 +216,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           clock.wake();
           return;
         case 'session':
-          source = message.source;
+          ({ source, request } = message);
           settle();
           return;
         case 'poster':

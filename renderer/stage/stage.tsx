@@ -3,7 +3,7 @@ import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
-import { chosenSource, LOCAL_SOURCES } from '../state/preview.ts';
+import { chosenSource, isLoading, LOCAL_SOURCES } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { LookLayer } from './look-layer.tsx';
@@ -13,8 +13,12 @@ import { StageMenu } from './stage-menu.tsx';
 
 /** The preview: a page of its own in a frame, the bar that moves its time, and where its picture comes from. */
 export function Stage({ previewUrl }: { readonly previewUrl: string }) {
+  const { preview, compile } = useEditor();
+  const loading = useStore(preview, isLoading);
+  const newest = useStore(compile, (state) => state.programRevision);
+  const answered = useStore(preview, ({ playing, refused }) => playing === newest || refused === newest);
   return (
-    <section className="stage" aria-label="Preview">
+    <section className="stage" aria-label="Preview" aria-busy={loading || !answered}>
       <div className="stage-picture">
         <Device>
           <PreviewFrame url={previewUrl} />
@@ -66,6 +70,7 @@ function PreviewFrame({ url }: { readonly url: string }) {
 function Notice() {
   const editor = useEditor();
   const state = useStore(editor.preview, (preview) => preview.status?.state ?? null);
+  const loading = useStore(editor.preview, isLoading);
   const playing = useStore(editor.preview, (preview) => preview.playing);
   const hasProgram = useStore(editor.compile, (compile) => compile.program !== null);
   const refused = useStore(editor.compile, (compile) => hasErrors(compile.diagnostics));
@@ -75,7 +80,7 @@ function Notice() {
   if (playing === null && broken && !hasProgram) {
     return <p className="stage-notice">Nothing to show yet. The problems below the graph say what is missing.</p>;
   }
-  if (playing === null || state === 'loading') return <p className="stage-notice stage-loading">Loading…</p>;
+  if (loading) return <p className="stage-notice stage-loading">Loading…</p>;
   if (broken) {
     return (
       <p className="stage-flag">

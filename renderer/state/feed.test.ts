@@ -11,6 +11,7 @@ import { editShader, shaderOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { createFeed, type Feed } from './feed.ts';
 import { openPath } from './files.ts';
+import { isLoading } from './preview.ts';
 
 /** The real compiler, which answers when it is told to. */
 function createSlowWorker() {
@@ -116,6 +117,30 @@ describe('the way from document to preview', () => {
     expect(editor.compile.getState().program).toBe(program);
     feed.receive({ kind: 'ready' });
     expect(kinds()).toEqual(['program', 'thumbnails', 'look', 'cost']);
+  });
+
+  test('the preview counts as loading from the moment another source is chosen until it is there', () => {
+    const status = { state: 'playing', frame: 1, timeS: 0, frameMs: 1, widthPx: 1, heightPx: 1 } as const;
+    const tell = (request: number | null) => feed.receive({ kind: 'status', status: { ...status, request } });
+    const loading = () => isLoading(editor.preview.getState());
+    feed.receive({ kind: 'ready' });
+    feed.receive({ kind: 'playing', revision: 1 });
+    editor.preview.setState({ sourceId: 'orbit' });
+    expect(sent.filter(({ kind }) => kind === 'session')).toMatchObject([{ request: 1, source: { kind: 'orbit' } }]);
+    tell(null);
+    expect(loading()).toBe(true);
+    tell(1);
+    expect(loading()).toBe(false);
+    // A status that was on its way when the next was chosen is about the one before.
+    editor.preview.setState({ sourceId: 'camera' });
+    tell(1);
+    expect(loading()).toBe(true);
+    tell(2);
+    expect(loading()).toBe(false);
+    // What an emulated device looks like is nothing to this source.
+    editor.preview.setState({ views: 2 });
+    expect(sent.filter(({ kind }) => kind === 'session')).toHaveLength(2);
+    expect(loading()).toBe(false);
   });
 
   test('what the driver said is told on the author’s lines, of the newest program alone', () => {

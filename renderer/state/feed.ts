@@ -36,6 +36,8 @@ interface PendingEdit extends ParamEdit {
 export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   let send: ((message: ToPreview) => void) | null = null;
   let pending: PendingEdit[] = [];
+  /** Where the page was told to take its picture from; a picture of one's own stands in it by its key. */
+  let asked = '';
   const post = (message: ToPreview) => send?.(message);
   const pictures = createPictures(editor, post);
   const looking = createLooking(editor, post, () => compile());
@@ -51,7 +53,14 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   };
   const postSource = () => {
     const source = previewSource(editor);
-    if (source !== null) post({ kind: 'session', source });
+    // Without a preview page nobody would answer; the one that comes is asked anew.
+    if (source === null || send === null) return;
+    const description = JSON.stringify(source);
+    if (description === asked) return;
+    asked = description;
+    const request = editor.preview.getState().request + 1;
+    editor.preview.setState({ request });
+    send({ kind: 'session', source, request });
   };
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
     takeAnswer(editor, answer, more);
@@ -114,6 +123,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
       takeMessage(editor, message);
       if (message.kind !== 'ready') return;
+      asked = '';
       postSource();
       postProgram();
       looking.tell();
@@ -162,7 +172,10 @@ function takeMessage(
       const { program, programRevision } = compile.getState();
       // An answer about an older program is of no use any more.
       if (program !== null && message.revision === programRevision) {
-        preview.setState({ shaderDiagnostics: readShaderErrors(program, message.errors, document.getState().library) });
+        preview.setState({
+          shaderDiagnostics: readShaderErrors(program, message.errors, document.getState().library),
+          ...(message.errors.length > 0 && { refused: message.revision }),
+        });
       }
       return;
     }

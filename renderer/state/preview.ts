@@ -7,8 +7,12 @@ import type { PreviewStatus } from '../preview-protocol.ts';
 export interface PreviewState {
   readonly ready: boolean;
   readonly status: PreviewStatus | null;
+  /** Of the newest `session` message that was sent. */
+  readonly request: number;
   /** Document revision of the program on screen; null before the first. */
   readonly playing: number | null;
+  /** Document revision of the newest program that the driver refused; null before the first. */
+  readonly refused: number | null;
   /** Of the session and of what plays. */
   readonly diagnostics: readonly Diagnostic[];
   /** What the graphics driver said of the newest program's shaders, on their authors' lines. */
@@ -47,7 +51,9 @@ export function createPreviewState(): PreviewStore {
   return createStore<PreviewState>(() => ({
     ready: false,
     status: null,
+    request: 0,
     playing: null,
+    refused: null,
     diagnostics: [],
     shaderDiagnostics: [],
     sources: [],
@@ -63,6 +69,11 @@ export function createPreviewState(): PreviewStore {
 /** Of the session, seconds; 0 before it plays. */
 export function timeOf({ status }: PreviewState): number {
   return status?.timeS ?? 0;
+}
+
+/** What was chosen last is still on its way: the picture is another's, or nobody's. */
+export function isLoading({ status, request, playing }: PreviewState): boolean {
+  return playing === null || status === null || status.state === 'loading' || status.request !== request;
 }
 
 export function chosenSource({ sources, sourceId }: PreviewState): ChosenSource | null {
