@@ -1,6 +1,15 @@
 import { type FSWatcher, watch } from 'node:fs';
 import { join } from 'node:path';
-import { CHUNKS_FOLDER, listChunkFolders, readProjectFiles, revisionOf, SHADERS_FOLDER } from './project-files.ts';
+import type { ProjectFiles } from '../contract/contract.ts';
+import {
+  CHUNKS_FOLDER,
+  LAYOUT_FILE,
+  listChunkFolders,
+  PROJECT_FILE,
+  readProjectFiles,
+  revisionOf,
+  SHADERS_FOLDER,
+} from './project-files.ts';
 import { isLocked } from './project-lock.ts';
 
 /** An editor that saves touches several files; they are read once all is quiet for this long. */
@@ -9,18 +18,24 @@ const QUIET_MS = 150;
 /** A shader is seen as soon as it is saved; an editor writes one file in a few steps that come right after each other. */
 const SHADER_QUIET_MS = 20;
 
+/** Programs empty a file before they write it anew: one that is found empty is looked at so often again until it is taken for that. */
+const LOOKS_AT_EMPTY = 20;
+
 export interface ProjectWatch {
   dispose(): void;
 }
 
 /**
  * Calls `onRevision` with the folder's revision after something in it changed. It says nothing of who changed it: the caller
- * compares with the revision it wrote itself. A folder in the middle of a change (a file gone for a moment) is left for the
- * next event.
+ * compares with the revision it wrote itself. A folder in the middle of a change (a file gone for a moment, or empty) is left
+ * for the next event.
  */
 export function watchProject(root: string, onRevision: (revision: string) => void): ProjectWatch {
   let timer: NodeJS.Timeout | undefined;
   let disposed = false;
+  /** Files that were empty when the folder was last told of. */
+  let empty: readonly string[] = [];
+  let looks = 0;
   /** Not every system watches what is below a folder: each has a watcher of its own. */
   const watchers = new Map<string, FSWatcher>();
 
@@ -46,7 +61,15 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
     }
     await followShaders();
     const files = await readProjectFiles(root).catch(() => null);
-    if (files && !disposed) onRevision(revisionOf(files));
+    if (!files || disposed) return;
+    const emptyNow = emptyFiles(files);
+    if (emptyNow.some((path) => !empty.includes(path)) && looks++ < LOOKS_AT_EMPTY) {
+      touch();
+      return;
+    }
+    looks = 0;
+    empty = emptyNow;
+    onRevision(revisionOf(files));
   };
   const readAfter = (ms: number) => {
     clearTimeout(timer);
@@ -64,6 +87,11 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
       for (const watcher of watchers.values()) watcher.close();
     },
   };
+}
+
+function emptyFiles({ project, layout, sources }: ProjectFiles): string[] {
+  const texts = Object.entries({ ...sources, [PROJECT_FILE]: project, [LAYOUT_FILE]: layout });
+  return texts.filter(([, text]) => text === '').map(([path]) => path);
 }
 
 /** Null where the folder is missing or the system has no watchers left: the project opens all the same. */

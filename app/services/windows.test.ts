@@ -191,6 +191,15 @@ describe('changes from outside', () => {
         await writeFile(path, CHANGED);
       },
     ],
+    [
+      'by emptying it first, on a slow machine',
+      async (path) => {
+        await writeFile(path, '');
+        // Longer than changes are gathered, and far shorter than an empty file is looked at.
+        await new Promise((done) => setTimeout(done, 400));
+        await writeFile(path, CHANGED);
+      },
+    ],
   ];
   const CHANGED = '{"title":"Changed"}\n';
 
