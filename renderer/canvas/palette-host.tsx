@@ -33,8 +33,9 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   if (request === null) return null;
   const close = (added: string | null) => {
     editor.ui.setState({ palette: null });
-    // Keys go on where the person is: at the new node, or on the canvas.
+    // Keys go on where the person is: at the new node, or on the canvas. Whoever is elsewhere by then stays there.
     editor.clock.nextFrame(() => {
+      if (document.activeElement !== document.body) return;
       const node = added === null ? null : canvas.current?.querySelector<HTMLElement>(`.react-flow__node[data-id="${added}"]`);
       (node ?? canvas.current)?.focus();
     });

@@ -45,8 +45,14 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
     setMenuAt(null);
     row.current?.querySelector<HTMLElement>('.param-actions button:last-of-type')?.focus();
   };
-  const focusExpression = () =>
-    editor.clock.nextFrame(() => row.current?.querySelector<HTMLInputElement>('.expression-field input')?.focus());
+  const focusExpression = () => {
+    const from = document.activeElement;
+    editor.clock.nextFrame(() => {
+      // Whoever is elsewhere by then stays there.
+      const stayed = document.activeElement === from || document.activeElement === document.body;
+      if (stayed) row.current?.querySelector<HTMLInputElement>('.expression-field input')?.focus();
+    });
+  };
   return (
     <fieldset ref={row} className="param-row" aria-label={param.label} data-param={name} onContextMenu={openMenu}>
       <label htmlFor={id} className="param-label" data-tip={param.doc}>

@@ -39,7 +39,7 @@ describe('an export from the editor', () => {
     const pictures = createPictures(editor, (message) => void sent.push(message));
     const taken = pictures.take({ widthPx: 12, heightPx: 6 });
     expect(sent).toEqual([{ kind: 'poster', widthPx: 12, heightPx: 6 }]);
-    clock.pass(30_000);
+    clock.pass(60_000);
     expect(await taken).toBeNull();
   });
 

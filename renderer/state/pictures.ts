@@ -1,8 +1,8 @@
 import type { ToPreview } from '../preview-protocol.ts';
 import type { Editor, PictureSize } from './editor.ts';
 
-/** A preview that has not drawn by then does without: whoever waits goes on. */
-const PATIENCE_MS = 20_000;
+/** Whoever waits for a preview that has not drawn by then goes on without. A large picture may take a slow machine many seconds. */
+const PATIENCE_MS = 60_000;
 
 /** Asks the preview for pictures, and waits for them. */
 export function createPictures({ clock, preview }: Pick<Editor, 'clock' | 'preview'>, post: (message: ToPreview) => void) {

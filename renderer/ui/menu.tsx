@@ -45,7 +45,8 @@ export function MenuButton({ label, items, openInBar = null, onOpenInBar }: Menu
         aria-expanded={open}
         aria-controls={open ? menuId : undefined}
         onClick={() => setOpen(!open)}
-        onPointerEnter={() => {
+        // Not entering: a menu that comes to lie under a resting pointer is not pointed at.
+        onPointerMove={() => {
           if (inBar && openInBar !== null && !open) setOpen(true);
         }}
         onKeyDown={(event) => {
@@ -120,7 +121,7 @@ function MenuEntry({ item, onDone }: { readonly item: MenuItem; readonly onDone:
       className="menu-item"
       tabIndex={-1}
       disabled={item.disabled ?? false}
-      onPointerEnter={(event) => event.currentTarget.focus()}
+      onPointerMove={(event) => event.currentTarget.focus()}
       onClick={() => {
         onDone();
         item.run();
