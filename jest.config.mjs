@@ -13,8 +13,9 @@ function project(displayName, testMatch, more = {}) {
 }
 
 export default {
-  // Leaves room for two busy cores: it ends what hangs, and is no measure of speed. Jest heeds no timeout of a project's own.
-  testTimeout: 120_000,
+  // Above what a test waits for (tests/support/patience.ts): it ends what hangs, and is no measure of speed. Jest heeds no timeout
+  // of a project's own.
+  testTimeout: 420_000,
   projects: [
     project('unit', [
       '{app,export,nodes,renderer,tools,shader-library}/**/*.test.ts',

@@ -1,7 +1,7 @@
 import { mkdir, mkdtemp, readdir, readFile, realpath, rm, symlink, truncate, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterEach, beforeEach, describe, expect, jest, test } from '@jest/globals';
+import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { loadProject } from '../../export/graph/load.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { type ProjectText, projectText, writeProject } from '../../tests/support/project-kit.ts';
@@ -10,9 +10,6 @@ import { installationAt } from '../services/installation.ts';
 import { readProjectFiles } from '../services/project-files.ts';
 import { EXIT } from './command.ts';
 import { COMMANDS, runCli } from './run-cli.ts';
-
-// Disks and processors are shared with whatever else runs.
-jest.setTimeout(30_000);
 
 const INSTALLATION = installationAt(resolve(import.meta.dirname, '../..'), '1.2.3');
 const MODEL = resolve(import.meta.dirname, '../../examples/first-light/assets/robot.glb');

@@ -4,7 +4,7 @@ import { join, resolve } from 'node:path';
 import { NodeIO } from '@gltf-transform/core';
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions';
 import { draco } from '@gltf-transform/functions';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import draco3d from 'draco3dgltf';
 import { type Compressor, createCompressor } from '../../export/bundle/compress/compressor.ts';
 import { DECODER_FILES_FOLDER, neededDecoders } from '../../export/gltf/decoders.ts';
@@ -12,8 +12,6 @@ import { readGltf } from '../../export/gltf/read-gltf.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { texturedModel } from '../support/textured-model.ts';
 
-// An encoder, a decoder and a browser on busy cores.
-jest.setTimeout(180_000);
 const chromium = useBrowser();
 let folder = '';
 let page: PageModule;

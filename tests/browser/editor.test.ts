@@ -211,8 +211,10 @@ describe('files', () => {
 
   test('work that was not saved is found again after the page went away', async () => {
     const { page, editor } = await start();
+    // It may be kept before the last key has been answered.
+    const kept = page.waitForResponse((response) => response.url().endsWith('/project.autosave'));
     await editor.addNode('sepia');
-    await page.waitForResponse((response) => response.url().endsWith('/project.autosave'));
+    await kept;
     page.on('dialog', (dialog) => void dialog.accept());
     await page.reload();
     await page.getByRole('dialog', { name: 'Unsaved work was found' }).getByRole('button', { name: 'Restore it' }).click();

@@ -9,7 +9,7 @@ let page: PageModule;
 
 beforeAll(async () => {
   page = await openModule(chromium.browser, 'tests/browser/emulator-depth.page.ts');
-}, 60_000);
+});
 afterAll(() => page?.close());
 
 function capture(name: string): RoomSource {

@@ -22,7 +22,7 @@ beforeAll(async () => {
     '/page.js': { text: page },
     '/framed': { text: '<!doctype html><meta charset="utf-8"><title>host</title><iframe sandbox="allow-scripts" src="/"></iframe>' },
   });
-}, 60_000);
+});
 afterAll(async () => {
   await server?.close();
 });

@@ -7,7 +7,7 @@ let page: PageModule;
 
 beforeAll(async () => {
   page = await openModule(chromium.browser, 'tests/browser/emulator-picture.page.ts');
-}, 60_000);
+});
 afterAll(async () => {
   await page?.close();
 });

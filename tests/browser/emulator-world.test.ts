@@ -6,7 +6,7 @@ let page: PageModule;
 
 beforeAll(async () => {
   page = await openModule(chromium.browser, 'tests/browser/emulator-world.page.ts');
-}, 60_000);
+});
 afterAll(async () => {
   await page?.close();
 });

@@ -1,17 +1,12 @@
-import { readFile } from 'node:fs/promises';
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
-import type { AxeResults } from 'axe-core';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { BrowserContextOptions, Page } from 'playwright-core';
 import type { Program } from '../../export/program/program.ts';
+import { axeFindings } from '../support/axe.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { LAMP } from './controls-program.ts';
 import { type ServedPage, servePage } from './page-kit.ts';
 
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(60_000);
-
 const chromium = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
-const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
 
 const CREDITS: Program['credits'] = [
   { title: 'Waves', kind: 'effect', credit: 'Ada, https://www.shadertoy.com/view/abc', licence: 'CC BY-NC-SA 3.0', nodes: ['waves-a'] },
@@ -37,15 +32,6 @@ async function open(options: BrowserContextOptions = {}) {
   await page.goto(served.url);
   await page.getByText('look around').waitFor();
   return { page, errors };
-}
-
-/** What axe-core finds wrong, in one line each: rule and places. */
-async function findings(page: Page): Promise<string[]> {
-  await page.evaluate(AXE);
-  const { violations } = await page.evaluate(
-    () => (window as unknown as { axe: { run: () => Promise<AxeResults> } }).axe.run() as Promise<AxeResults>,
-  );
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
 }
 
 const SIZES = [
@@ -88,18 +74,18 @@ describe('what every exported page has', () => {
     expect(await list.textContent()).toBe('Waves Ada, https://www.shadertoy.com/view/abc. CC BY-NC-SA 3.0.');
     expect(await page.getByRole('listitem').filter({ hasText: 'robot' }).textContent()).toBe('robot.glb © Cy.');
     expect(await page.getByRole('link').getAttribute('href')).toBe('https://www.shadertoy.com/view/abc');
-    expect(await findings(page)).toEqual([]);
+    expect(await axeFindings(page)).toEqual([]);
     expect(errors).toEqual([]);
   });
 
   test.each(SIZES)('scrolls sideways nowhere, and axe finds nothing: %s', async (_name, width, height) => {
     const { page, errors } = await open({ viewport: { width, height } });
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
-    expect(await findings(page)).toEqual([]);
+    expect(await axeFindings(page)).toEqual([]);
     await page.getByText('What is missing compared with AR').first().click();
     await page.getByRole('button', { name: 'Use the camera' }).click();
     await page.getByRole('button', { name: 'Stop the camera' }).waitFor();
-    expect(await findings(page)).toEqual([]);
+    expect(await axeFindings(page)).toEqual([]);
     expect(errors).toEqual([]);
   });
 

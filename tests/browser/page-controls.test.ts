@@ -46,7 +46,7 @@ describe('controls of an exported page', () => {
   test('change the picture, by pointer, and say what they are set to', async () => {
     const { page, errors } = await open();
     // The middle is within the disc; a quarter of the page's height above it, only within a larger one.
-    expect(red(await colourAt(page, 640, 360))).toBe(true);
+    await untilColour(page, 640, 360, red);
     expect(empty(await colourAt(page, 640, 60))).toBe(true);
     const slider = page.getByRole('slider', { name: 'Size' });
     expect(await page.locator('output').textContent()).toBe('0.3');

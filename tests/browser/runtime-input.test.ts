@@ -8,7 +8,7 @@ let page: PageModule;
 beforeAll(async () => {
   page = await openModule(chromium.browser, 'tests/browser/runtime-input.page.ts');
   await page.call('begin');
-}, 60_000);
+});
 
 afterAll(async () => {
   await page.close();

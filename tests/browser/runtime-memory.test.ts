@@ -52,4 +52,4 @@ test('a frame of two views allocates nothing', async () => {
   }
   expect(found).toEqual([]);
   await page.close();
-}, 60_000);
+});

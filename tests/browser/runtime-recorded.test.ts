@@ -77,7 +77,7 @@ beforeAll(async () => {
   await write('empty', { ...SESSION, frames: [{ ...first, color: 'color/missing.png' }] }, {});
   await write('swapped', { ...SESSION, color: { ...COLOR, widthPx: 30, heightPx: 40 } }, files);
   page = await openModule(chromium.browser, 'tests/browser/runtime-recorded.page.ts', { mounts: { '/sessions/': root } });
-}, 60_000);
+});
 
 afterAll(async () => {
   await page.close();

@@ -9,7 +9,7 @@ const open = (): Promise<PageModule> => openModule(chromium.browser, 'tests/brow
 
 beforeAll(async () => {
   page = await open();
-}, 60_000);
+});
 
 afterAll(async () => {
   await page.close();

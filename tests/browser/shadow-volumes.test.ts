@@ -19,7 +19,7 @@ test('a shadow volume falls where the geometry says, by all kinds of light, also
     within: { in: FULL, on: FULL },
     error: 0,
   });
-}, 60_000);
+});
 
 test('shares light between lamps, follows flags and opacity, and says whose shape a picture makes', async () => {
   expect(await page.call('lamps')).toEqual({
@@ -36,7 +36,7 @@ test('shares light between lamps, follows flags and opacity, and says whose shap
     told: ['SCR024 at casters'],
     error: 0,
   });
-}, 60_000);
+});
 
 test('follows casters and lights while running, and leaves nothing on the GPU', async () => {
   expect(await page.call('running')).toEqual({
@@ -44,11 +44,11 @@ test('follows casters and lights while running, and leaves nothing on the GPU', 
     left: [0, 0, 0],
     error: 0,
   });
-}, 60_000);
+});
 
 test('what casts is not darkened by its own volume, but for a breath along its outline', async () => {
   // One or two of four samples, where a surface is seen edge-on and its volume begins.
   for (const [what, { count, most }] of Object.entries(await page.call<Record<string, { count: number; most: number }>>('acne'))) {
     expect([what, count < 100, most <= FULL / 2]).toEqual([what, true, true]);
   }
-}, 60_000);
+});

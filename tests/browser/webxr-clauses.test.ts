@@ -15,7 +15,7 @@ function holds(title: string, call: string, clauses: readonly Clause[]): void {
     let facts: Readonly<Record<string, unknown>> = {};
     beforeAll(async () => {
       facts = await page.call(call);
-    }, 60_000);
+    });
     test.each(clauses)('%s', (_, fact, expected) => {
       expect(Object.keys(facts)).toContain(fact);
       expect(facts[fact]).toEqual(expected);

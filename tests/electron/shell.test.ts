@@ -28,7 +28,7 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     app = await launch([join(base, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
     page = await app.firstWindow();
     await page.waitForURL('scrim://editor/');
-  }, 60_000);
+  });
   afterAll(() => rm(base, { recursive: true, force: true }));
 
   async function put(path: string, text: string): Promise<void> {

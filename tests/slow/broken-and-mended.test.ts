@@ -1,9 +1,7 @@
-import { expect, jest, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { useEditor } from '../support/open-editor.ts';
 import { TINTED } from '../support/tinted.ts';
 import { type FramesSeen, watchFrames } from './watch-frames.ts';
-
-jest.setTimeout(600_000);
 
 const TIMES = 50;
 

@@ -1,14 +1,11 @@
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
 import type { ProjectText } from '../support/project-kit.ts';
 import { type ServedExport, serveProjectText } from '../support/project-page.ts';
 import { texturedModel } from '../support/textured-model.ts';
-
-// Two exports, one of them with a picture to encode; and pages drawn on the CPU.
-jest.setTimeout(300_000);
 
 const chromium = useBrowser();
 
@@ -44,7 +41,7 @@ async function visit(url: string): Promise<{ picture: Picture; loaded: string[] 
   const loaded: string[] = [];
   page.on('request', (request) => loaded.push(new URL(request.url()).pathname));
   await page.goto(url);
-  await page.getByText('look around').waitFor({ timeout: 120_000 });
+  await page.getByText('look around').waitFor();
   const picture = decodePicture(await page.screenshot());
   expect(errors).toEqual([]);
   await context.close();

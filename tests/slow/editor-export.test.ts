@@ -1,13 +1,10 @@
 import { mkdtemp, readdir, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
 import { expectPoster } from '../support/exported-page.ts';
 import { type OpenEditor, openEditor } from '../support/open-editor.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(240_000);
 
 const browser = useBrowser();
 let open: OpenEditor;
@@ -37,7 +34,7 @@ async function askFor(out: string): Promise<void> {
 async function exportTo(name: string): Promise<string> {
   const out = join(base, name);
   await askFor(out);
-  await open.page.getByText(`Exported to ${out}`).waitFor({ timeout: 120_000 });
+  await open.page.getByText(`Exported to ${out}`).waitFor();
   return out;
 }
 

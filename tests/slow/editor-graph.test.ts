@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import type { AxeResults } from 'axe-core';
+import { axeFindings } from '../support/axe.ts';
 import { useBrowser } from '../support/browser.ts';
 import { centreOf } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
@@ -19,7 +19,6 @@ const GRAPH: GraphText = {
 };
 const TO_SCREEN = 'gaussian-blur-aaaa.layer -> screen-aaaa.layer';
 
-const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
 const browser = useBrowser();
 let open: OpenEditor;
 beforeAll(async () => {
@@ -157,27 +156,18 @@ test('another type keeps the wires; nodes collapse, are tidied up, and found', a
 
 test('nothing that axe-core knows is wrong, in both themes, with a node, a subgraph, a menu or a dialog open', async () => {
   const { page, editor } = open;
-  const findings = async () => {
-    await page.evaluate(AXE);
-    const { violations } = await page.evaluate(() => {
-      const { axe } = window as unknown as { axe: { run: (context: object) => Promise<AxeResults> } };
-      // The preview is a page of its own.
-      return axe.run({ exclude: [['iframe']] });
-    });
-    return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-  };
   for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     await title('sepia').click();
-    expect(await findings()).toEqual([]);
+    expect(await axeFindings(page)).toEqual([]);
     await editor.inspector.getByRole('button', { name: 'More for Amount' }).click();
-    expect(await findings()).toEqual([]);
+    expect(await axeFindings(page)).toEqual([]);
     await page.keyboard.press('Escape');
     for (const keys of ['?', 'Control+f']) {
       await title('sepia').click();
       await page.keyboard.press(keys);
       await page.getByRole('dialog').waitFor();
-      expect(await findings()).toEqual([]);
+      expect(await axeFindings(page)).toEqual([]);
       await page.keyboard.press('Escape');
       await page.getByRole('dialog').waitFor({ state: 'detached' });
     }

@@ -1,6 +1,5 @@
-import { readFile } from 'node:fs/promises';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import type { AxeResults } from 'axe-core';
+import { axeFindings } from '../support/axe.ts';
 import { useBrowser } from '../support/browser.ts';
 import { centreOf, FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
@@ -23,7 +22,6 @@ const GRAPH: GraphText = {
   places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [240, 0], 'threshold-aaaa': [480, 0], 'screen-aaaa': [720, 0], 'sobel-aaaa': [240, 260] },
 };
 
-const AXE = await readFile('node_modules/axe-core/axe.min.js', 'utf8');
 const browser = useBrowser();
 let open: OpenEditor;
 beforeAll(async () => {
@@ -155,12 +153,6 @@ test('axe-core finds nothing wrong with any of it, in both themes', async () => 
   await page.getByRole('menuitemradio', { name: 'Headset' }).waitFor();
   for (const colorScheme of ['dark', 'light'] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
-    await page.evaluate(AXE);
-    const { violations } = await page.evaluate(() => {
-      const { axe } = window as unknown as { axe: { run: (context: object) => Promise<AxeResults> } };
-      // The preview is a page of its own.
-      return axe.run({ exclude: [['iframe']] });
-    });
-    expect(violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`)).toEqual([]);
+    expect(await axeFindings(page)).toEqual([]);
   }
 });

@@ -1,16 +1,13 @@
-import { readFileSync } from 'node:fs';
 import { cp, mkdtemp, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
+import { axeFindings } from '../support/axe.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { centreOf, EditorDriver } from '../support/editor-driver.ts';
-
-// Waits are for conditions; this ends what hangs, also on a busy machine.
-jest.setTimeout(240_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const browser = useBrowser();
@@ -32,28 +29,12 @@ beforeAll(async () => {
     await page.close();
     await server.close();
   };
-}, 120_000);
+});
 afterAll(async () => {
   await close();
   await rm(base, { recursive: true, force: true });
   expect(errors).toEqual([]);
 });
-
-const AXE = readFileSync(join(ROOT, 'node_modules/axe-core/axe.min.js'), 'utf8');
-
-interface AxeResults {
-  readonly violations: readonly { readonly id: string; readonly nodes: readonly { readonly target: readonly string[] }[] }[];
-}
-
-/** What axe-core finds wrong with the window as it is; the preview is a page of its own. */
-async function findings(): Promise<string[]> {
-  await page.evaluate(AXE);
-  const { violations } = await page.evaluate(() => {
-    const { axe } = window as unknown as { axe: { run: (context: object) => Promise<AxeResults> } };
-    return axe.run({ exclude: [['iframe']] });
-  });
-  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-}
 
 const theme = () => page.evaluate(() => [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]);
 const isLightColour = (colour: string | undefined) => Number(/\d+/.exec(colour ?? '')?.[0]) > 200;
@@ -69,7 +50,7 @@ test('the start screen shows templates and examples with their pictures', async 
     return images.map((image) => (image as HTMLImageElement).naturalWidth);
   });
   expect(shown.filter((width) => width === 240)).toHaveLength(await cards.count());
-  expect(await findings()).toEqual([]);
+  expect(await axeFindings(page)).toEqual([]);
 });
 
 test('the tour goes through the window in five steps, by keys alone', async () => {
@@ -82,7 +63,7 @@ test('the tour goes through the window in five steps, by keys alone', async () =
     titles.push((await card.getByRole('heading').textContent()) ?? '');
     const frame = await page.locator('.tour-frame').boundingBox();
     expect((frame?.width ?? 0) * (frame?.height ?? 0)).toBeGreaterThan(1000);
-    if (step === 1) expect(await findings()).toEqual([]);
+    if (step === 1) expect(await axeFindings(page)).toEqual([]);
     if (step === 2) {
       await page.keyboard.press('ArrowLeft');
       await card.getByText('1 of 5').waitFor();
@@ -98,7 +79,7 @@ test('the tour goes through the window in five steps, by keys alone', async () =
 test('commands are found by name, and do what they say', async () => {
   await page.keyboard.press('Control+k');
   const dialog = page.getByRole('dialog', { name: 'Commands' });
-  expect(await findings()).toEqual([]);
+  expect(await axeFindings(page)).toEqual([]);
   await dialog.getByRole('combobox').fill('light dark');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.documentElement.dataset.theme === 'light');
@@ -118,7 +99,7 @@ test('keys are chosen in the sheet, and hold in the next window', async () => {
   await sheet.getByRole('button', { name: 'Keys for Problems' }).click();
   await page.keyboard.press('Control+f');
   await sheet.getByText('taken from Find in the graph').waitFor();
-  expect(await findings()).toEqual([]);
+  expect(await axeFindings(page)).toEqual([]);
   await page.keyboard.press('Escape');
   await sheet.waitFor({ state: 'detached' });
   const panel = page.getByRole('region', { name: 'Problems' });
@@ -180,7 +161,7 @@ test('keyframes are set by the diamond beside a value, dragged in the panel, and
   const second = panel.getByRole('button', { name: /^Keyframe 2/ });
   await second.waitFor();
   expect(Number.parseFloat(await number.inputValue())).toBeGreaterThan(first);
-  expect(await findings()).toEqual([]);
+  expect(await axeFindings(page)).toEqual([]);
 
   // Dragged to the left; one undo takes all of the drag back.
   const timeOf = async () => Number(/, ([\d.]+) s/.exec((await second.getAttribute('aria-label')) ?? '')?.[1]);

@@ -6,15 +6,12 @@ import { decodePicture, encodePicture, type Picture } from '../support/picture.t
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { openXrPage } from '../xr/xr-page.ts';
 
-/** The gallery's frames take a second each where a busy CPU draws them. */
-const PATIENCE_MS = 120_000;
-
 const chromium = useBrowser();
 let served: ServedExport;
 
 beforeAll(async () => {
   served = await serveProject('examples/gallery');
-}, 120_000);
+});
 afterAll(() => served.close());
 
 /** The dark grey of the board behind all cells, wherever nothing of the page lies over it. */
@@ -74,7 +71,6 @@ describe('the whole wall is in view, and large', () => {
     [1280, 720],
   ])('on a page of %d×%d pixels without AR', async (width, height) => {
     const page = await chromium.browser.newPage({ viewport: { width, height } });
-    page.setDefaultTimeout(PATIENCE_MS);
     const errors = collectErrors(page);
     await page.goto(served.url);
     await page.getByText('Drag to look around').waitFor();
@@ -96,7 +92,6 @@ describe('the whole wall is in view, and large', () => {
   ] as const)('in AR, on a %s at its start', async (name, options, views) => {
     const [width, height] = options.sizePx;
     const xr = await openXrPage(chromium.browser, served.url, { room: 'studio', ...options } as EmulatorOptions, { width, height });
-    xr.page.setDefaultTimeout(PATIENCE_MS);
     await xr.enter();
     await xr.step(2);
     const picture = await xr.readLayer();

@@ -1,13 +1,10 @@
 import { join } from 'node:path';
-import { afterEach, expect, jest, test } from '@jest/globals';
+import { afterEach, expect, test } from '@jest/globals';
 import type { CDPSession } from 'playwright-core';
 import type { Program } from '../../export/program/program.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import { compileExample, compileText } from '../support/compile-project.ts';
 import { projectText } from '../support/project-kit.ts';
-
-// An hour's frames, one after the other.
-jest.setTimeout(900_000);
 
 const chromium = useBrowser();
 let page: PageModule | null = null;

@@ -4,10 +4,7 @@ import { cp, mkdtemp, readdir, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
-
-// Waits are for conditions; this ends what hangs, also on a busy machine.
-jest.setTimeout(300_000);
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const EXAMPLE = join(ROOT, 'examples/first-light');

@@ -1,12 +1,9 @@
 import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { decodePicture, type Picture } from '../support/picture.ts';
 import { succeed } from '../support/scrim.ts';
-
-// Waits are for conditions; this ends what hangs, also on a busy machine.
-jest.setTimeout(300_000);
 
 const TEMPLATES = resolve(import.meta.dirname, '../../examples/templates');
 

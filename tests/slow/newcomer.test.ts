@@ -1,7 +1,7 @@
 import { mkdtemp, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
@@ -9,11 +9,9 @@ import { playNewcomer } from '../../tools/newcomer/play-newcomer.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
+import { PATIENCE_MS } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 import { countDifferent } from '../support/pixels.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(400_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const MODEL = join(ROOT, 'examples/first-light/assets/robot.glb');
@@ -75,11 +73,10 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
 
 /** Edges of hidden things may differ from one frame to the next by single pixels. */
 const MOST_FLICKER = 30;
-const WAIT_MS = 90_000;
 
 /** Waits for the picture; fails where it does not come. */
 async function pictureThat(editor: EditorDriver, accept: (picture: Picture) => boolean): Promise<Picture> {
-  const endMs = Date.now() + WAIT_MS;
+  const endMs = Date.now() + PATIENCE_MS;
   for (;;) {
     const picture = await editor.picture();
     if (accept(picture)) return picture;

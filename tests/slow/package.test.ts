@@ -6,7 +6,7 @@ import { cp, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/pro
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import process from 'node:process';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { type Browser, chromium, type Page } from 'playwright-core';
 import type { Answer } from '../../app/contract/host-error.ts';
 import type { HostBridge } from '../../app/contract/ipc-client.ts';
@@ -16,9 +16,7 @@ import { type Display, openDisplay } from '../support/display.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
 import { describeElectron, findElectron } from '../support/electron.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
-
-// Waits are for conditions; this ends what hangs, also on a busy machine.
-jest.setTimeout(300_000);
+import { PATIENCE_MS } from '../support/patience.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const electron = await findElectron();
@@ -91,7 +89,7 @@ describeElectron('the packaged app', electron, () => {
     const [context] = browser.contexts();
     const page = context?.pages()[0] ?? (await context?.waitForEvent('page'));
     if (!page) throw new Error('The app opened no window.');
-    page.setDefaultTimeout(120_000);
+    page.setDefaultTimeout(PATIENCE_MS);
     await page.waitForURL('scrim://editor/');
     return page;
   }

@@ -1,4 +1,4 @@
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Emulator } from '../../export/emulator/emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
@@ -8,9 +8,6 @@ import { roomBox } from '../xr/room-box.ts';
 import { openXrPage, type XrPage } from '../xr/xr-page.ts';
 
 // What fails on devices, one after the other, beside a page that runs on: each is said, and unsaid when it is over.
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(240_000);
 
 const FLOOR = { label: 'floor', centerWorld: [0, -0.05, 0], sizeM: [8, 0.1, 8] } as const;
 /** Before the left half of the box, for eyes that look along −z. */

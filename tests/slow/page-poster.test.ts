@@ -4,14 +4,11 @@ import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
 import { promisify } from 'node:util';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { drawPoster } from '../../app/cli/render/draw-poster.ts';
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(120_000);
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const PROJECT = join(ROOT, 'examples/first-light');

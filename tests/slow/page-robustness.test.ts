@@ -1,5 +1,5 @@
 import { resolve } from 'node:path';
-import { afterAll, afterEach, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import type { Program } from '../../export/program/program.ts';
@@ -10,9 +10,6 @@ import { decodePicture, type Picture, pixelAt } from '../support/picture.ts';
 import { type ServedExport, serveProject } from '../support/project-page.ts';
 import { aliveGl, watchGl } from '../xr/count-gl.ts';
 import { openXrPage, readCapture, type XrPage } from '../xr/xr-page.ts';
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(240_000);
 
 const [lamp] = LAMP.operations;
 const [lampShader] = LAMP.shaders;

@@ -1,4 +1,4 @@
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import { type Picture, pixelAt } from '../support/picture.ts';
@@ -8,9 +8,6 @@ import { openXrPage, readCapture, type XrPage } from '../xr/xr-page.ts';
 
 // A box and its shadow in each scanned room, as an exported page draws them on a phone and a headset. Each pixel that is looked at is
 // worked out from the rays alone: what the room has there (cast at the scan's triangles), the box, the floor, and the way to the light.
-
-// Frames are drawn on the CPU, beside whatever else the machine does.
-jest.setTimeout(300_000);
 
 type Vector = readonly [number, number, number];
 

@@ -11,7 +11,7 @@ describeWithData('real panoramas', 'panoramas', (folder) => {
 
   beforeAll(async () => {
     page = await openModule(chromium.browser, 'tests/slow/panoramas.page.ts', { mounts: { '/panoramas/': folder } });
-  }, 60_000);
+  });
   afterAll(async () => {
     await page.close();
     expect(page.errors).toEqual([]);

@@ -27,7 +27,7 @@ beforeAll(async () => {
   page = await openModule(chromium.browser, 'tests/slow/real-models.page.ts', {
     mounts: { '/models/': shared, '/packed/': folder, '/libs/': resolve(DECODER_FILES_FOLDER) },
   });
-}, 120_000);
+});
 afterAll(async () => {
   await compressor.dispose();
   await page.close();

@@ -4,11 +4,8 @@ import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promis
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
-import { afterAll, beforeAll, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { bundleHostChild } from '../support/host-child.ts';
-
-// This ends what hangs; it is no measure of speed.
-jest.setTimeout(600_000);
 
 const PROCESSES = 5;
 const SAVES = 60;

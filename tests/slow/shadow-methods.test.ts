@@ -10,7 +10,7 @@ let page: PageModule;
 
 beforeAll(async () => {
   page = await openModule(chromium.browser, 'tests/browser/shadow-methods.page.ts', { mounts: { '/models/': models } });
-}, 120_000);
+});
 afterAll(async () => {
   await page.close();
   expect(page.errors).toEqual([]);

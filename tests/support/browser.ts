@@ -1,8 +1,9 @@
 import { afterAll, beforeAll, expect } from '@jest/globals';
 import { build } from 'esbuild';
-import type { Browser, Page } from 'playwright-core';
+import type { Browser, BrowserContext, Page } from 'playwright-core';
 import { findChromium } from '../../app/services/chromium.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
+import { PATIENCE_MS } from './patience.ts';
 import { type StaticServer, serveStatic } from './serve.ts';
 
 /** Starts the pinned Chromium once per test file. Goldens and pixel facts are only ever taken from it. `more`: switches of Chromium. */
@@ -12,7 +13,8 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
     const found = await findChromium({ pinnedOnly: true });
     if (!found) throw new Error('The pinned Chromium (@sparticuz/chromium) is missing: run `npm ci` on Linux x64.');
     browser = await startBrowser(found, more);
-  }, 60_000);
+    browser.on('context', prepareContext);
+  });
   afterAll(async () => {
     await browser?.close();
   });
@@ -22,6 +24,26 @@ export function useBrowser(more: readonly string[] = []): { readonly browser: Br
       return browser;
     },
   };
+}
+
+/** Makes pages wait as long as tests do, instead of Playwright's own 30 s. */
+export function prepareContext(context: BrowserContext): void {
+  context.setDefaultTimeout(PATIENCE_MS);
+  const slowness = Number(process.env.SCRIM_THROTTLE ?? 1);
+  if (slowness > 1) context.on('page', (page) => void slowDown(page, slowness));
+}
+
+/**
+ * For hunting races: with `SCRIM_THROTTLE=6` in the environment, scripts in pages run at a sixth of their speed, as on a machine
+ * that is slow and busy. Pages that are gone meanwhile need none.
+ */
+async function slowDown(page: Page, rate: number): Promise<void> {
+  try {
+    const devtools = await page.context().newCDPSession(page);
+    await devtools.send('Emulation.setCPUThrottlingRate', { rate });
+  } catch (error) {
+    if (!page.isClosed()) throw error;
+  }
 }
 
 /** Everything a page printed as an error, uncaught exceptions included. */

@@ -1,8 +1,8 @@
 import type { FrameLocator, Locator, Page } from 'playwright-core';
+import { PATIENCE_MS } from './patience.ts';
 import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent, expectSamePixels } from './pixels.ts';
 
-const WAIT_MS = 60_000;
 /** Height of the strip at the preview's top where the editor may put a flag. */
 export const FLAG_PX = 40;
 /** A held preview draws four times a second. */
@@ -83,14 +83,10 @@ export class EditorDriver {
   /** The preview plays the newest program, and nothing is on its way. */
   async settled(): Promise<void> {
     await this.page.waitForFunction(
-      () => {
-        const text = (selector: string) => document.querySelector(selector)?.textContent ?? '';
-        return (
-          /\d s/.test(text('.transport-time')) && !/Compiling/.test(text('.status-bar')) && document.querySelector('.stage-notice') === null
-        );
-      },
-      undefined,
-      { timeout: WAIT_MS },
+      () =>
+        document.querySelector('.stage')?.getAttribute('aria-busy') === 'false' &&
+        !/Compiling/.test(document.querySelector('.status-bar')?.textContent ?? '') &&
+        document.querySelector('.stage-notice') === null,
     );
   }
 
@@ -130,13 +126,20 @@ export class EditorDriver {
     await this.page.keyboard.type(text, { delay: KEY_MS });
   }
 
+  /** What keys and pointer did is on the page: the text editor, for one, draws once a frame. */
+  async painted(): Promise<void> {
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
   /** Of the line that the caret is on. */
   async lineNumber(): Promise<number> {
+    await this.painted();
     return Number(await this.page.locator('.monaco-editor .line-numbers.active-line-number').first().textContent());
   }
 
   /** The text of the line that the caret is on, as it is seen. */
   async lineText(): Promise<string> {
+    await this.painted();
     return this.page.evaluate(() => {
       const current = document.querySelector('.monaco-editor .view-overlays .current-line')?.parentElement as HTMLElement | null;
       const lines = [...document.querySelectorAll<HTMLElement>('.monaco-editor .view-line')];
@@ -204,7 +207,7 @@ export class EditorDriver {
 
   /** The first picture that is accepted, or else the last one that there was time for. */
   private async pictureThat(accept: (picture: Picture) => boolean): Promise<Picture> {
-    const endMs = Date.now() + WAIT_MS;
+    const endMs = Date.now() + PATIENCE_MS;
     for (;;) {
       const picture = await this.picture();
       if (accept(picture) || Date.now() > endMs) return picture;
@@ -221,7 +224,16 @@ export interface Point {
   readonly y: number;
 }
 
+/** Where it comes to rest: views glide to what was made. */
 export async function centreOf(locator: Locator): Promise<Point> {
+  await locator.evaluate(async (element) => {
+    const placed = () => new Promise<DOMRect>((done) => requestAnimationFrame(() => done(element.getBoundingClientRect())));
+    for (let last = await placed(), same = 0; same < 2; ) {
+      const next = await placed();
+      same = next.x === last.x && next.y === last.y ? same + 1 : 0;
+      last = next;
+    }
+  });
   const box = await locator.boundingBox();
   if (!box) throw new Error(`${locator} is not on screen.`);
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };

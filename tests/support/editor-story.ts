@@ -117,7 +117,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   const answered = answerFolder(exportTo);
   await page.getByRole('button', { name: 'Export', exact: true }).first().click();
   await answered;
-  await page.getByText(/^Exported to/).waitFor({ timeout: 60_000 });
+  await page.getByText(/^Exported to/).waitFor();
 }
 
 async function compileStatus(page: Page): Promise<string | undefined> {

@@ -8,7 +8,9 @@ import { dirname, join, resolve } from 'node:path';
 import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe } from '@jest/globals';
 import { _electron, type ElectronApplication } from 'playwright-core';
+import { prepareContext } from './browser.ts';
 import { type Display, hasDisplay, openDisplay } from './display.ts';
+import { PATIENCE_MS } from './patience.ts';
 
 const run = promisify(execFile);
 
@@ -94,7 +96,9 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
         // Root, as in a container, may not use Chromium's own sandbox helper.
         args: [...(process.getuid?.() === 0 ? ['--no-sandbox'] : []), ...args],
         env: environment({ ...env, DISPLAY: display?.name ?? '', XDG_CONFIG_HOME: settings }),
+        timeout: PATIENCE_MS,
       });
+      prepareContext(app.context());
       // Asked for now: of an app that has ended, Playwright knows no process any more.
       const child = app.process();
       cleanUps.push(() => kill(child));

@@ -13,8 +13,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   const errors = collectErrors(page);
   try {
     await page.goto(host.origin);
-    await page.locator('canvas').first().waitFor();
-    await page.waitForLoadState('networkidle');
+    await page.getByText('look around').waitFor();
     const { data } = decodePicture(await page.screenshot());
     const colours = new Set<number>();
     for (let i = 0; i < data.length; i += 4) colours.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));

@@ -44,7 +44,8 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   }
   const log = (message: string) => process.stderr.write(`${message}\n`);
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
-  const page = await browser.newPage({ viewport: size, colorScheme });
+  // What glides and fades is in nobody's way here.
+  const page = await browser.newPage({ viewport: size, colorScheme, reducedMotion: 'reduce' });
   if (before) await page.addInitScript(before);
   const errors = collectErrors(page);
   await page.goto(server.url);

@@ -245,7 +245,7 @@ describeWithData('the recorded living room', 'sessions/icl-livingroom', (recordi
   beforeAll(async () => {
     output = join(folder, 'icl');
     expect(await convert(recording, output)).toMatchObject({ code: 0 });
-  }, 60_000);
+  });
 
   test('stands on its floor, and its walls are upright', async () => {
     const points = worldPoints(await loadSession(output, 6), 8);

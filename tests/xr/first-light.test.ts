@@ -1,15 +1,12 @@
 import { cp, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { afterAll, beforeAll, describe, expect, jest, test } from '@jest/globals';
+import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
 import { useBrowser } from '../support/browser.ts';
 import type { Picture } from '../support/picture.ts';
 import { serveProject } from '../support/project-page.ts';
 import { openXrPage } from './xr-page.ts';
-
-// Four pages a device, drawn on the CPU.
-jest.setTimeout(240_000);
 
 const EXAMPLE = resolve(import.meta.dirname, '../../examples/first-light');
 const chromium = useBrowser();

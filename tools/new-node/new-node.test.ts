@@ -30,13 +30,13 @@ describe('npm run new-node', () => {
     await copy.node('tools/gen.mjs');
     for (const type of TYPES) await copy.node('tools/new-node.mjs', type);
     await copy.node('tools/gen.mjs');
-  }, 60_000);
+  });
   afterAll(() => copy.dispose());
 
   test('its definitions and runtimes have the right types', async () => {
     await copy.node('node_modules/typescript/bin/tsc', '-p', 'nodes/tsconfig.json');
     await copy.node('node_modules/typescript/bin/tsc', '-p', 'nodes/tsconfig.runtime.json');
-  }, 60_000);
+  });
 
   test('its files are formatted and lint clean', async () => {
     await copy.node(
@@ -57,7 +57,7 @@ describe('npm run new-node', () => {
   test('its tests pass', async () => {
     const output = await copy.node('node_modules/jest/bin/jest.js', 'try-it', '--selectProjects', 'unit');
     expect(output).toMatch(/Tests: +4 passed, 4 total/);
-  }, 60_000);
+  });
 
   test.each(TYPES)('the example of %s can be opened and uses it', async (type) => {
     const folder = join(copy.root, 'nodes', type, 'example');

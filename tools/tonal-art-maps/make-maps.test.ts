@@ -8,7 +8,7 @@ import { eachPixel, toneOf } from './strokes.ts';
 let maps: TonalArtMaps;
 beforeAll(() => {
   maps = makeTonalArtMaps();
-}, 60_000);
+});
 
 describe('tonal art maps', () => {
   test('reach the tone that each is for, at every size, by less than one stroke', () => {
