@@ -1,12 +1,12 @@
 import { BoxGeometry, Color, DataTexture, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
 import type { LampShadow, LightShadow, ShadowFilter } from '../../nodes/kit/light-shadow.ts';
 import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
-import type { RoomDepth } from '../../nodes/kit/session.ts';
 import { definition as directional } from '../../nodes/light/directional/definition.ts';
 import { create as createDirectional } from '../../nodes/light/directional/runtime.ts';
 import { bulb, drawView, lights, lookingAt, objects, pixel, spot, sun, translation, viewOf } from '../browser/scenes-kit.ts';
 import { desk, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
 import { fakeContext } from '../support/node-context.ts';
+import { BLOCK, look, measuredRoom, ROOM_CAMERA } from './block-room.ts';
 
 /** Straight down from 2 m: a pixel of the floor is 5.2 mm. */
 const ABOVE = lookingAt([0, 2, 1e-3], [0, 0, 0]);
@@ -103,48 +103,6 @@ export function acne(filter: ShadowFilter) {
   };
   // All three sides of the box that show are lit.
   return { floor: count(floor), ramp: count(ramp), box: count(box), error: stand.gl.getError() };
-}
-
-const ROOM_CAMERA = lookingAt([0.1, 1.5, 1.1], [0.1, 0, 0], SIDES.widthPx / SIDES.heightPx);
-/** A real block: its top is 30 cm high, over x from 0.1 to 0.7 and z from -0.5 to 0.4. */
-const BLOCK = { x0: 0.1, x1: 0.7, z0: -0.5, z1: 0.4, topM: 0.3 } as const;
-
-/** What is seen there through a place of the view: world, and metres along the view's axis. */
-function look(u: number, v: number, block: boolean): { point: Vector3; metres: number; onBlock: boolean } {
-  const eye = ROOM_CAMERA.position;
-  const ray = new Vector3(u * 2 - 1, v * 2 - 1, 0.5).unproject(ROOM_CAMERA).sub(eye).normalize();
-  const along = new Vector3(0, 0, -1).transformDirection(ROOM_CAMERA.matrixWorld).dot(ray);
-  let best = { t: -eye.y / ray.y, onBlock: false };
-  if (block) {
-    let [near, far] = [0, Number.POSITIVE_INFINITY];
-    for (const [from, to, at, by] of [
-      [BLOCK.x0, BLOCK.x1, eye.x, ray.x],
-      [0, BLOCK.topM, eye.y, ray.y],
-      [BLOCK.z0, BLOCK.z1, eye.z, ray.z],
-    ] as const) {
-      const [a, b] = [(from - at) / by, (to - at) / by];
-      near = Math.max(near, Math.min(a, b));
-      far = Math.min(far, Math.max(a, b));
-    }
-    if (near < far && near < best.t) best = { t: near, onBlock: true };
-  }
-  return { point: eye.clone().addScaledVector(ray, best.t), metres: best.t * along, onBlock: best.onBlock };
-}
-
-/** As a sensor of few pixels gives it, first row on top. */
-function measuredRoom(widthPx: number, heightPx: number, block: boolean): RoomDepth {
-  const { gl } = stand;
-  const metres = new Float32Array(widthPx * heightPx);
-  for (let i = 0; i < metres.length; i++) {
-    metres[i] = look(((i % widthPx) + 0.5) / widthPx, 1 - (Math.floor(i / widthPx) + 0.5) / heightPx, block).metres;
-  }
-  const texture = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, texture);
-  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, metres);
-  for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
-  return { texture, widthPx, heightPx, uvFromViewUv: Float32Array.of(1, 0, 0, 0, -1, 0, 0, 1, 1), worldFromDepth: new Float32Array(16) };
 }
 
 const TOWARDS = new Vector3(-0.7, 1, 0.2).normalize();

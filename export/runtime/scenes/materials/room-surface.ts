@@ -36,7 +36,7 @@ export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: Number
   const uniforms = {
     roomDepth: { value: texture },
     roomUvFromViewUv: { value: new Matrix3() },
-    // Half a texel more than one along each axis of the depth picture, in UV of the view.
+    // One texel along each axis of the depth picture, in UV of the view.
     roomStepX: { value: new Vector2() },
     roomStepY: { value: new Vector2() },
     // What the projection scales x and y by, and how far it shifts them.
@@ -67,8 +67,8 @@ export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: Number
       uniforms.roomUvFromViewUv.value.fromArray(depth.uvFromViewUv);
       scratchInverse.copy(uniforms.roomUvFromViewUv.value).invert();
       const { elements: m } = scratchInverse;
-      uniforms.roomStepX.value.set(m[0], m[1]).multiplyScalar(1.5 / depth.widthPx);
-      uniforms.roomStepY.value.set(m[3], m[4]).multiplyScalar(1.5 / depth.heightPx);
+      uniforms.roomStepX.value.set(m[0], m[1]).multiplyScalar(1 / depth.widthPx);
+      uniforms.roomStepY.value.set(m[3], m[4]).multiplyScalar(1 / depth.heightPx);
       const { clipFromView: p } = view;
       uniforms.roomLens.value.set(p[0] ?? 1, p[5] ?? 1, p[8] ?? 0, p[9] ?? 0);
       uniforms.roomWorldFromView.value.fromArray(view.worldFromView);
@@ -101,8 +101,10 @@ bool behindRoom() {
 };
 
 /**
- * The surface that room depth shows, found pixel by pixel. Sensors give few pixels: between those that are close to each other in
- * depth, it is interpolated, and across an edge not. The normal is that of the neighbours on the side that is closer in depth.
+ * The surface that room depth shows, found pixel by pixel: the plane through the samples around that are close in depth, by least
+ * squares. Depth of sensors is coarse and noisy, and a normal from its differences points anywhere: shadows had cracks beside every
+ * step and grains elsewhere. A plane is linear in the picture by the inverse of its depth, which is what is fitted; samples beyond a
+ * step have no part in it. Where all others lie beyond one, the surface faces the eye.
  */
 export const ROOM_SURFACE: CatcherSurface = {
   declarations: /* glsl */ `
@@ -114,54 +116,69 @@ uniform vec4 roomLens;
 uniform mat4 roomWorldFromView;
 varying vec2 vViewUv;
 
-// Part of the depth by which neighbours may differ and still be one surface.
-#define SAME_SURFACE 0.06
+// Part of the depth by which samples differ at most that are one surface.
+#define SAME_SURFACE 0.03
+// Samples to each side, and how many of the shorter side lie between them at least: a footprint of a thirtieth of the view.
+#define REACH 2
+#define ROWS 120
+// Draws the plane towards one that faces the eye, where the samples do not say: square steps.
+#define UPRIGHT 0.02
 
 float roomTexel( const in ivec2 at, const in ivec2 last ) {
   return texelFetch( roomDepth, clamp( at, ivec2( 0 ), last ), 0 ).r;
 }
 
-// Metres along the view's axis, 0 where unknown.
-float roomMetres( const in vec2 viewUv ) {
+// The plane, in metres along the view's axis: here, and one sample farther along either axis of the depth picture; 0 where unknown.
+vec3 roomPlane( const in vec2 viewUv ) {
   vec3 uv = roomUvFromViewUv * vec3( viewUv, 1.0 );
   vec2 at = uv.xy / uv.z;
-  if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return 0.0;
+  if ( any( greaterThan( abs( at - 0.5 ), vec2( 0.50001 ) ) ) ) return vec3( 0.0 );
   ivec2 size = textureSize( roomDepth, 0 );
-  vec2 texel = at * vec2( size ) - 0.5;
-  ivec2 first = ivec2( floor( texel ) );
-  vec2 part = texel - vec2( first );
-  vec4 m = vec4(
-    roomTexel( first, size - 1 ),
-    roomTexel( first + ivec2( 1, 0 ), size - 1 ),
-    roomTexel( first + ivec2( 0, 1 ), size - 1 ),
-    roomTexel( first + ivec2( 1, 1 ), size - 1 )
-  );
-  float least = min( min( m.x, m.y ), min( m.z, m.w ) );
-  float most = max( max( m.x, m.y ), max( m.z, m.w ) );
-  if ( least > 0.0 && most - least < SAME_SURFACE * most ) return mix( mix( m.x, m.y, part.x ), mix( m.z, m.w, part.x ), part.y );
-  vec2 nearest = step( 0.5, part );
-  return nearest.y < 0.5 ? ( nearest.x < 0.5 ? m.x : m.y ) : ( nearest.x < 0.5 ? m.z : m.w );
+  int stride = max( 1, min( size.x, size.y ) / ROWS );
+  vec2 texel = at * vec2( size );
+  ivec2 middle = ivec2( floor( texel ) );
+  float middleM = roomTexel( middle, size - 1 );
+  if ( middleM <= 0.0 ) return vec3( 0.0 );
+  float weights = 0.0;
+  // Of places (steps from here), of inverse depths (as parts of the middle's, less 1), and of their products.
+  vec3 sums = vec3( 0.0 );
+  vec3 squares = vec3( 0.0 );
+  vec2 products = vec2( 0.0 );
+  for ( int y = -REACH; y <= REACH; y ++ ) {
+    for ( int x = -REACH; x <= REACH; x ++ ) {
+      ivec2 sampled = clamp( middle + stride * ivec2( x, y ), ivec2( 0 ), size - 1 );
+      float metres = texelFetch( roomDepth, sampled, 0 ).r;
+      vec2 place = ( vec2( sampled ) + 0.5 - texel ) / float( stride );
+      float apart = ( metres - middleM ) / ( SAME_SURFACE * middleM );
+      float weight = max( 0.0, 1.0 - dot( place, place ) / ( ( float( REACH ) + 0.5 ) * ( float( REACH ) + 0.5 ) ) ) * max( 0.0, 1.0 - apart * apart );
+      if ( metres <= 0.0 || weight <= 0.0 ) continue;
+      vec3 found = vec3( place, middleM / metres - 1.0 );
+      weights += weight;
+      sums += weight * found;
+      squares += weight * vec3( place * place, place.x * place.y );
+      products += weight * place * found.z;
+    }
+  }
+  // The middle itself always counts.
+  vec3 mean = sums / weights;
+  vec3 spread = squares / weights - vec3( mean.xy * mean.xy, mean.x * mean.y ) + vec3( UPRIGHT, UPRIGHT, 0.0 );
+  vec2 along = products / weights - mean.xy * mean.z;
+  vec2 slope = ( spread.yx * along - spread.z * along.yx ) / ( spread.x * spread.y - spread.z * spread.z );
+  float here = mean.z - dot( slope, mean.xy );
+  return middleM / ( 1.0 + here + vec3( 0.0, slope / float( stride ) ) );
 }
 
 vec3 roomPoint( const in vec2 viewUv, const in float metres ) {
   vec3 ray = vec3( ( viewUv * 2.0 - 1.0 + roomLens.zw ) / roomLens.xy, -1.0 );
   return ( roomWorldFromView * vec4( ray * metres, 1.0 ) ).xyz;
 }
-
-// Along the surface, by one step of the depth picture to the side that is closer in depth.
-vec3 roomTangent( const in vec2 viewUv, const in float metres, const in vec2 by ) {
-  float before = roomMetres( viewUv - by );
-  float after = roomMetres( viewUv + by );
-  bool back = before > 0.0 && ( after <= 0.0 || abs( before - metres ) < abs( after - metres ) );
-  return back
-    ? roomPoint( viewUv, metres ) - roomPoint( viewUv - by, before )
-    : roomPoint( viewUv + by, after > 0.0 ? after : metres ) - roomPoint( viewUv, metres );
-}
 `,
-  find: /* glsl */ `float metres = roomMetres( vViewUv );
-  if ( metres <= 0.0 ) discard;
-  positionWorld = roomPoint( vViewUv, metres );
-  vec3 normal = normalize( cross( roomTangent( vViewUv, metres, roomStepX ), roomTangent( vViewUv, metres, roomStepY ) ) );
+  find: /* glsl */ `vec3 plane = roomPlane( vViewUv );
+  if ( plane.x <= 0.0 ) discard;
+  positionWorld = roomPoint( vViewUv, plane.x );
+  vec3 tangentX = roomPoint( vViewUv + roomStepX, plane.y ) - positionWorld;
+  vec3 tangentY = roomPoint( vViewUv + roomStepY, plane.z ) - positionWorld;
+  vec3 normal = normalize( cross( tangentX, tangentY ) );
   // Whichever way the picture lies, what is seen faces the eye.
   normal *= sign( dot( normal, roomWorldFromView[ 3 ].xyz - positionWorld ) );`,
 };
