@@ -10,6 +10,7 @@ import { App } from './shell/app.tsx';
 import { NoHost } from './shell/no-host.tsx';
 import { createEditor } from './state/editor.ts';
 import { createFeed } from './state/feed.ts';
+import { keepRanges } from './state/kept-ranges.ts';
 import { createPreferences, keepPreferences, loadPreferences } from './state/preferences.ts';
 import { keepSizes, loadSizes } from './state/sizes.ts';
 import { autosave, followHost, hasUnsavedWork, openFirst, start } from './state/start.ts';
@@ -45,6 +46,7 @@ async function main(): Promise<void> {
   followHost(editor);
   autosave(editor);
   keepSizes(editor, localStorage);
+  keepRanges(editor, localStorage);
   window.addEventListener('beforeunload', (event) => {
     if (hasUnsavedWork(editor)) event.preventDefault();
   });

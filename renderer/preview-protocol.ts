@@ -1,5 +1,6 @@
 import type { Program } from '../export/program/program.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
+import type { FrameTimes } from '../nodes/kit/frame-times.ts';
 
 /**
  * Messages between the editor and its preview page, over one MessagePort that the editor hands to the preview's origin once it
@@ -14,6 +15,8 @@ export type ToPreview =
   /** Set a uniform param without a compile. */
   | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: number | boolean | string | readonly number[] }
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
+  /** The part of a recording that is played; null: all of it, over and over, while time goes on. */
+  | { readonly kind: 'range'; readonly range: PreviewRange | null }
   /** Goes to a moment, seconds since the session began. Only recordings can; what remembers begins anew. */
   | { readonly kind: 'seek'; readonly timeS: number }
   /** Take the picture from there. `request` counts: the status says which one is done with. */
@@ -38,6 +41,14 @@ export type ToPreview =
   | { readonly kind: 'cost'; readonly on: boolean }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
+
+/** Seconds since the session began. `lastS`, `endS`: where the last frame begins and ends. Without `loop` the preview pauses there. */
+export interface PreviewRange {
+  readonly fromS: number;
+  readonly lastS: number;
+  readonly endS: number;
+  readonly loop: boolean;
+}
 
 /** Addresses are on the preview's own origin. */
 export type PreviewSource =
@@ -64,6 +75,8 @@ export type FromPreview =
   | { readonly kind: 'ready' }
   /** The program of this revision is now the one on screen. */
   | { readonly kind: 'playing'; readonly revision: number }
+  /** A session began; null where it is no recording, and no moment can be gone to. */
+  | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
   /** Everything wrong with the running program, or with the one of `revision` that could not be taken over. */
   | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
   /** What the graphics driver said of the program of `revision`; empty when it took all shaders. The editor maps it to lines. */
@@ -114,6 +127,7 @@ export interface PreviewStatus {
   readonly state: 'loading' | 'playing' | 'paused' | 'lost';
   /** Of the newest `session` message that is done with: its session is open, or cannot be, as a diagnostic says. Null before the first. */
   readonly request: number | null;
+  /** Of a recording its own frame, later rounds counted on; else how many there were. */
   readonly frame: number;
   readonly timeS: number;
   /** Mean time of the last frames on the CPU. */

@@ -10,8 +10,9 @@ import { createOrbitSession } from '../../export/runtime/sessions/orbit/orbit-se
 import { createRecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
 import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
+import type { FrameTimes } from '../../nodes/kit/frame-times.ts';
 import type { Session } from '../../nodes/kit/session.ts';
-import type { PreviewSource } from '../preview-protocol.ts';
+import type { PreviewRange, PreviewSource } from '../preview-protocol.ts';
 import { pageFetch } from './network.ts';
 import { createStillStream } from './still-stream.ts';
 import { createWalk } from './walk.ts';
@@ -21,14 +22,23 @@ export interface OpenSession {
   /** Null where it could not be opened; the diagnostics say why. */
   readonly session: Session | null;
   readonly diagnostics: readonly Diagnostic[];
-  /** One frame of the recording, or of the display. */
-  readonly frameS: number;
+  /** Of a recording; null for what has no moments to go to. */
+  readonly reel: Reel | null;
   rewind(): void;
-  /** To a moment of a recording, seconds since it began; rooms have none. */
-  seek(timeS: number): void;
   /** Of an emulated device's screen, from the next frame on; null: as it was. Recordings follow the canvas. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
   end(): Promise<void>;
+}
+
+/** The time of a recording. */
+export interface Reel {
+  readonly frames: FrameTimes;
+  /** To a moment, seconds since it began. */
+  seek(timeS: number): void;
+  /** To the next frame; how much time is passed over. */
+  step(): number;
+  setRange(range: PreviewRange | null): void;
+  enterRange(): void;
 }
 
 export interface SessionPlace {
@@ -39,9 +49,12 @@ export interface SessionPlace {
   readonly screen: HTMLElement;
   /** That of `gl`. */
   readonly canvas: HTMLCanvasElement;
+  /** A part of a recording has been played, and time should stand. */
+  readonly onEnd: () => void;
+  /** A frame of a recording that was not there in time now is. */
+  readonly onArrival: () => void;
 }
 
-const DISPLAY_FRAME_S = 1 / 60;
 const MAX_PIXEL_RATIO = 2;
 
 /** Never rejects. */
@@ -80,23 +93,32 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
   return {
     session: output,
     diagnostics,
-    frameS: DISPLAY_FRAME_S,
+    reel: null,
     rewind: () => {},
-    seek: () => {},
     resize: () => {},
     end: async () => output?.end(),
   };
 }
 
-async function openRecording(url: string, { gl, clock }: SessionPlace): Promise<OpenSession> {
-  const session = createRecordedSession({ gl, files: createFetchAssetSource(url, pageFetch), mode: { kind: 'clock', clock } });
+async function openRecording(url: string, { gl, clock, onEnd, onArrival }: SessionPlace): Promise<OpenSession> {
+  const files = createFetchAssetSource(url, pageFetch);
+  const session = createRecordedSession({ gl, files, mode: { kind: 'clock', clock }, onEnd, onArrival });
   const { output, diagnostics } = await session.ready;
   return {
     session: output === null ? null : session,
     diagnostics,
-    frameS: output === null ? DISPLAY_FRAME_S : output.durationS / output.frameCount,
+    reel: output && {
+      frames: output.frames,
+      seek: session.seekTime,
+      step: () => {
+        const fromS = session.playheadS;
+        session.stepOn();
+        return session.playheadS - fromS;
+      },
+      setRange: session.setRange,
+      enterRange: session.enterRange,
+    },
     rewind: () => session.seek(0),
-    seek: (timeS) => session.seekTime(timeS),
     resize: () => {},
     end: () => session.end(),
   };
@@ -111,9 +133,8 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     return {
       session: null,
       diagnostics: [broken],
-      frameS: DISPLAY_FRAME_S,
+      reel: null,
       rewind: () => {},
-      seek: () => {},
       resize: () => {},
       end: async () => {},
     };
@@ -134,9 +155,8 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   return {
     session: output,
     diagnostics,
-    frameS: DISPLAY_FRAME_S,
+    reel: null,
     rewind: walk.rewind,
-    seek: () => {},
     resize: (asked) => emulator.setSize(asked ?? sizePx),
     end: async () => {
       walk.dispose();

@@ -1,16 +1,17 @@
 import type { FrameClock } from '../../export/runtime/clock.ts';
+import { type FrameTimes, frameAtTime } from '../../nodes/kit/frame-times.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewStatus } from '../preview-protocol.ts';
 
-/** Tells the editor how the preview runs, at most ten times a second. */
+/** Tells the editor how the preview runs, at most ten times a second; while it is held, of every frame that is another one. */
 export interface Status {
   setState(state: PreviewStatus['state']): void;
   setRequest(request: number): void;
   /** Around the drawing of a frame. */
   begin(): void;
   end(frame: SessionFrame): void;
-  /** Frames and time count from the next frame on; frames that repeat a held moment do not count. */
-  rewind(): void;
+  /** Frames and time count from the next frame on; frames that repeat a held moment do not count. `frames`: of a recording. */
+  rewind(frames: FrameTimes | null): void;
 }
 
 const INTERVAL_S = 0.1;
@@ -31,6 +32,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   let beganS = 0;
   let originS: number | null = null;
   let lastS = 0;
+  let frames: FrameTimes | null = null;
   const tell = () => {
     sentS = clock.nowS();
     send({ kind: 'status', status: { ...status } });
@@ -51,18 +53,22 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
     end: (frame) => {
       const nowS = clock.nowS();
       const tookMs = (nowS - beganS) * 1000;
+      const moved = originS === null || frame.timeS !== lastS;
       if (originS === null) status.frame = 0;
-      else if (frame.timeS !== lastS) status.frame++;
-      originS ??= frame.timeS;
+      else if (moved) status.frame++;
+      // A recording says its own time; others begin when they are begun.
+      originS ??= frames ? 0 : frame.timeS;
       lastS = frame.timeS;
       status.timeS = frame.timeS - originS;
+      if (frames) status.frame = frameAtTime(frames, status.timeS);
       status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
       status.widthPx = frame.framebufferWidthPx;
       status.heightPx = frame.framebufferHeightPx;
-      if (nowS - sentS >= INTERVAL_S) tell();
+      if (nowS - sentS >= INTERVAL_S || (moved && status.state === 'paused')) tell();
     },
-    rewind: () => {
+    rewind: (of) => {
       originS = null;
+      frames = of;
     },
   };
 }

@@ -5,7 +5,7 @@ import type { PlayResult } from '../../export/runtime/player.ts';
 import { showLayer } from '../../export/runtime/present/show-layer.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
-import type { FromPreview, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import type { FromPreview, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createCaptures } from './captures.ts';
 import { createHouse, type House } from './house.ts';
 import { type OpenSession, openSession } from './open-session.ts';
@@ -38,6 +38,9 @@ interface Wanted {
 
 /** A window that is being resized comes to rest before an emulated device, whose screen has a fixed size, is made anew. */
 const RESIZE_PAUSE_S = 0.25;
+
+/** What a step is where there is no recording. */
+const DISPLAY_FRAME_S = 1 / 60;
 
 /** Plays what the editor sends over the session it chose: what is wanted is noted down, and `settle` makes it so. */
 export function createTheatre({ parent, screen, clock: base, send }: TheatreOptions): Theatre {
@@ -136,14 +139,18 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   const begin = async (place: House, { program }: Wanted, from: PreviewSource, key: string) => {
     await endSession();
     tellState();
-    const opened = await openSession(from, { gl: place.gl, canvas: place.canvas, clock, program, screen });
+    const { gl, canvas } = place;
+    const onEnd = () => pause();
+    const opened = await openSession(from, { gl, canvas, clock, program, screen, onEnd, onArrival: clock.wake });
     open = opened;
+    // The editor answers with what of it is played.
+    send({ kind: 'frames', frames: opened.reel?.frames ?? null });
     openKey = key;
     sessionProblems = opened.diagnostics;
     tellProblems();
     place.player.reset();
     place.player.setSession(opened.session);
-    status.rewind();
+    status.rewind(opened.reel?.frames ?? null);
     opened.session?.start(draw, (event) => {
       if (event.kind === 'reset') place.player.reset();
       if (event.kind !== 'problem') return;
@@ -180,14 +187,23 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     }
     settle();
   };
+  const pause = () => {
+    clock.setPlaying(false);
+    tellState();
+  };
   const transport = (action: Extract<ToPreview, { kind: 'transport' }>['action']) => {
     if (action === 'reset') {
       open?.rewind();
       house?.player.reset();
-      status.rewind();
+      status.rewind(open?.reel?.frames ?? null);
     } else clock.setPlaying(action === 'play');
-    if (action === 'step') clock.step(open?.frameS ?? 0);
+    if (action === 'play') open?.reel?.enterRange();
+    if (action === 'step') clock.step(open?.reel?.step() ?? DISPLAY_FRAME_S);
     tellState();
+  };
+  const takeRange = (next: PreviewRange | null) => {
+    open?.reel?.setRange(next);
+    if (clock.playing) open?.reel?.enterRange();
   };
 
   const posterPlace = (): PosterPlace | null => {
@@ -245,8 +261,11 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           probes.ask(message);
           return;
         case 'seek':
-          open?.seek(message.timeS);
+          open?.reel?.seek(message.timeS);
           clock.wake();
+          return;
+        case 'range':
+          takeRange(message.range);
           return;
         case 'transport':
           transport(message.action);

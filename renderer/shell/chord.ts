@@ -9,7 +9,7 @@ export interface KeyPress {
 
 export function chordOf(press: KeyPress, mac: boolean): string {
   const mod = mac ? press.metaKey : press.ctrlKey;
-  const key = press.key.length === 1 ? press.key.toUpperCase() : press.key;
+  const key = press.key === ' ' ? 'Space' : press.key.length === 1 ? press.key.toUpperCase() : press.key;
   // Shift makes another character of most keys; only letters and named keys name it.
   const shift = press.shiftKey && (key.length > 1 || /[A-Z]/.test(key));
   return [mod ? 'Mod' : '', mac && press.ctrlKey ? 'Ctrl' : '', press.altKey ? 'Alt' : '', shift ? 'Shift' : '', key]

@@ -88,6 +88,23 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'view.motion',
     ],
   },
+  {
+    label: 'Playback',
+    entries: [
+      'play.toggle',
+      'play.next',
+      'play.back',
+      'play.first',
+      'play.last',
+      'line',
+      'play.in',
+      'play.out',
+      'play.to-in',
+      'play.to-out',
+      'play.whole',
+      'play.loop',
+    ],
+  },
   { label: 'Help', entries: ['help.commands', 'help.shortcuts', 'line', 'help.tour'] },
 ];
 

@@ -22,11 +22,13 @@ export function useShortcuts(): void {
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || blocked()) return;
       const chord = chordOf(event, editor.mac);
-      const id = commandOfChord(editor, chord, isTyping(event.target) && !(isUndo(editor, chord) && isClean(event.target)));
+      const where = isOnTime(event.target) ? 'time' : 'canvas';
+      const id = commandOfChord(editor, chord, isTyping(event.target) && !(isUndo(editor, chord) && isClean(event.target)), where);
       const takesTab = pointedAtCanvas && isOnCanvas(event.target);
       if (chord === 'Tab' && !takesTab) pointedAtCanvas = false;
       if (id === null || !appCommand(id).enabled(editor)) return;
-      if (chord === 'Tab' ? !takesTab : !hasModifier(chord) && !isOnCanvas(event.target)) return;
+      const isOfTime = appCommand(id).where === 'time';
+      if (isOfTime ? isPress(chord, event.target) : chord === 'Tab' ? !takesTab : !hasModifier(chord) && !isOnCanvas(event.target)) return;
       event.preventDefault();
       runCommand(editor, id);
     };
@@ -67,6 +69,15 @@ function hasModifier(chord: string): boolean {
 
 function isOnCanvas(target: EventTarget | null): boolean {
   return target === document.body || (target instanceof Element && target.closest('.canvas') !== null);
+}
+
+function isOnTime(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest('.timeline, .stage') !== null;
+}
+
+/** Space on a button is for the button. */
+function isPress(chord: string, target: EventTarget | null): boolean {
+  return chord === 'Space' && target instanceof HTMLButtonElement;
 }
 
 function isUndo(editor: Editor, chord: string): boolean {

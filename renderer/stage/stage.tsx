@@ -3,7 +3,8 @@ import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
-import { chosenSource, isLoading, LOCAL_SOURCES } from '../state/preview.ts';
+import { goToStart, stepFrames, togglePlay } from '../state/playing.ts';
+import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, timeOf } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { LookLayer } from './look-layer.tsx';
@@ -93,18 +94,18 @@ function Notice() {
 
 function Transport() {
   const editor = useEditor();
-  const feed = useFeed();
   const status = useStore(editor.preview, (preview) => preview.status);
+  const frame = useStore(editor.preview, frameOf);
+  const timeS = useStore(editor.preview, timeOf);
   const paused = status?.state === 'paused';
-  const act = (action: 'play' | 'pause' | 'step' | 'reset') => feed.send({ kind: 'transport', action });
   return (
     <div className="transport" role="toolbar" aria-label="Transport">
-      <IconButton icon={paused ? 'play' : 'pause'} label={paused ? 'Play' : 'Pause'} onPress={() => act(paused ? 'play' : 'pause')} />
-      <IconButton icon="step" label="One frame on" onPress={() => act('step')} />
-      <IconButton icon="reset" label="Back to the first frame" onPress={() => act('reset')} />
+      <IconButton icon={paused ? 'play' : 'pause'} label={paused ? 'Play' : 'Pause'} onPress={() => togglePlay(editor)} />
+      <IconButton icon="step" label="One frame on" onPress={() => stepFrames(editor, 1)} />
+      <IconButton icon="reset" label="Back to the first frame" onPress={() => goToStart(editor)} />
       <output className="transport-time" data-tip="Time in the session and number of the frame">
-        {status ? `${status.timeS.toFixed(2)} s` : '–'}
-        <span>{status ? status.frame : ''}</span>
+        {status ? `${timeS.toFixed(2)} s` : '–'}
+        <span>{status ? frame : ''}</span>
       </output>
       <span className="transport-gap" />
       <StageMenu />

@@ -9,6 +9,8 @@ import { exportPage } from './export-page.ts';
 import { newProject, openProject, save, saveAs } from './files.ts';
 import { addFrame, addNote } from './layout-items.ts';
 import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
+import { clearRange, goToFrame, goToStart, lastFrame, playedRange, setIn, setOut, stepFrames, toggleLoop, togglePlay } from './playing.ts';
+import { frameOf } from './preview.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
 import { startTour } from './tour.ts';
@@ -25,6 +27,8 @@ export interface AppCommand {
   readonly byEvent?: true;
   /** Also while a text field has the focus. */
   readonly whileTyping?: true;
+  /** A key of the timeline and the preview, while the focus is there. */
+  readonly where?: 'time';
 }
 
 const always = () => true;
@@ -33,6 +37,8 @@ const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
 const hasSelection = ({ selection }: Editor) => Object.values(selection.getState()).some((set: ReadonlySet<string>) => set.size > 0);
 
 const hasSeveral = ({ selection }: Editor) => selection.getState().nodes.size > 1;
+const hasFrames = ({ preview }: Editor) => preview.getState().frames !== null;
+const hasRange = ({ preview }: Editor) => preview.getState().frames !== null && preview.getState().range !== null;
 const hasOneNode = ({ selection }: Editor) => soleNode(selection.getState()) !== null;
 const hasSubgraph = (editor: Editor) => selectedSubgraph(editor) !== null;
 const isInside = ({ document }: Editor) => document.getState().trail.length > 0;
@@ -160,6 +166,53 @@ const COMMANDS = {
   },
   'view.theme': { label: 'Light or dark', chords: [], enabled: always, run: switchTheme },
   'view.motion': { label: 'Less motion', chords: [], enabled: always, run: switchMotion },
+  'play.toggle': { label: 'Play or pause', chords: ['Space'], enabled: isOpen, run: togglePlay, where: 'time' },
+  'play.next': { label: 'One frame on', chords: ['ArrowRight'], enabled: isOpen, run: (editor) => stepFrames(editor, 1), where: 'time' },
+  'play.back': {
+    label: 'One frame back',
+    chords: ['ArrowLeft'],
+    enabled: hasFrames,
+    run: (editor) => stepFrames(editor, -1),
+    where: 'time',
+  },
+  'play.first': { label: 'To the first frame', chords: ['Home'], enabled: isOpen, run: goToStart, where: 'time' },
+  'play.last': {
+    label: 'To the last frame',
+    chords: ['End'],
+    enabled: hasFrames,
+    run: (editor) => goToFrame(editor, lastFrame(editor.preview.getState())),
+    where: 'time',
+  },
+  'play.in': {
+    label: 'Begin the range here',
+    chords: ['I'],
+    enabled: hasFrames,
+    run: (editor) => setIn(editor, frameOf(editor.preview.getState())),
+    where: 'time',
+  },
+  'play.out': {
+    label: 'End the range here',
+    chords: ['O'],
+    enabled: hasFrames,
+    run: (editor) => setOut(editor, frameOf(editor.preview.getState())),
+    where: 'time',
+  },
+  'play.to-in': {
+    label: 'To the start of the range',
+    chords: ['Shift+I'],
+    enabled: hasFrames,
+    run: (editor) => goToFrame(editor, playedRange(editor.preview.getState()).from),
+    where: 'time',
+  },
+  'play.to-out': {
+    label: 'To the end of the range',
+    chords: ['Shift+O'],
+    enabled: hasFrames,
+    run: (editor) => goToFrame(editor, playedRange(editor.preview.getState()).to),
+    where: 'time',
+  },
+  'play.whole': { label: 'Play all of the recording', chords: ['X'], enabled: hasRange, run: clearRange, where: 'time' },
+  'play.loop': { label: 'Loop', chords: ['Shift+L'], enabled: hasFrames, run: toggleLoop, where: 'time' },
   'help.commands': {
     label: 'All commands…',
     chords: ['Mod+K', 'F1'],

@@ -7,12 +7,23 @@ export function chordsOf({ preferences }: Pick<Editor, 'preferences'>, id: AppCo
   return own(preferences.getState().chords, id) ?? appCommand(id).chords;
 }
 
-/** The command of a chord; with a text field focused, only those that no text field has a use for. */
-export function commandOfChord(editor: Pick<Editor, 'preferences'>, chord: string, typing: boolean): AppCommandId | null {
-  const found = appCommandIds().find((id) => {
+/**
+ * The command of a chord; with a text field focused, only those that no text field has a use for. Timeline and preview have keys
+ * of their own, which go before the others there and are none elsewhere.
+ */
+export function commandOfChord(
+  editor: Pick<Editor, 'preferences'>,
+  chord: string,
+  typing: boolean,
+  where: 'canvas' | 'time' = 'canvas',
+): AppCommandId | null {
+  const fits = (id: AppCommandId) => {
     const { byEvent, whileTyping } = appCommand(id);
     return chordsOf(editor, id).includes(chord) && byEvent !== true && (!typing || whileTyping === true);
-  });
+  };
+  const found =
+    (where === 'time' ? appCommandIds().find((id) => isOfTime(id) && fits(id)) : undefined) ??
+    appCommandIds().find((id) => !isOfTime(id) && fits(id));
   return found ?? null;
 }
 
@@ -23,7 +34,12 @@ export function isRebindable(id: AppCommandId): boolean {
 
 /** What has the chord now, other than the command that it is for. */
 export function ownerOfChord(editor: Pick<Editor, 'preferences'>, chord: string, except: AppCommandId): AppCommandId | null {
-  return appCommandIds().find((id) => id !== except && chordsOf(editor, id).includes(chord)) ?? null;
+  const same = (id: AppCommandId) => id !== except && isOfTime(id) === isOfTime(except);
+  return appCommandIds().find((id) => same(id) && chordsOf(editor, id).includes(chord)) ?? null;
+}
+
+function isOfTime(id: AppCommandId): boolean {
+  return appCommand(id).where === 'time';
 }
 
 /** Gives a command one chord in place of those it has; another command that had it goes without. Null takes all away. */

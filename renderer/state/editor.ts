@@ -1,5 +1,6 @@
 import type { Host } from '../../app/contract/contract.ts';
 import type { EditorClock } from '../clock.ts';
+import type { ToPreview } from '../preview-protocol.ts';
 import { type CanvasStore, createCanvasState } from './canvas.ts';
 import { type CompileStore, createCompileState } from './compile.ts';
 import { type CostStore, createCostState } from './costs.ts';
@@ -39,6 +40,8 @@ export interface Editor {
   readonly unfinished: Set<() => void>;
   /** Takes a picture of what the preview shows, as JPEG, or null where it shows nothing; set while there is a preview. */
   readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null; readonly layers: Pictures };
+  /** Moves the preview's time; goes nowhere while there is no preview. */
+  readonly transport: { post: (message: ToPreview) => void };
   readonly document: DocumentStore;
   readonly selection: SelectionStore;
   readonly canvas: CanvasStore;
@@ -84,6 +87,7 @@ export function createEditor({
     libraries,
     unfinished: new Set(),
     pictures: { take: null, layers: createLayerPictures() },
+    transport: { post: () => {} },
     document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),

@@ -12,6 +12,7 @@ import type { Editor } from './editor.ts';
 import { createLooking } from './looking.ts';
 import { lookAtNothing } from './looks.ts';
 import { createPictures } from './pictures.ts';
+import { previewRange } from './playing.ts';
 import { chosenSource } from './preview.ts';
 
 /** Keeps compiler and preview up with the document. */
@@ -98,7 +99,10 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       if (program !== null && consequence.edits.some((edit) => !follows(program, edit))) compile();
     }
   });
+  const postRange = () => post({ kind: 'range', range: previewRange(editor.preview.getState()) });
+  editor.transport.post = post;
   const stopSource = editor.preview.subscribe((state, before) => {
+    if (state.range !== before.range || state.loop !== before.loop || state.frames !== before.frames) postRange();
     const same = state.views === before.views && state.frame === before.frame && state.tier === before.tier && state.still === before.still;
     if (chosenSource(state) !== chosenSource(before) || !same) postSource();
   });
@@ -179,8 +183,14 @@ function takeMessage(
       }
       return;
     }
-    case 'status':
-      preview.setState({ status: message.status });
+    case 'status': {
+      const { status } = message;
+      // Once it has been shown, what was asked for is what is there.
+      preview.setState((state) => ({ status, asked: status.state !== 'paused' || state.asked === status.frame ? null : state.asked }));
+      return;
+    }
+    case 'frames':
+      preview.setState({ frames: message.frames, asked: null });
       return;
   }
 }

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { appCommandIds } from './app-commands.ts';
+import { appCommand, appCommandIds } from './app-commands.ts';
 import { bindChord, chordsOf, commandOfChord, resetChords } from './chords.ts';
 import { openPath } from './files.ts';
 import { DEFAULT_PREFERENCES, keepPreferences, loadPreferences } from './preferences.ts';
@@ -74,7 +74,9 @@ describe('keys', () => {
 
   test('of the table are given once', async () => {
     const mine = await editor();
-    const all = appCommandIds().flatMap((id) => chordsOf(mine, id));
-    expect(new Set(all).size).toBe(all.length);
+    for (const where of ['time', undefined]) {
+      const all = appCommandIds().flatMap((id) => (appCommand(id).where === where ? chordsOf(mine, id) : []));
+      expect(new Set(all).size).toBe(all.length);
+    }
   });
 });

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { SessionSource } from '../../app/contract/contract.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import type { PreviewStatus } from '../preview-protocol.ts';
 
 /** What is known of the preview page. */
@@ -27,6 +28,20 @@ export interface PreviewState {
   /** The picture that stands in for a camera. */
   readonly still: File | null;
   readonly recording: boolean;
+  /** Of the recording that plays; null where no moment can be gone to. */
+  readonly frames: FrameTimes | null;
+  /** What is played of it; null: all. */
+  readonly range: FrameRange | null;
+  /** From the end of what is played back to its beginning. */
+  readonly loop: boolean;
+  /** While held: the frame that was asked for last, which the preview may not have shown yet. */
+  readonly asked: number | null;
+}
+
+/** Frames of a recording, both included; those of later rounds are counted on. */
+export interface FrameRange {
+  readonly from: number;
+  readonly to: number;
 }
 
 /** The shape of the preview: as large as there is room, or as a device has it. */
@@ -63,12 +78,21 @@ export function createPreviewState(): PreviewStore {
     tier: 'ar-camera',
     still: null,
     recording: false,
+    frames: null,
+    range: null,
+    loop: false,
+    asked: null,
   }));
 }
 
 /** Of the session, seconds; 0 before it plays. */
-export function timeOf({ status }: PreviewState): number {
-  return status?.timeS ?? 0;
+export function timeOf({ status, frames, asked }: Pick<PreviewState, 'status' | 'frames' | 'asked'>): number {
+  return frames !== null && asked !== null ? timeOfFrame(frames, asked) : (status?.timeS ?? 0);
+}
+
+/** The frame that is shown, or about to be. */
+export function frameOf({ status, asked }: Pick<PreviewState, 'status' | 'asked'>): number {
+  return asked ?? status?.frame ?? 0;
 }
 
 /** What was chosen last is still on its way: the picture is another's, or nobody's. */

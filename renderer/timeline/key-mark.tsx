@@ -1,10 +1,15 @@
 import { type KeyboardEvent, type PointerEvent, useRef } from 'react';
 import { useEditor } from '../shell/editor-context.ts';
-import { useFeed } from '../shell/feed-context.ts';
 import { endGesture } from '../state/apply.ts';
 import { moveKey, removeKey } from '../state/keyframes.ts';
+import { goToTime } from '../state/playing.ts';
 import { percentOf } from './time-scale.ts';
-import type { ChosenKey } from './timeline-panel.tsx';
+
+export interface ChosenKey {
+  readonly node: string;
+  readonly param: string;
+  readonly index: number;
+}
 
 interface KeyMarkProps extends ChosenKey {
   readonly timeS: number;
@@ -19,7 +24,6 @@ const KEY_STEP_S = 0.1;
 /** One keyframe: dragged, or moved by arrow keys; Delete takes it away, Enter goes to its moment. */
 export function KeyMark({ node, param, index, timeS, lengthS, chosen, onChoose }: KeyMarkProps) {
   const editor = useEditor();
-  const feed = useFeed();
   /** The scale of the moment at which the drag began: it may grow with the key. */
   const drag = useRef<{ x: number; timeS: number; secondsPerPx: number; moving: boolean } | null>(null);
 
@@ -48,8 +52,7 @@ export function KeyMark({ node, param, index, timeS, lengthS, chosen, onChoose }
     else if (event.key === 'Delete' || event.key === 'Backspace') removeKey(editor, node, param, index);
     else if (event.key === 'Enter') {
       onChoose({ node, param, index });
-      feed.send({ kind: 'transport', action: 'pause' });
-      feed.send({ kind: 'seek', timeS });
+      goToTime(editor, timeS);
     } else return;
     event.preventDefault();
     event.stopPropagation();

@@ -1,46 +1,31 @@
-import { type PointerEvent, useMemo, useState } from 'react';
+import { useMemo, useState } from 'react';
 import { useStore } from 'zustand';
-import type { Keyframe, Track } from '../../export/graph/project.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { useFeed } from '../shell/feed-context.ts';
-import { animatedParams, setEasing, setRepeat } from '../state/keyframes.ts';
-import { timeOf } from '../state/preview.ts';
+import { animatedParams } from '../state/keyframes.ts';
 import { selectOnly } from '../state/selection.ts';
-import { KeyMark } from './key-mark.tsx';
-import { lengthOf, marksOf, percentOf } from './time-scale.ts';
+import { ChosenBar } from './chosen-bar.tsx';
+import { type ChosenKey, KeyMark } from './key-mark.tsx';
+import { RangeHandles, RangeShade } from './range-handles.tsx';
+import { Playhead, Ruler } from './ruler.tsx';
+import { TimeBar } from './time-bar.tsx';
+import { lengthOf } from './time-scale.ts';
 import './timeline.css';
 
-export interface ChosenKey {
-  readonly node: string;
-  readonly param: string;
-  readonly index: number;
-}
-
-const EASINGS: readonly (readonly [Keyframe['easing'], string])[] = [
-  ['linear', 'Evenly'],
-  ['ease-in', 'Slow at first'],
-  ['ease-out', 'Slow at last'],
-  ['ease-in-out', 'Slow at both ends'],
-  ['step', 'In a step'],
-];
-const REPEATS: readonly (readonly [Track['repeat'], string])[] = [
-  ['once', 'Once'],
-  ['loop', 'Again and again'],
-  ['mirror', 'To and fro'],
-];
-
-/** All keyframes of the open graph over the session's time. */
+/** The session's time, what of it is played, and all keyframes of the open graph over it. */
 export function TimelinePanel() {
+  const { preview } = useEditor();
   const state = useDocument((document) => document);
   const tracks = useMemo(() => animatedParams(state), [state]);
   const [chosen, setChosen] = useState<ChosenKey | null>(null);
-  const lengthS = lengthOf(tracks);
-  if (tracks.length === 0) {
-    return <p className="timeline-none">Nothing moves by keyframes yet. Press the diamond beside a value to set the first one.</p>;
-  }
+  const frames = useStore(preview, ({ frames }) => frames);
+  const lengthS = lengthOf(tracks, frames);
   return (
-    <div className="timeline">
-      <ChosenBar chosen={chosen} tracks={tracks} />
+    // Focusable, so that its keys work wherever it was pressed.
+    <div className="timeline" tabIndex={-1}>
+      <div className="timeline-bar">
+        <TimeBar />
+        <ChosenBar chosen={chosen} tracks={tracks} />
+      </div>
       <div className="timeline-rows scroll">
         <Ruler lengthS={lengthS} />
         {tracks.map(({ node, param, label, track }) => (
@@ -63,7 +48,16 @@ export function TimelinePanel() {
             </fieldset>
           </div>
         ))}
-        <Playhead lengthS={lengthS} />
+        {tracks.length === 0 && (
+          <p className="timeline-none">Nothing moves by keyframes yet. Press the diamond beside a value to set the first one.</p>
+        )}
+        <div className="timeline-over timeline-under">
+          <RangeShade lengthS={lengthS} />
+        </div>
+        <div className="timeline-over">
+          <Playhead lengthS={lengthS} />
+          <RangeHandles lengthS={lengthS} />
+        </div>
       </div>
     </div>
   );
@@ -75,89 +69,5 @@ function TrackName({ node, label }: { readonly node: string; readonly label: str
     <button type="button" className="timeline-name" data-tip="Select the node" onClick={() => selectOnly(selection, [node])}>
       {label}
     </button>
-  );
-}
-
-/** What can be chosen for the key that is: how it goes on to the next, and what comes after the last. */
-function ChosenBar({ chosen, tracks }: { readonly chosen: ChosenKey | null; readonly tracks: ReturnType<typeof animatedParams> }) {
-  const editor = useEditor();
-  const track = tracks.find(({ node, param }) => node === chosen?.node && param === chosen.param)?.track;
-  const key = chosen === null ? undefined : track?.keys[chosen.index];
-  if (!chosen || !track || !key) return <div className="timeline-bar">Drag keys, or choose one to change how it goes on.</div>;
-  return (
-    <div className="timeline-bar">
-      <output>{key.timeS.toFixed(2)} s</output>
-      <label>
-        To the next key{' '}
-        <select
-          className="select"
-          value={key.easing}
-          onChange={(event) => void setEasing(editor, chosen.node, chosen.param, chosen.index, event.target.value as Keyframe['easing'])}
-        >
-          {EASINGS.map(([easing, words]) => (
-            <option key={easing} value={easing}>
-              {words}
-            </option>
-          ))}
-        </select>
-      </label>
-      <label>
-        Play{' '}
-        <select
-          className="select"
-          value={track.repeat}
-          onChange={(event) => void setRepeat(editor, chosen.node, chosen.param, event.target.value as Track['repeat'])}
-        >
-          {REPEATS.map(([repeat, words]) => (
-            <option key={repeat} value={repeat}>
-              {words}
-            </option>
-          ))}
-        </select>
-      </label>
-    </div>
-  );
-}
-
-/** Seconds. Pressed or dragged, recordings go to that moment and hold. */
-function Ruler({ lengthS }: { readonly lengthS: number }) {
-  const feed = useFeed();
-  const seek = (event: PointerEvent<HTMLElement>) => {
-    const { left, width } = event.currentTarget.getBoundingClientRect();
-    const timeS = Math.max(0, Math.min(1, (event.clientX - left) / width)) * lengthS;
-    feed.send({ kind: 'seek', timeS });
-  };
-  return (
-    <div className="timeline-row">
-      <span />
-      <div
-        className="timeline-ruler"
-        data-tip="Go to a moment"
-        onPointerDown={(event) => {
-          event.currentTarget.setPointerCapture(event.pointerId);
-          feed.send({ kind: 'transport', action: 'pause' });
-          seek(event);
-        }}
-        onPointerMove={(event) => {
-          if (event.currentTarget.hasPointerCapture(event.pointerId)) seek(event);
-        }}
-      >
-        {marksOf(lengthS).map((markS) => (
-          <span key={markS} style={{ left: percentOf(markS, lengthS) }}>
-            {markS} s
-          </span>
-        ))}
-      </div>
-    </div>
-  );
-}
-
-function Playhead({ lengthS }: { readonly lengthS: number }) {
-  const { preview } = useEditor();
-  const timeS = useStore(preview, timeOf);
-  return (
-    <div className="timeline-head" aria-hidden="true">
-      {timeS <= lengthS && <span style={{ left: percentOf(timeS, lengthS) }} />}
-    </div>
   );
 }

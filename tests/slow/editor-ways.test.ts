@@ -154,7 +154,7 @@ test('keyframes are set by the diamond beside a value, dragged in the panel, and
 
   // Another value at a later moment is another key.
   const ruler = (await panel.locator('.timeline-ruler').boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
-  await page.mouse.click(ruler.x + 0.6 * ruler.width, ruler.y + ruler.height / 2);
+  await page.mouse.click(ruler.x + 0.8 * ruler.width, ruler.y + ruler.height / 2);
   await page.waitForFunction(() => Number.parseFloat(document.querySelector('.transport-time')?.textContent ?? '') > 2.5);
   await row.getByRole('slider').focus();
   await page.keyboard.press('End');

@@ -47,7 +47,7 @@ async function openRecording(url: string, gl: WebGL2RenderingContext, handlers: 
   const { output, diagnostics } = await session.ready;
   if (output === null) return { output: null, diagnostics };
   session.start(handlers.onFrame, handlers.onEvent);
-  return { output: { session, frameCount: output.frameCount, step: session.step, seen: null }, diagnostics };
+  return { output: { session, frameCount: output.frames.timesS.length, step: session.step, seen: null }, diagnostics };
 }
 
 async function openRoom(

@@ -1,5 +1,6 @@
 import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Result } from '../../../../nodes/kit/diagnostics.ts';
+import { type FrameTimes, frameAtTime, timeOfFrame } from '../../../../nodes/kit/frame-times.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../../nodes/kit/session.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
 import type { FrameClock } from '../../clock.ts';
@@ -7,10 +8,10 @@ import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
 import { createPictureTextures, type PictureTextures } from './picture-textures.ts';
-import { createPlayback } from './playback.ts';
+import { createPlayback, type PlayRange } from './playback.ts';
 import { brokenSession } from './read-session-file.ts';
 import { createRecordedView, type RecordedView } from './recorded-view.ts';
-import { frameAt, openRecording, type Recording, timeOfFrame } from './recording.ts';
+import { openRecording, type Recording } from './recording.ts';
 
 export interface RecordedSessionOptions {
   readonly gl: WebGL2RenderingContext;
@@ -20,13 +21,15 @@ export interface RecordedSessionOptions {
   readonly mode: { readonly kind: 'clock'; readonly clock: FrameClock } | { readonly kind: 'manual' };
   /** Decoded frames kept in memory; 60 frames of 640 × 480 with depth take 147 MB. */
   readonly budgetBytes?: number;
+  /** `clock` only: a range has been played that does not loop, and its last frame stays as long as the clock stands. */
+  readonly onEnd?: () => void;
+  /** `clock` only: a frame was not decoded in its turn, and now is. */
+  readonly onArrival?: () => void;
 }
 
 export interface RecordingInfo {
   readonly title: string;
-  readonly frameCount: number;
-  /** From the first frame to the end of the last. */
-  readonly durationS: number;
+  readonly frames: FrameTimes;
 }
 
 /** Plays a recorded session folder on the whole canvas, cutting the pictures to its shape. */
@@ -38,10 +41,17 @@ export interface RecordedSession extends Session {
   readonly ready: Promise<Result<RecordingInfo>>;
   /** Manual only, once ready and started: delivers frame `index`. False where its picture is broken, which an event says. */
   step(index: number): Promise<boolean>;
+  /** Of `clock`: what is shown, or comes next, in seconds since the first frame, later rounds included. */
+  readonly playheadS: number;
   /** Goes on from frame `index`, and says so with a `reset`. */
   seek(index: number): void;
   /** Goes on from a moment, seconds since its first frame, later rounds included; says so with a `reset`. */
   seekTime(timeS: number): void;
+  /** To the next frame, counted over all rounds, with the time until then; one for each call. */
+  stepOn(): void;
+  setRange(range: PlayRange | null): void;
+  /** Goes to the start of the range where the playhead is outside, and says so with a `reset`. */
+  enterRange(): void;
   /** Decodes all frames that the budget holds. */
   preload(): Promise<void>;
 }
@@ -92,18 +102,30 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     onFrame?.(frame);
     return true;
   };
-  const show = (timeS: number, playheadS: number, count: number): boolean => {
+  const show = (playheadS: number, count: number): boolean => {
     if (!reel) return false;
-    const { file, cache } = reel;
-    const index = frameAt(file, timeS);
+    const { file, cache, frames } = reel;
+    const index = frameAtTime(frames, playheadS) % file.frames.length;
     for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
     // What is not decoded yet holds nothing up: the frame before stays.
-    const decoded = cache.get(index) ?? shown ?? cache.get(0);
+    const mine = cache.get(index);
+    if (!mine && options.onArrival) void cache.request(index).then((arrived) => arrived && options.onArrival?.());
+    const decoded = mine ?? shown ?? cache.get(0);
     return decoded !== null && deliver(reel, decoded, count, playheadS);
+  };
+  const jumped = (): void => {
+    deliveredS = null;
+    onEvent?.({ kind: 'reset' });
   };
   const playback =
     mode.kind === 'clock'
-      ? createPlayback(mode.clock, { durationS: () => reel?.durationS ?? null, show, onRepeat: () => onEvent?.({ kind: 'reset' }) })
+      ? createPlayback(mode.clock, {
+          durationS: () => reel?.frames.durationS ?? null,
+          show,
+          onRepeat: () => onEvent?.({ kind: 'reset' }),
+          onLoop: jumped,
+          onEnd: () => options.onEnd?.(),
+        })
       : null;
   const open = async (): Promise<Result<RecordingInfo>> => {
     const { output: recording, diagnostics } = await openRecording(files);
@@ -122,7 +144,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     if (recording.lights.some((light) => light !== null)) capabilities.add('light-estimation');
     if (recording.surfaces) capabilities.add('planes');
     if (onFrame) playback?.start();
-    return { output: { title: file.title, frameCount: file.frames.length, durationS: recording.durationS }, diagnostics };
+    return { output: { title: file.title, frames: recording.frames }, diagnostics };
   };
   /** The context is back, and empty. */
   const restore = (): void => {
@@ -133,8 +155,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   };
   const seekTime = (timeS: number): void => {
     playback?.seek(Math.max(0, timeS));
-    deliveredS = null;
-    onEvent?.({ kind: 'reset' });
+    jumped();
   };
   gl.canvas.addEventListener('webglcontextrestored', restore);
   return {
@@ -157,12 +178,22 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
         throw new Error('Only a manual session that is ready and started can be stepped.');
       if (!current.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
       const decoded = await current.cache.request(index);
-      return decoded !== null && !ended && deliver(current, decoded, index, timeOfFrame(current.file, index));
+      return decoded !== null && !ended && deliver(current, decoded, index, timeOfFrame(current.frames, index));
+    },
+    get playheadS() {
+      return playback?.playheadS ?? 0;
     },
     seek: (index) => {
-      if (reel) seekTime(timeOfFrame(reel.file, index));
+      if (reel) seekTime(timeOfFrame(reel.frames, index));
     },
     seekTime,
+    stepOn: () => {
+      if (reel && playback) playback.advanceTo(timeOfFrame(reel.frames, frameAtTime(reel.frames, playback.playheadS) + 1));
+    },
+    setRange: (range) => playback?.setRange(range),
+    enterRange: () => {
+      if (playback?.enterRange()) jumped();
+    },
     preload: async () => {
       const count = reel ? Math.min(reel.file.frames.length, reel.cache.capacity) : 0;
       for (let i = 0; i < count; i++) await reel?.cache.request(i);

@@ -1,4 +1,5 @@
 import type { Result } from '../../../../nodes/kit/diagnostics.ts';
+import type { FrameTimes } from '../../../../nodes/kit/frame-times.ts';
 import type { DetectedSurfaces, LightEstimate } from '../../../../nodes/kit/session.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
 import type { SessionFile, SessionFileLight, SessionFileSurface } from '../format.ts';
@@ -7,8 +8,7 @@ import { brokenSession, readSessionFile, SESSION_FILE } from './read-session-fil
 /** A session folder that has been read, its pictures not yet. */
 export interface Recording {
   readonly file: SessionFile;
-  /** From the first frame to the end of the last. */
-  readonly durationS: number;
+  readonly frames: FrameTimes;
   /** Light of each frame. */
   readonly lights: readonly (LightEstimate | null)[];
   /** Of all frames; null where none were found. */
@@ -22,26 +22,14 @@ export async function openRecording(files: AssetSource): Promise<Result<Recordin
   if (json.output === null) return { output: null, diagnostics: json.diagnostics };
   const { output: file, diagnostics } = readSessionFile(json.output.value);
   if (!file) return { output: null, diagnostics };
-  const durationS = timeOfFrame(file, file.frames.length - 1) + 1 / file.frameRateHz;
   const lights = file.frames.map((frame) => toLight(frame.light ?? file.light));
-  return { output: { file, durationS, lights, surfaces: toSurfaces(file.surfaces ?? []) }, diagnostics };
+  return { output: { file, frames: framesOf(file), lights, surfaces: toSurfaces(file.surfaces ?? []) }, diagnostics };
 }
 
-/** Seconds since the first frame. */
-export function timeOfFrame(file: SessionFile, index: number): number {
-  return (file.frames[index]?.timeS ?? 0) - (file.frames[0]?.timeS ?? 0);
-}
-
-/** The last frame that has begun at `timeS` after the first. */
-export function frameAt(file: SessionFile, timeS: number): number {
-  let low = 0;
-  let high = file.frames.length - 1;
-  while (low < high) {
-    const middle = Math.ceil((low + high) / 2);
-    if (timeOfFrame(file, middle) <= timeS) low = middle;
-    else high = middle - 1;
-  }
-  return low;
+function framesOf({ frames, frameRateHz }: SessionFile): FrameTimes {
+  const startS = frames[0]?.timeS ?? 0;
+  const timesS = frames.map(({ timeS }) => timeS - startS);
+  return { timesS, durationS: (timesS.at(-1) ?? 0) + 1 / frameRateHz };
 }
 
 async function readText(files: AssetSource): Promise<Result<string>> {

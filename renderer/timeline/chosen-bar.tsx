@@ -1,0 +1,58 @@
+import type { Keyframe, Track } from '../../export/graph/project.ts';
+import { useEditor } from '../shell/editor-context.ts';
+import { type AnimatedParam, setEasing, setRepeat } from '../state/keyframes.ts';
+import type { ChosenKey } from './key-mark.tsx';
+
+const EASINGS: readonly (readonly [Keyframe['easing'], string])[] = [
+  ['linear', 'Evenly'],
+  ['ease-in', 'Slow at first'],
+  ['ease-out', 'Slow at last'],
+  ['ease-in-out', 'Slow at both ends'],
+  ['step', 'In a step'],
+];
+const REPEATS: readonly (readonly [Track['repeat'], string])[] = [
+  ['once', 'Once'],
+  ['loop', 'Again and again'],
+  ['mirror', 'To and fro'],
+];
+
+/** What can be chosen for the key that is: how it goes on to the next, and what comes after the last. */
+export function ChosenBar({ chosen, tracks }: { readonly chosen: ChosenKey | null; readonly tracks: readonly AnimatedParam[] }) {
+  const editor = useEditor();
+  const track = tracks.find(({ node, param }) => node === chosen?.node && param === chosen.param)?.track;
+  const key = chosen === null ? undefined : track?.keys[chosen.index];
+  if (!chosen || !track || !key) return null;
+  return (
+    <div className="timeline-chosen">
+      <output>{key.timeS.toFixed(2)} s</output>
+      <label>
+        To the next key{' '}
+        <select
+          className="select"
+          value={key.easing}
+          onChange={(event) => void setEasing(editor, chosen.node, chosen.param, chosen.index, event.target.value as Keyframe['easing'])}
+        >
+          {EASINGS.map(([easing, words]) => (
+            <option key={easing} value={easing}>
+              {words}
+            </option>
+          ))}
+        </select>
+      </label>
+      <label>
+        Play{' '}
+        <select
+          className="select"
+          value={track.repeat}
+          onChange={(event) => void setRepeat(editor, chosen.node, chosen.param, event.target.value as Track['repeat'])}
+        >
+          {REPEATS.map(([repeat, words]) => (
+            <option key={repeat} value={repeat}>
+              {words}
+            </option>
+          ))}
+        </select>
+      </label>
+    </div>
+  );
+}

@@ -1,0 +1,196 @@
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import type { Locator } from 'playwright-core';
+import { useBrowser } from '../support/browser.ts';
+import { centreOf } from '../support/editor-driver.ts';
+import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { countDifferent } from '../support/pixels.ts';
+
+/** What the camera sees, blurred: the room's own frames differ, and a dial changes all of them. */
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'gaussian-blur-aaaa': { type: 'filter/gaussian-blur', params: { radius: 0 } },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> gaussian-blur-aaaa.inputImage', 'gaussian-blur-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'gaussian-blur-aaaa': [260, 0], 'screen-aaaa': [520, 0] },
+};
+/** Of the studio that ships with Scrim. */
+const FRAMES = 36;
+
+const browser = useBrowser();
+let open: OpenEditor;
+beforeAll(async () => {
+  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+  await open.editor.settled();
+  await open.editor.press('Pause');
+  await open.editor.press('Back to the first frame');
+  await open.page.keyboard.press('Escape');
+  await open.page.locator('.react-flow__pane').click({ position: { x: 40, y: 40 } });
+  await open.page.keyboard.press('Shift+T');
+  await handle('In point').waitFor();
+});
+afterAll(async () => {
+  expect(open.errors).toEqual([]);
+  await open.close();
+});
+
+function handle(name: string): Locator {
+  return open.page.getByRole('slider', { name, exact: true });
+}
+
+async function frameOf(name: string): Promise<number> {
+  return Number(await handle(name).getAttribute('aria-valuenow'));
+}
+
+async function shows(frame: number): Promise<void> {
+  await open.page.waitForFunction((f) => document.querySelector('.transport-time span')?.textContent === String(f), frame);
+}
+
+/** Where a border between frames stands on the ruler. */
+async function borderAt(frame: number): Promise<{ readonly x: number; readonly y: number }> {
+  const box = await open.page.locator('.timeline-ruler').boundingBox();
+  if (!box) throw new Error('There is no ruler.');
+  return { x: box.x + (frame / FRAMES) * box.width, y: box.y + box.height / 2 };
+}
+
+test('steps, keys and the ruler lead to the same frames', async () => {
+  const { page, editor } = open;
+  await handle('Playhead').focus();
+  for (let i = 0; i < 12; i++) await page.keyboard.press('ArrowRight');
+  await shows(12);
+  const stepped = await editor.restingPicture();
+  await page.keyboard.press('End');
+  await shows(FRAMES - 1);
+  const last = await editor.restingPicture();
+  expect(countDifferent(last, stepped, 8).pixels).toBeGreaterThan(1000);
+  await page.keyboard.press('Home');
+  await shows(0);
+  // Anywhere within the frame is that frame.
+  const [left, right] = [await borderAt(12), await borderAt(13)];
+  for (const part of [0.1, 0.9]) {
+    await page.mouse.click(left.x + part * (right.x - left.x), left.y);
+    await shows(12);
+    await editor.pictureSameAs(stepped, 'the ruler’s frame');
+  }
+  await page.mouse.click((await borderAt(20)).x + 3, left.y);
+  await shows(20);
+  await handle('Playhead').focus();
+  for (let i = 0; i < 8; i++) await page.keyboard.press('ArrowLeft');
+  await shows(12);
+  await editor.pictureSameAs(stepped, 'stepped back');
+});
+
+test('held, the picture follows the dials, and the frame stays', async () => {
+  const { page, editor } = open;
+  const sharp = await editor.restingPicture();
+  await editor.node('gaussian-blur').locator('.node-title').click();
+  const radius = editor.inspector.getByRole('textbox', { name: 'Radius', exact: true });
+  await radius.fill('12');
+  await page.keyboard.press('Enter');
+  await editor.pictureOtherThan(sharp);
+  await shows(12);
+  // Muted, another program is played: at the same frame.
+  await editor.node('gaussian-blur').locator('.node-title').click();
+  await page.keyboard.press('m');
+  await editor.pictureSameAs(sharp, 'muted');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await editor.pictureSameAs(sharp, 'undone');
+  await shows(12);
+});
+
+test('a range is set by keys and by dragging its ends, to the frame', async () => {
+  const { page, editor } = open;
+  await handle('Playhead').focus();
+  await page.keyboard.press('i');
+  expect(await frameOf('In point')).toBe(12);
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('o');
+  expect(await frameOf('Out point')).toBe(18);
+  expect(await page.getByRole('status', { name: 'Range' }).textContent()).toBe('12–18 · 7 frames');
+
+  await editor.drag(await centreOf(handle('In point')), await borderAt(9));
+  expect(await frameOf('In point')).toBe(9);
+  await editor.drag(await centreOf(handle('Out point')), await borderAt(14));
+  expect(await frameOf('Out point')).toBe(13);
+  // Neither passes the other.
+  await editor.drag(await centreOf(handle('In point')), await borderAt(30));
+  expect(await frameOf('In point')).toBe(13);
+  await page.keyboard.press('Home');
+  for (const key of ['ArrowRight', 'ArrowRight', 'PageUp', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft']) await page.keyboard.press(key);
+  expect(await frameOf('In point')).toBe(9);
+  expect(await handle('In point').getAttribute('aria-valuetext')).toBe('Frame 9, 0.90 s');
+});
+
+/** Every frame that is told, from now until `stop` says so. */
+async function framesUntil(stop: 'it goes back' | 'it is held'): Promise<readonly number[]> {
+  return open.page.evaluate(
+    (until) =>
+      new Promise<number[]>((resolve) => {
+        const number = document.querySelector('.transport-time span');
+        const seen: number[] = [];
+        const look = () => {
+          const frame = Number(number?.textContent);
+          if (seen.at(-1) !== frame) seen.push(frame);
+          const wentBack = frame < (seen.at(-2) ?? 0);
+          const held = document.querySelector('button[aria-label="Play"]') !== null;
+          if (until === 'it goes back' ? wentBack : held && seen.length > 1) {
+            observer.disconnect();
+            resolve(seen);
+          }
+        };
+        const observer = new MutationObserver(look);
+        observer.observe(document.querySelector('.transport') ?? document.body, {
+          subtree: true,
+          characterData: true,
+          childList: true,
+          attributes: true,
+        });
+        look();
+      }),
+    stop,
+  );
+}
+
+test('only the range is played: once, or over and over', async () => {
+  const { page, editor } = open;
+  await page.keyboard.press('Escape');
+  await handle('Playhead').focus();
+  await page.keyboard.press('Home');
+  await shows(0);
+  const once = framesUntil('it is held');
+  await editor.press('Play');
+  const played = await once;
+  expect(played.slice(1).every((frame) => frame >= 9 && frame <= 13)).toBe(true);
+  await shows(13);
+
+  await page.getByRole('button', { name: 'Loop', exact: true }).click();
+  const looped = framesUntil('it goes back');
+  await editor.press('Play');
+  expect((await looped).every((frame) => frame >= 9 && frame <= 13)).toBe(true);
+  const again = await framesUntil('it goes back');
+  expect(again.every((frame) => frame >= 9 && frame <= 13)).toBe(true);
+  await editor.press('Pause');
+});
+
+test('the range comes back with the project, and can be given up', async () => {
+  const { page, editor } = open;
+  await page.keyboard.press('Control+s');
+  await page.reload();
+  await editor.settled();
+  await page.locator('.react-flow__pane').click({ position: { x: 40, y: 40 } });
+  await page.keyboard.press('Shift+T');
+  await handle('In point').waitFor();
+  expect([await frameOf('In point'), await frameOf('Out point')]).toEqual([9, 13]);
+  expect(await page.getByRole('button', { name: 'Loop', exact: true }).getAttribute('aria-pressed')).toBe('true');
+  if (process.env.SHOT) await page.screenshot({ path: '/tmp/hd-timeline-dark.png' });
+  await handle('Playhead').focus();
+  await page.keyboard.press('x');
+  expect([await frameOf('In point'), await frameOf('Out point')]).toEqual([0, FRAMES - 1]);
+
+  // Rooms have no moments to go to: the panel says so.
+  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByText('Only recordings are played in parts.').waitFor();
+  expect(await handle('In point').count()).toBe(0);
+});
