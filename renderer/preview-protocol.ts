@@ -21,6 +21,8 @@ export type ToPreview =
   | { readonly kind: 'seek'; readonly timeS: number }
   /** Take the picture from there. `request` counts: the status says which one is done with. */
   | { readonly kind: 'session'; readonly source: PreviewSource; readonly request: number }
+  /** The strongest light of an emulated room comes from there, a unit vector towards it in world space; null: from where the room has it. */
+  | { readonly kind: 'room-light'; readonly directionWorld: readonly [number, number, number] | null }
   /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. */
   | { readonly kind: 'poster'; readonly widthPx: number; readonly heightPx: number }
   /**

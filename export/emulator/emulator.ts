@@ -18,6 +18,8 @@ export interface Emulator {
   setDepth(state: DepthState): void;
   /** From the next frame on: what light estimation says. */
   setLight(state: LightState): void;
+  /** Moves the room's strongest light, in the room itself and in what is estimated of it: a unit vector towards it; null: back. */
+  moveLight(directionWorld: readonly [number, number, number] | null): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
   /** The user re-centres: `local` and `local-floor` spaces begin anew where the viewer is, and say so with `reset`. */
   recenter(): void;

@@ -79,6 +79,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     setLight: (state) => {
       world.lightState = state;
     },
+    moveLight: (directionWorld) => world.surroundings().moveLight(directionWorld),
     setVisibility: (state) => device.updateVisibilityState(state as Parameters<EmulatedDevice['updateVisibilityState']>[0]),
     recenter: () => recenter(world),
     endSession: async () => world.session?.end(),

@@ -12,9 +12,20 @@ export function createSurroundings(source: RoomSource | null, antialias: boolean
   const room = source === null ? null : createRoom(source);
   const view = createRoomView(room, antialias);
   let light: RoomLight | null = null;
+  let lightMoves = 0;
   return {
     room,
     view,
+    get lightMoves() {
+      return lightMoves;
+    },
+    moveLight: (directionWorld) => {
+      if (!room) return;
+      room.moveLight(directionWorld);
+      room.prepare?.(view.renderer, view.scene);
+      light = null;
+      lightMoves++;
+    },
     light: () => {
       if (room) light ??= measureLight(view, room);
       return light;

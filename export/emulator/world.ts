@@ -8,7 +8,7 @@ import type { RoomLight } from './light/room-light.ts';
 import type { LightOptions, LightState } from './light/session-light.ts';
 import type { DepthOptions } from './options.ts';
 import type { DeviceProfile } from './profiles.ts';
-import type { Room } from './rooms/room.ts';
+import type { PrimaryLight, Room } from './rooms/room.ts';
 import type { EmulatedSession } from './session/emulated-session.ts';
 
 /** The emulated device and what is around it; sessions come and go in it. */
@@ -43,4 +43,7 @@ export interface Surroundings {
   readonly room: Room | null;
   readonly view: RoomView;
   readonly light: () => RoomLight | null;
+  /** How often its light was moved. */
+  readonly lightMoves: number;
+  moveLight(directionWorld: PrimaryLight['directionWorld'] | null): void;
 }

@@ -27,6 +27,8 @@ export interface OpenSession {
   rewind(): void;
   /** Of an emulated device's screen, from the next frame on; null: as it was. Recordings follow the canvas. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
+  /** Of an emulated room: see the protocol's `room-light`. */
+  moveLight(directionWorld: readonly [number, number, number] | null): void;
   end(): Promise<void>;
 }
 
@@ -96,6 +98,7 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
     reel: null,
     rewind: () => {},
     resize: () => {},
+    moveLight: () => {},
     end: async () => output?.end(),
   };
 }
@@ -120,6 +123,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
     },
     rewind: () => session.seek(0),
     resize: () => {},
+    moveLight: () => {},
     end: () => session.end(),
   };
 }
@@ -136,6 +140,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
       reel: null,
       rewind: () => {},
       resize: () => {},
+      moveLight: () => {},
       end: async () => {},
     };
   }
@@ -158,6 +163,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     reel: null,
     rewind: walk.rewind,
     resize: (asked) => emulator.setSize(asked ?? sizePx),
+    moveLight: emulator.moveLight,
     end: async () => {
       walk.dispose();
       await output?.end();

@@ -64,6 +64,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   const posters = createPosters(send, () => clock.wake());
   const captures = createCaptures(send, () => clock.wake());
   const probes = createProbes(send, () => clock.wake());
+  let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
   let look: Extract<ToPreview, { kind: 'look' }> = { kind: 'look', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
@@ -146,6 +147,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     // The editor answers with what of it is played.
     send({ kind: 'frames', frames: opened.reel?.frames ?? null });
     openKey = key;
+    if (lightWorld) opened.moveLight(lightWorld);
     sessionProblems = opened.diagnostics;
     tellProblems();
     place.player.reset();
@@ -234,6 +236,11 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
         case 'session':
           ({ source, request } = message);
           settle();
+          return;
+        case 'room-light':
+          lightWorld = message.directionWorld;
+          open?.moveLight(lightWorld);
+          clock.wake();
           return;
         case 'poster':
           takePoster(message);

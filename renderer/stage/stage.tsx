@@ -9,6 +9,7 @@ import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { LookLayer } from './look-layer.tsx';
 import { connectPreview } from './preview-link.ts';
+import { RoomLight } from './room-light.tsx';
 import './stage.css';
 import { StageMenu } from './stage-menu.tsx';
 
@@ -109,6 +110,7 @@ function Transport() {
       </output>
       <span className="transport-gap" />
       <StageMenu />
+      <RoomLight />
       <ViewsToggle />
       <SourcePicker />
     </div>

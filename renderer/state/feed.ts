@@ -13,7 +13,7 @@ import { createLooking } from './looking.ts';
 import { lookAtNothing } from './looks.ts';
 import { createPictures } from './pictures.ts';
 import { previewRange } from './playing.ts';
-import { chosenSource } from './preview.ts';
+import { chosenSource, towardsLight } from './preview.ts';
 
 /** Keeps compiler and preview up with the document. */
 export interface Feed {
@@ -63,6 +63,10 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     editor.preview.setState({ request });
     send({ kind: 'session', source, request });
   };
+  const postLight = () => {
+    const { roomLight } = editor.preview.getState();
+    post({ kind: 'room-light', directionWorld: roomLight && towardsLight(roomLight) });
+  };
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
     takeAnswer(editor, answer, more);
     if (answer.program !== null) postProgram();
@@ -105,6 +109,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     if (state.range !== before.range || state.loop !== before.loop || state.frames !== before.frames) postRange();
     const same = state.views === before.views && state.frame === before.frame && state.tier === before.tier && state.still === before.still;
     if (chosenSource(state) !== chosenSource(before) || !same) postSource();
+    if (state.roomLight !== before.roomLight) postLight();
   });
 
   return {
@@ -129,6 +134,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       if (message.kind !== 'ready') return;
       asked = '';
       postSource();
+      if (editor.preview.getState().roomLight) postLight();
       postProgram();
       looking.tell();
     },

@@ -25,6 +25,8 @@ export interface PreviewState {
   readonly frame: DeviceFrame;
   /** What an emulated device gives. */
   readonly tier: PreviewTier;
+  /** Where the strongest light of emulated rooms is moved to; null: where the room has it. */
+  readonly roomLight: LightPlace | null;
   /** The picture that stands in for a camera. */
   readonly still: File | null;
   readonly recording: boolean;
@@ -48,6 +50,18 @@ export interface FrameRange {
 export type DeviceFrame = 'fill' | 'phone' | 'phone-wide' | 'headset' | 'glasses';
 
 export type PreviewTier = 'ar-camera' | 'ar' | 'vr';
+
+/** As of `light/directional`: azimuth 0 from the front (+z), a quarter turn from the right (+x); elevation above the horizon. */
+export interface LightPlace {
+  readonly azimuthRad: number;
+  readonly elevationRad: number;
+}
+
+/** A unit vector towards a light. */
+export function towardsLight({ azimuthRad, elevationRad }: LightPlace): [number, number, number] {
+  const horizontal = Math.cos(elevationRad);
+  return [horizontal * Math.sin(azimuthRad), Math.sin(elevationRad), horizontal * Math.cos(azimuthRad)];
+}
 
 /** Where a picture may come from: what the host lists, and what this computer has itself. */
 export type ChosenSource = SessionSource | { readonly id: LocalSource; readonly title: string; readonly kind: LocalSource };
@@ -76,6 +90,7 @@ export function createPreviewState(): PreviewStore {
     views: 1,
     frame: 'fill',
     tier: 'ar-camera',
+    roomLight: null,
     still: null,
     recording: false,
     frames: null,

@@ -6,6 +6,15 @@ import type { RoomBox } from '../../export/emulator/rooms/box-room.ts';
 import { enter, first, lookAt, type Stage, type Triple } from './emulator-kit.ts';
 
 type XrCamera = { readonly width: number; readonly height: number };
+type Probe = EventTarget & { probeSpace: XRSpace };
+type LightSession = XRSession & { requestLightProbe(init?: object): Promise<Probe> };
+type LightFrame = XRFrame & {
+  getLightEstimate(probe: Probe): {
+    sphericalHarmonicsCoefficients: Float32Array;
+    primaryLightDirection: DOMPointReadOnly;
+    primaryLightIntensity: DOMPointReadOnly;
+  };
+};
 type CameraBinding = XRWebGLBinding & { getCameraImage(camera: XrCamera): WebGLTexture };
 
 /** Grey walls all around, and a red, a green and a blue cube in front of the viewer. */
@@ -190,18 +199,12 @@ export async function light() {
     albedo,
   }));
   const stage = await enter({ device: 'phone', room: { boxes } }, { requiredFeatures: ['light-estimation'] });
-  type Probe = EventTarget & { probeSpace: XRSpace };
-  type Estimate = {
-    sphericalHarmonicsCoefficients: Float32Array;
-    primaryLightDirection: DOMPointReadOnly;
-    primaryLightIntensity: DOMPointReadOnly;
-  };
-  const session = stage.session as XRSession & { requestLightProbe(init?: object): Promise<Probe> };
+  const session = stage.session as LightSession;
   const binding = stage.binding as XRWebGLBinding & { getReflectionCubeMap(probe: Probe): WebGLTexture };
   const probe = await session.requestLightProbe();
   let changes = 0;
   probe.addEventListener('reflectionchange', () => changes++);
-  const estimate = await stage.frame((frame) => (frame as XRFrame & { getLightEstimate(probe: Probe): Estimate }).getLightEstimate(probe));
+  const estimate = await stage.frame((frame) => (frame as LightFrame).getLightEstimate(probe));
   await stage.frame(() => {});
   const cube = binding.getReflectionCubeMap(probe);
   const corners = CARDINAL.flatMap(({ direction }) => [0.6, -0.6].flatMap((a) => [0.6, -0.6].map((b) => offAxis(direction, a, b))));
@@ -217,6 +220,64 @@ export async function light() {
     channels: found.map((rgb) => rgb.map((value) => value > 40)),
     error,
   };
+}
+
+/** On the floor of the studio, to both sides of its table (`furniture.ts`), and as far from it. */
+const BESIDE_TABLE: readonly Triple[] = [
+  [-0.98, 0, -0.42],
+  [0.58, 0, -0.42],
+];
+
+export interface MovedLight {
+  /** Of `BESIDE_TABLE`, sRGB green in [0, 255]. */
+  readonly beside: readonly number[];
+  readonly direction: readonly number[];
+  /** Red, of what light depends on x. */
+  readonly harmonicX: number;
+  /** Times that the cube map was announced so far. */
+  readonly changes: number;
+  readonly pixels: number;
+}
+
+/** The studio from above, with its light where each of the directions says. */
+export async function movedLight(directions: readonly (Triple | null)[]): Promise<MovedLight[]> {
+  const stage = await enter({ device: 'phone', room: 'studio' }, { requiredFeatures: ['light-estimation'] });
+  const session = stage.session as LightSession;
+  const probe = await session.requestLightProbe();
+  let changes = 0;
+  probe.addEventListener('reflectionchange', () => changes++);
+  stage.emulator.setPose(lookAt([-0.2, 2.3, 0.5], [-0.2, 0, -0.42]));
+  const seen: MovedLight[] = [];
+  for (const direction of directions) {
+    stage.emulator.moveLight(direction);
+    const { estimate, places } = await stage.frame((frame, pose) => ({
+      estimate: (frame as LightFrame).getLightEstimate(probe),
+      places: BESIDE_TABLE.map((place) => placeInView(place, pose.views[0])),
+    }));
+    await stage.frame(() => {});
+    const { rgba, widthPx, heightPx } = stage.emulator.readComposite();
+    const { x, y, z } = estimate.primaryLightDirection;
+    let pixels = 0;
+    for (const value of rgba) pixels = (Math.imul(pixels, 31) + value) | 0;
+    seen.push({
+      beside: places.map(([u, v]) => rgba[(Math.floor((1 - v) * heightPx) * widthPx + Math.floor(u * widthPx)) * 4 + 1] ?? 0),
+      direction: [x, y, z],
+      harmonicX: estimate.sphericalHarmonicsCoefficients[9] ?? 0,
+      changes,
+      pixels,
+    });
+  }
+  await stage.leave();
+  return seen;
+}
+
+/** From the bottom left of the picture, in [0, 1]. */
+function placeInView(place: Triple, view: XRView | undefined): readonly [u: number, v: number] {
+  if (!view) throw new Error('There is no view.');
+  const clipFromWorld = new Matrix4().fromArray([...view.projectionMatrix]);
+  clipFromWorld.multiply(new Matrix4().fromArray([...view.transform.inverse.matrix]));
+  const { x, y } = new Vector3(...place).applyMatrix4(clipFromWorld);
+  return [(x + 1) / 2, (y + 1) / 2];
 }
 
 function offAxis([x, y, z]: Triple, a: number, b: number): Triple {

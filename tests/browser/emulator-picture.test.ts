@@ -1,6 +1,6 @@
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
-import type { Landmark } from './emulator-picture.page.ts';
+import type { Landmark, MovedLight } from './emulator-picture.page.ts';
 
 const chromium = useBrowser();
 let page: PageModule;
@@ -114,6 +114,31 @@ test('light is estimated from the room', async () => {
     [true, false, true],
   ];
   expect(found.channels).toEqual(walls.flatMap((wall) => [wall, wall, wall, wall]));
+});
+
+test('the room’s light can be moved: the room is lit from there, and the estimate says so', async () => {
+  const fromRight = [0.8, 0.6, 0];
+  const fromLeft = [-0.8, 0.6, 0];
+  const seen = await page.call<MovedLight[]>('movedLight', [null, fromRight, fromLeft, [0, 1, 0], null]);
+  const [home, right, left, above, back] = seen;
+  if (!home || !right || !left || !above || !back) throw new Error('Something was not seen.');
+  // The table throws its shadow away from the light: on the floor to its left, then to its right, then below itself alone.
+  const bright = (of: MovedLight, side: number) => of.beside[side] ?? Number.NaN;
+  expect(bright(left, 0) - bright(right, 0)).toBeGreaterThan(30);
+  expect(bright(above, 0) - bright(right, 0)).toBeGreaterThan(30);
+  expect(bright(above, 1) - bright(left, 1)).toBeGreaterThan(30);
+  for (const [of, wanted] of [
+    [right, fromRight],
+    [left, fromLeft],
+  ] as const) {
+    of.direction.forEach((value, axis) => {
+      expect(value).toBeCloseTo(wanted[axis] ?? Number.NaN, 5);
+    });
+  }
+  // What the light meets is bright: the walls opposite to it.
+  expect(left.harmonicX).toBeGreaterThan(right.harmonicX + 0.1);
+  expect(seen.map(({ changes }) => changes)).toEqual([1, 2, 3, 4, 5]);
+  expect(back).toEqual({ ...home, changes: 5 });
 });
 
 test.each([

@@ -102,6 +102,31 @@ test('the preview has the shape of the chosen device', async () => {
   await choose('As large as there is room');
 });
 
+test('the light of an emulated room is moved by pointer and keys, and goes back', async () => {
+  const { page, editor } = open;
+  await source().selectOption('room/studio');
+  await editor.settled();
+  const home = await editor.rewind();
+  await editor.press('Light of the room');
+  const panel = page.getByRole('dialog', { name: 'Light of the room' });
+  const dome = await panel.locator('.room-light-dome').boundingBox();
+  if (!dome) throw new Error('There is no dome.');
+  const elevation = panel.getByRole('slider', { name: 'Elevation' });
+  const azimuth = panel.getByRole('slider', { name: 'Azimuth' });
+  // From the left, half way up.
+  await page.mouse.click(dome.x + dome.width / 4, dome.y + dome.height / 2);
+  expect([await azimuth.getAttribute('aria-valuetext'), await elevation.getAttribute('aria-valuetext')]).toEqual(['-90°', '45°']);
+  const left = await editor.pictureOtherThan(home);
+  await azimuth.focus();
+  await page.keyboard.press('End');
+  expect(await azimuth.getAttribute('aria-valuetext')).toBe('180°');
+  await editor.pictureOtherThan(left);
+  await panel.getByRole('button', { name: 'As the room has it' }).click();
+  await page.keyboard.press('Escape');
+  await panel.waitFor({ state: 'detached' });
+  await editor.pictureSameAs(home, 'light moved back');
+});
+
 test('a picture stands in for the camera, and so does the webcam', async () => {
   const { page, editor } = open;
   const red = await page.evaluate(async () => {

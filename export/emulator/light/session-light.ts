@@ -40,8 +40,8 @@ export interface ReflectionFaces {
 
 /** Light estimation in one session. */
 export interface SessionLight {
-  /** Once a frame, before the page is asked. True when the cube map is another one now. */
-  follow(state: LightState): boolean;
+  /** Once a frame, before the page is asked. `roomMoves`: how often the room's light was moved. True when the cube map is another one now. */
+  follow(state: LightState, roomMoves?: number): boolean;
   /** Of this frame; null where the device has none. */
   estimate(): SaidLight | null;
   reflection(): ReflectionFaces | null;
@@ -54,15 +54,16 @@ export function createSessionLight(measured: () => RoomLight | null, options: Re
   /** What was told before it froze. */
   let kept: LightState = 'room';
   let frames = 0;
-  /** The state that the cube map is of. */
+  /** The state that the cube map is of, and how often the room's light had been moved by then. */
   let shown: LightState | null = null;
+  let shownMoves = 0;
 
   const changes = (): LightChanges => {
     const of = state === 'frozen' ? kept : state;
     return typeof of === 'object' ? of : {};
   };
   return {
-    follow: (next) => {
+    follow: (next, roomMoves = 0) => {
       states.push(next);
       if (states.length > options.lagFrames + 1) states.shift();
       state = states[0] ?? next;
@@ -70,8 +71,10 @@ export function createSessionLight(measured: () => RoomLight | null, options: Re
         kept = state;
         frames++;
       }
-      const changed = shown !== null && sourceOf(shown) !== sourceOf(kept);
+      const moved = roomMoves !== shownMoves && sourceOf(kept) === 'room';
+      const changed = shown !== null && (moved || sourceOf(shown) !== sourceOf(kept));
       shown = kept;
+      shownMoves = roomMoves;
       return changed;
     },
     estimate: () => {

@@ -1,5 +1,6 @@
 import { BoxGeometry, Group, Mesh } from 'three';
-import { type PrimaryLight, type Room, type RoomMesh, type RoomPlane, rectanglePlane } from './room.ts';
+import { createLamp } from './lamp.ts';
+import { type Room, type RoomMesh, type RoomPlane, rectanglePlane } from './room.ts';
 import { createScanMaterial } from './scan-material.ts';
 
 /** Plain data: a solid block standing about the y axis. */
@@ -13,14 +14,14 @@ export interface RoomBox {
   readonly albedo?: readonly [number, number, number];
 }
 
-const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.9, 1.8, 1.65] };
 const TOP_IS_PLANE = new Set(['floor', 'table', 'desk', 'couch', 'shelf', 'bed']);
 
 /** A room of blocks, for tests that work out by hand what is where. */
 export function createBoxRoom(boxes: readonly RoomBox[]): Room {
   const solids = new Group();
+  const lamp = createLamp();
   for (const box of boxes) {
-    const mesh = new Mesh(new BoxGeometry(...box.sizeM), createScanMaterial(box.albedo ?? [0.6, 0.6, 0.6], LAMP));
+    const mesh = new Mesh(new BoxGeometry(...box.sizeM), createScanMaterial(box.albedo ?? [0.6, 0.6, 0.6], lamp));
     mesh.position.set(...box.centerWorld);
     mesh.rotation.y = box.yawRad ?? 0;
     mesh.name = box.label;
@@ -32,7 +33,10 @@ export function createBoxRoom(boxes: readonly RoomBox[]): Room {
     solids,
     planes: boxes.filter(({ label }) => TOP_IS_PLANE.has(label)).map(topOf),
     meshes: meshes.map(toRoomMesh),
-    primaryLight: LAMP,
+    get primaryLight() {
+      return lamp.light;
+    },
+    moveLight: lamp.move,
     probeWorld: [0, 1.4, 0],
     dispose: () => {
       for (const mesh of meshes) {

@@ -1,12 +1,12 @@
 import { SpatialEntity, SpatialEntityType } from '@iwer/sem';
 import { NativePlane } from 'iwer';
 import { Group, type Material, type Mesh } from 'three';
-import type { PrimaryLight, Room, RoomMesh, RoomPlane } from './room.ts';
+import { createLamp } from './lamp.ts';
+import type { Room, RoomMesh, RoomPlane } from './room.ts';
 import { createScanMaterial } from './scan-material.ts';
 
 type EntityJson = Parameters<typeof SpatialEntity.fromPBJSON>[0];
 
-const LAMP: PrimaryLight = { directionWorld: [0.36, 0.8, 0.48], intensity: [1.9, 1.8, 1.65] };
 /** Eye height: captures say nothing about where their light is. */
 const PROBE_WORLD = [0, 1.4, 0] as const;
 const ALBEDO = [0.62, 0.6, 0.57] as const;
@@ -19,9 +19,10 @@ const ALBEDO = [0.62, 0.6, 0.57] as const;
  */
 export function createCaptureRoom(capture: unknown): Room {
   const solids = new Group();
+  const lamp = createLamp();
   const planes: RoomPlane[] = [];
   const meshes: RoomMesh[] = [];
-  const material = createScanMaterial(ALBEDO, LAMP);
+  const material = createScanMaterial(ALBEDO, lamp);
   for (const json of readEntities(capture)) {
     const entity = SpatialEntity.fromPBJSON(json);
     if (!entity) continue;
@@ -42,7 +43,10 @@ export function createCaptureRoom(capture: unknown): Room {
     solids,
     planes,
     meshes,
-    primaryLight: LAMP,
+    get primaryLight() {
+      return lamp.light;
+    },
+    moveLight: lamp.move,
     probeWorld: PROBE_WORLD,
     dispose: () => {
       for (const solid of solids.children) (solid as Mesh).geometry.dispose();

@@ -14,7 +14,12 @@ export interface Room {
   /** The strongest light; the rest of the light estimate is measured from the solids at `probeWorld`. */
   readonly primaryLight: PrimaryLight;
   readonly probeWorld: readonly [number, number, number];
-  /** Draws what the solids' materials need first, such as shadow maps; called once with the renderer and the scene that will draw them. */
+  /**
+   * Moves the strongest light to another direction, a unit vector from the scene towards it; null: back to where the room has it. `prepare`
+   * has to follow.
+   */
+  moveLight(directionWorld: PrimaryLight['directionWorld'] | null): void;
+  /** Draws what the solids' materials need first, such as shadow maps, with the renderer and the scene that will draw them. */
   prepare?(renderer: WebGLRenderer, scene: Scene): void;
   dispose(): void;
 }

@@ -1,5 +1,5 @@
 import { DoubleSide, ShaderMaterial, Vector3 } from 'three';
-import type { PrimaryLight } from './room.ts';
+import type { Lamp } from './lamp.ts';
 
 const VERTEX = `
 varying vec3 positionWorld;
@@ -37,13 +37,13 @@ void main() {
 }`;
 
 /** For rooms that bring geometry and no pictures. `albedo` is linear-sRGB. */
-export function createScanMaterial(albedo: readonly [number, number, number], light: PrimaryLight): ShaderMaterial {
+export function createScanMaterial(albedo: readonly [number, number, number], { light, towardsWorld }: Lamp): ShaderMaterial {
   return new ShaderMaterial({
     side: DoubleSide,
     defines: { PI: Math.PI },
     uniforms: {
       albedo: { value: new Vector3(...albedo) },
-      towardsLightWorld: { value: new Vector3(...light.directionWorld) },
+      towardsLightWorld: { value: towardsWorld },
       lightIntensity: { value: new Vector3(...light.intensity) },
     },
     vertexShader: VERTEX,

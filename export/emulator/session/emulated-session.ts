@@ -153,8 +153,8 @@ export class EmulatedSession extends XRSession {
 
   /** Once per probe, and again when the cube map is another one. */
   announceReflections(): void {
-    const { light, probes, world } = this[P_EMULATED];
-    const another = light.follow(world.lightState);
+    const { light, probes, surroundings, world } = this[P_EMULATED];
+    const another = light.follow(world.lightState, surroundings.lightMoves);
     for (const probe of probes) {
       const state = probeState(probe);
       if (!state || !(another || state.changed)) continue;

@@ -12,7 +12,7 @@ import { type PaintedTexture, paintTexture } from './textures.ts';
 const SUN_MAP_PX = 1024;
 /** Half the width of what the sun's map covers: the room from corner to corner. */
 const SUN_REACH_M = 3.9;
-const SHELL = new Set<SurfaceName>(['oak', 'plaster', 'wallpaper', 'outdoors']);
+const SHELL = new Set<SurfaceName>(['oak', 'ceiling', 'plaster', 'wallpaper', 'outdoors']);
 const HALF: Triple = [ROOM.widthM / 2, ROOM.heightM / 2, ROOM.depthM / 2];
 
 const DAYLIGHT: Daylight = {
@@ -26,17 +26,19 @@ const ESTIMATED_SUN: Triple = [3.3, 2.9, 2.3];
 
 /**
  * A living room of our own: textured, lit softly through a window with a patch of sun on the rug, and known to the millimetre.
- * Everything in it is worked out in code from fixed seeds. Takes about a second to make.
+ * Everything in it is worked out in code from fixed seeds. Takes about a second to make. The light that a moved sun would throw back from
+ * surfaces is not worked out anew.
  */
 export function createStudioRoom(): Room {
   const parts = furnish();
   const textures = new Map(namesOf(parts).map((name) => [name, paintTexture(SURFACES[name])]));
   const merged = mergeBySurface(parts);
   const bake = createLightBaker(toSolids(parts, textures), DAYLIGHT);
-  const sunMap = createSunMap(SUN_MAP_PX, DAYLIGHT.sunDirection, SUN_REACH_M);
+  const sunMap = createSunMap(SUN_MAP_PX, SUN_REACH_M);
   const shared: StudioUniforms = {
-    sunDirection: { value: new Vector3(...DAYLIGHT.sunDirection) },
-    sun: { value: new Vector3(...DAYLIGHT.sun).divideScalar(Math.PI) },
+    sunDirection: { value: new Vector3() },
+    sun: { value: new Vector3() },
+    throughWindow: { value: 1 },
     sky: { value: new Vector3(...DAYLIGHT.sky) },
     windowX: { value: DAYLIGHT.window.center[0] },
     sunMap: { value: sunMap.texture },
@@ -55,15 +57,29 @@ export function createStudioRoom(): Room {
   });
   const solids = new Group();
   solids.add(...meshes);
+  /** Null: as the room has it. */
+  let moved: Triple | null = null;
+  const moveLight = (directionWorld: Triple | null) => {
+    moved = directionWorld;
+    const sunDirection = moved ?? DAYLIGHT.sunDirection;
+    shared.sunDirection.value.set(...sunDirection);
+    shared.sun.value.set(...(moved ? ESTIMATED_SUN : DAYLIGHT.sun)).divideScalar(Math.PI);
+    shared.throughWindow.value = moved ? 0 : 1;
+    sunMap.aim(sunDirection);
+  };
+  moveLight(null);
   return {
     solids,
     planes: planes(),
     meshes: [mergeMesh(merged)],
-    primaryLight: { directionWorld: DAYLIGHT.sunDirection, intensity: ESTIMATED_SUN },
+    get primaryLight() {
+      return { directionWorld: moved ?? DAYLIGHT.sunDirection, intensity: ESTIMATED_SUN };
+    },
+    moveLight,
     probeWorld: [0, 1, 0.2],
     prepare: (renderer, scene) => {
-      // The view from the window stands where the sun comes in.
-      for (const mesh of meshes) mesh.visible = mesh.name !== 'outdoors';
+      // The view from the window stands where the sun comes in; a light that was moved comes in by walls and ceiling, too.
+      for (const mesh of meshes) mesh.visible = moved ? !SHELL.has(mesh.name as SurfaceName) : mesh.name !== 'outdoors';
       sunMap.draw(renderer, scene);
       for (const mesh of meshes) mesh.visible = true;
     },

@@ -60,7 +60,7 @@ function walls(): Part[] {
   const [h0, h1] = [WINDOW.centerY - WINDOW.heightM / 2, WINDOW.centerY + WINDOW.heightM / 2];
   return [
     inner('oak', 1, 1, [0, 0, 0]),
-    inner('white', 1, -1, [0, heightM, 0]),
+    inner('ceiling', 1, -1, [0, heightM, 0]),
     inner('wallpaper', 2, 1, [0, heightM / 2, -HALF_D]),
     inner('plaster', 2, -1, [0, heightM / 2, HALF_D]),
     inner('plaster', 0, -1, [HALF_W, heightM / 2, 0]),

@@ -7,6 +7,8 @@ export interface StudioUniforms {
   readonly sunDirection: IUniform<Vector3>;
   /** Irradiance divided by π. */
   readonly sun: IUniform<Vector3>;
+  /** 1: it comes in by the window alone, 0: from anywhere, as if the walls let it through. */
+  readonly throughWindow: IUniform<number>;
   readonly sky: IUniform<Vector3>;
   readonly windowX: IUniform<number>;
   readonly sunMap: IUniform<Texture | null>;
@@ -38,6 +40,7 @@ uniform sampler2D picture;
 uniform highp sampler2DShadow sunMap;
 uniform vec3 sunDirection;
 uniform vec3 sun;
+uniform float throughWindow;
 uniform vec3 sky;
 uniform float windowX;
 uniform float gloss;
@@ -57,7 +60,7 @@ vec2 inWindow(vec3 direction) {
 
 // Four taps of the hardware's 2 × 2 comparison, a texel apart: a soft edge of some 3 cm. Few places see the sun at all.
 float sunlight() {
-  vec2 through = abs(inWindow(sunDirection));
+  vec2 through = abs(inWindow(sunDirection)) * throughWindow;
   if (max(through.x, through.y) > 1.05) return 0.0;
   float lit = 0.0;
   for (int i = 0; i < 4; i++) {

@@ -12,17 +12,20 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import { aimCamera, createEyeCamera } from '../../display/eye.ts';
+import type { Triple } from './solid.ts';
 
-/** Depth of the room as the sun sees it through the window, drawn once. */
+/** Depth of the room as the sun sees it. */
 export interface SunMap {
   readonly texture: DepthTexture;
-  /** To device coordinates of the map. */
+  /** To device coordinates of the map; the same object wherever the sun is. */
   readonly mapFromWorld: Matrix4;
+  /** `towardsSun`: unit vector; to be drawn anew. */
+  aim(towardsSun: Triple): void;
   draw(renderer: WebGLRenderer, scene: Scene): void;
   dispose(): void;
 }
 
-export function createSunMap(sizePx: number, towardsSun: readonly [number, number, number], reachM: number): SunMap {
+export function createSunMap(sizePx: number, reachM: number): SunMap {
   const texture = new DepthTexture(sizePx, sizePx, UnsignedIntType);
   texture.compareFunction = LessEqualCompare;
   texture.minFilter = LinearFilter;
@@ -35,14 +38,21 @@ export function createSunMap(sizePx: number, towardsSun: readonly [number, numbe
     fragmentShader: 'void main() { gl_FragColor = vec4(1.0); }',
   });
   const center = new Vector3(0, 1.1, 0);
-  const eye = center.clone().addScaledVector(new Vector3(...towardsSun), reachM * 2);
-  const worldFromSun = new Matrix4().lookAt(eye, center, new Vector3(0, 1, 0)).setPosition(eye);
+  const up = new Vector3();
   const clipFromSun = new Matrix4().makeOrthographic(-reachM, reachM, reachM, -reachM, 0.1, reachM * 4);
+  const mapFromWorld = new Matrix4();
   const camera = createEyeCamera();
-  aimCamera(camera, clipFromSun.elements, worldFromSun.elements);
   return {
     texture,
-    mapFromWorld: clipFromSun.clone().multiply(worldFromSun.clone().invert()),
+    mapFromWorld,
+    aim: (towardsSun) => {
+      const eye = new Vector3(...towardsSun).multiplyScalar(reachM * 2).add(center);
+      // Straight above, the sun has no side that is up.
+      up.set(0, Math.abs(towardsSun[1]) > 0.99 ? 0 : 1, Math.abs(towardsSun[1]) > 0.99 ? -1 : 0);
+      const worldFromSun = new Matrix4().lookAt(eye, center, up).setPosition(eye);
+      mapFromWorld.copy(worldFromSun).invert().premultiply(clipFromSun);
+      aimCamera(camera, clipFromSun.elements, worldFromSun.elements);
+    },
     draw: (renderer, scene) => {
       renderer.setRenderTarget(target);
       renderer.clear();

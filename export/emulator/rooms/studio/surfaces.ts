@@ -33,6 +33,7 @@ export const SURFACES = {
   plaster: { paint: plaster, sizePx: [128, 128], tileM: [1.6, 1.6] },
   wallpaper: { paint: wallpaper, sizePx: [256, 256], tileM: [0.62, 0.62] },
   walnut: { paint: walnut, sizePx: [128, 256], tileM: [0.5, 1], gloss: 0.3 },
+  ceiling: { paint: plain, sizePx: [4, 4], tileM: [1, 1], gloss: 0.08 },
   white: { paint: plain, sizePx: [4, 4], tileM: [1, 1], gloss: 0.08 },
   rug: { paint: rug, sizePx: [384, 256], tileM: [2.3, 1.6] },
   sofa: { paint: weave([0.38, 0.46, 0.55], 0.3, 81), sizePx: [128, 128], tileM: [0.2, 0.2] },

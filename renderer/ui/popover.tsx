@@ -1,0 +1,63 @@
+import { type ReactNode, type RefObject, useEffect, useLayoutEffect, useRef, useState } from 'react';
+import './popover.css';
+
+interface PopoverProps {
+  readonly label: string;
+  /** What it was opened from: it lies below it where there is room, else above, and gives the focus back. */
+  readonly from: RefObject<HTMLElement | null>;
+  readonly onClose: () => void;
+  readonly children: ReactNode;
+}
+
+const GAP_PX = 6;
+const EDGE_PX = 8;
+
+/** A small panel beside what opened it; Escape and a press elsewhere close it. */
+export function Popover({ label, from, onClose, children }: PopoverProps) {
+  const element = useRef<HTMLDivElement>(null);
+  const [place, setPlace] = useState<{ left: number; top: number } | null>(null);
+  useLayoutEffect(() => {
+    const box = element.current?.getBoundingClientRect();
+    const button = from.current?.getBoundingClientRect();
+    if (!box || !button) return;
+    const left = Math.min(button.left + button.width / 2 - box.width / 2, window.innerWidth - box.width - EDGE_PX);
+    const below = button.bottom + GAP_PX;
+    const fits = below + box.height < window.innerHeight - EDGE_PX;
+    setPlace({ left: Math.max(EDGE_PX, left), top: fits ? below : Math.max(EDGE_PX, button.top - box.height - GAP_PX) });
+    element.current?.querySelector('input')?.focus();
+  }, [from]);
+  useEffect(() => {
+    const onDown = (event: PointerEvent) => {
+      const target = event.target as Node;
+      if (!element.current?.contains(target) && !from.current?.contains(target)) onClose();
+    };
+    // Wherever the focus is: a button that was pressed may be disabled by it, and lose it.
+    const onKey = (event: KeyboardEvent) => {
+      if (event.key !== 'Escape') return;
+      event.stopPropagation();
+      onClose();
+      from.current?.querySelector('button')?.focus();
+    };
+    window.addEventListener('keydown', onKey, true);
+    window.addEventListener('pointerdown', onDown, true);
+    // A press in the preview goes to a page of its own.
+    window.addEventListener('blur', onClose);
+    return () => {
+      window.removeEventListener('keydown', onKey, true);
+      window.removeEventListener('pointerdown', onDown, true);
+      window.removeEventListener('blur', onClose);
+    };
+  }, [from, onClose]);
+  return (
+    <div
+      ref={element}
+      className="popover"
+      role="dialog"
+      aria-label={label}
+      style={place ?? { visibility: 'hidden' }}
+      onKeyDown={(event) => event.stopPropagation()}
+    >
+      {children}
+    </div>
+  );
+}
