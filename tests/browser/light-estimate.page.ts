@@ -283,19 +283,20 @@ export async function cameraMeans(held: boolean) {
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 64, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
   let index = 0;
-  const read = async (uvFromViewUv: number[] | null): Promise<number[] | null> => {
+  const read = async (uvFromViewUv: number[] | null, isNew: (seen: Readonly<Float32Array> | null) => boolean): Promise<number[] | null> => {
     const cameraImage = uvFromViewUv && { texture, widthPx: 64, heightPx: 1, uvFromViewUv: Float32Array.from(uvFromViewUv) };
     let seen: Readonly<Float32Array> | null = null;
     // A running page reads what was drawn some frames ago, without waiting.
-    for (let i = 0; i < (held ? 1 : 40); i++) {
+    for (;;) {
       seen = mean.read({ index: index++, timeS: index, viewCount: 1, views: [{ cameraImage }] } as unknown as SessionFrame);
-      if (!held) await new Promise(requestAnimationFrame);
+      if (held || isNew(seen)) break;
+      await new Promise(requestAnimationFrame);
     }
     return seen && [...seen];
   };
-  const whole = await read([1, 0, 0, 0, 1, 0, 0, 0, 1]);
-  const left = await read([0.2, 0, 0, 0, 1, 0, 0, 0, 1]);
-  const none = await read(null);
+  const whole = await read([1, 0, 0, 0, 1, 0, 0, 0, 1], (seen) => seen !== null);
+  const left = await read([0.2, 0, 0, 0, 1, 0, 0, 0, 1], (seen) => seen !== null && seen[0] !== whole?.[0]);
+  const none = await read(null, (seen) => seen === null);
   const error = gl.getError();
   mean.dispose();
   drawer.dispose();

@@ -95,8 +95,7 @@ export async function builtins() {
   });
   const gl = createGl();
   const opened = stand(first, { gl, clock });
-  await settle(clock);
-  const { player } = await opened;
+  const { player } = await runUntil(clock, opened);
   player.draw(frame(3, undefined, { timeS: Math.fround(0.1) }));
   const result = pixel(gl, 5, 5);
   player.dispose();
@@ -137,12 +136,18 @@ export async function asideFromPicture() {
   };
 }
 
-/** Runs a manual clock until drivers have answered; promises need turns of their own in between. */
-async function settle(clock: { advance(s: number): void }): Promise<void> {
-  for (let i = 0; i < 50; i++) {
+/** Runs a manual clock until what hangs on it is there; drivers answer in their own time, and promises need turns in between. */
+async function runUntil<T>(clock: { advance(s: number): void }, awaited: Promise<T>): Promise<T> {
+  let there = false;
+  const note = () => {
+    there = true;
+  };
+  void awaited.then(note, note);
+  while (!there) {
     clock.advance(0.01);
     await new Promise((resolve) => setTimeout(resolve, 0));
   }
+  return awaited;
 }
 
 const COUNT = 'color = texture(before, uv) + vec4(16.0 / 255.0, 0.0, 0.0, 1.0);';
