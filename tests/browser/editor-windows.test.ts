@@ -8,6 +8,7 @@ import { type EditorServer, startServer } from '../../app/server/start-server.ts
 import { installationAt } from '../../app/services/installation.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
+import { eventually } from '../support/patience.ts';
 import { projectText, writeProject } from '../support/project-kit.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -144,14 +145,10 @@ describe('unsaved work', () => {
 
   /** As many files of unsaved work lie in the project; the editor keeps it two seconds after it was done. */
   async function untilUnsavedIs(count: number): Promise<void> {
-    const endMs = Date.now() + 60_000;
-    let names: string[];
-    do {
-      names = (await readdir(join(project, '.scrim')).catch(() => [])).filter((name) => name.startsWith('unsaved-'));
-      if (names.length === count) return;
-      await new Promise((done) => setTimeout(done, 50));
-    } while (Date.now() < endMs);
-    expect(names).toHaveLength(count);
+    await eventually(async () => {
+      const names = await readdir(join(project, '.scrim')).catch(() => []);
+      expect(names.filter((name) => name.startsWith('unsaved-'))).toHaveLength(count);
+    });
   }
 });
 

@@ -1,5 +1,6 @@
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { eventually } from '../support/patience.ts';
 import type { Look } from './runtime-orbit.page.ts';
 
 const chromium = useBrowser();
@@ -19,11 +20,11 @@ const seen = (): Promise<Look> => page.call<Look>('seen');
 
 /** Wheel events are on their way when the call that makes them returns. */
 async function seenWhen(is: (look: Look) => boolean): Promise<Look> {
-  for (let tries = 0; tries < 50; tries++) {
+  return eventually(async () => {
     const look = await seen();
-    if (is(look)) return look;
-  }
-  throw new Error('The view never changed as expected.');
+    if (!is(look)) throw new Error('The view never changed as expected.');
+    return look;
+  });
 }
 
 function distance({ position: [x = 0, y = 0, z = 0] }: Look, target = [0, 1, 0]): number {

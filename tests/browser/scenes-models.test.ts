@@ -1,11 +1,11 @@
-import { existsSync, readdirSync } from 'node:fs';
+import { readdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
+import { describeWithData } from '../support/shared-data.ts';
 
 const chromium = useBrowser();
 const folder = resolve('../shared/data/models');
-const names = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.glb')) : [];
 let page: PageModule;
 
 beforeAll(async () => {
@@ -18,24 +18,38 @@ afterAll(async () => {
   expect(page.errors.filter((error) => !error.includes('blob:'))).toEqual([]);
 });
 
-test('the models to test with are there', () => {
-  if (names.length === 0) console.warn(`${folder} is missing or empty: no real model was tested.`);
-  else expect(names).toContain('Fox.glb');
-});
+describeWithData('real models', 'models', () => {
+  const names = readdirSync(folder).filter((name) => name.endsWith('.glb'));
+  test('are there', () => expect(names).toContain('Fox.glb'));
 
-describe.each(names)('%s', (name) => {
-  test('loads under a strict policy and is seen in its colours', async () => {
-    const { covered, bright, colors, error } = await page.call<Record<string, number>>('show', `/models/${name}`);
-    expect(covered).toBeGreaterThan(800);
-    expect(bright).toBeGreaterThan(120);
-    expect(colors).toBeGreaterThan(10);
-    expect(error).toBe(0);
+  describe.each(names)('%s', (name) => {
+    test('loads under a strict policy and is seen in its colours', async () => {
+      const { covered, bright, colors, error } = await page.call<Record<string, number>>('show', `/models/${name}`);
+      expect(covered).toBeGreaterThan(800);
+      expect(bright).toBeGreaterThan(120);
+      expect(colors).toBeGreaterThan(10);
+      expect(error).toBe(0);
+    });
+
+    test('is refused with its size when it is cut off', async () => {
+      expect(await page.call('refusal', `/models/${name}`, 20_000)).toMatch(
+        /^Error: the file is cut off: it should have \d{5,7} bytes and has 20000\. Copy or export it again\.$/,
+      );
+    });
   });
 
-  test('is refused with its size when it is cut off', async () => {
-    expect(await page.call('refusal', `/models/${name}`, 20_000)).toMatch(
-      /^Error: the file is cut off: it should have \d{5,7} bytes and has 20000\. Copy or export it again\.$/,
-    );
+  test('instances share geometry and materials, and move by themselves', async () => {
+    const { shared, apart } = await page.call<{ shared: boolean; apart: number }>('instances', '/models/Fox.glb');
+    expect(shared).toBe(true);
+    // Fox is made in centimetres.
+    expect(apart).toBeGreaterThan(1);
+  });
+
+  test('nothing is left on the GPU of scenes, maps and models, nor of whole backends', async () => {
+    const urls = ['Fox', 'BoomBox', 'AttenuationTest'].map((name) => `/models/${name}.glb`);
+    const { warm, later, before, after } = await page.call<Record<string, object>>('leaks', urls);
+    expect(later).toEqual(warm);
+    expect(after).toEqual(before);
   });
 });
 
@@ -46,20 +60,4 @@ test('a .gltf with everything in it loads too; broken pictures are named', async
     broken: 'Error: the file is damaged: its picture 0 is broken or of an unknown kind; PNG, JPEG and WebP are known. Export it again.',
     error: 0,
   });
-});
-
-const withFox = names.includes('Fox.glb') ? test : test.skip;
-
-withFox('instances share geometry and materials, and move by themselves', async () => {
-  const { shared, apart } = await page.call<{ shared: boolean; apart: number }>('instances', '/models/Fox.glb');
-  expect(shared).toBe(true);
-  // Fox is made in centimetres.
-  expect(apart).toBeGreaterThan(1);
-});
-
-withFox('nothing is left on the GPU of scenes, maps and models, nor of whole backends', async () => {
-  const urls = ['Fox', 'BoomBox', 'AttenuationTest'].map((name) => `/models/${name}.glb`);
-  const { warm, later, before, after } = await page.call<Record<string, object>>('leaks', urls);
-  expect(later).toEqual(warm);
-  expect(after).toEqual(before);
 });

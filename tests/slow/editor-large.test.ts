@@ -8,7 +8,7 @@ const browser = useBrowser();
 let open: OpenEditor;
 beforeAll(async () => {
   open = await openEditor(browser.browser, gridGraph(NODES), { colorScheme: 'dark' });
-  await open.editor.press('Pause');
+  await open.editor.hold();
 });
 afterAll(async () => {
   expect(open.errors).toEqual([]);

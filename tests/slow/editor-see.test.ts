@@ -3,6 +3,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Download } from 'playwright-core';
 import { useBrowser } from '../support/browser.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 import { decodePicture } from '../support/picture.ts';
 
 /** What the camera sees, on the screen. */
@@ -78,7 +79,7 @@ test('a video of what plays is recorded until it is stopped', async () => {
     expect.arrayContaining([expect.stringMatching(/^(1a45dfa3|ftyp)$/)]),
   );
   await stop.waitFor({ state: 'detached' });
-  await editor.press('Pause');
+  await editor.hold();
 });
 
 test('the preview has the shape of the chosen device', async () => {
@@ -142,11 +143,9 @@ test('a picture stands in for the camera, and so does the webcam', async () => {
   await (await choosing).setFiles({ name: 'red.png', mimeType: 'image/png', buffer: Buffer.from(red) });
   const isRed = (r: number, g: number, b: number) => r > 150 && g < 80 && b < 80;
   const isGreen = (r: number, g: number, b: number) => g > 90 && r < 80 && b < 80;
-  const shows = async (is: typeof isRed, share: number) => {
-    const endMs = Date.now() + 60_000;
-    while (shareOf(await editor.picture(), is) < share) if (Date.now() > endMs) throw new Error('The picture did not come.');
-  };
-  await editor.press('Play').catch(() => {});
+  const shows = (is: typeof isRed, share: number) =>
+    eventually(async () => expect(shareOf(await editor.picture(), is)).toBeGreaterThanOrEqual(share));
+  await editor.press('Play');
   await shows(isRed, 0.98);
   await source().selectOption('camera');
   await shows(isGreen, 0.5);

@@ -19,7 +19,7 @@ const browser = useBrowser();
 let open: OpenEditor;
 beforeAll(async () => {
   open = await openEditor(browser.browser, GRAPH);
-  await open.editor.press('Pause');
+  await open.editor.hold();
 });
 afterAll(async () => {
   expect(open.errors).toEqual([]);

@@ -138,7 +138,7 @@ test('a problem is mended by its button', async () => {
 test('keyframes are set by the diamond beside a value, dragged in the panel, and taken away', async () => {
   const editor = new EditorDriver(page);
   await editor.node('warm').locator('.node-title').click();
-  await editor.press('Pause');
+  await editor.hold();
   await editor.press('Back to the first frame');
   await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
   const row = editor.inspector

@@ -38,7 +38,7 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
     // Each part is in the picture: without it, the picture is another one.
     const editor = new EditorDriver(page);
     await editor.settled();
-    await editor.press('Pause');
+    await editor.hold();
     await editor.press('Back to the first frame');
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     const whole = await pictureThat(editor, (picture) => count(picture, isRed) > 200);

@@ -1,4 +1,4 @@
-import { existsSync, mkdirSync, readdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -13,9 +13,9 @@ import { LIBRARY } from '../support/library.ts';
 import { MATERIAL_EXTENSIONS, materialSpheres } from '../support/material-spheres.ts';
 import { encodePicture, fromGl } from '../support/picture.ts';
 import { projectText } from '../support/project-kit.ts';
+import { describeWithData } from '../support/shared-data.ts';
 
 const shared = resolve('../shared/data/models');
-const names = existsSync(shared) ? readdirSync(shared).filter((name) => name.endsWith('.glb')) : [];
 const chromium = useBrowser();
 let page: PageModule;
 let folder = '';
@@ -33,11 +33,6 @@ afterAll(async () => {
   await page.close();
   expect(page.errors).toEqual([]);
   await rm(folder, { recursive: true, force: true });
-});
-
-test('the models to test with are there', () => {
-  if (names.length === 0) console.warn(`${shared} is missing or empty: no real model was tested.`);
-  else expect(names).toContain('Fox.glb');
 });
 
 const SUN = { azimuthRad: 0.6, elevationRad: 0.8, intensity: 0.9 };
@@ -109,38 +104,43 @@ test('materials of every extension but those of glass are drawn as by three.js i
   expect(Object.keys(MATERIAL_EXTENSIONS)).toHaveLength(9);
 });
 
-describe.each(names)('%s', (name) => {
-  test('is drawn by the player as by three.js itself', async () => {
-    const result = await play('/models/', name, name);
-    keepPictures(name, result);
-    expect(result.diagnostics).toEqual([]);
-    expect(result.error).toBe(0);
-    const [least, most] = SIZES[name] ?? [0.01, 1000];
-    expect(result.sizeM).toBeGreaterThan(least);
-    expect(result.sizeM).toBeLessThan(most);
-    expect(result.covered).toBeGreaterThan(2000);
-    expect(result.onlyOne).toBeLessThan(GLASS.test(name) ? 0.2 : 0.01);
-    if (!GLASS.test(name))
-      expect([result.mean < 2, result.far < 0.01, result.mean, result.far]).toEqual([true, true, result.mean, result.far]);
-  });
+describeWithData('real models', 'models', () => {
+  const names = readdirSync(shared).filter((name) => name.endsWith('.glb'));
+  test('are there', () => expect(names).toContain('Fox.glb'));
 
-  test('looks the same in every form that the export gives it', async () => {
-    const plain = await play('/models/', name, name);
-    const forms = await compressor.compress(new Uint8Array(await readFile(join(shared, name))));
-    for (const form of ['meshopt', 'ktx2'] as const) {
-      const bytes = forms[form];
-      if (!bytes) continue;
-      await writeFile(join(folder, `${form}-${name}`), bytes);
-      const packed = await play('/packed/', `${form}-${name}`, name);
-      expect([packed.diagnostics, packed.error]).toEqual([[], 0]);
-      expect(packed.covered / plain.covered).toBeCloseTo(1, 2);
-      let sum = 0;
-      packed.ours.forEach((value, i) => {
-        sum += Math.abs(value - (plain.ours[i] ?? 0));
-      });
-      // Grey levels, over all channels of what the model covers; fine patterns are made small by another filter.
-      const mean = sum / (4 * plain.covered);
-      expect([form, mean, mean < 3]).toEqual([form, mean, true]);
-    }
+  describe.each(names)('%s', (name) => {
+    test('is drawn by the player as by three.js itself', async () => {
+      const result = await play('/models/', name, name);
+      keepPictures(name, result);
+      expect(result.diagnostics).toEqual([]);
+      expect(result.error).toBe(0);
+      const [least, most] = SIZES[name] ?? [0.01, 1000];
+      expect(result.sizeM).toBeGreaterThan(least);
+      expect(result.sizeM).toBeLessThan(most);
+      expect(result.covered).toBeGreaterThan(2000);
+      expect(result.onlyOne).toBeLessThan(GLASS.test(name) ? 0.2 : 0.01);
+      if (!GLASS.test(name))
+        expect([result.mean < 2, result.far < 0.01, result.mean, result.far]).toEqual([true, true, result.mean, result.far]);
+    });
+
+    test('looks the same in every form that the export gives it', async () => {
+      const plain = await play('/models/', name, name);
+      const forms = await compressor.compress(new Uint8Array(await readFile(join(shared, name))));
+      for (const form of ['meshopt', 'ktx2'] as const) {
+        const bytes = forms[form];
+        if (!bytes) continue;
+        await writeFile(join(folder, `${form}-${name}`), bytes);
+        const packed = await play('/packed/', `${form}-${name}`, name);
+        expect([packed.diagnostics, packed.error]).toEqual([[], 0]);
+        expect(packed.covered / plain.covered).toBeCloseTo(1, 2);
+        let sum = 0;
+        packed.ours.forEach((value, i) => {
+          sum += Math.abs(value - (plain.ours[i] ?? 0));
+        });
+        // Grey levels, over all channels of what the model covers; fine patterns are made small by another filter.
+        const mean = sum / (4 * plain.covered);
+        expect([form, mean, mean < 3]).toEqual([form, mean, true]);
+      }
+    });
   });
 });

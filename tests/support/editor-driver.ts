@@ -148,10 +148,18 @@ export class EditorDriver {
     });
   }
 
+  /** The preview stands. What the button says follows what the preview does, a little later. */
+  async hold(): Promise<void> {
+    const either = this.page.getByRole('button', { name: /^(Play|Pause)$/ });
+    await either.evaluate((button: HTMLElement) => {
+      if (button.getAttribute('aria-label') === 'Pause') button.click();
+    });
+    await this.page.getByRole('button', { name: 'Play', exact: true }).waitFor();
+  }
+
   /** Stands at the first frame; the picture of it, once it has come to rest: recordings decode theirs meanwhile. */
   async rewind(): Promise<Picture> {
-    const pause = this.page.getByRole('button', { name: 'Pause', exact: true });
-    if ((await pause.count()) > 0) await pause.click();
+    await this.hold();
     await this.press('Back to the first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     // That may have been said of the frame before; two paints later the preview has drawn the one asked for.

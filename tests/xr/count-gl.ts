@@ -25,7 +25,19 @@ export async function watchGl(page: Page): Promise<void> {
   });
 }
 
-/** How many of those there are. */
+/** Of frames in a row that make and delete nothing. */
+const CALM_FRAMES = 8;
+
+/** How many of those there are, once it stays so: a session that ends is cleared away, and what follows it draws, a little later. */
 export async function aliveGl(page: Page): Promise<number> {
-  return page.evaluate(() => (window as unknown as { alive: Set<unknown> }).alive.size);
+  return page.evaluate(async (calmFrames) => {
+    const { alive } = window as unknown as { alive: Set<unknown> };
+    let last = alive.size;
+    for (let calm = 0; calm < calmFrames; ) {
+      await new Promise(requestAnimationFrame);
+      calm = alive.size === last ? calm + 1 : 0;
+      last = alive.size;
+    }
+    return last;
+  }, CALM_FRAMES);
 }
