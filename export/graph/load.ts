@@ -6,7 +6,10 @@ import { readProject } from './document/read-project.ts';
 import { parseJson } from './json/parse-json.ts';
 import { createLocator } from './json/positions.ts';
 import { createShapeReader, type ShapeReader } from './json/shape-reader.ts';
+import { EMPTY_GRAPH } from './new-project.ts';
+import { own } from './own.ts';
 import type { Project } from './project.ts';
+import { settleRoutes } from './routes.ts';
 
 /** The files of a project folder, as texts. */
 export interface ProjectTexts {
@@ -24,7 +27,7 @@ const MAX_SHADER_CHARACTERS = 4 * 2 ** 20;
 /**
  * Reads a project, and never throws, whatever the texts. What it cannot keep it refuses with an error: SCR001 (not JSON), SCR002
  * (wrong shape, unknown keys included), SCR003 (newer version), SCR005 (too large), SCR006 (not finite). A layout that cannot be
- * read is a warning: the nodes then stand where `placeNodes` puts them.
+ * read is a warning: the nodes then stand where `placeNodes` puts them. Of routes, what no wire can be led through is left out.
  *
  * Node types are not looked at: `migrateNodes` and `validateProject` do that, with a library.
  */
@@ -33,7 +36,9 @@ export function loadProject(texts: ProjectTexts): Result<Project> {
   const layout = texts.layout === null ? NO_LAYOUT : readDocument(texts.layout, LAYOUT_FORMAT, readLayout);
   const diagnostics = [...project.diagnostics, ...layout.diagnostics.map(asLayoutWarning), ...checkSources(texts.sources)];
   if (project.output === null || diagnostics.some((d) => d.severity === 'error')) return { output: null, diagnostics };
-  return { output: { ...project.output, layout: layout.output ?? {}, sources: { ...texts.sources } }, diagnostics };
+  const { graphs } = project.output;
+  const layouts = Object.entries(layout.output ?? {}).map(([name, read]) => [name, settleRoutes(own(graphs, name) ?? EMPTY_GRAPH, read)]);
+  return { output: { ...project.output, layout: Object.fromEntries(layouts), sources: { ...texts.sources } }, diagnostics };
 }
 
 const NO_LAYOUT: Result<Project['layout']> = { output: {}, diagnostics: [] };

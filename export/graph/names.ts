@@ -96,11 +96,13 @@ export function makeAssetId(project: Pick<Project, 'assets'>, path: string, rand
   return makeId(stemOf(path.replace(/\.[^./]*$/, '')), random, (id) => own(project.assets, id) !== undefined);
 }
 
-/** A new id for a frame or a note of the graph. */
-export function makeLayoutId(project: Pick<Project, 'layout'>, graph: string, kind: 'frame' | 'note', random: () => number): string {
+export type LayoutKind = 'frame' | 'note' | 'reroute';
+
+/** A new id for a frame, a note or a reroute of the graph. */
+export function makeLayoutId(project: Pick<Project, 'layout'>, graph: string, kind: LayoutKind, random: () => number): string {
   const layout = own(project.layout, graph);
-  const entries = layout && Object.keys(kind === 'frame' ? layout.frames : layout.notes);
-  return makeId(kind, random, (id) => entries?.includes(id) === true);
+  const entries = layout?.[`${kind}s`] ?? {};
+  return makeId(kind, random, (id) => own<unknown>(entries, id) !== undefined);
 }
 
 function makeId(stem: string, random: () => number, taken: (id: string) => boolean): string {

@@ -2,7 +2,7 @@ import { type Graph, type GraphLayout, MAIN_GRAPH, type PageInfo, type Project }
 
 export const DEFAULT_PAGE: PageInfo = { description: '', language: 'en' };
 export const EMPTY_GRAPH: Graph = { nodes: {}, wires: [], exposed: { inputs: [], outputs: [] } };
-export const EMPTY_LAYOUT: GraphLayout = { nodes: {}, frames: {}, notes: {} };
+export const EMPTY_LAYOUT: GraphLayout = { nodes: {}, frames: {}, notes: {}, reroutes: {}, routes: {} };
 
 /** A project with an empty main graph. */
 export function newProject(title: string): Project {

@@ -102,6 +102,10 @@ export interface GraphLayout {
   readonly nodes: Readonly<Record<string, NodeLayout>>;
   readonly frames: Readonly<Record<string, Frame>>;
   readonly notes: Readonly<Record<string, Note>>;
+  /** Points that wires are led through. Each is on a route; several wires from one output may share it. */
+  readonly reroutes: Readonly<Record<string, Reroute>>;
+  /** Wire, as `printWire` writes it → the ids of its reroutes from source to target. None of a wire that runs straight. */
+  readonly routes: Readonly<Record<string, readonly string[]>>;
 }
 
 /** Canvas units (CSS pixels at zoom 1), origin anywhere, y down. */
@@ -126,4 +130,10 @@ export interface Note {
   readonly width: number;
   readonly height: number;
   readonly text: string;
+}
+
+/** The middle of the point. */
+export interface Reroute {
+  readonly x: number;
+  readonly y: number;
 }

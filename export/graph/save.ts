@@ -67,7 +67,7 @@ function saveLayout({ layout }: Project): string {
   });
 }
 
-function saveGraphLayout({ nodes, frames, notes }: GraphLayout): PrintableJson {
+function saveGraphLayout({ nodes, frames, notes, reroutes, routes }: GraphLayout): PrintableJson {
   const some = (record: object) => Object.keys(record).length > 0;
   return {
     ...(some(nodes) && {
@@ -79,6 +79,8 @@ function saveGraphLayout({ nodes, frames, notes }: GraphLayout): PrintableJson {
       ),
     }),
     ...(some(notes) && { notes: mapSorted(notes, ({ x, y, width, height, text }) => inline({ x, y, width, height, text })) }),
+    ...(some(reroutes) && { reroutes: mapSorted(reroutes, ({ x, y }) => inline({ x, y })) }),
+    ...(some(routes) && { routes: mapSorted(routes, inline) }),
   };
 }
 

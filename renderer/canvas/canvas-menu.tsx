@@ -2,20 +2,25 @@ import { useCallback, useMemo, useState } from 'react';
 import { showChord } from '../shell/chord.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import type { Place } from '../state/canvas.ts';
 import { chordsOf } from '../state/chords.ts';
-import { itemOf } from '../state/layout-items.ts';
+import type { Editor } from '../state/editor.ts';
+import { itemOf } from '../state/item-ids.ts';
+import { addReroute, wiresOfStretch } from '../state/reroutes.ts';
 import { selectOnly } from '../state/selection.ts';
 import { selectedSubgraph } from '../state/subgraphs.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
-import type { CanvasNode } from './project-canvas.ts';
-import type { ItemNode } from './project-items.ts';
 import type { CanvasWire } from './project-wires.ts';
+import type { AnyNode } from './use-canvas-view.ts';
+import { type ToCanvas, WHERE_IT_IS } from './use-gestures.ts';
 
 interface OpenMenu {
   readonly x: number;
   readonly y: number;
   readonly commands: readonly (AppCommandId | 'line')[];
+  /** Where on what is drawn of which wire. */
+  readonly wire?: { readonly stretch: string; readonly place: Place };
 }
 
 interface PointerPlace {
@@ -43,7 +48,7 @@ const ON_NODE = [
   'edit.delete',
 ] as const;
 const ON_SUBGRAPH = ['graph.enter', 'graph.independent', 'graph.unpack', 'line', ...ON_NODE] as const;
-const ON_WIRE_OR_ITEM = { wire: ['graph.add', 'line', 'edit.delete'], item: ['edit.delete'] } as const;
+const ON_WIRE_OR_ITEM = { wire: ['graph.reroute', 'graph.add', 'line', 'edit.delete'], item: ['edit.delete'] } as const;
 const ON_PANE = [
   'graph.add',
   'graph.import-shadertoy',
@@ -56,18 +61,18 @@ const ON_PANE = [
 ] as const;
 
 /** Which menu the secondary button opened, and for what. */
-export function useCanvasMenu() {
+export function useCanvasMenu(toCanvas: ToCanvas) {
   const editor = useEditor();
   const [open, setOpen] = useState<OpenMenu | null>(null);
-  const show = useCallback((event: PointerPlace, commands: OpenMenu['commands']) => {
+  const show = useCallback((event: PointerPlace, commands: OpenMenu['commands'], wire?: OpenMenu['wire']) => {
     event.preventDefault();
-    setOpen({ x: event.clientX, y: event.clientY, commands });
+    setOpen({ x: event.clientX, y: event.clientY, commands, ...(wire && { wire }) });
   }, []);
   return useMemo(
     () => ({
       open,
       close: () => setOpen(null),
-      onNode: (event: PointerPlace, node: CanvasNode | ItemNode) => {
+      onNode: (event: PointerPlace, node: AnyNode) => {
         if (itemOf(node.id) !== null) {
           selectOnly(editor.selection, [], [], [node.id]);
           show(event, ON_WIRE_OR_ITEM.item);
@@ -77,14 +82,22 @@ export function useCanvasMenu() {
         show(event, selectedSubgraph(editor) === null ? ON_NODE : ON_SUBGRAPH);
       },
       onWire: (event: PointerPlace, wire: CanvasWire) => {
-        selectOnly(editor.selection, [], [wire.id]);
-        show(event, ON_WIRE_OR_ITEM.wire);
+        selectOnly(editor.selection, [], wiresOfStretch(editor.document.getState(), wire.id));
+        show(event, ON_WIRE_OR_ITEM.wire, { stretch: wire.id, place: toCanvas({ x: event.clientX, y: event.clientY }, WHERE_IT_IS) });
       },
       onPane: (event: PointerPlace | MouseEvent) => show(event, ON_PANE),
     }),
-    [editor, open, show],
+    [editor, open, show, toCanvas],
   );
 }
+
+/** What happens there where the wire was pressed. */
+const ON_WIRE: Partial<Record<AppCommandId, (editor: Editor, menu: OpenMenu) => void>> = {
+  'graph.reroute': (editor, { wire }) => void (wire && addReroute(editor, wire.stretch, wire.place)),
+  'graph.add': ({ ui }, { x, y, wire }) => {
+    if (wire) ui.setState({ palette: { at: { x, y }, place: wire.place, end: null, wire: wire.stretch } });
+  },
+};
 
 export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; readonly onClose: () => void }) {
   const editor = useEditor();
@@ -94,6 +107,8 @@ export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; 
     const { label, enabled } = appCommand(id);
     const [chord] = chordsOf(editor, id);
     const keys = chord === undefined ? {} : { keys: showChord(chord, editor.mac) };
+    const onWire = menu.wire && ON_WIRE[id];
+    if (onWire) return { kind: 'action', label, ...keys, run: () => onWire(editor, menu) };
     return { kind: 'action', label, ...keys, disabled: !enabled(editor), run: () => runCommand(editor, id) };
   });
   return <ContextMenu label="Actions" at={menu} items={items} onClose={onClose} />;

@@ -24,10 +24,9 @@ import { FrameView, NoteView } from './item-view.tsx';
 import { NodeView } from './node-view.tsx';
 import { OverviewWires } from './overview-wires.tsx';
 import { PaletteHost } from './palette-host.tsx';
-import type { CanvasNode } from './project-canvas.ts';
-import type { ItemNode } from './project-items.ts';
 import type { CanvasWire } from './project-wires.ts';
-import { useCanvasView } from './use-canvas-view.ts';
+import { RerouteView } from './reroute-view.tsx';
+import { type AnyNode, useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
 import { useMiddle } from './use-middle.ts';
 import { useReveal } from './use-reveal.ts';
@@ -35,7 +34,7 @@ import { useWheel } from './use-wheel.ts';
 import { useWireTarget } from './use-wire-target.ts';
 import { WireInHand, WireView } from './wire-view.tsx';
 
-const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView };
+const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView, reroute: RerouteView };
 const WIRE_VIEWS = { scrim: WireView };
 const NO_WIRES: CanvasWire[] = [];
 const SNAP: [number, number] = [8, 8];
@@ -43,7 +42,7 @@ const SNAP: [number, number] = [8, 8];
 const FAR_ZOOM = 0.5;
 const ARIA_LABELS = {
   'node.a11yDescription.default': 'Enter selects the node, arrow keys move it, Delete removes it. Its wires are in the inspector.',
-  'edge.a11yDescription.default': 'Enter selects the wire, Delete removes it.',
+  'edge.a11yDescription.default': 'Enter selects the wire, R adds a reroute to it, Delete removes it.',
 };
 
 /** The graph. All gestures end in commands; what is drawn comes from the document and nowhere else. */
@@ -56,11 +55,11 @@ export function Canvas() {
 }
 
 function CanvasInside() {
-  const { nodes, wires, items } = useCanvasView();
-  const all = useMemo(() => [...items, ...nodes], [items, nodes]);
-  const flow = useReactFlow<CanvasNode | ItemNode, CanvasWire>();
+  const { nodes, wires, items, reroutes } = useCanvasView();
+  const all = useMemo(() => [...items, ...nodes, ...reroutes], [items, nodes, reroutes]);
+  const flow = useReactFlow<AnyNode, CanvasWire>();
   const root = useRef<HTMLDivElement>(null);
-  const menu = useCanvasMenu();
+  const menu = useCanvasMenu(flow.screenToFlowPosition);
   const panOnScroll = useWheel(root);
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
@@ -74,7 +73,7 @@ function CanvasInside() {
     <div ref={root} tabIndex={-1} className={far ? 'canvas canvas-far' : 'canvas'} {...drop.handlers}>
       <CostsProvider>
         <DetailProvider value={detail}>
-          <ReactFlow<CanvasNode | ItemNode, CanvasWire>
+          <ReactFlow<AnyNode, CanvasWire>
             nodes={all}
             edges={detail === 'overview' ? NO_WIRES : wires}
             nodeTypes={NODE_TYPES}
@@ -121,7 +120,7 @@ function CanvasInside() {
             aria-label="Graph"
           >
             <Background variant={BackgroundVariant.Dots} gap={24} size={1.2} color="var(--canvas-dot)" />
-            <MiniMap<CanvasNode | ItemNode>
+            <MiniMap<AnyNode>
               position="bottom-right"
               pannable
               zoomable
@@ -134,7 +133,7 @@ function CanvasInside() {
             <ConnectionHint />
             <Breadcrumb />
             <CostPanel />
-            {detail === 'overview' && <OverviewWires nodes={nodes} wires={wires} />}
+            {detail === 'overview' && <OverviewWires nodes={nodes} reroutes={reroutes} wires={wires} />}
           </ReactFlow>
         </DetailProvider>
       </CostsProvider>
@@ -146,7 +145,7 @@ function CanvasInside() {
   );
 }
 
-function minimapColor(node: CanvasNode | ItemNode): string {
+function minimapColor(node: AnyNode): string {
   if (node.type !== 'scrim') return 'var(--minimap-mask)';
   return node.data.type ? WIRE_TYPES[node.data.type].color : 'var(--line-strong)';
 }

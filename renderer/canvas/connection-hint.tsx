@@ -1,7 +1,7 @@
 import { useConnection, useStore as useFlowStore } from '@xyflow/react';
 import { createPortal } from 'react-dom';
 import { useEditor } from '../shell/editor-context.ts';
-import { refusalOf } from '../state/edit-graph.ts';
+import { refusalOver } from '../state/join-ends.ts';
 
 const OFFSET_PX = 16;
 
@@ -12,8 +12,7 @@ export function ConnectionHint() {
   const pane = useFlowStore((state) => state.domNode);
   if (!connection.inProgress || connection.isValid !== false || !connection.toHandle || !pane) return null;
   const { inHand } = editor.canvas.getState();
-  const { nodeId, id, type } = connection.toHandle;
-  const reason = inHand && refusalOf(editor, inHand, { node: nodeId, port: id ?? '', side: type === 'source' ? 'output' : 'input' });
+  const reason = inHand && refusalOver(editor, inHand, connection.toHandle);
   if (!reason) return null;
   const box = pane.getBoundingClientRect();
   return createPortal(

@@ -1,17 +1,20 @@
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { portCentre } from './node-shape.ts';
 import type { CanvasNode } from './project-canvas.ts';
+import type { RerouteNode } from './project-reroutes.ts';
 import type { CanvasWire } from './project-wires.ts';
-import { wirePath } from './wire-path.ts';
+import { stretchPath } from './wire-path.ts';
+
+type WireEnd = CanvasNode | RerouteNode;
 
 interface KnownPath {
-  readonly source: CanvasNode;
-  readonly target: CanvasNode;
+  readonly source: WireEnd;
+  readonly target: WireEnd;
   readonly path: string;
 }
 
 /** Remembers each wire's path for as long as neither end moves. */
-export function createOverviewPaths(): (nodes: readonly CanvasNode[], wires: readonly CanvasWire[]) => ReadonlyMap<WireType, string> {
+export function createOverviewPaths(): (nodes: readonly WireEnd[], wires: readonly CanvasWire[]) => ReadonlyMap<WireType, string> {
   let known = new Map<string, KnownPath>();
   return (nodes, wires) => {
     const byId = new Map(nodes.map((node) => [node.id, node]));
@@ -34,13 +37,16 @@ export function createOverviewPaths(): (nodes: readonly CanvasNode[], wires: rea
   };
 }
 
-function pathOf(wire: CanvasWire, source: CanvasNode, target: CanvasNode): string {
+function pathOf(wire: CanvasWire, source: WireEnd, target: WireEnd): string {
   const from = placeOf(source, wire.sourceHandle, 'output');
   const to = placeOf(target, wire.targetHandle, 'input');
-  return from && to ? wirePath(from.x, from.y, to.x, to.y) : '';
+  if (!from || !to) return '';
+  const ends = { sourceX: from.x, sourceY: from.y, targetX: to.x, targetY: to.y };
+  return stretchPath({ ...ends, fromReroute: source.type === 'reroute', toReroute: target.type === 'reroute' });
 }
 
-function placeOf({ position, data }: CanvasNode, name: string | null | undefined, side: 'input' | 'output') {
+function placeOf({ position, type, data }: WireEnd, name: string | null | undefined, side: 'input' | 'output') {
+  if (type === 'reroute') return position;
   const port = data.shape.ports.find((candidate) => candidate.side === side && candidate.name === name);
   if (!port) return null;
   const centre = portCentre(data.shape, port);

@@ -3,17 +3,19 @@ import { useMemo, useState } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
 import { createOverviewPaths } from './overview-paths.ts';
 import type { CanvasNode } from './project-canvas.ts';
+import type { RerouteNode } from './project-reroutes.ts';
 import type { CanvasWire } from './project-wires.ts';
 
 interface OverviewWiresProps {
   readonly nodes: readonly CanvasNode[];
+  readonly reroutes: readonly RerouteNode[];
   readonly wires: readonly CanvasWire[];
 }
 
 /** All wires of a large graph seen from afar: one path a colour, to look at and not to point at. */
-export function OverviewWires({ nodes, wires }: OverviewWiresProps) {
+export function OverviewWires({ nodes, reroutes, wires }: OverviewWiresProps) {
   const [pathsOf] = useState(createOverviewPaths);
-  const paths = useMemo(() => pathsOf(nodes, wires), [pathsOf, nodes, wires]);
+  const paths = useMemo(() => pathsOf([...nodes, ...reroutes], wires), [pathsOf, nodes, reroutes, wires]);
   return (
     <ViewportPortal>
       <svg className="overview-wires" aria-hidden="true">

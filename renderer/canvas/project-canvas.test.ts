@@ -1,4 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
+import { EMPTY_LAYOUT } from '../../export/graph/new-project.ts';
 import type { Graph, GraphLayout } from '../../export/graph/project.ts';
 import { LIBRARY } from '../../tests/support/library.ts';
 import { detailOf } from './detail.ts';
@@ -19,7 +20,7 @@ const GRAPH: Graph = {
   ],
   exposed: { inputs: [], outputs: [] },
 };
-const LAYOUT: GraphLayout = { nodes: { 'video-aaaa': { x: 0, y: 0 }, 'blur-aaaa': { x: 300, y: 0 } }, frames: {}, notes: {} };
+const LAYOUT: GraphLayout = { ...EMPTY_LAYOUT, nodes: { 'video-aaaa': { x: 0, y: 0 }, 'blur-aaaa': { x: 300, y: 0 } } };
 const INPUT: CanvasInput = {
   graph: GRAPH,
   layout: LAYOUT,

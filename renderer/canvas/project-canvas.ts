@@ -1,6 +1,6 @@
 import type { Node, NodeHandle } from '@xyflow/react';
 import { subgraphName } from '../../export/graph/names.ts';
-import type { GraphLayout, GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
+import type { GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
@@ -32,7 +32,6 @@ export interface NodeProblem {
 export type CanvasNode = Node<NodeData, 'scrim'>;
 
 export interface CanvasInput extends WiresInput {
-  readonly layout: GraphLayout;
   readonly selectedNodes: ReadonlySet<string>;
   readonly expanded: ReadonlySet<string>;
   /** Nodes that give layers show them. */

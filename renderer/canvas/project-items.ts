@@ -1,7 +1,8 @@
 import type { Node } from '@xyflow/react';
 import type { GraphLayout } from '../../export/graph/project.ts';
 import type { Place } from '../state/canvas.ts';
-import { type Box, type ItemKind, itemId } from '../state/layout-items.ts';
+import { itemId } from '../state/item-ids.ts';
+import type { Box } from '../state/layout-items.ts';
 
 export interface ItemData extends Record<string, unknown> {
   /** Title of a frame, text of a note. */
@@ -9,7 +10,7 @@ export interface ItemData extends Record<string, unknown> {
 }
 
 /** A frame or a note, as React Flow draws it. */
-export type ItemNode = Node<ItemData, ItemKind>;
+export type ItemNode = Node<ItemData, 'frame' | 'note'>;
 
 export interface ItemsInput {
   readonly layout: GraphLayout;
@@ -23,7 +24,7 @@ export function createItemsProjection(): (input: ItemsInput) => readonly ItemNod
   let known = new Map<string, { readonly key: readonly unknown[]; readonly item: ItemNode }>();
   return ({ layout, selected, dragged, resized }) => {
     const next: typeof known = new Map();
-    const project = (kind: ItemKind, name: string, box: Box, text: string) => {
+    const project = (kind: 'frame' | 'note', name: string, box: Box, text: string) => {
       const id = itemId(kind, name);
       const drawn = resized?.id === id ? resized : { ...box, ...dragged[id] };
       const key = [drawn.x, drawn.y, drawn.width, drawn.height, text, selected.has(id)];
@@ -38,7 +39,7 @@ export function createItemsProjection(): (input: ItemsInput) => readonly ItemNod
   };
 }
 
-function itemNode(kind: ItemKind, id: string, { x, y, width, height }: Box, text: string, selected: boolean): ItemNode {
+function itemNode(kind: 'frame' | 'note', id: string, { x, y, width, height }: Box, text: string, selected: boolean): ItemNode {
   return {
     id,
     type: kind,

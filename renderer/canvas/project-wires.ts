@@ -1,7 +1,10 @@
 import type { Edge } from '@xyflow/react';
-import type { Graph, Wire } from '../../export/graph/project.ts';
+import type { Graph, GraphLayout, Wire } from '../../export/graph/project.ts';
+import { type Stretch, stretchesOf } from '../../export/graph/routes.ts';
+import { printWire } from '../../export/graph/wires.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
+import { itemId } from '../state/item-ids.ts';
 import { portWords } from '../state/plain-words.ts';
 
 export interface WireData extends Record<string, unknown> {
@@ -11,12 +14,16 @@ export interface WireData extends Record<string, unknown> {
   readonly order: number | null;
   /** What is let go now goes into it. */
   readonly under: boolean;
+  /** Drawn as selected: one of the wires that it is a part of is. */
+  readonly lit: boolean;
 }
 
+/** What is drawn of wires between two points: a whole wire, where that runs straight. */
 export type CanvasWire = Edge<WireData, 'scrim'>;
 
 export interface WiresInput {
   readonly graph: Graph;
+  readonly layout: GraphLayout;
   readonly library: NodeLibrary;
   readonly selectedWires: ReadonlySet<string>;
   /** The wire that the dragged node would go into. */
@@ -37,7 +44,7 @@ export function createWiresProjection(): (input: WiresInput) => CanvasWire[] {
   let list: CanvasWire[] = [];
   let seen: readonly unknown[] = [];
   return (input) => {
-    const now = [input.graph, input.library, input.selectedWires, input.wireUnder];
+    const now = [input.graph, input.layout.routes, input.library, input.selectedWires, input.wireUnder];
     if (sameParts(now, seen)) return list;
     seen = now;
     wires = projectWires(input, wires);
@@ -52,46 +59,66 @@ function projectWires(input: WiresInput, known: ReadonlyMap<string, CachedWire>)
   const count = new Map<string, number>();
   for (const wire of input.graph.wires) count.set(portKey(wire.to), (count.get(portKey(wire.to)) ?? 0) + 1);
   const placed = new Map<string, number>();
-  const next = new Map<string, CachedWire>();
+  const orders = new Map<string, number>();
   for (const wire of input.graph.wires) {
-    const id = wireId(wire);
     const place = (placed.get(portKey(wire.to)) ?? 0) + 1;
     placed.set(portKey(wire.to), place);
-    const order = (count.get(portKey(wire.to)) ?? 0) > 1 ? place : null;
+    if ((count.get(portKey(wire.to)) ?? 0) > 1) orders.set(printWire(wire), place);
+  }
+  const next = new Map<string, CachedWire>();
+  for (const [id, stretch] of stretchesOf(input.graph, input.layout)) {
+    const [wire] = stretch.wires;
     const from = typeOf(wire.from.node, wire.from.port, 'output');
-    const to = typeOf(wire.to.node, wire.to.port, 'input');
-    const label = wireLabel(input, wire);
-    const key = [from ?? to, to ?? from, order, input.selectedWires.has(id), label, input.wireUnder === id];
+    const to = stretch.to === null ? typeOf(wire.to.node, wire.to.port, 'input') : from;
+    const label = stretch.to === null ? wireLabel(input, wire) : '';
+    const lit = stretch.wires.some((one) => input.selectedWires.has(printWire(one)));
+    const order = stretch.to === null ? (orders.get(id) ?? null) : null;
+    const key = [from ?? to, to ?? from, order, lit, label, input.wireUnder === id, ...endsOf(stretch)];
     const before = known.get(id);
-    next.set(id, before && sameParts(before.key, key) ? before : { key, wire: canvasWire(wire, key) });
+    next.set(id, before && sameParts(before.key, key) ? before : { key, wire: canvasWire(id, stretch, key) });
   }
   return next;
 }
 
-/** As the document writes it: unique, because two wires never join the same two ports. */
-export function wireId({ from, to }: Wire): string {
-  return `${from.node}.${from.port} -> ${to.node}.${to.port}`;
+/** What it joins, as React Flow knows it; reroutes have one side for wires that come and one for those that go. */
+function endsOf({ source, wires, before, to }: Stretch): readonly [string, string, string, string] {
+  const last = before.at(-1);
+  const target = wires[0].to;
+  return [
+    ...(last === undefined ? ([source.node, source.port] as const) : ([itemId('reroute', last), REROUTE_OUT] as const)),
+    ...(to === null ? ([target.node, target.port] as const) : ([itemId('reroute', to), REROUTE_IN] as const)),
+  ];
 }
 
-function canvasWire(wire: Wire, key: readonly unknown[]): CanvasWire {
-  const [from, to, order, selected, ariaLabel, under] = key as [
+/** The sides of a reroute. */
+export const REROUTE_IN = 'in';
+export const REROUTE_OUT = 'through';
+
+function canvasWire(id: string, stretch: Stretch, key: readonly unknown[]): CanvasWire {
+  const [from, to, order, lit, ariaLabel, under, source, sourceHandle, target, targetHandle] = key as [
     WireType | undefined,
     WireType | undefined,
     number | null,
     boolean,
     string,
     boolean,
+    ...ReturnType<typeof endsOf>,
   ];
+  const isLast = stretch.to === null;
+  const isFirst = stretch.before.length === 0;
   return {
-    id: wireId(wire),
+    id,
     type: 'scrim',
-    source: wire.from.node,
-    sourceHandle: wire.from.port,
-    target: wire.to.node,
-    targetHandle: wire.to.port,
-    selected,
-    data: { from: from ?? 'number', to: to ?? 'number', order, under },
-    ariaLabel,
+    source,
+    sourceHandle,
+    target,
+    targetHandle,
+    // A wire is one thing to React Flow's keys and to screen readers, its last stretch; all of it is drawn as selected.
+    selected: isLast && lit,
+    data: { from: from ?? 'number', to: to ?? 'number', order, under, lit },
+    ...(isLast ? { ariaLabel } : { focusable: false, domAttributes: { 'aria-hidden': true as const } }),
+    // Wires are pulled off ports; at a reroute, that is taken.
+    reconnectable: isFirst ? isLast || 'source' : isLast && 'target',
   };
 }
 

@@ -3,11 +3,20 @@ import { useStore } from 'zustand';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useNodeProblems } from '../shell/use-problems.ts';
 import { graphOf, layoutOf } from '../state/document.ts';
-import { type CanvasView, createCanvasProjection } from './project-canvas.ts';
+import { type CanvasNode, type CanvasView, createCanvasProjection } from './project-canvas.ts';
 import { createItemsProjection, type ItemNode } from './project-items.ts';
+import { createReroutesProjection, type RerouteNode } from './project-reroutes.ts';
+
+/** All that stands on the canvas. */
+export type AnyNode = CanvasNode | ItemNode | RerouteNode;
+
+export interface WholeView extends CanvasView {
+  readonly items: readonly ItemNode[];
+  readonly reroutes: readonly RerouteNode[];
+}
 
 /** The open graph as React Flow draws it. */
-export function useCanvasView(): CanvasView & { readonly items: readonly ItemNode[] } {
+export function useCanvasView(): WholeView {
   const editor = useEditor();
   const project = useMemo(createCanvasProjection, []);
   const graph = useDocument(graphOf);
@@ -22,6 +31,13 @@ export function useCanvasView(): CanvasView & { readonly items: readonly ItemNod
   const items = useMemo(
     () => projectItems({ layout, selected: selection.items, dragged, resized }),
     [projectItems, layout, selection.items, dragged, resized],
+  );
+  const projectReroutes = useMemo(createReroutesProjection, []);
+  const name = useDocument((state) => state.graph);
+  const document = useDocument((state) => state.project);
+  const reroutes = useMemo(
+    () => projectReroutes({ open: { project: document, graph: name, library }, wires: graph.wires, selected: selection.items, dragged }),
+    [projectReroutes, document, name, library, graph.wires, selection.items, dragged],
   );
   const view = useMemo(
     () =>
@@ -39,5 +55,5 @@ export function useCanvasView(): CanvasView & { readonly items: readonly ItemNod
       }),
     [project, graph, layout, library, selection, shown, pictured, dragged, problems, wireUnder],
   );
-  return useMemo(() => ({ ...view, items }), [view, items]);
+  return useMemo(() => ({ ...view, items, reroutes }), [view, items, reroutes]);
 }

@@ -1,27 +1,43 @@
-import type { Connection, Edge, EdgeChange, FinalConnectionState, HandleType, NodeChange } from '@xyflow/react';
+import {
+  type Connection,
+  type Edge,
+  type EdgeChange,
+  type FinalConnectionState,
+  type HandleType,
+  type NodeChange,
+  useStoreApi,
+} from '@xyflow/react';
 import { type MouseEvent as ReactMouseEvent, useCallback, useRef } from 'react';
 import { subgraphName } from '../../export/graph/names.ts';
+import { printWire } from '../../export/graph/wires.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '../state/canvas.ts';
 import { layoutOf, nodeOf } from '../state/document.ts';
-import { connect, explainRefusal, refusalOf, removeWires, rewire, takeWireFrom, type WireEnd } from '../state/edit-graph.ts';
+import { removeWires } from '../state/edit-graph.ts';
 import type { Editor } from '../state/editor.ts';
 import { dropOnWire, layOver } from '../state/insert-on-wire.ts';
-import { boxOfItem, contentOf, itemOf, moveAll } from '../state/layout-items.ts';
+import { itemOf } from '../state/item-ids.ts';
+import { explainRefusal, joinEnds, refusalOfEnds, rejoinEnds, takeEnd } from '../state/join-ends.ts';
+import { boxOfItem, contentOf, moveAll } from '../state/layout-items.ts';
+import { addReroute, stretchCalled, wiresOfStretch } from '../state/reroutes.ts';
 import { changeSelection, type SelectionChange } from '../state/selection.ts';
 import { openSubgraph } from '../state/subgraphs.ts';
 import { HEADER_HEIGHT, NODE_WIDTH } from './node-shape.ts';
-import type { CanvasNode } from './project-canvas.ts';
-import type { ItemNode } from './project-items.ts';
 import type { CanvasWire } from './project-wires.ts';
+import type { AnyNode } from './use-canvas-view.ts';
 import { wireBehind } from './wire-behind.ts';
 
+export type ToCanvas = (client: Place, options?: { readonly snapToGrid: boolean }) => Place;
+
+/** The wire stays where it runs. */
+export const WHERE_IT_IS = { snapToGrid: false };
+
 /** What pointer and keys on the canvas do: selection, wires, places. */
-export function useGestures(toCanvas: (client: Place) => Place, toClient: (canvas: Place) => Place) {
+export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Place) {
   const editor = useEditor();
   const onNodesChange = useCallback(
-    (changes: NodeChange<CanvasNode | ItemNode>[]) => {
-      changeSelection(editor.selection, selectionChanges('node', changes));
+    (changes: NodeChange<AnyNode>[]) => {
+      changeSelection(editor.selection, nodeChanges(changes));
       const moved = changes.filter((change) => change.type === 'position');
       const places: Record<string, Place> = {};
       for (const { id, position } of moved) if (position) Object.assign(places, withContent(editor, id, position), { [id]: position });
@@ -30,7 +46,8 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
       const [only] = moved.length === 1 ? moved : [];
       // React Flow's arrow keys move without dragging; a drag's last change has none either.
       if (moved.some((change) => change.dragging === true)) {
-        hoverWire(editor.canvas, only?.position ? wireBehind(editor, only.id, toClient(only.position)) : null);
+        const isNode = only !== undefined && itemOf(only.id) === null;
+        hoverWire(editor.canvas, isNode && only.position ? wireBehind(editor, only.id, toClient(only.position)) : null);
         return;
       }
       const { wireUnder } = editor.canvas.getState();
@@ -41,9 +58,13 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
     },
     [editor, toClient],
   );
+  const flowStore = useStoreApi();
   const onWiresChange = useCallback(
-    (changes: EdgeChange<CanvasWire>[]) => changeSelection(editor.selection, selectionChanges('wire', changes)),
-    [editor],
+    (changes: EdgeChange<CanvasWire>[]) => {
+      const { userSelectionActive } = flowStore.getState();
+      changeSelection(editor.selection, wireChanges(editor, changes, userSelectionActive));
+    },
+    [editor, flowStore],
   );
   /** An end of a wire that is there is in hand; React Flow tells of it as of a new one, too. */
   const rewiring = useRef(false);
@@ -53,21 +74,21 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
   const isValidConnection = useCallback(
     (connection: Connection | Edge) => {
       const ends = endsOf(connection);
-      return ends !== null && refusalOf(editor, { ...ends.from, side: 'output' }, { ...ends.to, side: 'input' }) === null;
+      return ends !== null && refusalOfEnds(editor, ends.from, ends.to) === null;
     },
     [editor],
   );
   const onConnect = useCallback(
     (connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends) connect(editor, ends.from, ends.to);
+      if (ends) joinEnds(editor, ends.from, ends.to);
     },
     [editor],
   );
   const onConnectStart = useCallback(
     (_event: MouseEvent | TouchEvent, start: { nodeId: string | null; handleId: string | null; handleType: HandleType | null }) => {
       if (start.nodeId === null || start.handleId === null) return;
-      takeWireFrom(editor, start.nodeId, start.handleId, start.handleType === 'source' ? 'output' : 'input');
+      takeEnd(editor, { node: start.nodeId, port: start.handleId }, start.handleType === 'source' ? 'output' : 'input');
     },
     [editor],
   );
@@ -82,7 +103,7 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
         layOver(editor, inHand, wireUnder, { x: x - NODE_WIDTH / 2, y: y - HEADER_HEIGHT });
         return;
       }
-      if (end.toHandle) explainRefusal(editor, inHand, endOf(end.toHandle));
+      if (end.toHandle) explainRefusal(editor, inHand, end.toHandle);
       else if (onPane(event) && !rewiring.current) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
     },
     [editor, toCanvas],
@@ -90,7 +111,7 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
   const onReconnect = useCallback(
     (wire: CanvasWire, connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends) rewire(editor, wire.id, ends.from, ends.to);
+      if (ends) rejoinEnds(editor, wire.id, ends.from, ends.to);
     },
     [editor],
   );
@@ -98,30 +119,27 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
     (_event: MouseEvent | TouchEvent, wire: CanvasWire, _type: HandleType, end: FinalConnectionState) => {
       rewiring.current = false;
       // Pulled off and let go over nothing: the usual way to take a wire away.
-      if (end.isValid !== true && !end.toHandle) removeWires(editor, [wire.id]);
+      if (end.isValid !== true && !end.toHandle) removeWires(editor, wiresOfStretch(editor.document.getState(), wire.id));
     },
     [editor],
   );
   const onNodeEnter = useCallback(
-    (_event: unknown, node: CanvasNode | ItemNode) => {
+    (_event: unknown, node: AnyNode) => {
       if (editor.canvas.getState().inHand?.side === 'output') offerParams(editor.canvas, node.id);
     },
     [editor],
   );
   const onNodeLeave = useCallback(() => offerParams(editor.canvas, null), [editor]);
   const onNodeDoubleClick = useCallback(
-    (_event: unknown, { id }: CanvasNode | ItemNode) => {
+    (_event: unknown, { id }: AnyNode) => {
       const name = subgraphName(nodeOf(editor.document.getState(), id)?.type ?? '');
       if (name !== null) openSubgraph(editor, name);
     },
     [editor],
   );
-  /** Double-clicked, a wire asks for a node to go through. */
   const onWireDoubleClick = useCallback(
-    (event: ReactMouseEvent, { id }: CanvasWire) => {
-      const client = { x: event.clientX, y: event.clientY };
-      editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: null, wire: id } });
-    },
+    (event: ReactMouseEvent, { id }: CanvasWire) =>
+      void addReroute(editor, id, toCanvas({ x: event.clientX, y: event.clientY }, WHERE_IT_IS)),
     [editor, toCanvas],
   );
   const onDoubleClick = useCallback(
@@ -150,10 +168,6 @@ export function useGestures(toCanvas: (client: Place) => Place, toClient: (canva
   };
 }
 
-function endOf({ nodeId, id, type }: { readonly nodeId: string; readonly id?: string | null; readonly type: HandleType }): WireEnd {
-  return { node: nodeId, port: id ?? '', side: type === 'source' ? 'output' : 'input' };
-}
-
 /** From output to input, whichever of them the gesture began at. */
 function endsOf({ source, sourceHandle, target, targetHandle }: Connection | Edge) {
   if (!sourceHandle || !targetHandle) return null;
@@ -168,13 +182,28 @@ function withContent(editor: Editor, id: string, { x, y }: Place): Readonly<Reco
   return Object.fromEntries(content.map(([inside, place]) => [inside, { x: place.x + x - frame.x, y: place.y + y - frame.y }]));
 }
 
-function selectionChanges(
-  kind: 'node' | 'wire',
-  changes: readonly (NodeChange<CanvasNode | ItemNode> | EdgeChange<CanvasWire>)[],
-): SelectionChange[] {
-  return changes.flatMap((change) =>
-    change.type === 'select' ? [{ kind: itemOf(change.id) === null ? kind : 'item', id: change.id, selected: change.selected }] : [],
-  );
+function nodeChanges(changes: readonly NodeChange<AnyNode>[]): SelectionChange[] {
+  return changes.flatMap((change): SelectionChange[] => {
+    if (change.type !== 'select') return [];
+    return [{ kind: itemOf(change.id) === null ? 'node' : 'item', id: change.id, selected: change.selected }];
+  });
+}
+
+/**
+ * The wires of what was selected or no more. What is taken away comes first: a press on another stretch of a wire takes its last one
+ * away. A box around nodes brings their wires with it; one around a reroute alone does not, or Delete would take the wire as well.
+ */
+function wireChanges(editor: Editor, changes: readonly EdgeChange<CanvasWire>[], byBox: boolean): SelectionChange[] {
+  const state = editor.document.getState();
+  const { nodes } = editor.selection.getState();
+  const of = (selected: boolean) =>
+    changes.flatMap((change): SelectionChange[] => {
+      if (change.type !== 'select' || change.selected !== selected) return [];
+      const wires = stretchCalled(state, change.id)?.wires ?? [];
+      const meant = byBox && selected ? wires.filter(({ from, to }) => nodes.has(from.node) || nodes.has(to.node)) : wires;
+      return meant.map((wire) => ({ kind: 'wire', id: printWire(wire), selected }));
+    });
+  return [...of(false), ...of(true)];
 }
 
 function clientOf(event: MouseEvent | TouchEvent): Place {

@@ -1,18 +1,21 @@
 import { BaseEdge, type ConnectionLineComponentProps, type EdgeProps } from '@xyflow/react';
 import { memo } from 'react';
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
+import { itemOf } from '../state/item-ids.ts';
 import { PORT_SIZE } from './node-shape.ts';
 import type { CanvasWire } from './project-wires.ts';
-import { wirePath } from './wire-path.ts';
+import { stretchPath, wirePath } from './wire-path.ts';
 import './wire-view.css';
 
 /** A wire in its type's colour; a converting one runs from one colour into the other. */
 export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
-  const { id, sourceY, targetY, data, selected } = props;
+  const { id, sourceY, targetY, data } = props;
+  const fromReroute = itemOf(props.source) !== null;
+  const toReroute = itemOf(props.target) !== null;
   // React Flow leads edges to the rim of a port's hit area; wires end at its mark, in the middle.
-  const sourceX = props.sourceX - PORT_SIZE / 2;
-  const targetX = props.targetX + PORT_SIZE / 2;
-  const path = wirePath(sourceX, sourceY, targetX, targetY);
+  const sourceX = props.sourceX - (fromReroute ? 0 : PORT_SIZE / 2);
+  const targetX = props.targetX + (toReroute ? 0 : PORT_SIZE / 2);
+  const path = stretchPath({ sourceX, sourceY, targetX, targetY, fromReroute, toReroute });
   const from = data?.from ?? 'number';
   const to = data?.to ?? 'number';
   const gradientId = `wire-${id.replaceAll(/[^a-z0-9]/gi, '-')}`;
@@ -27,7 +30,7 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
       )}
       <BaseEdge
         path={path}
-        className={`wire${selected ? ' wire-selected' : ''}${data?.under ? ' wire-under' : ''}`}
+        className={`wire${data?.lit ? ' wire-selected' : ''}${data?.under ? ' wire-under' : ''}`}
         style={{ stroke }}
         interactionWidth={18}
       />
@@ -50,8 +53,10 @@ export function WireInHand({ fromX, fromY, toX, toY, fromHandle, connectionStatu
 }
 
 function typeOfPort(data: Record<string, unknown>, name: string, side: 'input' | 'output'): WireType | undefined {
-  const shape = data.shape as CanvasShape | undefined;
-  return shape?.ports.find((port) => port.name === name && port.side === side)?.type;
+  const { shape, type } = data as { readonly shape?: CanvasShape; readonly type?: WireType };
+  // A reroute has no ports, and one type.
+  if (!shape) return type;
+  return shape.ports.find((port) => port.name === name && port.side === side)?.type;
 }
 
 interface CanvasShape {

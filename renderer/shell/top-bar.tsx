@@ -41,6 +41,7 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'graph.collapse',
       'graph.frame',
       'graph.note',
+      'graph.reroute',
       'line',
       'graph.subgraph',
       'graph.enter',

@@ -7,10 +7,12 @@ import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { exportPage } from './export-page.ts';
 import { newProject, openProject, save, saveAs } from './files.ts';
+import { idsOfKind } from './item-ids.ts';
 import { addFrame, addNote } from './layout-items.ts';
 import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
 import { clearRange, goToFrame, goToStart, lastFrame, playedRange, setIn, setOut, stepFrames, toggleLoop, togglePlay } from './playing.ts';
 import { frameOf } from './preview.ts';
+import { addRerouteToSelected, soleWire } from './reroutes.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
 import { startTour } from './tour.ts';
@@ -36,9 +38,12 @@ const isOpen = ({ document }: Editor) => document.getState().open !== null;
 const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
 const hasSelection = ({ selection }: Editor) => Object.values(selection.getState()).some((set: ReadonlySet<string>) => set.size > 0);
 
-const hasSeveral = ({ selection }: Editor) => selection.getState().nodes.size > 1;
 const hasFrames = ({ preview }: Editor) => preview.getState().frames !== null;
 const hasRange = ({ preview }: Editor) => preview.getState().frames !== null && preview.getState().range !== null;
+const hasSeveral = ({ selection }: Editor) => {
+  const { nodes, items } = selection.getState();
+  return nodes.size + idsOfKind(items, 'reroute').length > 1;
+};
 const hasOneNode = ({ selection }: Editor) => soleNode(selection.getState()) !== null;
 const hasSubgraph = (editor: Editor) => selectedSubgraph(editor) !== null;
 const isInside = ({ document }: Editor) => document.getState().trail.length > 0;
@@ -78,6 +83,12 @@ const COMMANDS = {
     run: ({ ui }) => ui.setState({ dialog: { kind: 'shadertoy' } }),
   },
   'graph.swap': { label: 'Change type…', chords: ['Shift+S'], enabled: hasOneNode, run: openSwapPalette },
+  'graph.reroute': {
+    label: 'Add a reroute',
+    chords: ['R'],
+    enabled: ({ selection }) => soleWire(selection.getState()) !== null,
+    run: (editor) => void addRerouteToSelected(editor),
+  },
   'graph.collapse': { label: 'Collapse', chords: ['H'], enabled: hasNodes, run: (editor) => void toggleCollapsed(editor) },
   'graph.subgraph': { label: 'Make a subgraph', chords: ['Mod+G'], enabled: hasNodes, run: (editor) => void makeSubgraph(editor) },
   'graph.unpack': {

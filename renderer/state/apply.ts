@@ -1,4 +1,5 @@
 import type { Change } from '../../export/graph/commands/change.ts';
+import { settleRoutesOf } from '../../export/graph/commands/routes.ts';
 import * as history from '../../export/graph/history.ts';
 import { own } from '../../export/graph/own.ts';
 import { MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
@@ -6,7 +7,7 @@ import { printWire } from '../../export/graph/wires.ts';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { graphOf, layoutOf } from './document.ts';
 import type { Editor } from './editor.ts';
-import { boxOfItem } from './layout-items.ts';
+import { placeOfItem } from './item-ids.ts';
 import { inPlainWords } from './plain-words.ts';
 import { keepInSelection } from './selection.ts';
 import { toastDiagnostic } from './ui.ts';
@@ -15,7 +16,8 @@ import { toastDiagnostic } from './ui.ts';
  * Takes over a change as one step of the history; changes with the same `key`, one after the other, are one step until
  * `endGesture`. A refused change is shown with its reason and answers false.
  */
-export function apply(editor: Editor, label: string, change: Change, key?: string): boolean {
+export function apply(editor: Editor, label: string, made: Change, key?: string): boolean {
+  const change = settleRoutesOf(editor.document.getState().project, made);
   for (const diagnostic of change.diagnostics) toastDiagnostic(editor.ui, inPlainWords(editor.document.getState(), diagnostic));
   if (hasErrors(change.diagnostics)) return false;
   if (change.patches.length === 0) return true;
@@ -59,7 +61,7 @@ function takeOver(editor: Editor, project: Project, next: history.History): void
   const exists = {
     node: (id: string) => own(nodes, id) !== undefined,
     wire: (id: string) => ids.has(id),
-    item: (id: string) => boxOfItem(layout, id) !== undefined,
+    item: (id: string) => placeOfItem(layout, id) !== undefined,
   };
   keepInSelection(editor.selection, (kind, id) => exists[kind](id));
 }

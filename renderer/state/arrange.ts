@@ -1,35 +1,64 @@
 import { moveNodes } from '../../export/graph/commands/layout.ts';
 import { own } from '../../export/graph/own.ts';
-import { nodeShape } from '../canvas/node-shape.ts';
+import type { GraphLayout, PortAddress } from '../../export/graph/project.ts';
+import { routeOf, type Stretch, stretchesOf } from '../../export/graph/routes.ts';
+import { type NodeShape, nodeShape, portCentre, unknownShape } from '../canvas/node-shape.ts';
 import { apply } from './apply.ts';
 import type { Place } from './canvas.ts';
 import { graphOf, layoutOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { itemId, itemOf, nodesAndReroutes } from './item-ids.ts';
 import { revealNodes } from './ui.ts';
 
-/** Where a node stands, and how large it is drawn. Canvas units. */
+/** Where a node or a reroute stands, and how large it is drawn. Canvas units. */
 export interface NodeBox extends Place {
   readonly id: string;
   readonly width: number;
   readonly height: number;
 }
 
-export type Alignment = 'left' | 'centre' | 'right' | 'top' | 'middle' | 'bottom';
-
-/** The selected nodes; all of the open graph where fewer than two are. */
-export function boxesToArrange(editor: Editor): readonly NodeBox[] {
-  const selected = editor.selection.getState().nodes;
-  return boxesOf(editor, selected.size > 1 ? (id) => selected.has(id) : () => true);
+export interface ShapedBox extends NodeBox {
+  readonly shape: NodeShape;
 }
 
+export type Alignment = 'left' | 'centre' | 'right' | 'top' | 'middle' | 'bottom';
+
+/** The selected nodes and the reroutes among them; all of the open graph where fewer than two are. */
+function boxesToArrange(editor: Editor): readonly NodeBox[] {
+  const { nodes } = editor.selection.getState();
+  const isAll = nodes.size < 2;
+  const state = editor.document.getState();
+  const layout = layoutOf(state);
+  const among = graphOf(state).wires.filter(({ from, to }) => isAll || (nodes.has(from.node) && nodes.has(to.node)));
+  const reroutes = new Set(among.flatMap((wire) => routeOf(layout, wire)));
+  return [...boxesOf(editor, (id) => isAll || nodes.has(id)), ...rerouteBoxes(layout, (id) => reroutes.has(id))];
+}
+
+/** The selected nodes and reroutes. */
 export function selectedBoxes(editor: Editor): readonly NodeBox[] {
-  const selected = editor.selection.getState().nodes;
-  return boxesOf(editor, (id) => selected.has(id));
+  const { nodes, items } = editor.selection.getState();
+  const reroutes = rerouteBoxes(layoutOf(editor.document.getState()), (id) => items.has(itemId('reroute', id)));
+  return [...boxesOf(editor, (id) => nodes.has(id)), ...reroutes];
+}
+
+/** Points without size, under their names on the canvas. */
+function rerouteBoxes({ reroutes }: GraphLayout, isWanted: (id: string) => boolean): readonly NodeBox[] {
+  const wanted = Object.entries(reroutes).filter(([id]) => isWanted(id));
+  return wanted.map(([id, { x, y }]) => ({ id: itemId('reroute', id), x, y, width: 0, height: 0 }));
+}
+
+/** Where a wire ends at a node, canvas units. */
+export function portPlace(editor: Editor, { node, port }: PortAddress, side: 'input' | 'output'): Place | undefined {
+  const [box] = boxesOf(editor, (id) => id === node);
+  const seen = box?.shape.ports.find((candidate) => candidate.side === side && candidate.name === port);
+  if (!box || !seen) return undefined;
+  const centre = portCentre(box.shape, seen);
+  return { x: box.x + centre.x, y: box.y + centre.y };
 }
 
 const NO_PORTS: ReadonlySet<string> = new Set();
 
-export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): readonly NodeBox[] {
+export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): readonly ShapedBox[] {
   const state = editor.document.getState();
   const { nodes, wires } = graphOf(state);
   const places = layoutOf(state).nodes;
@@ -43,9 +72,9 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
       const definition = state.library.definition(node.type);
       const wired = wiredOf.get(id) ?? NO_PORTS;
       const options = { wired, expanded: expanded.has(id), collapsed: own(places, id)?.collapsed === true, pictured };
-      const { width, height } = definition ? nodeShape(definition, node, options) : { width: 184, height: 64 };
+      const shape = definition ? nodeShape(definition, node, options) : unknownShape([...wired], []);
       const { x, y } = own(places, id) ?? { x: 0, y: 0 };
-      return { id, x, y, width, height };
+      return { id, x, y, width: shape.width, height: shape.height, shape };
     });
 }
 
@@ -99,12 +128,20 @@ export function distribute(editor: Editor, along: 'x' | 'y'): boolean {
 export async function tidy(editor: Editor): Promise<boolean> {
   const boxes = boxesToArrange(editor);
   const { wires } = graphOf(editor.document.getState());
+  const layout = layoutOf(editor.document.getState());
   const { layOut } = await import('./lay-out.ts');
-  const places = await layOut(boxes, wires);
+  const places = await layOut(boxes, [...stretchesOf({ wires }, layout).values()].map(endsOf));
   const moved = move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box);
   // All of it has gone elsewhere: what was looked at may be out of sight.
-  if (moved && boxes.length === Object.keys(graphOf(editor.document.getState()).nodes).length) revealNodes(editor.ui, [], 'fit');
+  if (moved && boxes.filter(({ id }) => itemOf(id) === null).length === Object.keys(graphOf(editor.document.getState()).nodes).length)
+    revealNodes(editor.ui, [], 'fit');
   return moved;
+}
+
+/** What a stretch of wire joins, as the canvas calls it. */
+function endsOf({ source, wires, before, to }: Stretch): readonly [from: string, to: string] {
+  const last = before.at(-1);
+  return [last === undefined ? source.node : itemId('reroute', last), to === null ? wires[0].to.node : itemId('reroute', to)];
 }
 
 function move(editor: Editor, label: string, boxes: readonly NodeBox[], placed: (box: NodeBox) => Place): boolean {
@@ -115,5 +152,5 @@ function move(editor: Editor, label: string, boxes: readonly NodeBox[], placed: 
       return [box.id, { x, y }];
     }),
   );
-  return apply(editor, label, moveNodes(project, { graph, positions }));
+  return apply(editor, label, moveNodes(project, { graph, ...nodesAndReroutes(positions) }));
 }

@@ -32,6 +32,8 @@ export interface Place {
 export interface WireInHand extends OpenEnd {
   readonly node: string;
   readonly port: string;
+  /** The reroutes that it is led through, where it was drawn from one. */
+  readonly route?: readonly string[];
 }
 
 export type CanvasStore = StoreApi<CanvasState>;

@@ -3,10 +3,13 @@ import { type Change, inTurn, unchanged } from '../../export/graph/commands/chan
 import { setCollapsed } from '../../export/graph/commands/layout.ts';
 import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
 import { bindParam } from '../../export/graph/commands/params.ts';
+import { putReroute, setRoutes } from '../../export/graph/commands/routes.ts';
 import { connect } from '../../export/graph/commands/wires.ts';
-import { makeNodeId } from '../../export/graph/names.ts';
+import { makeLayoutId, makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import type { GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
+import type { GraphLayout, GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
+import { settleRoutes } from '../../export/graph/routes.ts';
+import { printWire } from '../../export/graph/wires.ts';
 import { apply } from './apply.ts';
 import { type Brought, bring, broughtBy, isBrought, mapTypes } from './brought.ts';
 import type { Place } from './canvas.ts';
@@ -14,6 +17,7 @@ import { bringsFiles, type CopiedFiles, isCopiedFiles, readCopiedFiles, writeCop
 import { graphOf, layoutOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
 import { importShadertoy } from './import-shadertoy.ts';
+import { itemId } from './item-ids.ts';
 import { selectOnly } from './selection.ts';
 import { addToast } from './ui.ts';
 
@@ -23,6 +27,8 @@ export interface Clipping {
   readonly version: 1;
   readonly nodes: Readonly<Record<string, GraphNode & NodeLayout>>;
   readonly wires: readonly Wire[];
+  /** Of the wires; absent where all run straight. */
+  readonly ways?: Pick<GraphLayout, 'reroutes' | 'routes'>;
   /** Absent where they use none. */
   readonly brought?: Brought;
   /** Of the assets that they use. */
@@ -53,7 +59,9 @@ export function clipSelection(editor: Editor): Clipping | null {
   }
   const brought = broughtBy(state.project, Object.values(nodes));
   const wires = graph.wires.filter(({ from, to }) => nodes[from.node] && nodes[to.node]);
-  return { format: 'scrim-nodes', version: 1, nodes, wires, ...(brought === null ? {} : { brought }) };
+  const { reroutes, routes } = settleRoutes({ wires }, layout);
+  const ways = Object.keys(routes).length > 0 ? { ways: { reroutes, routes } } : {};
+  return { format: 'scrim-nodes', version: 1, nodes, wires, ...ways, ...(brought === null ? {} : { brought }) };
 }
 
 /** Null where the text is no clipping. What is in it is judged by the commands that add it. */
@@ -62,10 +70,23 @@ export function parseClipping(text: string): Clipping | null {
     const clipping = JSON.parse(text) as Partial<Clipping> | null;
     const whole = clipping?.format === 'scrim-nodes' && clipping.version === 1 && Array.isArray(clipping.wires);
     const hasNodes = whole && typeof clipping.nodes === 'object' && clipping.nodes !== null;
-    return hasNodes && isBrought(clipping.brought) && isCopiedFiles(clipping.files) ? (clipping as Clipping) : null;
+    return hasNodes && areWays(clipping.ways) && isBrought(clipping.brought) && isCopiedFiles(clipping.files)
+      ? (clipping as Clipping)
+      : null;
   } catch {
     return null;
   }
+}
+
+function areWays(value: unknown): boolean {
+  if (value === undefined) return true;
+  const isTable = (table: unknown): table is object => typeof table === 'object' && table !== null;
+  const { reroutes, routes } = (value ?? {}) as Partial<Record<'reroutes' | 'routes', unknown>>;
+  if (!isTable(reroutes) || !isTable(routes)) return false;
+  const arePlaces = Object.values(reroutes).every(
+    (place) => isTable(place) && [place].every(({ x, y }: Partial<Place>) => Number.isFinite(x) && Number.isFinite(y)),
+  );
+  return arePlaces && Object.values(routes).every((route) => Array.isArray(route) && route.every((id) => typeof id === 'string'));
 }
 
 /**
@@ -79,7 +100,11 @@ export function pasteClipping(
   { entering = [], paths }: PasteOptions = {},
 ): boolean {
   const { project, graph } = editor.document.getState();
-  const { nodes: copied, wires, brought } = clipping;
+  const { nodes: copied, wires, ways = { reroutes: {}, routes: {} }, brought } = clipping;
+  const { routes } = layoutOf(editor.document.getState());
+  const reroutes = new Map<string, string>();
+  const lead = (before: Project, wire: Wire, route: readonly string[] = []) =>
+    route.length === 0 ? unchanged(before) : setRoutes(before, { graph, routes: { [printWire(wire)]: route } });
   const welcome = brought === undefined ? null : bring(editor, brought, paths);
   const nodes = welcome === null ? copied : mapTypes(copied, welcome.types);
   const ids = new Map<string, string>();
@@ -108,17 +133,46 @@ export function pasteClipping(
     }),
     ...entering.map(({ from, to }) => (before: Project): Change => {
       const node = ids.get(to.node);
-      return node === undefined ? unchanged(before) : connect(before, { library, graph, from, to: { node, port: to.port } });
+      if (node === undefined) return unchanged(before);
+      const copy = { from, to: { node, port: to.port } };
+      return inTurn(
+        before,
+        (p) => connect(p, { library, graph, ...copy }),
+        // It leaves the old way at its last reroute.
+        (p) => lead(p, copy, own(routes, printWire({ from, to }))),
+      );
+    }),
+    ...Object.entries(ways.reroutes).map(([old, { x, y }]) => (before: Project): Change => {
+      const id = makeLayoutId(before, graph, 'reroute', editor.random);
+      reroutes.set(old, id);
+      return putReroute(before, { graph, id, reroute: { x: x + offset.x, y: y + offset.y } });
     }),
     ...wires.map(({ from, to }) => (before: Project): Change => {
       const fromId = ids.get(from.node);
       const toId = ids.get(to.node);
       if (fromId === undefined || toId === undefined) return unchanged(before);
-      return connect(before, { library, graph, from: { node: fromId, port: from.port }, to: { node: toId, port: to.port } });
+      const copy = { from: { node: fromId, port: from.port }, to: { node: toId, port: to.port } };
+      return inTurn(
+        before,
+        (p) => connect(p, { library, graph, ...copy }),
+        (p) =>
+          lead(
+            p,
+            copy,
+            own(ways.routes, printWire({ from, to }))?.flatMap((id) => reroutes.get(id) ?? []),
+          ),
+      );
     }),
   );
   if (!apply(editor, label, made)) return false;
-  selectOnly(editor.selection, ids.values());
+  const there = layoutOf(editor.document.getState()).reroutes;
+  const led = [...reroutes.values()].filter((id) => own(there, id) !== undefined);
+  selectOnly(
+    editor.selection,
+    ids.values(),
+    [],
+    led.map((id) => itemId('reroute', id)),
+  );
   return true;
 }
 

@@ -2,12 +2,14 @@ import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
 import { changeType } from '../../export/graph/commands/change-type.ts';
 import { moveNodes as moveNodesCommand, setCollapsed } from '../../export/graph/commands/layout.ts';
 import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
+import { setRoutes } from '../../export/graph/commands/routes.ts';
 import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../export/graph/commands/wires.ts';
 import { canConnect } from '../../export/graph/connect.ts';
 import { createFaceLookup, inputOf } from '../../export/graph/library/faces.ts';
 import { makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import type { PortAddress, Wire } from '../../export/graph/project.ts';
+import type { PortAddress, Project, Wire } from '../../export/graph/project.ts';
+import { routeOf } from '../../export/graph/routes.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
@@ -19,10 +21,10 @@ import { withCompany } from './company.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
 import { leadThrough } from './insert-on-wire.ts';
-import { itemIds, removeItems } from './layout-items.ts';
+import { itemIds } from './item-ids.ts';
+import { removeItems } from './layout-items.ts';
 import { inPlainWords } from './plain-words.ts';
 import { selectOnly } from './selection.ts';
-import { toastDiagnostic } from './ui.ts';
 
 /** One end of a wire, and which side of its node it is on where that is known. */
 export interface WireEnd extends PortAddress {
@@ -41,16 +43,22 @@ export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnos
   return result.ok ? null : inPlainWords(editor.document.getState(), result.reason);
 }
 
-export function connect(editor: Editor, from: PortAddress, to: PortAddress): boolean {
+/** `route`: the reroutes that the wire is led through. */
+export function connect(editor: Editor, from: PortAddress, to: PortAddress, route: readonly string[] = []): boolean {
   const { project, library, graph } = editor.document.getState();
-  return apply(editor, 'Connect', connectCommand(project, { library, graph, from, to }));
+  const change = inTurn(
+    project,
+    (before) => connectCommand(before, { library, graph, from, to }),
+    (before) => lead(before, { graph, from, to, route }),
+  );
+  return apply(editor, 'Connect', change);
 }
 
 /** Moves one end of a wire. */
-export function rewire(editor: Editor, wireId: string, from: PortAddress, to: PortAddress): boolean {
+export function rewire(editor: Editor, wireId: string, from: PortAddress, to: PortAddress, route: readonly string[] = []): boolean {
   const { project, library, graph } = editor.document.getState();
   const old = findWires(editor, [wireId]);
-  if (printWire({ from, to }) === wireId) return false;
+  if (printWire({ from, to }) === wireId && sameOrder(route, routeOf(layoutOf(editor.document.getState()), { from, to }))) return false;
   return apply(
     editor,
     'Move wire',
@@ -58,8 +66,22 @@ export function rewire(editor: Editor, wireId: string, from: PortAddress, to: Po
       project,
       (before) => disconnect(before, { graph, wires: old }),
       (before) => connectCommand(before, { library, graph, from, to }),
+      (before) => lead(before, { graph, from, to, route }),
     ),
   );
+}
+
+interface LeadOptions extends Wire {
+  readonly graph: string;
+  readonly route: readonly string[];
+}
+
+function lead(project: Project, { graph, from, to, route }: LeadOptions) {
+  return route.length === 0 ? unchanged(project) : setRoutes(project, { graph, routes: { [printWire({ from, to })]: route } });
+}
+
+function sameOrder(a: readonly string[], b: readonly string[]): boolean {
+  return a.length === b.length && a.every((id, i) => id === b[i]);
 }
 
 export function removeWires(editor: Editor, ids: readonly string[]): boolean {
@@ -102,7 +124,11 @@ export function addNodeFromPalette(
       const here = combined ? (combined.portOf(port) ?? { node: id, port }) : { node: id, port };
       const there = { node: inHand.node, port: inHand.port };
       const ends = inHand.side === 'output' ? { from: there, to: here } : { from: here, to: there };
-      return connectCommand(before, { library, graph, ...ends });
+      return inTurn(
+        before,
+        (p) => connectCommand(p, { library, graph, ...ends }),
+        (p) => lead(p, { graph, ...ends, route: inHand.route ?? [] }),
+      );
     },
     ...(combined?.ids ?? [id]).map((node) => withCompany(node, { library, graph, random })),
   );
@@ -161,16 +187,10 @@ export function selectAll(editor: Editor): void {
   selectOnly(editor.selection, Object.keys(nodes), wires.map(printWire), itemIds(layoutOf(state)));
 }
 
-/** Begins to draw a wire from a port. */
-export function takeWireFrom(editor: Editor, node: string, port: string, side: 'input' | 'output'): void {
+/** Begins to draw a wire from a port, through reroutes. */
+export function takeWireFrom(editor: Editor, { node, port }: PortAddress, side: 'input' | 'output', route: readonly string[] = []): void {
   const type = typeOfPort(editor, { node, port, side });
-  if (type !== null) takeWire(editor.canvas, { node, port, side, type });
-}
-
-/** Says why a wire that was let go over a port was not drawn. */
-export function explainRefusal(editor: Editor, start: WireEnd, end: WireEnd): void {
-  const reason = refusalOf(editor, start, end);
-  if (reason !== null) toastDiagnostic(editor.ui, reason);
+  if (type !== null) takeWire(editor.canvas, { node, port, side, type, ...(route.length === 0 ? {} : { route }) });
 }
 
 function typeOfPort(editor: Editor, { node, port, side }: WireEnd): WireType | null {

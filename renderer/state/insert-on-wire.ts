@@ -1,10 +1,12 @@
 import { type Change, inTurn } from '../../export/graph/commands/change.ts';
 import { moveNodes } from '../../export/graph/commands/layout.ts';
 import { addNode } from '../../export/graph/commands/nodes.ts';
+import { setRoutes } from '../../export/graph/commands/routes.ts';
 import { connect, disconnect, reorderWires } from '../../export/graph/commands/wires.ts';
 import { makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import type { Project, Wire } from '../../export/graph/project.ts';
+import type { PortAddress, Project, Wire } from '../../export/graph/project.ts';
+import { routeOf, type Stretch } from '../../export/graph/routes.ts';
 import { printWire, sameAddress } from '../../export/graph/wires.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
@@ -12,69 +14,108 @@ import { conversion, type WireType } from '../../nodes/kit/wire-types.ts';
 import { fittingPort } from '../canvas/palette-search.ts';
 import { apply } from './apply.ts';
 import type { Place, WireInHand } from './canvas.ts';
-import { graphOf, nodeOf, titleOf } from './document.ts';
+import { graphOf, layoutOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { stretchCalled } from './reroutes.ts';
 import { selectOnly } from './selection.ts';
 
-/** The types at both ends of a wire of the open graph, or null where one is unknown. */
-export function wireTypes(editor: Editor, wireId: string): { readonly from: WireType; readonly to: WireType } | null {
+export interface WireTypes {
+  readonly from: WireType;
+  /** One for each wire. */
+  readonly to: readonly WireType[];
+}
+
+/** The types at the ends of what is drawn under an id, or null where one is unknown. */
+export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
   const state = editor.document.getState();
-  const wire = wireOf(editor, wireId);
-  const source = wire && state.library.definition(nodeOf(state, wire.from.node)?.type ?? '');
-  const target = wire && state.library.definition(nodeOf(state, wire.to.node)?.type ?? '');
-  const from = source && own(source.outputs, wire.from.port)?.type;
-  const to = target && own(target.inputs, wire.to.port)?.type;
-  const param = target && own(target.params, wire.to.port);
-  const taken = to ?? (param && param.type !== 'asset' ? (param.type === 'choice' ? 'number' : param.type) : undefined);
-  return from === undefined || taken === undefined ? null : { from, to: taken };
+  const at = stretchCalled(state, stretch);
+  const definitionAt = (node: string) => state.library.definition(nodeOf(state, node)?.type ?? '');
+  const from = at && own(definitionAt(at.source.node)?.outputs ?? {}, at.source.port)?.type;
+  const to = (at?.wires ?? []).flatMap((wire): WireType[] => {
+    const definition = definitionAt(wire.to.node);
+    const param = definition && own(definition.params, wire.to.port);
+    const taken = param && param.type !== 'asset' ? (param.type === 'choice' ? 'number' : param.type) : undefined;
+    return [(definition && own(definition.inputs, wire.to.port)?.type) ?? taken ?? []].flat();
+  });
+  return from === undefined || to.length === 0 || to.length < (at?.wires.length ?? 0) ? null : { from, to };
 }
 
 /** The ports through which a wire can go, or null where it cannot go through such a node. */
 export function portsThrough(
   definition: NodeDefinition,
-  { from, to }: { readonly from: WireType; readonly to: WireType },
+  { from, to }: WireTypes,
 ): { readonly input: string; readonly output: string } | null {
   const input = fittingPort(definition, { type: from, side: 'output' });
-  const output = Object.entries(definition.outputs).find(([, { type }]) => conversion(type, to) !== 'none')?.[0];
+  const output = Object.entries(definition.outputs).find(([, { type }]) => to.every((target) => conversion(type, target) !== 'none'))?.[0];
   return input === null || output === undefined ? null : { input, output };
 }
 
 /** Whether a node that is let go over a wire goes into it: one that nothing is wired to yet, and that the wire can go through. */
-export function canInsert(editor: Editor, node: string, wireId: string): boolean {
+export function canInsert(editor: Editor, node: string, stretch: string): boolean {
   const state = editor.document.getState();
   const isFree = graphOf(state).wires.every(({ from, to }) => from.node !== node && to.node !== node);
   const definition = state.library.definition(nodeOf(state, node)?.type ?? '');
-  const types = wireTypes(editor, wireId);
+  const types = wireTypes(editor, stretch);
   return isFree && definition !== undefined && types !== null && portsThrough(definition, types) !== null;
 }
 
-/** Leads a wire through a node, which stays at its place among the wires of its port. */
-export function leadThrough(editor: Editor, node: string, wireId: string): (project: Project) => Change {
+/** Leads what is drawn under an id through a node: its wires keep their places among those of their ports, and their ways. */
+export function leadThrough(editor: Editor, node: string, stretch: string): (project: Project) => Change {
   const { library, graph } = editor.document.getState();
-  const wire = wireOf(editor, wireId);
-  const types = wireTypes(editor, wireId);
+  const at = stretchCalled(editor.document.getState(), stretch);
+  const types = wireTypes(editor, stretch);
   return (project) => {
     const definition = library.definition(own(project.graphs[graph]?.nodes ?? {}, node)?.type ?? '');
     const ports = definition && types ? portsThrough(definition, types) : null;
-    if (!wire || !ports) return inTurn(project);
+    if (!at || !ports) return inTurn(project);
     const output = { node, port: ports.output };
+    const led: Led = { from: at.source, to: { node, port: ports.input }, route: at.before };
+    return inTurn(project, ...replaceWires(editor, at, output), joinBy(editor, led));
+  };
+}
+
+/** A wire and its way. */
+interface Led extends Wire {
+  readonly route: readonly string[];
+}
+
+/** Draws a wire along a way. */
+function joinBy(editor: Editor, { from, to, route }: Led): (project: Project) => Change {
+  const { library, graph } = editor.document.getState();
+  return (project) =>
+    inTurn(
+      project,
+      (before) => connect(before, { library, graph, from, to }),
+      (before) => setRoutes(before, { graph, routes: { [printWire({ from, to })]: route } }),
+    );
+}
+
+/** What the wires of a stretch brought from before it comes from elsewhere now. */
+function replaceWires(editor: Editor, { wires, before: passed }: Stretch, from: PortAddress): ((project: Project) => Change)[] {
+  const layout = layoutOf(editor.document.getState());
+  return wires.map((wire) => replaceSource(editor, wire, { from, to: wire.to, route: routeOf(layout, wire).slice(passed.length) }));
+}
+
+/** Puts a wire in the place of one that ends at the same port. */
+export function replaceSource(editor: Editor, wire: Wire, led: Led): (project: Project) => Change {
+  const { graph } = editor.document.getState();
+  return (project) => {
     const sources = (project.graphs[graph]?.wires ?? []).filter(({ to }) => sameAddress(to, wire.to)).map(({ from }) => from);
-    const inOrder = sources.map((from) => (sameAddress(from, wire.from) ? output : from));
+    const inOrder = sources.map((from) => (sameAddress(from, wire.from) ? led.from : from));
     return inTurn(
       project,
       (before) => disconnect(before, { graph, wires: [wire] }),
-      (before) => connect(before, { library, graph, from: wire.from, to: { node, port: ports.input } }),
-      (before) => connect(before, { library, graph, from: output, to: wire.to }),
+      joinBy(editor, led),
       (before) => reorderWires(before, { graph, to: wire.to, from: inOrder }),
     );
   };
 }
 
 /** A node dragged onto a wire: its new place and both wires are one step. */
-export function dropOnWire(editor: Editor, node: string, place: Place, wireId: string): boolean {
+export function dropOnWire(editor: Editor, node: string, place: Place, stretch: string): boolean {
   const { project, graph } = editor.document.getState();
   const move = (before: Project) => moveNodes(before, { graph, positions: { [node]: place } });
-  const change = inTurn(project, move, leadThrough(editor, node, wireId));
+  const change = inTurn(project, move, leadThrough(editor, node, stretch));
   if (hasErrors(change.diagnostics)) return apply(editor, 'Move', move(project));
   return apply(editor, `Insert ${titleOf(editor.document.getState(), node)}`, change);
 }
@@ -82,40 +123,29 @@ export function dropOnWire(editor: Editor, node: string, place: Place, wireId: s
 const OVER = 'operator/over';
 
 /** Whether a wire in hand may be let go over another one: a layer over a layer. */
-export function canLayOver(editor: Editor, inHand: WireInHand, wireId: string): boolean {
-  const wire = wireOf(editor, wireId);
-  const types = wireTypes(editor, wireId);
-  const { library } = editor.document.getState();
-  const isLayer = inHand.side === 'output' && inHand.type === 'layer' && types?.from === 'layer' && types.to === 'layer';
-  return isLayer && wire !== undefined && wire.from.node !== inHand.node && library.definition(OVER) !== undefined;
+export function canLayOver(editor: Editor, inHand: WireInHand, stretch: string): boolean {
+  const state = editor.document.getState();
+  const at = stretchCalled(state, stretch);
+  const types = wireTypes(editor, stretch);
+  const isLayer = inHand.side === 'output' && [inHand.type, types?.from, ...(types?.to ?? [])].every((type) => type === 'layer');
+  return isLayer && at !== undefined && at.source.node !== inHand.node && state.library.definition(OVER) !== undefined;
 }
 
 /** A layer let go over a layer's wire is laid over what runs there, by an Over that goes into the wire. The node, or null. */
-export function layOver(editor: Editor, { node, port }: WireInHand, wireId: string, place: Place): string | null {
+export function layOver(editor: Editor, { node, port, route = [] }: WireInHand, stretch: string, place: Place): string | null {
   const state = editor.document.getState();
   const { project, library, graph } = state;
-  const wire = wireOf(editor, wireId);
-  if (!wire) return null;
+  const at = stretchCalled(state, stretch);
+  if (!at) return null;
   const id = makeNodeId(project, OVER, editor.random);
-  const sources = graphOf(state)
-    .wires.filter(({ to }) => sameAddress(to, wire.to))
-    .map(({ from }) => from);
-  const output = { node: id, port: 'layer' };
-  const inOrder = sources.map((from) => (sameAddress(from, wire.from) ? output : from));
   const change = inTurn(
     project,
     (before) => addNode(before, { library, graph, id, type: OVER, ...place }),
-    (before) => disconnect(before, { graph, wires: [wire] }),
-    (before) => connect(before, { library, graph, from: wire.from, to: { node: id, port: 'bottom' } }),
-    (before) => connect(before, { library, graph, from: { node, port }, to: { node: id, port: 'top' } }),
-    (before) => connect(before, { library, graph, from: output, to: wire.to }),
-    (before) => reorderWires(before, { graph, to: wire.to, from: inOrder }),
+    ...replaceWires(editor, at, { node: id, port: 'layer' }),
+    joinBy(editor, { from: at.source, to: { node: id, port: 'bottom' }, route: at.before }),
+    joinBy(editor, { from: { node, port }, to: { node: id, port: 'top' }, route }),
   );
   if (!apply(editor, `Lay ${titleOf(state, node)} over`, change)) return null;
   selectOnly(editor.selection, [id]);
   return id;
-}
-
-function wireOf(editor: Editor, wireId: string): Wire | undefined {
-  return graphOf(editor.document.getState()).wires.find((wire) => printWire(wire) === wireId);
 }

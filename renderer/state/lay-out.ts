@@ -1,5 +1,4 @@
 import ELK from 'elkjs/lib/elk.bundled.js';
-import type { Wire } from '../../export/graph/project.ts';
 import type { NodeBox } from './arrange.ts';
 import type { Place } from './canvas.ts';
 
@@ -14,12 +13,15 @@ const OPTIONS = {
 };
 const GRID = 8;
 
-/** New places of nodes, about where they stood. Wires to other nodes count for nothing. */
-export async function layOut(boxes: readonly NodeBox[], wires: readonly Wire[]): Promise<ReadonlyMap<string, Place>> {
+/** New places of boxes that are joined as said, about where they stood. What is joined to others counts for nothing. */
+export async function layOut(
+  boxes: readonly NodeBox[],
+  joined: readonly (readonly [from: string, to: string])[],
+): Promise<ReadonlyMap<string, Place>> {
   const ids = new Set(boxes.map(({ id }) => id));
-  const edges = wires
-    .filter(({ from, to }) => ids.has(from.node) && ids.has(to.node))
-    .map(({ from, to }, index) => ({ id: String(index), sources: [from.node], targets: [to.node] }));
+  const edges = joined
+    .filter(([from, to]) => ids.has(from) && ids.has(to))
+    .map(([from, to], index) => ({ id: String(index), sources: [from], targets: [to] }));
   const children = boxes.map(({ id, width, height, x, y }) => ({ id, width, height, x, y }));
   const { children: placed = [] } = await new ELK().layout({ id: 'graph', layoutOptions: OPTIONS, children, edges });
   const corner = (of: 'x' | 'y', list: readonly { readonly x?: number; readonly y?: number }[]) =>

@@ -5,7 +5,8 @@ import { layoutOf } from './document.ts';
 import { addNodeFromPalette, deleteSelection } from './edit-graph.ts';
 import type { Editor } from './editor.ts';
 import { filesOf } from './files.ts';
-import { addFrame, addNote, boxOfItem, contentOf, editItemText, itemIds, moveAll, resizeItem } from './layout-items.ts';
+import { itemIds } from './item-ids.ts';
+import { addFrame, addNote, boxOfItem, contentOf, editItemText, moveAll, resizeItem } from './layout-items.ts';
 import { selectOnly } from './selection.ts';
 
 function add(editor: Editor, x: number, y: number): string {

@@ -8,13 +8,8 @@ import { boxesOf, type NodeBox } from './arrange.ts';
 import type { Place } from './canvas.ts';
 import { layoutOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { type ItemKind, idsOfKind, itemId, itemOf, nodesAndReroutes } from './item-ids.ts';
 import { selectOnly } from './selection.ts';
-
-/**
- * Frames and notes, which stand on the canvas beside the nodes. There they are called `frame:ID` and `note:ID`: no node's id has a
- * colon.
- */
-export type ItemKind = 'frame' | 'note';
 
 export interface Box extends Place {
   readonly width: number;
@@ -26,22 +21,9 @@ const FRAME_HEAD = 36;
 const NOTE_SIZE = { width: 200, height: 96 };
 const EMPTY_FRAME = { width: 360, height: 240 };
 
-export function itemId(kind: ItemKind, id: string): string {
-  return `${kind}:${id}`;
-}
-
-export function itemOf(canvasId: string): { readonly kind: ItemKind; readonly id: string } | null {
-  const [kind, id] = canvasId.split(':');
-  return (kind === 'frame' || kind === 'note') && id !== undefined ? { kind, id } : null;
-}
-
-export function itemIds({ frames, notes }: GraphLayout): readonly string[] {
-  return [...Object.keys(frames).map((id) => itemId('frame', id)), ...Object.keys(notes).map((id) => itemId('note', id))];
-}
-
 export function boxOfItem(layout: GraphLayout, canvasId: string): Box | undefined {
   const item = itemOf(canvasId);
-  return item === null ? undefined : own<Frame | Note>(item.kind === 'frame' ? layout.frames : layout.notes, item.id);
+  return item === null || item.kind === 'reroute' ? undefined : own<Frame | Note>(layout[`${item.kind}s`], item.id);
 }
 
 /** Puts a frame around the selected nodes; at a place where none is. */
@@ -75,7 +57,7 @@ export function resizeItem(editor: Editor, canvasId: string, box: Box): boolean 
   return apply(editor, 'Resize', put(editor, canvasId, { box })(editor.document.getState().project));
 }
 
-/** The nodes, frames and notes that lie wholly in a frame, and go where it goes. */
+/** What lies wholly in a frame, and goes where it goes. */
 export function contentOf(editor: Editor, canvasId: string): Readonly<Record<string, Place>> {
   const layout = layoutOf(editor.document.getState());
   const frame = itemOf(canvasId)?.kind === 'frame' ? boxOfItem(layout, canvasId) : undefined;
@@ -83,30 +65,28 @@ export function contentOf(editor: Editor, canvasId: string): Readonly<Record<str
   const items = [
     ...Object.entries(layout.frames).map(([id, box]) => ({ ...box, id: itemId('frame', id) })),
     ...Object.entries(layout.notes).map(([id, box]) => ({ ...box, id: itemId('note', id) })),
+    ...Object.entries(layout.reroutes).map(([id, place]) => ({ ...place, width: 0, height: 0, id: itemId('reroute', id) })),
   ];
   const inside = [...boxesOf(editor, () => true), ...items].filter((box) => box.id !== canvasId && isIn(box, frame));
   return Object.fromEntries(inside.map(({ id, x, y }) => [id, { x, y }]));
 }
 
-/** Moves nodes, frames and notes, as one step. */
+/** Moves nodes, frames, notes and reroutes, as one step. */
 export function moveAll(editor: Editor, places: Readonly<Record<string, Place>>): boolean {
   const { project, graph } = editor.document.getState();
-  const entries = Object.entries(places);
-  const nodes = Object.fromEntries(entries.filter(([id]) => itemOf(id) === null));
-  const items = entries.filter(([id]) => itemOf(id) !== null);
+  const boxes = Object.entries(places).filter(([id]) => boxOfItem(layoutOf(editor.document.getState()), id) !== undefined);
   const change = inTurn(
     project,
-    (before) => moveNodes(before, { graph, positions: nodes }),
-    ...items.map(([id, place]) => put(editor, id, { place })),
+    (before) => moveNodes(before, { graph, ...nodesAndReroutes(places) }),
+    ...boxes.map(([id, place]) => put(editor, id, { place })),
   );
   return apply(editor, 'Move', change, `move ${Object.keys(places).sort().join(' ')}`);
 }
 
-export function removeItems(editor: Editor, canvasIds: Iterable<string>): (project: Project) => Change {
+export function removeItems(editor: Editor, canvasIds: ReadonlySet<string>): (project: Project) => Change {
   const { graph } = editor.document.getState();
-  const items = [...canvasIds].flatMap((id) => itemOf(id) ?? []);
-  const ids = (wanted: ItemKind) => items.filter(({ kind }) => kind === wanted).map(({ id }) => id);
-  return (project) => removeFromLayout(project, { graph, frames: ids('frame'), notes: ids('note') });
+  const ids = (wanted: ItemKind) => idsOfKind(canvasIds, wanted);
+  return (project) => removeFromLayout(project, { graph, frames: ids('frame'), notes: ids('note'), reroutes: ids('reroute') });
 }
 
 interface ItemEdit {

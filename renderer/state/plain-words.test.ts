@@ -1,8 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { addNodeFromPalette, connect, explainRefusal, refusalOf } from './edit-graph.ts';
+import { addNodeFromPalette, connect, refusalOf } from './edit-graph.ts';
 import { editParam } from './edit-params.ts';
 import type { Editor } from './editor.ts';
+import { explainRefusal } from './join-ends.ts';
 import { plainWords } from './plain-words.ts';
 
 function add(editor: Editor, type: string): string {
@@ -20,7 +21,7 @@ describe('messages call nodes and ports as the canvas does', () => {
     const from = { node: math, port: 'result', side: 'output' } as const;
     const to = { node: blur, port: 'inputImage', side: 'input' } as const;
     expect(refusalOf(editor, from, to)?.message).toBe('Math gives “Number”, but Gaussian blur takes “Layer”.');
-    explainRefusal(editor, from, to);
+    explainRefusal(editor, from, { nodeId: blur, id: 'inputImage', type: 'target' });
     connect(editor, from, to);
     expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual(['Math gives “Number”, but Gaussian blur takes “Layer”.']);
   });

@@ -1,5 +1,7 @@
 import { expect, test } from '@jest/globals';
 import fc from 'fast-check';
+import type { PortAddress } from '../../export/graph/project.ts';
+import { stretchesOf } from '../../export/graph/routes.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { endGesture, redo, undo } from './apply.ts';
 import { align, distribute } from './arrange.ts';
@@ -22,7 +24,10 @@ import { editShader, shaderOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { filesOf } from './files.ts';
 import { dropOnWire } from './insert-on-wire.ts';
-import { addFrame, addNote, contentOf, editItemText, itemIds, moveAll, resizeItem } from './layout-items.ts';
+import { itemId, itemIds } from './item-ids.ts';
+import { joinEnds, refusalOfEnds } from './join-ends.ts';
+import { addFrame, addNote, contentOf, editItemText, moveAll, resizeItem } from './layout-items.ts';
+import { addReroute, addRerouteToSelected } from './reroutes.ts';
 import { selectOnly } from './selection.ts';
 import {
   leaveSubgraph,
@@ -68,6 +73,27 @@ function wireIn({ editor, of }: Hand): string {
   return wire ? `${wire.from.node}.${wire.from.port} -> ${wire.to.node}.${wire.to.port}` : '';
 }
 
+/** Somewhere that a wire may go to: few pairs of ports fit. */
+function endFor({ editor, of }: Hand, from: PortAddress): PortAddress | undefined {
+  const state = editor.document.getState();
+  const ports = Object.entries(graphOf(state).nodes).flatMap(([node, { type }]) => {
+    const { inputs = {}, params = {} } = state.library.definition(type) ?? {};
+    return Object.keys({ ...inputs, ...params }).map((port) => ({ node, port }));
+  });
+  const reroutes = itemIds(layoutOf(state)).map((node) => ({ node, port: 'in' }));
+  return of([...ports, ...reroutes].filter((to) => refusalOfEnds(editor, from, to) === null));
+}
+
+function stretchIn({ editor, of }: Hand): string {
+  const state = editor.document.getState();
+  return of([...stretchesOf(graphOf(state), layoutOf(state)).keys()]) ?? '';
+}
+
+/** As the canvas calls it. */
+function rerouteIn({ editor, of }: Hand): string {
+  return itemId('reroute', of(Object.keys(layoutOf(editor.document.getState()).reroutes)) ?? 'none');
+}
+
 /** What people do, each as the page calls it. */
 const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
   add: ({ editor, of }) => {
@@ -75,19 +101,17 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
     if (definition) addNodeFromPalette(editor, { definition, port: null }, { x: of([0, 3.5, 700]) ?? 0, y: -0.2 }, null);
   },
   wire: (hand) => {
-    // Few pairs of ports go together.
-    for (let tries = 0; tries < TRIES; tries++) {
-      const [from, to] = [hand.node(), hand.node()];
-      const side = hand.of(['inputs', 'inputs', 'params'] as const) ?? 'inputs';
-      if (connect(hand.editor, { node: from, port: portOf(hand, from, 'outputs') }, { node: to, port: portOf(hand, to, side) })) return;
-    }
+    const node = hand.node();
+    const from = { node, port: portOf(hand, node, 'outputs') };
+    const to = endFor(hand, from);
+    if (to) connect(hand.editor, from, to);
   },
   unwire: (hand) => void removeWires(hand.editor, [wireIn(hand)]),
   select: (hand) => selectOnly(hand.editor.selection, [hand.node(), hand.node()]),
   selectAll: ({ editor }) => selectAll(editor),
   selectOne: (hand) => selectOnly(hand.editor.selection, [hand.node()]),
   move: (hand) => void moveNodes(hand.editor, { [hand.node()]: { x: hand.of([8, -40, 3.3]) ?? 0, y: -0.4 } }),
-  drop: (hand) => void dropOnWire(hand.editor, hand.node(), { x: 1, y: 2 }, wireIn(hand)),
+  drop: (hand) => void dropOnWire(hand.editor, hand.node(), { x: 1, y: 2 }, stretchIn(hand)),
   delete: ({ editor }) => void deleteSelection(editor),
   mute: ({ editor }) => void toggleMuted(editor),
   collapse: ({ editor }) => void toggleCollapsed(editor),
@@ -163,6 +187,18 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
     const id = of(itemIds(layoutOf(editor.document.getState()))) ?? '';
     moveAll(editor, { ...contentOf(editor, id), [id]: { x: of([5, 50.5]) ?? 0, y: 6 } });
   },
+  reroute: (hand) => void addReroute(hand.editor, stretchIn(hand), { x: hand.of([0.5, 300]) ?? 0, y: -0.2 }),
+  rerouteByKey: (hand) => {
+    selectOnly(hand.editor.selection, [], [wireIn(hand)]);
+    addRerouteToSelected(hand.editor);
+  },
+  branch: (hand) => {
+    const from = { node: rerouteIn(hand), port: 'knob' };
+    const to = endFor(hand, from);
+    if (to) joinEnds(hand.editor, from, to);
+  },
+  moveReroute: (hand) => void moveAll(hand.editor, { [rerouteIn(hand)]: { x: hand.of([5, 50.5]) ?? 0, y: 6 } }),
+  selectReroute: (hand) => selectOnly(hand.editor.selection, [hand.node()], [], [rerouteIn(hand)]),
   undo: ({ editor }) => undo(editor),
   redo: ({ editor }) => redo(editor),
 };
@@ -195,9 +231,9 @@ test('whatever people do, undoing all of it gives the same bytes back, and redoi
       for (let step = 0; step < steps; step++) redo(editor);
       expect(filesOf(editor)).toEqual(after);
     }),
-    { seed: 3, numRuns: 60 },
+    { seed: 3, numRuns: 120 },
   );
   // An action that was always refused would prove nothing; these change no project.
-  const idle = ['select', 'selectAll', 'selectOne', 'enter', 'leave'];
+  const idle = ['selectReroute', 'select', 'selectAll', 'selectOne', 'enter', 'leave'];
   expect(Object.keys(ACTIONS).filter((name) => !done.has(name) && !idle.includes(name))).toEqual([]);
 });

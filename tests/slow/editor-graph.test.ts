@@ -70,10 +70,11 @@ test('a node that is dropped on a wire goes into it, in one step with its move',
   await editor.node('sepia-aaaa').waitFor();
 });
 
-test('a double-click on a wire asks for a node to go through, and offers no other', async () => {
+test('Tab over a selected wire asks for a node to go through, and offers no other', async () => {
   const { page, editor } = open;
   const { x, y } = await middleOf('video-aaaa.layer -> gaussian-blur-aaaa.inputImage');
-  await page.mouse.dblclick(x, y);
+  await page.mouse.click(x, y);
+  await page.keyboard.press('Tab');
   const list = page.getByRole('listbox', { name: 'Node types' });
   await list.waitFor();
   const offered = await list.getByRole('option').allTextContents();

@@ -1,6 +1,6 @@
 import { addNode } from '../../export/graph/commands/nodes.ts';
 import { connect } from '../../export/graph/commands/wires.ts';
-import { newProject } from '../../export/graph/new-project.ts';
+import { EMPTY_LAYOUT, newProject } from '../../export/graph/new-project.ts';
 import { placeNodes } from '../../export/graph/place-nodes.ts';
 import { MAIN_GRAPH, type PortAddress, type Project } from '../../export/graph/project.ts';
 import { type NodeDefinition, type NodeLibrary, paramWireType } from '../../nodes/kit/definition.ts';
@@ -59,7 +59,7 @@ function createBuilder(library: NodeLibrary, title: string) {
     finish: (): Project => {
       const graph = project.graphs[MAIN_GRAPH];
       if (!graph) throw new Error('A project has a main graph.');
-      return { ...project, layout: { [MAIN_GRAPH]: { nodes: placeNodes(graph, undefined), frames: {}, notes: {} } } };
+      return { ...project, layout: { [MAIN_GRAPH]: { ...EMPTY_LAYOUT, nodes: placeNodes(graph, undefined) } } };
     },
   };
 }

@@ -3,7 +3,7 @@ import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { own } from '../own.ts';
 import type { Graph, PortAddress, Project } from '../project.ts';
 import { sortWires } from '../wires.ts';
-import { type Change, change, draftGraph, setWires, unchanged } from './change.ts';
+import { type Change, carryRoutes, change, draftGraph, setWires, unchanged } from './change.ts';
 
 export interface PortRename {
   readonly from: string;
@@ -47,6 +47,11 @@ export function carryRename(project: Project, type: string, { from, to }: PortRe
       if (graph.wires.some((wire) => isPort(wire.to))) {
         const renamed = graph.wires.map((wire) => (isPort(wire.to) ? { ...wire, to: { ...wire.to, port: to } } : wire));
         setWires(draft, name, sortWires(renamed));
+        carryRoutes(
+          draft,
+          name,
+          graph.wires.flatMap((wire, i) => (wire === renamed[i] ? [] : [[wire, renamed[i] ?? wire]])),
+        );
       }
       if (graph.exposed.inputs.some(isPort)) drafted.exposed = castDraft(exposedAs(graph, isPort, to));
     }

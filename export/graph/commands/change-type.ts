@@ -7,7 +7,7 @@ import { subgraphType } from '../names.ts';
 import { own } from '../own.ts';
 import type { Graph, Project, Wire } from '../project.ts';
 import { sortWires } from '../wires.ts';
-import { type Change, change, draftGraph, graphOf, inTurn, refuse, setWires } from './change.ts';
+import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, refuse, setWires } from './change.ts';
 import { oneWhereOneFits, settle } from './settle.ts';
 
 export interface ChangeType {
@@ -32,18 +32,25 @@ export function changeType(project: Project, { library, graph: name, node: id, t
     const definition = own(face.params, param);
     return definition !== undefined && bindingMisfit(definition, binding) === null;
   });
-  const wires = rewire(graph, id, faceOf(node.type), face);
+  const moved = rewire(graph, id, faceOf(node.type), face);
+  const wires = oneWhereOneFits(sortWires(moved.map(([, after]) => after)), (to) => (to.node === id ? face : undefined));
   const retype = (before: Project) =>
     change(before, (draft) => {
       const { nodes } = draftGraph(draft, name);
       nodes[id] = castDraft({ ...node, type, version: face.version, params: Object.fromEntries(params) });
       setWires(draft, name, wires);
+      carryRoutes(draft, name, moved);
     });
   // Wires that were wrong before, and ports shown outside.
   return inTurn(project, retype, (before) => settle(before, library, [type, subgraphType(name)]));
 }
 
-function rewire(graph: Graph, id: string, before: NodeFace | undefined, after: NodeFace): readonly Wire[] {
+function rewire(
+  graph: Graph,
+  id: string,
+  before: NodeFace | undefined,
+  after: NodeFace,
+): readonly (readonly [before: Wire, after: Wire])[] {
   const inputs = movePorts(
     graph.wires.filter(({ to }) => to.node === id).map(({ to }) => to.port),
     (port) => before && inputOf(before, port)?.type,
@@ -58,13 +65,13 @@ function rewire(graph: Graph, id: string, before: NodeFace | undefined, after: N
     ({ output }) => output.type,
     () => true,
   );
-  const moved = graph.wires.flatMap(({ from, to }): Wire[] => {
+  return graph.wires.flatMap((wire): [Wire, Wire][] => {
+    const { from, to } = wire;
     const fromPort = from.node === id ? outputs.get(from.port) : from.port;
     const toPort = to.node === id ? inputs.get(to.port) : to.port;
     if (fromPort === undefined || toPort === undefined) return [];
-    return [{ from: { node: from.node, port: fromPort }, to: { node: to.node, port: toPort } }];
+    return [[wire, { from: { node: from.node, port: fromPort }, to: { node: to.node, port: toPort } }]];
   });
-  return oneWhereOneFits(sortWires(moved), (to) => (to.node === id ? after : undefined));
 }
 
 /** Old port → new port, for those that find one. */

@@ -1,7 +1,9 @@
-import { applyPatches as applyToDraft, castDraft, type Draft, enablePatches, type Patch, produceWithPatches } from 'immer';
+import { applyPatches as applyToDraft, castDraft, current, type Draft, enablePatches, type Patch, produceWithPatches } from 'immer';
 import { type Diagnostic, type DiagnosticCode, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { own } from '../own.ts';
 import type { Graph, Project, Wire } from '../project.ts';
+import { routesAfter } from '../routes.ts';
+import { printWire } from '../wires.ts';
 
 /** What every command answers. A refused one gives the same project, no patches, and an error that says why. */
 export interface Change {
@@ -79,4 +81,12 @@ export function draftGraph(draft: ProjectDraft, name: string): Draft<Graph> {
 /** Replaces the wires, unless they are the ones it has. */
 export function setWires(draft: ProjectDraft, graph: string, wires: readonly Wire[]): void {
   draftGraph(draft, graph).wires = castDraft(wires);
+}
+
+/** Wires that have become others keep their ways. */
+export function carryRoutes(draft: ProjectDraft, graph: string, replaced: readonly (readonly [before: Wire, after: Wire])[]): void {
+  const layout = draft.layout[graph];
+  if (layout && replaced.some(([before]) => own(layout.routes, printWire(before)))) {
+    layout.routes = castDraft(routesAfter(current(layout).routes, replaced));
+  }
 }

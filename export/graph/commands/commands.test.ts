@@ -194,6 +194,8 @@ describe('layout', () => {
       nodes: { ...made.project.layout.main?.nodes, 'sepia-aaaa': { x: 120, y: -4, collapsed: true } },
       frames: { 'frame-aaaa': { x: 0, y: 0, width: 10, height: 10, title: 'F' } },
       notes: { 'note-aaaa': { x: 0, y: 0, width: 10, height: 10, text: 'N' } },
+      reroutes: {},
+      routes: {},
     });
     made.run((p) => removeFromLayout(p, { graph: 'main', frames: ['frame-aaaa'], notes: ['note-aaaa'] }));
     expect(made.project.layout.main).toMatchObject({ frames: {}, notes: {} });

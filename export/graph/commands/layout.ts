@@ -1,7 +1,7 @@
 import { castDraft } from 'immer';
 import { isEntryId } from '../names.ts';
 import { own } from '../own.ts';
-import type { Frame, Note, Project } from '../project.ts';
+import type { Frame, Note, Project, Reroute } from '../project.ts';
 import { type Change, change, graphOf } from './change.ts';
 import { draftLayout } from './nodes.ts';
 
@@ -10,9 +10,11 @@ import { draftLayout } from './nodes.ts';
 export interface MoveNodes {
   readonly graph: string;
   readonly positions: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
+  /** Of reroutes, by their ids. */
+  readonly reroutes?: Readonly<Record<string, Reroute>>;
 }
 
-export function moveNodes(project: Project, { graph, positions }: MoveNodes): Change {
+export function moveNodes(project: Project, { graph, positions, reroutes = {} }: MoveNodes): Change {
   const { nodes } = graphOf(project, graph);
   return change(project, (draft) => {
     const layout = draftLayout(draft, graph).nodes;
@@ -22,6 +24,10 @@ export function moveNodes(project: Project, { graph, positions }: MoveNodes): Ch
       // Field by field, so that a node put back where it was makes no step.
       if (place) Object.assign(place, rounded({ x, y }));
       else layout[id] = rounded({ x, y });
+    }
+    for (const [id, place] of Object.entries(reroutes)) {
+      const reroute = draft.layout[graph]?.reroutes[id];
+      if (reroute) Object.assign(reroute, rounded(place));
     }
   });
 }
@@ -51,7 +57,7 @@ export interface PutFrame {
 }
 
 export function putFrame(project: Project, { graph, id, frame }: PutFrame): Change {
-  checkId(id);
+  checkLayoutId(id);
   return change(project, (draft) => {
     draftLayout(draft, graph).frames[id] = castDraft({ ...frame, ...rounded(frame) });
   });
@@ -64,7 +70,7 @@ export interface PutNote {
 }
 
 export function putNote(project: Project, { graph, id, note }: PutNote): Change {
-  checkId(id);
+  checkLayoutId(id);
   return change(project, (draft) => {
     draftLayout(draft, graph).notes[id] = castDraft({ ...note, ...rounded(note) });
   });
@@ -74,22 +80,31 @@ export interface RemoveFromLayout {
   readonly graph: string;
   readonly frames?: readonly string[];
   readonly notes?: readonly string[];
+  /** Their wires run on without them. */
+  readonly reroutes?: readonly string[];
 }
 
-export function removeFromLayout(project: Project, { graph, frames = [], notes = [] }: RemoveFromLayout): Change {
+export function removeFromLayout(project: Project, { graph, frames = [], notes = [], reroutes = [] }: RemoveFromLayout): Change {
   return change(project, (draft) => {
     const layout = draft.layout[graph];
-    for (const id of frames) delete layout?.frames[id];
-    for (const id of notes) delete layout?.notes[id];
+    if (!layout) return;
+    for (const id of frames) delete layout.frames[id];
+    for (const id of notes) delete layout.notes[id];
+    for (const id of reroutes) delete layout.reroutes[id];
+    for (const [wire, route] of reroutes.length === 0 ? [] : Object.entries(layout.routes)) {
+      const kept = route.filter((id) => !reroutes.includes(id));
+      if (kept.length === 0) delete layout.routes[wire];
+      else if (kept.length < route.length) layout.routes[wire] = kept;
+    }
   });
 }
 
-function checkId(id: string): void {
-  if (!isEntryId(id)) throw new Error(`${id} is no id of a frame or note.`);
+export function checkLayoutId(id: string): void {
+  if (!isEntryId(id)) throw new Error(`${id} is no id of a frame, a note or a reroute.`);
 }
 
-/** Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero. */
-function rounded<T extends { readonly x: number; readonly y: number; readonly width?: number; readonly height?: number }>(box: T) {
+/** To whole canvas units. Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero. */
+export function rounded<T extends { readonly x: number; readonly y: number; readonly width?: number; readonly height?: number }>(box: T) {
   const { x, y, width, height } = box;
   return {
     x: Math.round(x) + 0,

@@ -2,7 +2,6 @@ import { castDraft } from 'immer';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { createFaceLookup } from '../library/faces.ts';
 import { isNodeId, subgraphName, subgraphType } from '../names.ts';
-import { EMPTY_LAYOUT } from '../new-project.ts';
 import { own } from '../own.ts';
 import { MAIN_GRAPH, type ParamValue, type Project } from '../project.ts';
 import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, setWires } from './change.ts';
@@ -96,7 +95,7 @@ export function setMuted(project: Project, { graph, nodes, muted }: SetMuted): C
 }
 
 export function draftLayout(draft: ProjectDraft, graph: string) {
-  draft.layout[graph] ??= castDraft({ ...EMPTY_LAYOUT, nodes: {}, frames: {}, notes: {} });
+  draft.layout[graph] ??= castDraft({ nodes: {}, frames: {}, notes: {}, reroutes: {}, routes: {} });
   return draft.layout[graph];
 }
 

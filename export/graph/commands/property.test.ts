@@ -10,11 +10,12 @@ import { makeLayoutId, makeNodeId } from '../names.ts';
 import { newProject } from '../new-project.ts';
 import { own } from '../own.ts';
 import type { ParamValue, PortAddress, Project } from '../project.ts';
+import { routeOf } from '../routes.ts';
 import { saveProject } from '../save.ts';
 import { validateProject } from '../validate/validate.ts';
-import { sortWires } from '../wires.ts';
+import { printWire, sortWires } from '../wires.ts';
 import { putAsset, removeAsset } from './assets.ts';
-import { applyPatches, type Change } from './change.ts';
+import { applyPatches, type Change, inTurn } from './change.ts';
 import { changeType } from './change-type.ts';
 import { addGraph, exposePort, hidePort, removeGraph, renameGraph } from './graphs.ts';
 import { moveNodes, putFrame, putNote, removeFromLayout, setCollapsed } from './layout.ts';
@@ -22,6 +23,7 @@ import { addNode, removeNodes, setMuted } from './nodes.ts';
 import { bindParam, setParam } from './params.ts';
 import { setPage, setTitle } from './project-info.ts';
 import { putIntoSubgraph } from './put-into-subgraph.ts';
+import { putReroute, setRoutes, settleRoutesOf } from './routes.ts';
 import { forkShader, removeSource, setSource } from './sources.ts';
 import { duplicateSubgraph, unpackSubgraph } from './unpack-subgraph.ts';
 import { connect, disconnect, reorderWires } from './wires.ts';
@@ -97,6 +99,25 @@ const LAYOUT_COMMANDS: Readonly<Record<string, Command>> = {
       id: makeLayoutId(p, 'main', 'note', pick.next),
       note: { x: 0, y: 0, width: 1, height: 1, text: '"\u2028' },
     }),
+  lead: (p, pick) => {
+    const graph = anyGraph(p, pick);
+    const layout = own(p.layout, graph);
+    const wire = pick.of(own(p.graphs, graph)?.wires ?? []);
+    const id = pick.of([...Object.keys(layout?.reroutes ?? {}), makeLayoutId(p, graph, 'reroute', pick.next)]) ?? '';
+    const route = [...(wire && layout ? routeOf(layout, wire) : []), id];
+    const led = inTurn(
+      p,
+      (before) => putReroute(before, { graph, id, reroute: { x: 99.5, y: -0.1 } }),
+      (before) => setRoutes(before, { graph, routes: wire ? { [printWire(wire)]: route } : {} }),
+      (before) => moveNodes(before, { graph, positions: {}, reroutes: { [id]: { x: 1e3 * pick.next(), y: -0.4 } } }),
+    );
+    return settleRoutesOf(p, led);
+  },
+  straighten: (p, pick) => {
+    const graph = anyGraph(p, pick);
+    const reroute = pick.of(Object.keys(own(p.layout, graph)?.reroutes ?? {}));
+    return removeFromLayout(p, { graph, reroutes: reroute === undefined ? [] : [reroute] });
+  },
   unframe: (p, pick) => {
     const graph = anyGraph(p, pick);
     const frame = pick.of(Object.keys(own(p.layout, graph)?.frames ?? {}));
@@ -198,7 +219,7 @@ function steps(commands: Readonly<Record<string, Command>>, maxLength: number) {
 function play(commands: Readonly<Record<string, Command>>, name: string, project: Project, dice: Dice): Change {
   const command = commands[name];
   if (!command) throw new Error(`No command ${name}`);
-  return command(project, pickerOf(dice));
+  return settleRoutesOf(project, command(project, pickerOf(dice)));
 }
 
 /** No screen, one too many, no wire where one is needed, half an expression, no asset of the right kind: a person is at work. */
@@ -223,7 +244,7 @@ function start(): Project {
 
 /** What commands are made of, and no commands themselves. */
 const PARTS = ['carry-rename.ts', 'change.ts', 'settle.ts'];
-const HELPERS = ['draftLayout', 'usesGraph', 'copyOfGraph'];
+const HELPERS = ['draftLayout', 'usesGraph', 'copyOfGraph', 'checkLayoutId', 'rounded'];
 
 test('every command there is takes part', async () => {
   const folder = import.meta.dirname;

@@ -2,10 +2,12 @@ import { castDraft } from 'immer';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { createFaceLookup } from '../library/faces.ts';
 import { subgraphType } from '../names.ts';
+import { EMPTY_LAYOUT } from '../new-project.ts';
 import { own } from '../own.ts';
 import type { ExposedPort, ExposedPorts, Graph, GraphLayout, PortAddress, Project, Wire } from '../project.ts';
+import { settleRoutes } from '../routes.ts';
 import { sameAddress, sortWires } from '../wires.ts';
-import { type Change, change, draftGraph, graphOf, inTurn, refuse } from './change.ts';
+import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, refuse } from './change.ts';
 import { addGraph } from './graphs.ts';
 import { addNode, draftLayout } from './nodes.ts';
 
@@ -26,8 +28,8 @@ export interface PutIntoSubgraph {
  * Makes a subgraph of nodes, and puts one node in their place that is wired as they were: each port with a wire from or to the
  * outside is shown outside. The nodes keep their ids, and the picture stays the same.
  */
-export function putIntoSubgraph(project: Project, { library, graph: outer, nodes, name, id, x, y }: PutIntoSubgraph): Change {
-  const graph = graphOf(project, outer);
+export function putIntoSubgraph(project: Project, { library, graph: outerName, nodes, name, id, x, y }: PutIntoSubgraph): Change {
+  const graph = graphOf(project, outerName);
   const chosen = new Set(nodes.filter((node) => own(graph.nodes, node)));
   if (chosen.size === 0) return refuse(project, 'SCR020', 'Select the nodes that the subgraph is to be made of.');
   const screen = [...chosen].find((node) => library.definition(own(graph.nodes, node)?.type ?? '')?.lowering.kind === 'present');
@@ -45,10 +47,11 @@ export function putIntoSubgraph(project: Project, { library, graph: outer, nodes
     const port = shown[side].find((candidate) => sameAddress(candidate, address));
     return port ? { node: id, port: port.name } : address;
   };
-  const wires = graph.wires.flatMap((wire): Wire[] => {
-    if (chosen.has(wire.from.node) && chosen.has(wire.to.node)) return [];
-    return [{ from: outside('outputs', wire.from), to: outside('inputs', wire.to) }];
-  });
+  const isInner = ({ from, to }: Wire) => chosen.has(from.node) && chosen.has(to.node);
+  const outer = graph.wires
+    .filter((wire) => !isInner(wire))
+    .map((wire) => [wire, { from: outside('outputs', wire.from), to: outside('inputs', wire.to) }] as const);
+  const wires = outer.map(([, wire]) => wire);
   const showOn = (side: keyof ExposedPorts) => graph.exposed[side].map((port) => ({ name: port.name, ...outside(side, port) }));
   const exposed = { inputs: showOn('inputs'), outputs: showOn('outputs') };
 
@@ -57,22 +60,23 @@ export function putIntoSubgraph(project: Project, { library, graph: outer, nodes
     (before) => addGraph(before, { name }),
     (before) =>
       change(before, (draft) => {
-        const old = draftGraph(draft, outer);
-        const places = draftLayout(draft, outer).nodes;
+        const old = draftGraph(draft, outerName);
+        const places = draftLayout(draft, outerName).nodes;
         draft.graphs[name] = castDraft(graphWithin(graph, chosen, shown));
-        draft.layout[name] = castDraft(layoutWithin(own(project.layout, outer), chosen));
+        draft.layout[name] = castDraft(layoutWithin(own(project.layout, outerName), graph.wires.filter(isInner), chosen));
         for (const node of chosen) {
           delete old.nodes[node];
           delete places[node];
         }
         // Until the node is there, nothing may hang on it.
+        carryRoutes(draft, outerName, outer);
         old.wires = castDraft(wires.filter(({ from, to }) => from.node !== id && to.node !== id));
       }),
-    (before) => addNode(before, { library, graph: outer, id, type: subgraphType(name), x, y }),
+    (before) => addNode(before, { library, graph: outerName, id, type: subgraphType(name), x, y }),
     (before) =>
       change(before, (draft) => {
         const face = createFaceLookup(before, library)(subgraphType(name));
-        const now = draftGraph(draft, outer);
+        const now = draftGraph(draft, outerName);
         now.wires = castDraft(sortWires(wires));
         if (exposed.inputs.length + exposed.outputs.length > 0) now.exposed = castDraft(exposed);
         const params = now.nodes[id]?.params;
@@ -112,9 +116,10 @@ function graphWithin(graph: Graph, chosen: ReadonlySet<string>, exposed: Exposed
   };
 }
 
-function layoutWithin(layout: GraphLayout | undefined, chosen: ReadonlySet<string>): GraphLayout {
-  const nodes = Object.fromEntries(Object.entries(layout?.nodes ?? {}).filter(([id]) => chosen.has(id)));
-  return { nodes, frames: {}, notes: {} };
+/** The places of the nodes, and the ways of the wires among them. */
+function layoutWithin(layout: GraphLayout = EMPTY_LAYOUT, wires: readonly Wire[], chosen: ReadonlySet<string>): GraphLayout {
+  const nodes = Object.fromEntries(Object.entries(layout.nodes).filter(([id]) => chosen.has(id)));
+  return settleRoutes({ wires }, { ...EMPTY_LAYOUT, nodes, reroutes: layout.reroutes, routes: layout.routes });
 }
 
 /** A node that is not chosen on a way from one that is to another: outside, the way would be a loop. Null where there is none. */

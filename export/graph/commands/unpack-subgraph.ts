@@ -1,12 +1,13 @@
 import { castDraft } from 'immer';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { createFaceLookup } from '../library/faces.ts';
-import { makeNodeId, subgraphName } from '../names.ts';
+import { makeLayoutId, makeNodeId, subgraphName } from '../names.ts';
 import { EMPTY_LAYOUT } from '../new-project.ts';
 import { own } from '../own.ts';
 import type { ExposedPorts, Graph, GraphLayout, GraphNode, NodeLayout, PortAddress, Project, Wire } from '../project.ts';
-import { sortWires } from '../wires.ts';
-import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse } from './change.ts';
+import { routesAfter } from '../routes.ts';
+import { printWire, sortWires } from '../wires.ts';
+import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse } from './change.ts';
 import { addGraph } from './graphs.ts';
 import { draftLayout } from './nodes.ts';
 
@@ -33,10 +34,13 @@ export function unpackSubgraph(project: Project, { library, graph: outer, node: 
   const inside = (side: keyof ExposedPorts, name: string): PortAddress[] =>
     inner.exposed[side].filter((port) => port.name === name).map((port) => renamed(ids, port));
   const at = (side: keyof ExposedPorts, address: PortAddress) => (address.node === id ? inside(side, address.port) : [address]);
-  const wires = graph.wires.flatMap(({ from, to }): Wire[] =>
-    at('outputs', from).flatMap((source) => at('inputs', to).map((target) => ({ from: source, to: target }))),
+  const outerWires = graph.wires.flatMap((wire): [Wire, Wire][] =>
+    at('outputs', wire.from).flatMap((from) => at('inputs', wire.to).map((to): [Wire, Wire] => [wire, { from, to }])),
   );
-  const innerWires = inner.wires.map(({ from, to }) => ({ from: renamed(ids, from), to: renamed(ids, to) }));
+  const wires = outerWires.map(([, wire]) => wire);
+  const innerPairs = inner.wires.map((wire): [Wire, Wire] => [wire, { from: renamed(ids, wire.from), to: renamed(ids, wire.to) }]);
+  const innerWires = innerPairs.map(([, wire]) => wire);
+  const led = underNewReroutes(project, outer, own(project.layout, name), random);
   const shownOn = (side: keyof ExposedPorts) =>
     graph.exposed[side].flatMap(({ name: shown, ...port }) => at(side, port).map((end) => ({ name: shown, ...end })));
   const isShown = graph.exposed.inputs.length + graph.exposed.outputs.length > 0;
@@ -56,15 +60,42 @@ export function unpackSubgraph(project: Project, { library, graph: outer, node: 
     for (const [copy, node] of copies) target.nodes[copy] = castDraft(node);
     target.wires = castDraft(sortWires([...wires, ...innerWires]));
     if (isShown) target.exposed = castDraft({ inputs: shownOn('inputs'), outputs: shownOn('outputs') });
-    placeCopies(draft, { outer, id, name, ids });
+    carryRoutes(draft, outer, outerWires);
+    const by = placeCopies(draft, { outer, id, name, ids });
+    const layout = draftLayout(draft, outer);
+    for (const [copy, { x, y }] of Object.entries(led.reroutes)) layout.reroutes[copy] = { x: x + by.x, y: y + by.y };
+    for (const [wire, copy] of innerPairs) {
+      const route = own(led.routes, printWire(wire));
+      if (route) layout.routes[printWire(copy)] = [...route];
+    }
   });
 }
 
-/** From where the node stood, to the right and down, as they stand in the subgraph. */
+/** The reroutes of a subgraph under ids that are free in the graph that it is unpacked into. */
+function underNewReroutes(
+  project: Project,
+  graph: string,
+  inner: GraphLayout = EMPTY_LAYOUT,
+  random: () => number,
+): Pick<GraphLayout, 'reroutes' | 'routes'> {
+  const layout = own(project.layout, graph) ?? EMPTY_LAYOUT;
+  const ids = new Map<string, string>();
+  let reroutes: GraphLayout['reroutes'] = {};
+  for (const [old, place] of Object.entries(inner.reroutes)) {
+    const taken = { ...layout, reroutes: { ...layout.reroutes, ...reroutes } };
+    const id = makeLayoutId({ layout: { [graph]: taken } }, graph, 'reroute', random);
+    ids.set(old, id);
+    reroutes = { ...reroutes, [id]: place };
+  }
+  const routes = Object.entries(inner.routes).map(([wire, route]) => [wire, route.map((id) => ids.get(id) ?? id)]);
+  return { reroutes, routes: Object.fromEntries(routes) };
+}
+
+/** From where the node stood, to the right and down, as they stand in the subgraph. Returns how far they went. */
 function placeCopies(
   draft: ProjectDraft,
   { outer, id, name, ids }: { outer: string; id: string; name: string; ids: ReadonlyMap<string, string> },
-): void {
+): { readonly x: number; readonly y: number } {
   const layout = draftLayout(draft, outer).nodes;
   const places = draft.layout[name]?.nodes ?? {};
   const stood: NodeLayout = layout[id] ?? { x: 0, y: 0 };
@@ -75,6 +106,7 @@ function placeCopies(
     const { x, y, ...more }: NodeLayout = places[old] ?? { x: 0, y: 0 };
     layout[copy] = { ...more, x: stood.x + x - left, y: stood.y + y - top };
   }
+  return { x: stood.x - left, y: stood.y - top };
 }
 
 export interface DuplicateSubgraph {
@@ -101,18 +133,19 @@ export function duplicateSubgraph(project: Project, { from, to, random }: Duplic
 export function copyOfGraph(
   project: Pick<Project, 'graphs'>,
   graph: Graph,
-  layout: GraphLayout | undefined,
+  layout: GraphLayout = EMPTY_LAYOUT,
   random: () => number,
 ): { readonly graph: Graph; readonly layout: GraphLayout } {
   const ids = newIds(project, graph, random);
   const shown = (side: keyof ExposedPorts) => graph.exposed[side].map((port) => ({ name: port.name, ...renamed(ids, port) }));
+  const wires = graph.wires.map((wire): [Wire, Wire] => [wire, { from: renamed(ids, wire.from), to: renamed(ids, wire.to) }]);
   return {
     graph: {
       nodes: underNewIds(graph.nodes, ids),
-      wires: sortWires(graph.wires.map((wire) => ({ from: renamed(ids, wire.from), to: renamed(ids, wire.to) }))),
+      wires: sortWires(wires.map(([, copy]) => copy)),
       exposed: { inputs: shown('inputs'), outputs: shown('outputs') },
     },
-    layout: { ...(layout ?? EMPTY_LAYOUT), nodes: underNewIds(layout?.nodes ?? {}, ids) },
+    layout: { ...layout, nodes: underNewIds(layout.nodes, ids), routes: routesAfter(layout.routes, wires) },
   };
 }
 

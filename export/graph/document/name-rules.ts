@@ -1,5 +1,6 @@
 import type { NameRule } from '../json/shape-reader.ts';
 import { isEntryId, isNodeId, isNodeType, isPortName, isShaderFile } from '../names.ts';
+import { parseWire } from '../wires.ts';
 
 export const NODE_ID: NameRule = {
   is: isNodeId,
@@ -15,4 +16,8 @@ export const NODE_TYPE: NameRule = { is: isNodeType, words: 'a node type is a ca
 export const SHADER_FILE: NameRule = {
   is: isShaderFile,
   words: 'a shader file is a name without folders that ends in .fs, .vs or .glsl; pieces to include lie in chunks/, and end in .glsl.',
+};
+export const WIRE: NameRule = {
+  is: (text) => parseWire(text) !== null,
+  words: 'a wire is written from output to input: video-a1b2.layer -> sepia-k7q2.inputImage.',
 };

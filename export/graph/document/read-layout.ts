@@ -1,7 +1,7 @@
 import type { JsonPath } from '../json/positions.ts';
 import type { ShapeReader } from '../json/shape-reader.ts';
-import type { Frame, GraphLayout, NodeLayout, Note, Project } from '../project.ts';
-import { ENTRY_ID, GRAPH_NAME, NODE_ID } from './name-rules.ts';
+import type { Frame, GraphLayout, NodeLayout, Note, Project, Reroute } from '../project.ts';
+import { ENTRY_ID, GRAPH_NAME, NODE_ID, WIRE } from './name-rules.ts';
 
 /** Reads the newest version of the layout; `format` and `version` have been looked at. */
 export function readLayout(reader: ShapeReader, json: unknown): Project['layout'] {
@@ -10,11 +10,15 @@ export function readLayout(reader: ShapeReader, json: unknown): Project['layout'
 }
 
 function readGraphLayout(reader: ShapeReader, json: unknown, path: JsonPath): GraphLayout {
-  const fields = reader.fields(json, path, ['nodes', 'frames', 'notes']);
+  const fields = reader.fields(json, path, ['nodes', 'frames', 'notes', 'reroutes', 'routes']);
   return {
     nodes: reader.record(fields('nodes'), [...path, 'nodes'], NODE_ID, (item, itemPath) => readNode(reader, item, itemPath)),
     frames: reader.record(fields('frames'), [...path, 'frames'], ENTRY_ID, (item, itemPath) => readFrame(reader, item, itemPath)),
     notes: reader.record(fields('notes'), [...path, 'notes'], ENTRY_ID, (item, itemPath) => readNote(reader, item, itemPath)),
+    reroutes: reader.record(fields('reroutes'), [...path, 'reroutes'], ENTRY_ID, (item, itemPath) => readReroute(reader, item, itemPath)),
+    routes: reader.record(fields('routes'), [...path, 'routes'], WIRE, (item, itemPath) =>
+      reader.list(item, itemPath, (id, idPath) => reader.name(id, idPath, ENTRY_ID)),
+    ),
   };
 }
 
@@ -41,6 +45,11 @@ function readFrame(reader: ShapeReader, json: unknown, path: JsonPath): Frame {
 function readNote(reader: ShapeReader, json: unknown, path: JsonPath): Note {
   const fields = reader.fields(json, path, ['x', 'y', 'width', 'height', 'text']);
   return { ...readBox(reader, fields, path), text: reader.text(fields('text'), [...path, 'text']) };
+}
+
+function readReroute(reader: ShapeReader, json: unknown, path: JsonPath): Reroute {
+  const fields = reader.fields(json, path, ['x', 'y']);
+  return { x: reader.number(fields('x'), [...path, 'x']), y: reader.number(fields('y'), [...path, 'y']) };
 }
 
 function readBox(reader: ShapeReader, fields: (key: string) => unknown, path: JsonPath) {
