@@ -1,8 +1,10 @@
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import type { Result } from '../../nodes/kit/diagnostics.ts';
+import type { Diagnostic, Result } from '../../nodes/kit/diagnostics.ts';
 import { isfDefinition, shaderName } from './isf/isf-definition.ts';
 import type { IsfShader } from './isf/isf-shader.ts';
 import { readIsf } from './isf/read-isf.ts';
+import { parseShader } from './syntax/parse.ts';
+import { GlslError } from './syntax/token.ts';
 import { readTechnique } from './technique/read-technique.ts';
 import { techniqueDefinition } from './technique/technique-definition.ts';
 import { isTechnique } from './technique/technique-shader.ts';
@@ -19,7 +21,21 @@ export function readDefinition(source: string, file: string): Result<NodeDefinit
   return { output: output && isfDefinition(output, shaderName(file)), diagnostics };
 }
 
+/** What can be said of the GLSL below a header that cannot be used. */
+function syntaxErrors(source: string, file: string, told: readonly Diagnostic[]): Diagnostic[] {
+  try {
+    parseShader(source);
+    return [];
+  } catch (error) {
+    if (!(error instanceof GlslError)) throw error;
+    const { code, message, place } = error;
+    return told.some(({ line }) => line === place.line) ? [] : [{ code, severity: 'error', message, file, ...place }];
+  }
+}
+
 /** An ISF file, with the vertex shader beside it where it has one (`companionOf`), or a transition. */
 export function readImageShader(source: string, file: string, vertex: string | null = null): Result<IsfShader> {
-  return isTransition(source, file) ? readTransition(source, file) : readIsf(source, file, vertex);
+  if (isTransition(source, file)) return readTransition(source, file);
+  const { output, diagnostics } = readIsf(source, file, vertex);
+  return { output, diagnostics: output === null ? [...diagnostics, ...syntaxErrors(source, file, diagnostics)] : diagnostics };
 }

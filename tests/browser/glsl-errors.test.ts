@@ -20,7 +20,7 @@ const HEADER =
 async function diagnose(source: string): Promise<Diagnostic[]> {
   const read = readIsf(source, 'broken.fs');
   if (read.output === null) return [...read.diagnostics];
-  const linked = linkIsf(read.output, { node: 'node-a1b2' });
+  const linked = linkIsf(read.output, { node: 'node-a1b2', loopBudget: true });
   if (linked.output === null) return [...linked.diagnostics];
   const shaders = linked.output.map((pass) => pass.shader);
   const logs = await page.call<string[]>('compile', shaders);
@@ -77,13 +77,32 @@ describe('what the driver refuses is shown at the quoted token', () => {
       'nothing',
     ],
     ['an argument of a macro', '#define TWICE(x) ((x) * 2.0)\nvoid main() {\n  gl_FragColor = vec4(TWICE(«wrong));\n}', 'wrong'],
+    ['the second of two sums', 'void main() {\n  vec3 v = vec3(1.0) + vec3(2.0) * 3.0 «+ vec2(1.0);\n  gl_FragColor = v.xyzz;\n}', '+'],
+    [
+      'the second call of a function',
+      'float f(float x) { return x; }\nvoid main() {\n  gl_FragColor = vec4(f(1.0) + «f(vec2(1.0)) + f(2.0));\n}',
+      'f',
+    ],
+    ['the third part of a product', 'void main() {\n  vec2 v = isf_FragNormCoord;\n  gl_FragColor = vec4(v.x * v.y * v.«z);\n}', 'z'],
+    ['a variable beside a part of its name', 'void main() {\n  vec4 c = vec4(1.0);\n  gl_FragColor = c.rrrr + vec4(«rrrr);\n}', 'rrrr'],
+    ['the second assignment', 'void main() {\n  float a, b;\n  a = (b «= vec2(1.0));\n  gl_FragColor = vec4(a);\n}', '='],
+    ['the second of two variables', 'void main() {\n  float a = 1.0, b «= vec2(1.0);\n  gl_FragColor = vec4(a + b);\n}', '='],
+    ['the inner constructor', 'void main() {\n  gl_FragColor = vec4(vec2(1.0), «vec2(1.0, 2.0, 3.0));\n}', 'vec2'],
+    ['a picture that is read at one number', 'void main() {\n  gl_FragColor = vec4(1.0) * «texture2D(inputImage, 1.0);\n}', 'texture2D'],
+    ['an index beyond the end', 'void main() {\n  float a[2];\n  a[0] = a[1] + a«[5];\n  gl_FragColor = vec4(a[0]);\n}', '['],
+    [
+      'the body of a loop',
+      'void main() {\n  float s;\n  for (int i = 0; i < 3; i = i + 1) s «= vec2(1.0);\n  gl_FragColor = vec4(s);\n}',
+      '=',
+    ],
   ])('%s', async (_, text, quoted) => {
     const { source, line, column } = marked(text);
-    const [first] = await diagnose(source);
+    const [first, ...more] = await diagnose(source);
+    expect(more).toEqual([]);
     expect(first).toMatchObject({ code: 'SCR042', severity: 'error', line, column, file: 'broken.fs', nodeId: 'node-a1b2' });
     expect(first?.message).toContain(`"${quoted}"`);
     // The author never sees the linker's own names.
-    expect(first?.message).not.toMatch(/\ba\d*_|scrim_|highp/);
+    expect(first?.message).not.toMatch(/\ba\d*_|scrim_|highp|symbol id|component vector/);
   });
 
   test('a mistake inside of a macro is shown where the macro is used', async () => {
@@ -123,6 +142,17 @@ describe('what the parser refuses is shown where it is to be mended', () => {
     ['a comment without an end', 'void main() {}\n  «/* never', '*/'],
     ['a quotation mark', 'void main() {\n  gl_FragColor = «“1.0”;\n}', '“'],
     ['a macro with too few arguments', '#define MIX(a, b) (a + b)\nvoid main() {\n  gl_FragColor = vec4(«MIX(1.0));\n}', 'MIX'],
+    [
+      'a function that calls itself',
+      'float f(float n) {\n  return n < 1.0 ? 1.0 : n * «f(n - 1.0);\n}\nvoid main() { gl_FragColor = vec4(f(3.0)); }',
+      'f',
+    ],
+    [
+      'functions that call each other',
+      'float g(float);\nfloat f(float n) { return g(n); }\nfloat g(float n) { return «f(n); }\nvoid main() { gl_FragColor = vec4(g(3.0)); }',
+      'f',
+    ],
+    ['a head without a body', 'float «later(float n);\nvoid main() { gl_FragColor = vec4(later(3.0)); }', 'later'],
     ['an image that is none', 'void main() {\n  gl_FragColor = IMG_THIS_PIXEL(«amount);\n}', 'amount'],
     ['an image as a value', 'void main() {\n  gl_FragColor = «inputImage;\n}', 'inputImage'],
   ])('%s', async (_, text, quoted) => {

@@ -34,22 +34,61 @@ describe('a driver’s log', () => {
         severity: 'error',
         nodeId: 'my-n0de',
         file: 'my.fs',
-        line: 5,
-        column: 5,
-        message: '"tint": undeclared identifier.',
-        fix: 'Check its spelling, capitals included, or declare it above.',
-      },
-      {
-        code: 'SCR042',
-        severity: 'error',
-        nodeId: 'my-n0de',
-        file: 'my.fs',
         line: 4,
         column: 29,
         message: '"f": no matching overloaded function found.',
         fix: 'Check how many values the function takes, and of which types.',
       },
     ]);
+  });
+
+  test('of a name that is not declared, where it first stands, and without what follows from it', () => {
+    const source =
+      '/*{}*/\nvoid main() {\n  vec3 c = tint.rgb;\n  c += tint * f(1.0) + c.q;\n  float d = vec2(1.0); float e = vec3(2.0);\n}';
+    const linked = {
+      ...LINKED,
+      sourceMap: {
+        sources: ['my.fs'],
+        nodes: [''],
+        lines: [
+          [0, 5, 11],
+          [0, 5, 24],
+          [0, 3, 3],
+          [0, 4, 3],
+        ],
+      },
+    } as const;
+    const log = [
+      "ERROR: 0:1: '=' : dimension mismatch",
+      "ERROR: 0:1: 'assign' : cannot convert from 'const 2-component vector of float' to 'highp float'",
+      "ERROR: 0:2: '=' : cannot convert from 'const 3-component vector of float' to 'highp float'",
+      "ERROR: 0:3: 'tint' : undeclared identifier",
+      "ERROR: 0:3: 'rgb' :  field selection requires structure, vector, or interface block on left hand side",
+      "ERROR: 0:3: '=' : cannot convert from 'const float' to 'highp 3-component vector of float'",
+      "ERROR: 0:4: 'tint' : undeclared identifier",
+      "ERROR: 0:4: 'q' : illegal vector field selection",
+      "ERROR: 0:4: 'f' : no matching overloaded function found",
+    ].join('\n');
+    const told = driverDiagnostics(linked, log, () => source);
+    expect(told.map(({ line, column, message }) => [line, column, message])).toEqual([
+      [3, 12, '"tint": undeclared identifier.'],
+      [4, 15, '"f": no matching overloaded function found.'],
+      [5, 11, '"=": cannot convert from vec2 to float.'],
+      [5, 32, '"=": cannot convert from vec3 to float.'],
+    ]);
+  });
+
+  test.each([
+    [
+      "'*' : wrong operand types - no operation '*' exists that takes a left-hand operand of type 'structure 'a_Ray' (symbol id 3004)' and a right operand of type 'const 3X3 matrix of float' (or there is no acceptable conversion)",
+      'wrong operand types: Ray and mat3 do not go together.',
+    ],
+    [
+      "'=' : cannot convert from 'array[3] of mediump 2-component vector of int' to 'uniform 4X2 matrix of float'",
+      'cannot convert from ivec2[3] to mat4x2.',
+    ],
+  ])('in the author’s words: %s', (line, wanted) => {
+    expect(driverDiagnostics(LINKED, `ERROR: 0:3: ${line}`)[0]?.message).toMatch(new RegExp(`: ${wanted.replace(/[[\].]/g, '\\$&')}$`));
   });
 
   test('of Mesa', () => {

@@ -1,3 +1,4 @@
+import { checkCalls } from '../check/check-calls.ts';
 import { type CheckedShader, checkShader } from '../check/check-shader.ts';
 import type { ParsedShader, VariableSymbol } from '../syntax/ast.ts';
 import { parseShader } from '../syntax/parse.ts';
@@ -25,10 +26,19 @@ export function checkIsf(shader: IsfShader): CheckedIsf {
   const before = known.get(shader);
   if (before !== undefined) return before;
   const given = givenSymbols(shader);
-  const made = { given, checked: checkShader(parse(shader), given), vertex: checkVertex(shader) };
+  const made = { given, checked: checkWhole(parse(shader), given), vertex: checkVertex(shader) };
   known.set(shader, made);
   return made;
 }
+
+function checkWhole(parsed: ParsedShader, given: ReadonlyMap<string, VariableSymbol>): CheckedShader {
+  const checked = checkShader(parsed, given);
+  checkCalls(checked, (name) => VERTEX_STARTS.has(name));
+  return checked;
+}
+
+/** Declared by authors for other hosts' sake, and given by the linker. */
+const VERTEX_STARTS: ReadonlySet<string> = new Set(['isf_vertShaderInit', 'vv_vertShaderInit']);
 
 function parse(shader: IsfShader): ParsedShader {
   return shader.dialect === 'transition' ? parseTransition(shader) : parseShader(shader.source);
@@ -37,5 +47,5 @@ function parse(shader: IsfShader): ParsedShader {
 function checkVertex(shader: IsfShader): CheckedIsf['vertex'] {
   if (shader.vertex === null) return null;
   const given = givenSymbols(shader, 'vertex');
-  return inFile(shader.vertex.file, () => ({ given, checked: checkShader(parseShader(shader.vertex?.source ?? ''), given) }));
+  return inFile(shader.vertex.file, () => ({ given, checked: checkWhole(parseShader(shader.vertex?.source ?? ''), given) }));
 }

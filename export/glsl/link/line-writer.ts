@@ -1,5 +1,7 @@
 import type { SourceMap } from '../../program/program.ts';
+import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
 import type { Place } from '../syntax/token.ts';
+import { TYPES } from '../syntax/words.ts';
 
 type MappedLine = SourceMap['lines'][number];
 
@@ -7,9 +9,10 @@ type MappedLine = SourceMap['lines'][number];
 export interface LineWriter {
   /**
    * Adds to the current line. With a place on another of the author's lines, a new line begins first, so that no printed line
-   * holds text of two: drivers report lines only.
+   * holds text of two: drivers report lines only. Where tokens are kept apart, one also begins before a token that the line has.
+   * `quoted`: as what drivers quote the token, where that is not as it is written.
    */
-  write(text: string, place?: Place): void;
+  write(text: string, place?: Place, quoted?: string): void;
   /** Ends the current line, if there is anything on it. */
   endLine(): void;
   /** Whole lines of the linker's own. */
@@ -19,12 +22,24 @@ export interface LineWriter {
   readonly map: readonly MappedLine[];
 }
 
-export function createLineWriter(source: number): LineWriter {
+/** All assignments: drivers quote most by one word. */
+export const ASSIGNMENT = 'assign';
+
+/** How drivers quote what is written: calls by their name, but those of types, and assignments, by what they are. */
+function quotedAs(text: string): string {
+  const word = text.trim().replace(/\($/, '');
+  if (word !== text.trim() && TYPES.has(word)) return 'constructor';
+  return ASSIGNMENTS.has(word) ? ASSIGNMENT : word;
+}
+
+/** `apart`: no printed line has a token twice, or two constructors or assignments, so that what a driver quotes is one of them. */
+export function createLineWriter(source: number, apart = false): LineWriter {
   const lines: string[] = [];
   const map: MappedLine[] = [];
   let current = '';
   let mapped: MappedLine = null;
   let depth = 0;
+  const onLine = new Set<string>();
 
   function endLine(): void {
     const text = current.trimEnd();
@@ -34,18 +49,23 @@ export function createLineWriter(source: number): LineWriter {
     }
     current = '';
     mapped = null;
+    onLine.clear();
   }
 
   return {
     lines,
     map,
     endLine,
-    write: (text, place) => {
-      if (place !== undefined && mapped !== null && mapped[1] !== place.line) {
+    write: (text, place, quoted = quotedAs(text)) => {
+      const isTwice = apart && onLine.has(quoted);
+      if (place !== undefined && mapped !== null && (isTwice || mapped[1] !== place.line)) {
         endLine();
         current = '  ';
       }
-      if (place !== undefined) mapped ??= [source, place.line, place.column];
+      if (place !== undefined) {
+        mapped ??= [source, place.line, place.column];
+        onLine.add(quoted);
+      }
       current += text;
     },
     own: (text) => {

@@ -41,7 +41,7 @@ export function linkPass(unit: LinkUnit, pass: PlannedPass, also: readonly (Func
   const needed = reachOfPass(unit, pass);
   const reach = findReach(checked, { passIndex: pass.passIndex, images, names, also });
   const context: PrintContext = {
-    writer: createLineWriter(0),
+    writer: createLineWriter(0, unit.options.loopBudget === true),
     names,
     reach,
     passIndex: pass.passIndex,

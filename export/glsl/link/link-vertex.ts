@@ -65,7 +65,7 @@ function printVertex(unit: LinkUnit, fragment: CheckedShader, pass: PlannedPass,
   const reach = findReach(checked, { passIndex, images, names, also: usable(checked) });
   const loopBudget = isBounded && reach.hasLoops;
   const context: PrintContext = {
-    writer: createLineWriter(0),
+    writer: createLineWriter(0, options.loopBudget === true),
     names,
     reach,
     passIndex,

@@ -66,7 +66,10 @@ export interface LinkedUniform {
 export interface LinkOptions {
   /** Node that the text belongs to, for source maps and diagnostics. */
   readonly node: string;
-  /** Bound every invocation's loops, for previews and checks; see `export/program/loop-budget.ts`. */
+  /**
+   * For previews and checks: bound every invocation's loops (`export/program/loop-budget.ts`), and print so that it is clear which
+   * token a driver quotes.
+   */
   readonly loopBudget?: boolean;
   /** Optional image, depth and sound inputs without a wire: reads give transparent black, 0 and silence. */
   readonly absent?: readonly string[];

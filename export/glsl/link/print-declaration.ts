@@ -9,6 +9,7 @@ import type {
   VariableDeclaration,
   VariableSymbol,
 } from '../syntax/ast.ts';
+import { ASSIGNMENT } from './line-writer.ts';
 import type { PrintContext } from './print-context.ts';
 import { CHOOSE, printDimensions, printExpression, printTypeName } from './print-expression.ts';
 import type { Instance } from './reach.ts';
@@ -158,10 +159,14 @@ function printStruct(struct: StructDeclaration, context: PrintContext): void {
 
 function printDeclarator(declarator: Declarator, context: PrintContext, guard = ''): void {
   const { writer, names } = context;
-  writer.write(declarator.symbol === null ? declarator.name.text : names.of(declarator.symbol), declarator.name);
+  const { equals, initializer } = declarator;
+  // Drivers tell of the value at the name.
+  const quoted = equals === null ? undefined : ASSIGNMENT;
+  writer.write(declarator.symbol === null ? declarator.name.text : names.of(declarator.symbol), declarator.name, quoted);
   printDimensions(declarator.dimensions, context);
-  if (declarator.initializer === null) return;
-  writer.write(guard === '' ? ' = ' : ` = ${guard}(`);
-  printExpression(declarator.initializer, context);
+  if (equals === null || initializer === null) return;
+  writer.write(' = ', equals);
+  if (guard !== '') writer.write(`${guard}(`);
+  printExpression(initializer, context);
   if (guard !== '') writer.write(')');
 }

@@ -68,6 +68,8 @@ export interface VariableDeclaration {
 export interface Declarator {
   readonly name: Token;
   readonly dimensions: readonly Dimension[];
+  /** The `=`, where there is one. */
+  readonly equals: Token | null;
   readonly initializer: Expression | null;
   symbol: VariableSymbol | null;
 }

@@ -49,8 +49,9 @@ export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarato
   do {
     const name = cursor.name('the variable');
     const dimensions = parseDimensions(cursor);
-    const initializer = cursor.accept('=') ? parseInitializer(cursor, type, dimensions) : null;
-    declarators.push({ name, dimensions, initializer, symbol: null });
+    const equals = cursor.accept('=');
+    const initializer = equals ? parseInitializer(cursor, type, dimensions) : null;
+    declarators.push({ name, dimensions, equals, initializer, symbol: null });
   } while (cursor.accept(','));
   return declarators;
 }

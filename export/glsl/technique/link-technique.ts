@@ -1,6 +1,7 @@
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { COUNTED_BUDGET, LOOP_BUDGET } from '../../program/loop-budget.ts';
 import type { LinkedShader, PassUniform, SourceMap } from '../../program/program.ts';
+import { checkCalls } from '../check/check-calls.ts';
 import { type CheckedShader, checkShader } from '../check/check-shader.ts';
 import { countRounds } from '../check/count-rounds.ts';
 import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
@@ -83,6 +84,7 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loop
     throw new GlslError({ line: INTERFACE_LINES + 1, column: 1 }, 'The technique has no "vec4 surface(const in Surface s) { … }".');
   const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
   const checked = checkShader(parsed, given);
+  checkCalls(checked, (name) => checked.declarations.some((one) => one.kind === 'function' && one.name.text === name && isInterface(one)));
   const unit: Unit = { technique, expanded, checked, given, loopBudget, absent: new Set(absent) };
   const names = namesFor(unit);
   const uses = usesOf(unit, checked.main, names);
@@ -182,7 +184,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
   const names = namesFor(unit);
   const { reach, images } = usesOf(unit, root, names);
   const context: PrintContext = {
-    writer: createLineWriter(0),
+    writer: createLineWriter(0, unit.loopBudget),
     names,
     reach,
     passIndex: 0,
