@@ -9,19 +9,25 @@ const COUNTS = [1, 10, 112, 500];
 /** So small that many models are a matter of corners alone. */
 const PLAN = { widthPx: 64, heightPx: 48, shadowMapPx: 256, occlusion: true, shadow: false, filter: 'pcf' } as const;
 
-/** What textures hold on the GPU, whatever the number of nodes that show the same model. */
+const WAYS = [
+  ['in a room', {}],
+  ['by one node of copies', { copies: true }],
+] as const;
+
+/** What textures hold on the GPU, whatever the number of nodes that show the same model, or of its instances. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const model = await findModel(root);
   if (model === null) return [];
-  return COUNTS.map((count) => ({
-    name: `texture bytes, ${count} cameras in a room`,
+  const cases = WAYS.flatMap(([way, more]) => COUNTS.map((count) => ({ way, more, count })));
+  return cases.map(({ way, more, count }) => ({
+    name: `texture bytes, ${count} cameras ${way}`,
     unit: 'kB',
     samples: 1,
     sample: async () => {
       const folder = await roomFolder(model);
       const browser = await startBenchBrowser();
       try {
-        const page = await openOurs(browser, root, folder, { ...PLAN, count });
+        const page = await openOurs(browser, root, folder, { ...PLAN, ...more, count });
         // Textures go to the GPU with the first frame that shows them.
         await call(page, 'frameMs', 1);
         return (await call<number>(page, 'textureBytes')) / 1000;

@@ -1,9 +1,9 @@
-import { CAMERA_SCALE, FLOOR_M, placesOf, type RoomPlan, SHADOW_AREA_M } from './pages/room-plan.ts';
+import { CAMERA_SCALE, FLOOR_M, placesOf, type RoomPlan, SHADOW_AREA_M, SPACING_M } from './pages/room-plan.ts';
 
 export const MODEL_FILE = 'AntiqueCamera.glb';
 
-/** A project that draws the plan: as many model nodes as models, lit by the room, their shadows on the real floor, hidden by real depth. */
-export function roomProject({ count, occlusion, shadow, shadowMapPx, filter }: RoomPlan): object {
+/** A project that draws the plan: as many model nodes as models, or one and its copies, lit by the room, their shadows on the real floor, hidden by real depth. */
+export function roomProject({ count, occlusion, shadow, shadowMapPx, filter, copies }: RoomPlan): object {
   const nodes: Record<string, object> = {
     'every-0000': node('objects/group'),
     'floor-0000': node('objects/primitive', { shape: 'plane', sizeM: [FLOOR_M[0], 0, FLOOR_M[1]] }),
@@ -34,11 +34,16 @@ export function roomProject({ count, occlusion, shadow, shadowMapPx, filter }: R
   const drawn = occlusion ? 'hide-0000.layer' : 'scene-0000.layer';
   if (shadow) wires.push(`${drawn} -> over-0000.top`, 'shadow-0000.layer -> over-0000.bottom', 'over-0000.layer -> screen-0000.layer');
   else wires.push(`${drawn} -> screen-0000.layer`);
-  placesOf(count).forEach((positionM, i) => {
+  if (copies) {
+    nodes['copies-0000'] = node('objects/copies', { pattern: 'grid', count, stepM: [SPACING_M, 0, SPACING_M] });
+    wires.push('place-0000.objects -> copies-0000.objects', 'copies-0000.objects -> every-0000.objects');
+  }
+  placesOf(copies ? 1 : count).forEach((positionM, i) => {
     const name = String(i).padStart(4, '0');
     nodes[`model-${name}`] = node('source/model', { model: 'camera', playing: false });
     nodes[`place-${name}`] = node('objects/transform', { positionM, scale: CAMERA_SCALE });
-    wires.push(`model-${name}.objects -> place-${name}.objects`, `place-${name}.objects -> every-0000.objects`);
+    wires.push(`model-${name}.objects -> place-${name}.objects`);
+    if (!copies) wires.push(`place-${name}.objects -> every-0000.objects`);
   });
   return {
     format: 'scrim-project',

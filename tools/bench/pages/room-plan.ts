@@ -9,6 +9,8 @@ export interface RoomPlan {
   readonly shadow: boolean;
   /** How the edges of shadows are found; three.js alone always filters (`PCFShadowMap`), which is `pcf` here. */
   readonly filter: 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
+  /** One model and a node that copies it, instead of a node for each. */
+  readonly copies?: true;
 }
 
 /** The antique camera's file is about 7 units tall. */
@@ -25,7 +27,7 @@ export const SUN_IRRADIANCE = [2.2, 2.1, 1.9] as const;
 export const TOWARDS_SUN = [-0.48, 0.8, 0.36] as const;
 
 const COLUMNS = 14;
-const SPACING_M = 0.33;
+export const SPACING_M = 0.33;
 
 /** Where each of them stands, on the floor, all in sight; few stand as close together as many. */
 export function placesOf(count: number): (readonly [x: number, y: number, z: number])[] {

@@ -34,6 +34,15 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
   object.matrixAutoUpdate = false;
   object.matrixWorldAutoUpdate = false;
   const { shows } = plan;
+  let placed = isInstanced(object) ? object.instanceMatrix.version : 0;
+
+  /** three leaves out what its sphere says is out of sight, and makes that once. */
+  function followInstances(): void {
+    if (!isInstanced(object) || object.instanceMatrix.version === placed) return;
+    placed = object.instanceMatrix.version;
+    object.computeBoundingSphere();
+  }
+
   return {
     object,
     master,
@@ -41,6 +50,7 @@ export function createProxy(master: Drawable, item: ObjectItem, plan: ProxyPlan)
     update: () => {
       object.visible = (shows?.(item) ?? true) && isShown(master, item.root);
       object.receiveShadow = item.receivesShadow;
+      followInstances();
       object.matrixWorld.multiplyMatrices(item.worldFromObject, master.matrixWorld);
     },
     dispose: () => {
