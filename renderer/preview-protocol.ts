@@ -131,6 +131,8 @@ export interface PreviewStatus {
   readonly request: number | null;
   /** Of a recording its own frame, later rounds counted on; else how many there were. */
   readonly frame: number;
+  /** The picture is an earlier frame's: that of `frame` is being decoded. */
+  readonly late: boolean;
   readonly timeS: number;
   /** Mean time of the last frames on the CPU. */
   readonly frameMs: number;

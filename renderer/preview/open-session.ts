@@ -35,6 +35,8 @@ export interface OpenSession {
 /** The time of a recording. */
 export interface Reel {
   readonly frames: FrameTimes;
+  /** The picture is an earlier frame's: its own is being decoded. */
+  readonly isLate: boolean;
   /** To a moment, seconds since it began. */
   seek(timeS: number): void;
   /** To the next frame; how much time is passed over. */
@@ -112,6 +114,9 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
     diagnostics,
     reel: output && {
       frames: output.frames,
+      get isLate() {
+        return session.isLate;
+      },
       seek: session.seekTime,
       step: () => {
         const fromS = session.playheadS;

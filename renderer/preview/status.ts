@@ -9,7 +9,7 @@ export interface Status {
   setRequest(request: number): void;
   /** Around the drawing of a frame. */
   begin(): void;
-  end(frame: SessionFrame): void;
+  end(frame: SessionFrame, late: boolean): void;
   /** Frames and time count from the next frame on; frames that repeat a held moment do not count. `frames`: of a recording. */
   rewind(frames: FrameTimes | null): void;
 }
@@ -23,6 +23,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
     state: 'loading' as PreviewStatus['state'],
     request: null as PreviewStatus['request'],
     frame: 0,
+    late: false,
     timeS: 0,
     frameMs: 0,
     widthPx: 0,
@@ -50,10 +51,12 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
     begin: () => {
       beganS = clock.nowS();
     },
-    end: (frame) => {
+    end: (frame, late) => {
       const nowS = clock.nowS();
       const tookMs = (nowS - beganS) * 1000;
       const moved = originS === null || frame.timeS !== lastS;
+      const arrived = status.late && !late;
+      status.late = late;
       if (originS === null) status.frame = 0;
       else if (moved) status.frame++;
       // A recording says its own time; others begin when they are begun.
@@ -64,7 +67,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
       status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
       status.widthPx = frame.framebufferWidthPx;
       status.heightPx = frame.framebufferHeightPx;
-      if (nowS - sentS >= INTERVAL_S || (moved && status.state === 'paused')) tell();
+      if (nowS - sentS >= INTERVAL_S || ((moved || arrived) && status.state === 'paused')) tell();
     },
     rewind: (of) => {
       originS = null;

@@ -165,7 +165,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     if (!house || lost) return;
     status.begin();
     house.player.draw(frame);
-    status.end(frame);
+    status.end(frame, open?.reel?.isLate ?? false);
     house.meter.afterFrame();
     if (!posters.busy) showLook(house.player, frame, look);
     if (plays) posters.afterFrame();

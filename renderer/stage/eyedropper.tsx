@@ -1,4 +1,4 @@
-import { type KeyboardEvent, type MouseEvent, useEffect, useRef, useState } from 'react';
+import { type KeyboardEvent, type MouseEvent, useEffect, useLayoutEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import type { PreviewProbe } from '../preview-protocol.ts';
 import { useEditor } from '../shell/editor-context.ts';
@@ -107,7 +107,8 @@ function stepped(part: number, by: number, sizePx: number): number {
 function Loupe({ probed, at }: { readonly probed: PreviewProbe; readonly at: Point }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const { around } = probed;
-  useEffect(() => {
+  // With the words, not a paint after them.
+  useLayoutEffect(() => {
     const context = canvas.current?.getContext('2d');
     if (context && around) context.putImageData(new ImageData(around, SIDE_PX, SIDE_PX), 0, 0);
   }, [around]);

@@ -18,7 +18,7 @@ export function Stage({ previewUrl }: { readonly previewUrl: string }) {
   const { preview, compile } = useEditor();
   const loading = useStore(preview, isLoading);
   const newest = useStore(compile, (state) => state.programRevision);
-  const answered = useStore(preview, ({ playing, refused }) => playing === newest || refused === newest);
+  const answered = useStore(preview, ({ playing, refused, asked }) => (playing === newest || refused === newest) && asked === null);
   return (
     <section className="stage" aria-label="Preview" aria-busy={loading || !answered}>
       <div className="stage-picture">

@@ -192,7 +192,10 @@ function takeMessage(
     case 'status': {
       const { status } = message;
       // Once it has been shown, what was asked for is what is there.
-      preview.setState((state) => ({ status, asked: status.state !== 'paused' || state.asked === status.frame ? null : state.asked }));
+      preview.setState(({ asked }) => ({
+        status,
+        asked: status.state !== 'paused' || (asked === status.frame && !status.late) ? null : asked,
+      }));
       return;
     }
     case 'frames':

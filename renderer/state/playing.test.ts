@@ -22,8 +22,8 @@ beforeEach(async () => {
   sent = [];
 });
 
-function status(frame: number, state: PreviewStatus['state'] = 'paused'): void {
-  feed.receive({ kind: 'status', status: { state, request: 0, frame, timeS: frame / 10, frameMs: 1, widthPx: 4, heightPx: 3 } });
+function status(frame: number, state: PreviewStatus['state'] = 'paused', late = false): void {
+  feed.receive({ kind: 'status', status: { state, request: 0, frame, late, timeS: frame / 10, frameMs: 1, widthPx: 4, heightPx: 3 } });
 }
 
 const shown = () => frameOf(editor.preview.getState());
@@ -44,6 +44,15 @@ describe('frames', () => {
     status(5, 'playing');
     status(8, 'playing');
     expect(shown()).toBe(8);
+  });
+
+  test('are there once their own picture is', () => {
+    status(3);
+    goToFrame(editor, 7);
+    status(7, 'paused', true);
+    expect(editor.preview.getState().asked).toBe(7);
+    status(7);
+    expect(editor.preview.getState().asked).toBeNull();
   });
 
   test('are gone to while the preview is held, and there is none before the first', () => {

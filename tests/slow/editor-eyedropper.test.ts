@@ -2,6 +2,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 
 /** What the camera sees, with a tint of a colour that is half see-through. */
@@ -75,7 +76,7 @@ test('a click takes the colour of the pixel that is shown large, as one step, an
   await page.mouse.down();
   await page.mouse.up();
   await eyedropper().waitFor({ state: 'detached' });
-  expect(await pipette().evaluate((button) => button === document.activeElement)).toBe(true);
+  await eventually(async () => expect(await pipette().evaluate((button) => button === document.activeElement)).toBe(true));
   // The opacity is the param's own.
   expect(await savedColor()).toEqual([r / 255, g / 255, b / 255, 0.5]);
   await editor.node('color').locator('.node-title').click();

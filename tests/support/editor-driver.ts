@@ -162,8 +162,9 @@ export class EditorDriver {
     await this.hold();
     await this.press('Back to the first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
-    // That may have been said of the frame before; two paints later the preview has drawn the one asked for.
+    // The number is what was asked for; its picture comes a little later. What follows no recording draws at its next frame.
     await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await this.settled();
     return this.restingPicture();
   }
 

@@ -14,6 +14,8 @@ export interface DecodedFrame {
 export interface FrameCache {
   /** Frames that the budget holds. */
   readonly capacity: number;
+  /** It is being decoded. */
+  isComing(index: number): boolean;
   /** The frame if it is decoded; using it keeps it from being forgotten. */
   get(index: number): DecodedFrame | null;
   /** Decodes it if need be. Null where its colour is broken. */
@@ -78,6 +80,7 @@ export function createFrameCache(
   };
   return {
     capacity,
+    isComing: (index) => pending.has(index),
     get: (index) => {
       const frame = decoded.get(index);
       if (frame) touch(frame);

@@ -43,6 +43,8 @@ export interface RecordedSession extends Session {
   step(index: number): Promise<boolean>;
   /** Of `clock`: what is shown, or comes next, in seconds since the first frame, later rounds included. */
   readonly playheadS: number;
+  /** Of `clock`: the picture that was shown last is an earlier frame's, because its own is not decoded yet. */
+  readonly isLate: boolean;
   /** Goes on from frame `index`, and says so with a `reset`. */
   seek(index: number): void;
   /** Goes on from a moment, seconds since its first frame, later rounds included; says so with a `reset`. */
@@ -78,6 +80,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   let ended = false;
   /** What the textures hold. */
   let shown: DecodedFrame | null = null;
+  let isLate = false;
   /** Null after a jump: no time has passed since. */
   let deliveredS: number | null = null;
   const problems: string[] = [];
@@ -110,6 +113,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     // What is not decoded yet holds nothing up: the frame before stays.
     const mine = cache.get(index);
     if (!mine && options.onArrival) void cache.request(index).then((arrived) => arrived && options.onArrival?.());
+    isLate = cache.isComing(index);
     const decoded = mine ?? shown ?? cache.get(0);
     return decoded !== null && deliver(reel, decoded, count, playheadS);
   };
@@ -182,6 +186,9 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     },
     get playheadS() {
       return playback?.playheadS ?? 0;
+    },
+    get isLate() {
+      return isLate;
     },
     seek: (index) => {
       if (reel) seekTime(timeOfFrame(reel.frames, index));
