@@ -35,7 +35,7 @@ describeElectron('the editor in Electron', await findElectron(), (launch) => {
     });
     await visitExportedPage(visitor.browser, join(base, 'page'));
     await expectPoster(visitor.browser, join(base, 'page'));
-  }, 480_000);
+  }, 900_000);
 });
 
 /** The system's own dialog cannot be reached from a page; Electron is told what the person would have picked. */
