@@ -106,8 +106,8 @@ export const HOST_CONTRACT = {
       previewUrl: z.string(),
       /** What to open at start. */
       startPath: z.string().nullable(),
-      /** `picture`: what they show, as a `data:` address; left out where there is none. */
-      examples: z.array(z.object({ title: z.string(), path: z.string(), picture: pictureUrl })),
+      /** `types`: the node types that they use. `picture`: what they show, as a `data:` address; left out where there is none. */
+      examples: z.array(z.object({ title: z.string(), path: z.string(), types: z.array(z.string()), picture: pictureUrl })),
       /** What a new project can begin with, the default first. */
       templates: z.array(z.object({ name: z.string(), title: z.string(), description: z.string(), picture: pictureUrl })),
       canPickFolders: z.boolean(),

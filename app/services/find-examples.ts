@@ -5,6 +5,8 @@ import { PROJECT_FILE } from './project-files.ts';
 export interface Example {
   readonly title: string;
   readonly path: string;
+  /** The node types that it uses. */
+  readonly types: string[];
   /** As a `data:` address. */
   readonly picture?: string;
 }
@@ -36,9 +38,20 @@ async function readExample(path: string): Promise<Example | null> {
   const text = await readFile(join(path, PROJECT_FILE), 'utf8').catch(() => null);
   if (text === null) return null;
   try {
-    const { title } = JSON.parse(text) as { title?: unknown };
-    return typeof title === 'string' ? { title, path } : null;
+    const { title, graphs } = JSON.parse(text) as { title?: unknown; graphs?: unknown };
+    return typeof title === 'string' ? { title, path, types: typesIn(graphs) } : null;
   } catch {
     return null;
   }
+}
+
+/** Examples are ours, and still a file that anybody can change: what is no node is passed over. */
+function typesIn(graphs: unknown): string[] {
+  const nodes = values(graphs).flatMap((graph) => values((graph as { nodes?: unknown } | null)?.nodes));
+  const types = nodes.map((node) => (node as { type?: unknown } | null)?.type).filter((type) => typeof type === 'string');
+  return [...new Set(types)].sort();
+}
+
+function values(table: unknown): unknown[] {
+  return typeof table === 'object' && table !== null ? Object.values(table) : [];
 }

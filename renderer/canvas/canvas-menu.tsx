@@ -44,6 +44,7 @@ const ON_NODE = [
   'view.compare',
   'view.code',
   'view.fit-selection',
+  'view.help',
   'line',
   'edit.delete',
 ] as const;

@@ -1,5 +1,6 @@
 import { useStore } from 'zustand';
 import { Canvas } from '../canvas/canvas.tsx';
+import { HelpPanel } from '../help/help-panel.tsx';
 import { Inspector } from '../inspector/inspector.tsx';
 import { Stage } from '../stage/stage.tsx';
 import type { Editor } from '../state/editor.ts';
@@ -76,8 +77,27 @@ function Work() {
       minPx={120}
       otherMinPx={160}
       onResize={(px) => resize(ui, { bottomHeightPx: px })}
-      first={<Canvas />}
+      first={<Graph />}
       second={tab === null ? null : <BottomPanel tab={tab} />}
+    />
+  );
+}
+
+function Graph() {
+  const { ui } = useEditor();
+  const help = useStore(ui, (state) => state.help);
+  const { helpWidthPx } = useStore(ui, (state) => state.sizes);
+  return (
+    <Split
+      direction="columns"
+      fixed="second"
+      label="Width of the help"
+      sizePx={helpWidthPx}
+      minPx={200}
+      otherMinPx={320}
+      onResize={(px) => resize(ui, { helpWidthPx: px })}
+      first={<Canvas />}
+      second={help ? <HelpPanel /> : null}
     />
   );
 }

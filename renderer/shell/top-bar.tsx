@@ -106,7 +106,7 @@ const MENUS: readonly { readonly label: string; readonly entries: readonly (AppC
       'play.loop',
     ],
   },
-  { label: 'Help', entries: ['help.commands', 'help.shortcuts', 'line', 'help.tour'] },
+  { label: 'Help', entries: ['view.help', 'help.commands', 'help.shortcuts', 'line', 'help.tour'] },
 ];
 
 export function TopBar() {

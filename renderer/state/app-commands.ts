@@ -175,6 +175,13 @@ const COMMANDS = {
     run: (editor) => toggleBottom(editor, 'problems'),
     whileTyping: true,
   },
+  'view.help': {
+    label: 'Help for the node',
+    chords: ['F1'],
+    enabled: always,
+    run: ({ ui }) => ui.setState(({ help }) => ({ help: !help })),
+    whileTyping: true,
+  },
   'view.theme': { label: 'Light or dark', chords: [], enabled: always, run: switchTheme },
   'view.motion': { label: 'Less motion', chords: [], enabled: always, run: switchMotion },
   'play.toggle': { label: 'Play or pause', chords: ['Space'], enabled: isOpen, run: togglePlay, where: 'time' },
@@ -226,7 +233,7 @@ const COMMANDS = {
   'play.loop': { label: 'Loop', chords: ['Shift+L'], enabled: hasFrames, run: toggleLoop, where: 'time' },
   'help.commands': {
     label: 'All commands…',
-    chords: ['Mod+K', 'F1'],
+    chords: ['Mod+K'],
     enabled: always,
     run: ({ ui }) => ui.setState({ dialog: { kind: 'commands' } }),
     whileTyping: true,

@@ -5,7 +5,7 @@ import { DEFAULT_SIZES, type PanelSizes } from './ui.ts';
 const KEY = 'scrim-panels';
 const PAUSE_MS = 300;
 const NARROW_PX = 1200;
-const NARROW_SIZES = { sideWidthPx: 330, previewHeightPx: 270, bottomHeightPx: 250 };
+const NARROW_SIZES = { sideWidthPx: 330, previewHeightPx: 270, bottomHeightPx: 250, helpWidthPx: 240 };
 
 /** As the person left them; defaults, narrower in a narrow window, for what is missing or senseless. */
 export function loadSizes(storage: Pick<Storage, 'getItem'>, windowWidthPx: number): PanelSizes {
@@ -20,7 +20,12 @@ export function loadSizes(storage: Pick<Storage, 'getItem'>, windowWidthPx: numb
     const value = saved[name];
     return typeof value === 'number' && value > 0 && value < 10_000 ? value : defaults[name];
   };
-  return { sideWidthPx: size('sideWidthPx'), previewHeightPx: size('previewHeightPx'), bottomHeightPx: size('bottomHeightPx') };
+  return {
+    sideWidthPx: size('sideWidthPx'),
+    previewHeightPx: size('previewHeightPx'),
+    bottomHeightPx: size('bottomHeightPx'),
+    helpWidthPx: size('helpWidthPx'),
+  };
 }
 
 export function keepSizes({ ui, clock }: Editor, storage: Pick<Storage, 'setItem'>): () => void {

@@ -8,9 +8,10 @@ export interface PanelSizes {
   readonly sideWidthPx: number;
   readonly previewHeightPx: number;
   readonly bottomHeightPx: number;
+  readonly helpWidthPx: number;
 }
 
-export const DEFAULT_SIZES: PanelSizes = { sideWidthPx: 380, previewHeightPx: 330, bottomHeightPx: 280 };
+export const DEFAULT_SIZES: PanelSizes = { sideWidthPx: 380, previewHeightPx: 330, bottomHeightPx: 280, helpWidthPx: 300 };
 
 export type BottomTab = 'code' | 'timeline' | 'problems';
 
@@ -77,6 +78,8 @@ export interface Exporting {
 export interface UiState {
   readonly sizes: PanelSizes;
   readonly bottom: BottomTab | null;
+  /** What the selected node does is told beside the graph. */
+  readonly help: boolean;
   /** The header of the shader is shown as a form beside its text. */
   readonly headerForm: boolean;
   /** Shaders of the project that another program wrote last: they are read only here until they are taken back. */
@@ -100,6 +103,7 @@ export function createUi(sizes: PanelSizes): UiStore {
   return createStore<UiState>(() => ({
     sizes,
     bottom: null,
+    help: false,
     headerForm: false,
     outside: [],
     palette: null,

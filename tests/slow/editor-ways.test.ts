@@ -84,7 +84,7 @@ test('commands are found by name, and do what they say', async () => {
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.documentElement.dataset.theme === 'light');
   expect(isLightColour((await theme())[1])).toBe(true);
-  await page.keyboard.press('F1');
+  await page.keyboard.press('Control+k');
   await dialog.getByRole('combobox').fill('less motion');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.documentElement.dataset.motion === 'reduced');

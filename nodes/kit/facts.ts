@@ -1,0 +1,101 @@
+import {
+  type InputPort,
+  type Need,
+  type NodeDefinition,
+  type OutputPort,
+  type ParamDefinition,
+  paramWireType,
+  type Unit,
+} from './definition.ts';
+import { WIRE_TYPES } from './wire-types.ts';
+
+/** What is known of ports, params and needs, in a few words each: for the help beside the graph and for `docs/nodes.md`. */
+
+export function inputFacts(port: InputPort): readonly string[] {
+  const several = port.multiple ? ['takes several'] : [];
+  return [WIRE_TYPES[port.type].label.toLowerCase(), port.required ? 'required' : 'optional', ...several];
+}
+
+export function outputFacts({ type, depth }: OutputPort): readonly string[] {
+  const words = depth === true ? ['with depth'] : depth === 'same' ? ['depth as the first input'] : [];
+  return [WIRE_TYPES[type].label.toLowerCase(), ...(type === 'layer' ? words : [])];
+}
+
+/** Whether a wire can bind it. */
+export function canBeWired(param: ParamDefinition): boolean {
+  return paramWireType(param) !== undefined;
+}
+
+/** Kind, default and range, in the units that the inspector shows. */
+export function paramFacts(param: ParamDefinition): readonly string[] {
+  switch (param.type) {
+    case 'number':
+      return ['number', `default ${quantity(param.default, param.unit)}`, ...range(param.min, param.max, param.unit)];
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+      return [WIRE_TYPES[param.type].label.toLowerCase(), `default (${param.default.map((n) => quantity(n, param.unit)).join(', ')})`];
+    case 'color':
+      return ['colour', `default ${hex(param.default)}`];
+    case 'toggle':
+      return ['toggle', `default ${param.default ? 'on' : 'off'}`];
+    case 'text':
+      return ['text', param.default === '' ? 'empty by default' : `default "${param.default}"`];
+    case 'choice':
+      return [
+        `one of ${param.options.map((option) => `"${option.label}"`).join(', ')}`,
+        `default "${param.options.find((option) => option.value === param.default)?.label ?? param.default}"`,
+      ];
+    case 'asset':
+      return [`${param.accept} file`];
+  }
+}
+
+/** Whether it is required, and with which choices. */
+export function needFacts(definition: NodeDefinition, { required, when, where }: Need): readonly string[] {
+  return [
+    required ? 'required' : 'optional',
+    ...(when === 'sampled' ? ['only when the picture is read by a node'] : []),
+    ...(where ? [`only with ${choiceWords(definition, where)}`] : []),
+  ];
+}
+
+function choiceWords({ params }: NodeDefinition, { param: name, is }: NonNullable<Need['where']>): string {
+  const param = params[name];
+  if (typeof is === 'boolean') return `“${param?.label ?? name}” ${is ? 'on' : 'off'}`;
+  const option = param?.type === 'choice' ? param.options.find(({ value }) => value === is) : undefined;
+  return `“${param?.label ?? name}” at “${option?.label ?? String(is)}”`;
+}
+
+function range(min: number | undefined, max: number | undefined, unit: Unit | undefined): string[] {
+  if (min !== undefined && max !== undefined) return [`${quantity(min, undefined, unit)} to ${quantity(max, unit)}`];
+  if (min !== undefined) return [`from ${quantity(min, unit)}`];
+  return max === undefined ? [] : [`to ${quantity(max, unit)}`];
+}
+
+const SUFFIX: Readonly<Record<Unit, string>> = {
+  m: ' m',
+  s: ' s',
+  rad: '°',
+  px: ' px',
+  K: ' K',
+  Hz: ' Hz',
+  cd: ' cd',
+  ratio: '',
+  none: '',
+};
+
+/** `scaledBy` converts without naming the unit, for the first end of a range. */
+function quantity(value: number, unit: Unit | undefined, scaledBy: Unit | undefined = unit): string {
+  const shown = scaledBy === 'rad' ? (value * 180) / Math.PI : value;
+  return `${Number(shown.toPrecision(6))}${unit === undefined ? '' : SUFFIX[unit]}`;
+}
+
+function hex(color: readonly number[]): string {
+  const bytes = color.map((c) =>
+    Math.round(c * 255)
+      .toString(16)
+      .padStart(2, '0'),
+  );
+  return `#${(bytes[3] === 'ff' ? bytes.slice(0, 3) : bytes).join('')}`;
+}
