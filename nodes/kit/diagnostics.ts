@@ -40,7 +40,7 @@ export const DIAGNOSTICS = {
   SCR021: 'The node does nothing: nothing on screen depends on it',
   SCR022: 'The expression cannot be read',
   SCR023: 'More lights are wired than can be drawn',
-  SCR024: 'A shadow has another shape than the thing that casts it',
+  SCR024: 'A shadow is not of the shape or darkness of the thing that casts it',
   SCR025: 'The device cannot draw shadows as they are set up',
   // Assets
   SCR030: 'The asset is not in the project',

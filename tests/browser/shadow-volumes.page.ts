@@ -55,6 +55,7 @@ export function lamps() {
   };
   const holes = new MeshLambertMaterial({ alphaTest: 0.5, map: new DataTexture(new Uint8Array(4).fill(255), 1, 1) });
   const told: Omit<Diagnostic, 'nodeId'>[] = [];
+  const veiled: Omit<Diagnostic, 'nodeId'>[] = [];
   return {
     one: alpha({}),
     two: alpha({ lights: [left, right] }),
@@ -62,11 +63,13 @@ export function lamps() {
     eight: alpha({ lights: Array.from({ length: 8 }, () => left) }),
     none: alpha({ casters: [] }),
     noCaster: alpha({ casters: [plate({ castsShadow: false })] }),
-    faint: alpha({ casters: [plate({ material: new MeshLambertMaterial({ transparent: true, opacity: 0.3 }) })] }),
+    faint: alpha({ casters: [plate({ material: new MeshLambertMaterial({ transparent: true, opacity: 0.3 }) })], told: veiled }),
     dense: alpha({ casters: [plate({ material: new MeshLambertMaterial({ transparent: true, opacity: 0.7 }) })] }),
     noReceiver: alpha({ receivers: [desk({ receivesShadow: false })] }),
     holes: alpha({ casters: [plate({ material: holes })], told }),
-    told: told.map(({ code, port }) => `${code} at ${port}`),
+    told: [told, veiled]
+      .flat()
+      .map(({ code, port, message }) => `${code} at ${port}: ${message.includes('see-through') ? 'see-through' : 'shape'}`),
     error: stand.gl.getError(),
   };
 }

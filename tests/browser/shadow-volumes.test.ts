@@ -33,7 +33,7 @@ test('shares light between lamps, follows flags and opacity, and says whose shap
     dense: FULL,
     noReceiver: 0,
     holes: FULL,
-    told: ['SCR024 at casters'],
+    told: ['SCR024 at casters: shape', 'SCR024 at casters: see-through'],
     error: 0,
   });
 });

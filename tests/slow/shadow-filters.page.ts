@@ -4,7 +4,7 @@ import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
 import { definition as directional } from '../../nodes/light/directional/definition.ts';
 import { create as createDirectional } from '../../nodes/light/directional/runtime.ts';
 import { bulb, drawView, lights, lookingAt, objects, pixel, spot, sun, translation, viewOf } from '../browser/scenes-kit.ts';
-import { desk, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
+import { desk, type Method, SIDES, shoot, stand, thing } from '../browser/shadow-kit.ts';
 import { fakeContext } from '../support/node-context.ts';
 import { BLOCK, look, measuredRoom, ROOM_CAMERA } from './block-room.ts';
 
@@ -152,10 +152,10 @@ export function onRoom(receivers: 'none' | 'floor', block: boolean) {
 }
 
 /** A phantom floor alone, and a real block before it: without depth the floor's shadow lies on the block's picture. */
-export function clipped() {
+export function clipped(method: Method) {
   const plate = thing(new PlaneGeometry(0.5, 0.5).rotateX(-Math.PI / 2), { at: translation(0.05, 0.7, 0) });
   const light = sun(TOWARDS.toArray(), { shadow: { areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: 0.005 } });
-  const shot = { casters: [plate], receivers: [desk()], lights: [light], method: 'map', camera: ROOM_CAMERA, strength: 1 } as const;
+  const shot = { casters: [plate], receivers: [desk()], lights: [light], method, camera: ROOM_CAMERA, strength: 1 } as const;
   const room = { depth: { views: [measuredRoom(160, 120, true)] }, toleranceM: { value: 0.05 } };
   const without = shoot(stand, shot);
   const within = shoot(stand, { ...shot, room });
@@ -183,7 +183,7 @@ export function clipped() {
  * Where a phantom floor's shadow ends behind a wavy room of few samples, one of which is unknown, against what blending the known
  * ones or the nearest says by hand. The plate lies so low that what is before the floor is lit.
  */
-export function clipBorder(interpolate: boolean) {
+export function clipBorder(interpolate: boolean, method: Method) {
   const [columns, rows, hole, toleranceM] = [24, 18, 9 * 24 + 11, 0.05];
   const depth = { ...measuredRoom(columns, rows, false), interpolate };
   const metres = Float32Array.from({ length: columns * rows }, (_, i) => {
@@ -210,7 +210,7 @@ export function clipBorder(interpolate: boolean) {
   };
   const plate = thing(new PlaneGeometry(1.6, 1.6).rotateX(-Math.PI / 2), { at: translation(0.1, 0.01, 0) });
   const light = sun([0, 1, 0], { shadow: { areaM: 3, mapSizePx: 1024, bias: 0, normalBiasM: 0.002 } });
-  const shot = { casters: [plate], receivers: [desk()], lights: [light], method: 'map', camera: ROOM_CAMERA, strength: 1 } as const;
+  const shot = { casters: [plate], receivers: [desk()], lights: [light], method, camera: ROOM_CAMERA, strength: 1 } as const;
   const whole = shoot(stand, shot);
   const cut = shoot(stand, { ...shot, room: { depth: { views: [depth] }, toleranceM: { value: toleranceM } } });
   const tally = { kept: 0, hidden: 0, lost: 0, left: 0 };

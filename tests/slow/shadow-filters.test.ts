@@ -84,15 +84,22 @@ describe('shadows on what room depth shows', () => {
     expect(error).toBe(0);
   });
 
-  test('are cut off where something real stands before the floor; what is not known cuts nothing', async () => {
-    const { misplaced, left, differs, error } = await page.call<Record<string, number>>('clipped');
-    expect(misplaced).toBeGreaterThan(500);
-    expect(left).toBeLessThan((misplaced ?? 0) * 0.02);
-    expect([differs, error]).toEqual([0, 0]);
-  });
+  test.each(['map', 'volume'])(
+    'are cut off where something real stands before the floor; what is not known cuts nothing (%s)',
+    async (method) => {
+      const { misplaced, left, differs, error } = await page.call<Record<string, number>>('clipped', method);
+      expect(misplaced).toBeGreaterThan(500);
+      expect(left).toBeLessThan((misplaced ?? 0) * 0.02);
+      expect([differs, error]).toEqual([0, 0]);
+    },
+  );
 
-  test.each([true, false])('are cut off where an occlusion hides what is behind, also between samples (blended: %s)', async (blended) => {
-    const { kept, hidden, lost, left, error } = await page.call<Record<string, number>>('clipBorder', blended);
+  test.each([
+    [true, 'map'],
+    [false, 'map'],
+    [true, 'volume'],
+  ])('are cut off where an occlusion hides what is behind, also between samples (blended: %s, %s)', async (blended, method) => {
+    const { kept, hidden, lost, left, error } = await page.call<Record<string, number>>('clipBorder', blended, method);
     console.log(`${kept} pixels kept, ${hidden} hidden, ${lost} lost, ${left} left`);
     expect(Math.min(kept ?? 0, hidden ?? 0)).toBeGreaterThan(10_000);
     expect([lost, error]).toEqual([0, 0]);

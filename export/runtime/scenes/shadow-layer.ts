@@ -10,6 +10,7 @@ import { createMapCatcher } from './materials/shadow-catcher.ts';
 import type { SceneRenderer } from './scene-renderer.ts';
 import { createShadowScene } from './shadow-scene.ts';
 import { createVolumeCatcher } from './volumes/volume-catcher.ts';
+import type { VolumeLimits } from './volumes/volume-set.ts';
 
 export interface ShadowLayerOptions {
   readonly renderer: SceneRenderer;
@@ -30,17 +31,21 @@ export function createShadowLayer({ renderer, look, maps, occlusion, limits, rep
     const catcher = createMapCatcher({ ...shared, maps, textureLimits: createTextureLimits(report) });
     return createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits: createLightLimits(report, 'shadows', limits) });
   }
-  const catcher = createVolumeCatcher({ ...shared, renderer, casters: volumesOf, catches, tellShaped: createTellShaped(report) });
+  const catcher = createVolumeCatcher({ ...shared, renderer, casters: volumesOf, catches, limits: createVolumeLimits(report) });
   return createShadowScene({ renderer, catcher, catches, occlusion, surface, watchLimits: () => {} });
 }
 
-function createTellShaped(report: DrawBinding['report']): (name: string) => void {
-  return (name) =>
-    report?.({
-      code: 'SCR024',
-      severity: 'warning',
-      port: 'casters',
-      message: `A picture cuts holes into “${name}”, or moves its surface; its shadow is that of the whole triangles, because shadow volumes know nothing else.`,
-      fix: 'Choose “Shadow map” as the method.',
-    });
+function createVolumeLimits(report: DrawBinding['report']): VolumeLimits {
+  const warn = (message: string): void =>
+    report?.({ code: 'SCR024', severity: 'warning', port: 'casters', message, fix: 'Choose “Shadow map” as the method.' });
+  return {
+    tellShaped: (name) =>
+      warn(
+        `A picture cuts holes into “${name}”, or moves its surface; its shadow is that of the whole triangles, because shadow volumes know nothing else.`,
+      ),
+    tellSeeThrough: (name) =>
+      warn(
+        `“${name}” is see-through, and shadow volumes know no alpha: its shadow is as of a solid thing, or it has none where more than half of the light comes through.`,
+      ),
+  };
 }

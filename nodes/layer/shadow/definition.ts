@@ -65,7 +65,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'Method',
-      doc: 'Shadow map: edges are a little soft, holes that a picture cuts let light through, and what is see-through dims it by its alpha. Shadow volume: edges are sharp at any distance, and what is see-through casts a full shadow or none; it costs the more, the more of the picture lies behind objects, and does not fall on room depth.',
+      doc: 'Shadow map: edges are a little soft, holes that a picture cuts let light through, and what is see-through dims it by its alpha. Shadow volume: edges are sharp at any distance, and what is see-through casts a full shadow or none; it costs the more, the more of the picture lies behind objects, and does not fall on what room depth shows, which only cuts it off.',
       default: 'map',
       options: [
         { value: 'map', label: 'Shadow map' },

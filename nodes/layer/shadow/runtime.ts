@@ -9,6 +9,14 @@ const NOTHING_TO_FALL_ON = {
   fix: 'Wire Real planes, Room depth or phantoms to it.',
 } as const;
 
+const VOLUMES_FALL_ON_NOTHING = {
+  code: 'SCR015',
+  severity: 'warning',
+  port: 'receivers',
+  message: '“Falls on” has no wire, and shadow volumes do not fall on what room depth shows: it only cuts them off.',
+  fix: 'Wire Real planes or phantoms to it, or choose “Shadow map” as the method.',
+} as const;
+
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { strength, color, toleranceM } = ctx.params;
   const { depth, receivers } = ctx.inputs;
@@ -18,7 +26,10 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const scene = ctx.scenes.createScene({ kind: 'shadow-catcher', strength, color, on, ...volumes, ...room });
   return {
     update: () => {
-      if (!depth && receivers.length === 0) ctx.report(NOTHING_TO_FALL_ON);
+      if (receivers.length === 0) {
+        if (!depth) ctx.report(NOTHING_TO_FALL_ON);
+        else if (method === 'volume') ctx.report(VOLUMES_FALL_ON_NOTHING);
+      }
       scene.update(receivers, ctx.inputs.lights);
     },
     draw: scene.draw,

@@ -44,5 +44,14 @@ test('with room depth needs nothing else to fall on; with neither says so', () =
   const within = fakeContext(definition, { inputs: { casters: [], receivers: [], lights: [], depth }, services: { scenes } });
   create(within.ctx).update({} as never);
   expect(within.reports).toEqual([]);
+  const volumes = fakeContext(definition, {
+    params: { method: 'volume' },
+    inputs: { casters: [], receivers: [], lights: [], depth },
+    services: { scenes },
+  });
+  create(volumes.ctx).update({} as never);
+  expect(volumes.reports).toEqual([
+    expect.objectContaining({ code: 'SCR015', port: 'receivers', fix: expect.stringContaining('Shadow map') }),
+  ]);
   expect(look).toMatchObject({ room: { depth, toleranceM: { value: 0.05 } } });
 });

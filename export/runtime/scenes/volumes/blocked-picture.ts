@@ -27,7 +27,7 @@ import { createProxySet } from '../proxies/proxy-set.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createInfiniteCamera } from './infinite-camera.ts';
 import { createVolumeLamp, type VolumeLamp } from './volume-lamp.ts';
-import { createVolumeSet, type TellShaped } from './volume-set.ts';
+import { createVolumeSet, type VolumeLimits } from './volume-set.ts';
 
 /** The blocked part of the light at what a view sees, pixel by pixel, by shadow volumes. */
 export interface BlockedPicture {
@@ -43,7 +43,7 @@ export interface BlockedPictureOptions {
   readonly casters: readonly ObjectList[];
   /** What hides; shadows are caught by those of it that receive them. */
   readonly catches: (item: ObjectItem) => boolean;
-  readonly tellShaped: TellShaped;
+  readonly limits: VolumeLimits;
 }
 
 /** Edges of shadows are smooth by it, as edges of objects are. */
@@ -57,7 +57,7 @@ const STEPS = 3;
  * mark in the stencil, and receivers with a mark add what is blocked there and wipe it out. WebXR's framebuffers may have no stencil;
  * this target has one.
  */
-export function createBlockedPicture({ renderer, casters, catches, tellShaped }: BlockedPictureOptions): BlockedPicture {
+export function createBlockedPicture({ renderer, casters, catches, limits }: BlockedPictureOptions): BlockedPicture {
   const scene = new Scene();
   scene.matrixWorldAutoUpdate = false;
   const camera = createInfiniteCamera();
@@ -71,7 +71,7 @@ export function createBlockedPicture({ renderer, casters, catches, tellShaped }:
   });
   const twins = createTwinCache();
   const receivers = createProxySet(scene, plan);
-  const volumes = createVolumeSet(scene, casters, tellShaped);
+  const volumes = createVolumeSet(scene, casters, limits);
   const uniforms = createLampUniforms();
   const watch = createVersionWatch();
   let lamps: readonly LampItem[] = [];

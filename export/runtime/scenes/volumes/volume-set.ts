@@ -1,9 +1,9 @@
-import type { BufferGeometry, Mesh, Object3D, Scene } from 'three';
+import type { BufferGeometry, Material, Mesh, Object3D, Scene } from 'three';
 import type { ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { isInstanced, materialsOf } from '../proxies/drawable.ts';
 import { type Caster, createCaster } from './caster.ts';
-import { castsAsSolid, isShapedByPicture } from './casting-material.ts';
+import { castsAsSolid, isSeeThrough, isShapedByPicture } from './casting-material.ts';
 import { createMeshShape, type MeshShape } from './mesh-shape.ts';
 import type { VolumeLamp } from './volume-lamp.ts';
 
@@ -13,18 +13,34 @@ export interface VolumeSet {
   dispose(): void;
 }
 
-/** Told the name of something that casts and whose shape a picture makes, every frame. */
-export type TellShaped = (name: string) => void;
+/** Told the name of something that casts and whose shadow is not as it should be, every frame. */
+export interface VolumeLimits {
+  /** A picture makes its shape. */
+  tellShaped(name: string): void;
+  /** Light comes through it. */
+  tellSeeThrough(name: string): void;
+}
 
-export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], tellShaped: TellShaped): VolumeSet {
+export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limits: VolumeLimits): VolumeSet {
   const casters: Caster[] = [];
   const watch = createVersionWatch();
   const shapes = new WeakMap<BufferGeometry, MeshShape>();
   let shaped: string | null = null;
+  const meshes: { readonly mesh: Mesh; readonly item: ObjectItem }[] = [];
 
   function clear(): void {
     for (const caster of casters) caster.dispose();
     casters.length = 0;
+    meshes.length = 0;
+  }
+
+  /** Materials turn see-through while running. */
+  function findSeeThrough(): string | null {
+    for (let i = 0; i < meshes.length; i++) {
+      const { mesh, item } = meshes[i] ?? {};
+      if (mesh && item?.castsShadow && hasSeeThrough(mesh)) return mesh.name || item.key;
+    }
+    return null;
   }
 
   /** Of a geometry with one material, found once: it does not depend on what the material is like. */
@@ -41,6 +57,7 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], tell
     // Lines and points have no inside, and hardly a shadow.
     if (!isMesh(object)) return;
     const shape = shapeOf(object);
+    meshes.push({ mesh: object, item });
     if (materialsOf(object).some((material) => castsAsSolid(material) && isShapedByPicture(material))) shaped ??= object.name || item.key;
     const count = isInstanced(object) ? object.count : 1;
     for (let i = 0; i < count; i++) casters.push(createCaster(scene, object, item, i, shape, lamps));
@@ -53,11 +70,19 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], tell
         shaped = null;
         for (const { items } of lists) for (const item of items) item.root.traverse((object) => add(object, item, lamps));
       }
-      if (shaped !== null) tellShaped(shaped);
+      if (shaped !== null) limits.tellShaped(shaped);
+      const seeThrough = findSeeThrough();
+      if (seeThrough !== null) limits.tellSeeThrough(seeThrough);
       for (let i = 0; i < casters.length; i++) casters[i]?.update();
     },
     dispose: clear,
   };
+}
+
+function hasSeeThrough({ material }: Mesh): boolean {
+  if (!Array.isArray(material)) return isSeeThrough(material);
+  for (let i = 0; i < material.length; i++) if (material[i] && isSeeThrough(material[i] as Material)) return true;
+  return false;
 }
 
 function isMesh(object: Object3D): object is Mesh {
