@@ -82,7 +82,7 @@ const FILTERS = [
 ] as const;
 
 const FILTER_DOC =
-  'How the edges of shadows on real things look. Hard: the pixels of the map show. Filtered: these are smoothed. Soft: a little wider.';
+  'How the edges of shadows on real things look. Hard: the pixels of the map show. Filtered: these are smoothed. Soft: a little wider. On virtual things they are always as filtered ones; a Shadow layer on “Everything”, with “Shadows” of the Scene off, gives virtual things these edges too.';
 
 const FILTER = { type: 'choice', stage: 'structure', label: 'Shadow edges', default: 'soft' } as const;
 
