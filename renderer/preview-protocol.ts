@@ -1,4 +1,5 @@
 import type { Program } from '../export/program/program.ts';
+import type { Handle } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
 
@@ -39,6 +40,12 @@ export type ToPreview =
    * how many pixels on each side to tell of, too.
    */
   | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null; readonly aroundPx?: number }
+  /** What to take hold of in the picture; null: nothing. Taken away in the middle of a drag, that is over without a word. */
+  | { readonly kind: 'gizmo'; readonly gizmo: PreviewGizmo | null }
+  /** Whether a click says what it hit. */
+  | { readonly kind: 'picking'; readonly on: boolean }
+  /** Which keys the editor has a use for, as `chordOf` writes them: they go to it where the preview has none of its own. */
+  | { readonly kind: 'keys'; readonly chords: readonly string[]; readonly mac: boolean }
   /** Whether to tell what operations cost. */
   | { readonly kind: 'cost'; readonly on: boolean }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
@@ -51,6 +58,23 @@ export interface PreviewRange {
   readonly endS: number;
   readonly loop: boolean;
 }
+
+/** Arrows, rings or boxes around what a node places, as it stands in each frame. */
+export interface PreviewGizmo {
+  /** Of the program. */
+  readonly node: string;
+  readonly mode: GizmoMode;
+  /** Along the axes of the world or of what is taken hold of. */
+  readonly space: 'local' | 'world';
+  /** To tenths of a metre, 15° and tenths of a factor. Ctrl does the opposite while it is held. */
+  readonly snap: boolean;
+  /** Which of the node's params says what. */
+  readonly handles: Readonly<Partial<Record<Handle, string>>>;
+  /** Nodes that the objects go through, where they go several ways. */
+  readonly way: readonly string[];
+}
+
+export type GizmoMode = 'move' | 'rotate' | 'scale';
 
 /** Addresses are on the preview's own origin. */
 export type PreviewSource =
@@ -87,6 +111,16 @@ export type FromPreview =
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
   | { readonly kind: 'probed'; readonly probe: PreviewProbe }
+  /** A gizmo is being dragged: what the node's params become. `ended`: the last of a drag. `cancelled`: all is to be as before. */
+  | {
+      readonly kind: 'gizmo';
+      readonly state: 'moved' | 'ended' | 'cancelled';
+      readonly values: Readonly<Record<string, number | readonly number[]>>;
+    }
+  /** A click hit an object, which went through these nodes of the program, from the one that made it to the one that drew it. */
+  | { readonly kind: 'picked'; readonly way: readonly string[]; readonly phantom: boolean }
+  /** A key that the editor asked for was pressed while the preview had the focus. */
+  | { readonly kind: 'key'; readonly chord: string }
   /** A screenshot or a video. Null where nothing is shown, or the browser cannot record. */
   | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
   /** Twice a second while asked for. */

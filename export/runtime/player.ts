@@ -200,7 +200,8 @@ export function createPlayer(options: PlayerOptions): Player {
     },
     inspect: (tap) => {
       if (!live || !stage) return null;
-      return { engine, resources: stage.resources, layer: (tap === null ? undefined : stage.program.taps[tap]) ?? null };
+      const { program, slots, resources } = stage;
+      return { engine, program, slots, resources, layer: (tap === null ? undefined : program.taps[tap]) ?? null };
     },
     counts: () => engine.counts(),
     contextLost: () => {

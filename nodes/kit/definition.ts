@@ -78,9 +78,18 @@ interface ParamBase {
   readonly doc: string;
 }
 
+/**
+ * What people take hold of in the preview to change params, instead of in the inspector. `position`, `rotation` and `scale` are of the
+ * frame that the node puts things in: metres; angles about x, y and z, turned first about z, then x, then y; factors, or sizes. `aim` is
+ * a point that the node is turned towards from its position. `azimuth` and `elevation` say where light comes from.
+ */
+export type Handle = 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'elevation';
+
 export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly stage: 'uniform' | 'structure';
+  /** Of uniform params. */
+  readonly handle?: 'scale' | 'azimuth' | 'elevation';
   readonly default: number;
   readonly min?: number;
   readonly max?: number;
@@ -91,6 +100,8 @@ export interface NumberParam extends ParamBase {
 export interface VectorParam extends ParamBase {
   readonly type: 'vector2' | 'vector3' | 'vector4';
   readonly stage: 'uniform';
+  /** Of vectors of three. */
+  readonly handle?: 'position' | 'rotation' | 'scale' | 'aim';
   readonly default: readonly number[];
   readonly min?: readonly number[];
   readonly max?: readonly number[];

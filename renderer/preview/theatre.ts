@@ -7,7 +7,9 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
 import { createCaptures } from './captures.ts';
+import { createGizmo } from './gizmo/gizmo.ts';
 import { createHouse, type House } from './house.ts';
+import { createKeys } from './keys.ts';
 import { type OpenSession, openSession } from './open-session.ts';
 import { createPosters, type PosterPlace, type PosterSize } from './posters.ts';
 import { createProbes } from './probes.ts';
@@ -15,6 +17,7 @@ import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
 import { createTurns } from './turns.ts';
+import { isStep } from './walk.ts';
 
 export interface TheatreOptions {
   /** Holds the canvas. */
@@ -65,6 +68,8 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
   const captures = createCaptures(send, () => clock.wake());
   const probes = createProbes(send, () => clock.wake());
   let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
+  const gizmo = createGizmo(parent, send, () => clock.wake());
+  const keys = createKeys(window, send, (event) => source?.kind === 'room' && isStep(event));
   let look: Extract<ToPreview, { kind: 'look' }> = { kind: 'look', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
@@ -171,6 +176,7 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     if (plays) posters.afterFrame();
     probes.afterFrame(house.player, frame, posterPlace());
     captures.afterFrame(posterPlace());
+    if (!posters.busy) gizmo.afterFrame(house.player, frame, posterPlace());
     if (thumbnails.afterFrame(house.player)) clock.wake();
   };
   const settle = createTurns(async () => {
@@ -266,6 +272,13 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
           return;
         case 'probe':
           probes.ask(message);
+          return;
+        case 'gizmo':
+        case 'picking':
+          gizmo.take(message);
+          return;
+        case 'keys':
+          keys.take(message);
           return;
         case 'seek':
           open?.reel?.seek(message.timeS);

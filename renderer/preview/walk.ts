@@ -27,6 +27,11 @@ const DIRECTIONS: Readonly<Record<string, readonly [right: number, forward: numb
   ArrowRight: [1, 0],
 };
 
+/** Whether a key walks. */
+export function isStep({ code, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
+  return code in DIRECTIONS && !ctrlKey && !metaKey && !altKey;
+}
+
 export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElement, clock: FrameClock): Walk {
   const head = { ...START };
   const held = new Set<string>();
@@ -80,7 +85,7 @@ export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElem
     drag = null;
   };
   const onKeyDown = (event: KeyboardEvent) => {
-    if (!(event.code in DIRECTIONS) || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!isStep(event)) return;
     event.preventDefault();
     held.add(event.code);
   };

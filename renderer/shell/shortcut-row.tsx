@@ -1,8 +1,9 @@
 import { type KeyboardEvent, useState } from 'react';
 import { useStore } from 'zustand';
+import { chordOf } from '../key-chord.ts';
 import { type AppCommandId, appCommand } from '../state/app-commands.ts';
 import { bindChord, chordsOf, isRebindable, ownerOfChord } from '../state/chords.ts';
-import { chordOf, showChord } from './chord.ts';
+import { showChord } from './chord.ts';
 import { useEditor } from './editor-context.ts';
 
 const MODIFIERS = ['Control', 'Shift', 'Alt', 'Meta', 'AltGraph', 'CapsLock'];

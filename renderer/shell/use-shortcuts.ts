@@ -1,9 +1,10 @@
 import { useEffect } from 'react';
+import { chordOf } from '../key-chord.ts';
 import { appCommand, runCommand } from '../state/app-commands.ts';
 import { chordsOf, commandOfChord } from '../state/chords.ts';
 import { copyInEvent, cutSelection, pasteText } from '../state/clipboard.ts';
 import type { Editor } from '../state/editor.ts';
-import { chordOf, isTyping } from './chord.ts';
+import { isTyping } from './chord.ts';
 import { useEditor } from './editor-context.ts';
 
 /**

@@ -7,6 +7,7 @@ import { goToStart, stepFrames, togglePlay } from '../state/playing.ts';
 import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, timeOf } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { GizmoBar } from './gizmo-bar.tsx';
 import { LookLayer } from './look-layer.tsx';
 import { connectPreview } from './preview-link.ts';
 import { RoomLight } from './room-light.tsx';
@@ -26,6 +27,7 @@ export function Stage({ previewUrl }: { readonly previewUrl: string }) {
           <PreviewFrame url={previewUrl} />
           <Notice />
           <LookLayer />
+          <GizmoBar />
         </Device>
       </div>
       <Transport />

@@ -7,6 +7,7 @@ import { editableShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { exportPage } from './export-page.ts';
 import { newProject, openProject, save, saveAs } from './files.ts';
+import { toggleMode } from './gizmo-state.ts';
 import { idsOfKind } from './item-ids.ts';
 import { addFrame, addNote } from './layout-items.ts';
 import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
@@ -153,6 +154,22 @@ const COMMANDS = {
     chords: ['Q'],
     enabled: isOpen,
     run: ({ look }) => look.setState(({ probing }) => ({ probing: !probing, probed: null })),
+  },
+  // As 3D programs have them; G as well, because W walks in rooms.
+  'gizmo.move': { label: 'Move in the preview', chords: ['W', 'G'], enabled: isOpen, run: ({ gizmo }) => toggleMode(gizmo, 'move') },
+  'gizmo.rotate': { label: 'Turn in the preview', chords: ['E'], enabled: isOpen, run: ({ gizmo }) => toggleMode(gizmo, 'rotate') },
+  'gizmo.scale': { label: 'Resize in the preview', chords: ['S'], enabled: isOpen, run: ({ gizmo }) => toggleMode(gizmo, 'scale') },
+  'gizmo.space': {
+    label: 'Axes of the object or of the world',
+    chords: ['X'],
+    enabled: isOpen,
+    run: ({ gizmo }) => gizmo.setState(({ space }) => ({ space: space === 'world' ? 'local' : 'world' })),
+  },
+  'gizmo.snap': {
+    label: 'Snap in the preview',
+    chords: ['Shift+X'],
+    enabled: isOpen,
+    run: ({ gizmo }) => gizmo.setState(({ snap }) => ({ snap: !snap })),
   },
   'view.costs': {
     label: 'Costs on nodes',

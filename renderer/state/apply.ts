@@ -33,6 +33,14 @@ export function endGesture(editor: Editor): void {
   if (after !== before) editor.document.setState({ history: after });
 }
 
+/** Takes back the gesture under way, which began at that state of the history, as if it had never been. */
+export function takeBack(editor: Editor, state: number): void {
+  const { history: before, project } = editor.document.getState();
+  if (before.past.at(-1)?.before !== state) return;
+  const moved = history.undo(before, project);
+  if (moved !== null) takeOver(editor, moved.project, { ...moved.history, future: [] });
+}
+
 export function undo(editor: Editor): void {
   move(editor, history.undo);
 }

@@ -2,7 +2,7 @@ import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
 import { bindParam, setParam } from '../../export/graph/commands/params.ts';
 import { disconnect } from '../../export/graph/commands/wires.ts';
 import { own } from '../../export/graph/own.ts';
-import type { ParamValue } from '../../export/graph/project.ts';
+import type { ParamValue, Project } from '../../export/graph/project.ts';
 import { apply } from './apply.ts';
 import { graphOf, nodeOf } from './document.ts';
 import type { Editor } from './editor.ts';
@@ -12,6 +12,19 @@ export function editParam(editor: Editor, node: string, param: string, value: Pa
   const { project, library, graph } = editor.document.getState();
   const label = library.definition(nodeOf(editor.document.getState(), node)?.type ?? '')?.params[param]?.label ?? param;
   return apply(editor, `Change ${label}`, setParam(project, { library, graph, node, param, value }), `param ${graph} ${node} ${param}`);
+}
+
+/** Several params of a node at once; else as `editParam`, under the label and key given. */
+export function editParams(
+  editor: Editor,
+  label: string,
+  node: string,
+  edits: readonly { readonly param: string; readonly value: ParamValue }[],
+  key: string,
+): boolean {
+  const { project, library, graph } = editor.document.getState();
+  const steps = edits.map((edit) => (before: Project) => setParam(before, { library, graph, node, ...edit }));
+  return apply(editor, label, inTurn(project, ...steps), key);
 }
 
 /** Back to the definition's value, without wire, track or expression. */

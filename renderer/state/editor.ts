@@ -5,6 +5,7 @@ import { type CanvasStore, createCanvasState } from './canvas.ts';
 import { type CompileStore, createCompileState } from './compile.ts';
 import { type CostStore, createCostState } from './costs.ts';
 import { createDocument, type DocumentStore } from './document.ts';
+import { createGizmoState, type GizmoStore } from './gizmo-state.ts';
 import { createLibraries, type Libraries, type LibraryData } from './library.ts';
 import { createLayerPictures, createLookState, type LookStore, type Pictures } from './looks.ts';
 import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type PreferencesStore } from './preferences.ts';
@@ -49,6 +50,7 @@ export interface Editor {
   readonly compile: CompileStore;
   readonly preview: PreviewStore;
   readonly look: LookStore;
+  readonly gizmo: GizmoStore;
   readonly costs: CostStore;
   readonly preferences: PreferencesStore;
 }
@@ -95,6 +97,7 @@ export function createEditor({
     compile: createCompileState(),
     preview: createPreviewState(),
     look: createLookState(),
+    gizmo: createGizmoState(),
     costs: createCostState(),
     preferences: createPreferences(preferences),
   };

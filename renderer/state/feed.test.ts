@@ -116,7 +116,7 @@ describe('the way from document to preview', () => {
     expect(editor.compile.getState().diagnostics.some(({ severity }) => severity === 'error')).toBe(true);
     expect(editor.compile.getState().program).toBe(program);
     feed.receive({ kind: 'ready' });
-    expect(kinds()).toEqual(['program', 'thumbnails', 'look', 'cost']);
+    expect(kinds()).toEqual(['program', 'thumbnails', 'look', 'cost', 'gizmo', 'picking', 'keys']);
   });
 
   test('the preview counts as loading from the moment another source is chosen until it is there', () => {

@@ -9,6 +9,7 @@ import type { FromPreview, PreviewShaderError, PreviewSource, ToPreview } from '
 import { takeCapture } from './captures.ts';
 import { consequenceOf, type ParamEdit } from './changes.ts';
 import type { Editor } from './editor.ts';
+import { createGizmos } from './gizmo.ts';
 import { createLooking } from './looking.ts';
 import { lookAtNothing } from './looks.ts';
 import { createPictures } from './pictures.ts';
@@ -41,6 +42,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   let asked = '';
   const post = (message: ToPreview) => send?.(message);
   const pictures = createPictures(editor, post);
+  const gizmos = createGizmos(editor, post);
   const looking = createLooking(editor, post, () => compile());
   const postEdit = ({ node, param, value }: ParamEdit) => post({ kind: 'param', node, param, value });
 
@@ -130,6 +132,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       if (message.kind === 'captured') return takeCapture(editor, message);
       if (message.kind === 'costs') return editor.costs.setState({ measured: message.costs });
       if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
+      if (message.kind === 'gizmo' || message.kind === 'picked' || message.kind === 'key') return gizmos.take(message);
       takeMessage(editor, message);
       if (message.kind !== 'ready') return;
       asked = '';
@@ -137,12 +140,14 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       if (editor.preview.getState().roomLight) postLight();
       postProgram();
       looking.tell();
+      gizmos.tell();
     },
     send: post,
     dispose: () => {
       stopDocument();
       stopSource();
       looking.dispose();
+      gizmos.dispose();
       compiler.dispose();
     },
   };
@@ -166,7 +171,7 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
 
 function takeMessage(
   { preview, compile, document }: Editor,
-  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' | 'costs' | 'captured' }>,
+  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' | 'costs' | 'captured' | 'gizmo' | 'picked' | 'key' }>,
 ): void {
   switch (message.kind) {
     case 'ready':

@@ -133,7 +133,7 @@ export const LAYERS: readonly Layer[] = [
   },
 
   // The preview is a page of its own, without the editor's host: messages are all they share.
-  { name: 'preview protocol', files: ['renderer/preview-protocol.ts'], imports: ['kit', 'program'] },
+  { name: 'preview protocol', files: ['renderer/preview-protocol.ts', 'renderer/key-chord.ts'], imports: ['kit', 'program'] },
   {
     name: 'preview',
     files: ['renderer/preview/**'],

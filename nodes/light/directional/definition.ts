@@ -25,6 +25,7 @@ export const definition = defineNode({
     azimuthRad: {
       type: 'number',
       stage: 'uniform',
+      handle: 'azimuth',
       label: 'Azimuth',
       doc: 'From which side the light comes: 0 from the front (+z), a quarter turn from the right (+x), half a turn from the back.',
       default: 0.6,
@@ -36,6 +37,7 @@ export const definition = defineNode({
     elevationRad: {
       type: 'number',
       stage: 'uniform',
+      handle: 'elevation',
       label: 'Elevation',
       doc: 'How high the light stands above the horizon; a quarter turn is straight above.',
       default: 1,

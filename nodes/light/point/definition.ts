@@ -25,6 +25,7 @@ export const definition = defineNode({
     positionM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'position',
       label: 'Position',
       doc: 'Where the lamp is, in the world: x to the right, y up, z to the front.',
       default: [0, 1.5, 0],

@@ -25,6 +25,7 @@ export const definition = defineNode({
     positionM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'position',
       label: 'Position',
       doc: 'Where the lamp is, in the world: x to the right, y up, z to the front.',
       default: [0, 2, 1],
@@ -33,6 +34,7 @@ export const definition = defineNode({
     targetM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'aim',
       label: 'Target',
       doc: 'The point that it is aimed at, in the world.',
       default: [0, 0, 0],

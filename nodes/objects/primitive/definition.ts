@@ -27,6 +27,7 @@ export const definition = defineNode({
     sizeM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'scale',
       label: 'Size',
       doc: 'Width, height and depth of the box around the shape, in metres. A plane has no height, and a torus a fifth of it.',
       default: [0.3, 0.3, 0.3],

@@ -14,6 +14,7 @@ export const definition = defineNode({
     positionM: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'position',
       label: 'Position',
       doc: 'Where to, in metres: x to the right, y up, z towards the viewer. The floor is at y = 0.',
       default: [0, 0, 0],
@@ -24,6 +25,7 @@ export const definition = defineNode({
     rotationRad: {
       type: 'vector3',
       stage: 'uniform',
+      handle: 'rotation',
       label: 'Rotation',
       doc: 'How far to turn about each axis, counter-clockwise seen from its tip: first z (roll), then x (tilt), then y (heading).',
       default: [0, 0, 0],
@@ -34,6 +36,7 @@ export const definition = defineNode({
     scale: {
       type: 'number',
       stage: 'uniform',
+      handle: 'scale',
       label: 'Scale',
       doc: 'Factor on the size, alike in all directions. 0.01 turns a model made in centimetres into metres.',
       default: 1,

@@ -1,0 +1,129 @@
+import { Matrix4, Raycaster, Vector2, Vector3 } from 'three';
+import type { ObjectItem, ObjectList } from '../../../nodes/kit/runtime.ts';
+import type { NodeOperation, Operation } from '../../program/program.ts';
+import type { Inspected } from '../inspected.ts';
+
+/** What a tool of the editor knows of objects after a frame: `player.inspect` lets it look (`inspected.ts`). */
+type Seen = Pick<Inspected, 'program' | 'resources'>;
+
+// Each is filled and read within one call.
+const scratchMatrix = new Matrix4();
+const scratchPoint = new Vector3();
+const scratchPointer = new Vector2();
+const scratchRaycaster = new Raycaster();
+
+/**
+ * What happens to objects after a node has placed them, as `worldFromParent`: the identity where nothing does, and for nodes that place
+ * no objects. Where a node's objects go several ways, the first counts, or the one through the nodes of `way`. False, and `out` as it
+ * was, where it cannot be told because the objects have no size.
+ */
+export function placedObjects(seen: Seen, node: string, way: readonly string[], out: Matrix4): boolean {
+  const own = listsOf(seen).find(({ operation }) => operation.node === node);
+  const [item] = own?.list.items ?? [];
+  if (!own || !item) {
+    out.identity();
+    return true;
+  }
+  if (Math.abs(item.worldFromObject.determinant()) < Number.EPSILON) return false;
+  let last = { operation: own.operation, list: own.list, item };
+  for (;;) {
+    const next = nextOf(seen, last.list, last.item, way);
+    if (!next) break;
+    last = next;
+  }
+  out.multiplyMatrices(last.item.worldFromObject, scratchMatrix.copy(item.worldFromObject).invert());
+  return true;
+}
+
+/** An object under a point of the picture. */
+export interface PickedObject {
+  /** Ids of the nodes that it went through, from the one that made it to the one that drew it. */
+  readonly way: readonly string[];
+  readonly role: ObjectItem['role'];
+}
+
+/** The nearest object that is drawn at a point of a view, parts of its size from the bottom left; null where there is none. */
+export function pickObject(inspected: Seen & Pick<Inspected, 'engine'>, viewIndex: number, u: number, v: number): PickedObject | null {
+  const view = inspected.engine.state.frame.views[viewIndex];
+  if (!view) return null;
+  const { ray } = scratchRaycaster;
+  scratchPointer.set(2 * u - 1, 2 * v - 1);
+  const worldFromClip = new Matrix4().fromArray(view.worldFromView).multiply(scratchMatrix.fromArray(view.clipFromView).invert());
+  const from = new Vector3().setFromMatrixPosition(scratchMatrix.fromArray(view.worldFromView));
+  const towards = new Vector3(scratchPointer.x, scratchPointer.y, 0.5).applyMatrix4(worldFromClip).sub(from).normalize();
+  let nearestM = Number.POSITIVE_INFINITY;
+  let found: { readonly draw: NodeOperation; readonly list: ObjectList; readonly item: ObjectItem } | null = null;
+  for (const draw of inspected.program.operations) {
+    if (draw.kind !== 'draw') continue;
+    for (const list of objectsInto(inspected, draw)) {
+      for (const item of list.items) {
+        // Matrices of the subtree are as if it stood at the origin, so the ray goes there.
+        const objectFromWorld = scratchMatrix.copy(item.worldFromObject).invert();
+        ray.origin.copy(from).applyMatrix4(objectFromWorld);
+        ray.direction.copy(towards).transformDirection(objectFromWorld);
+        const [hit] = scratchRaycaster.intersectObject(item.root, true);
+        if (!hit) continue;
+        const distanceM = scratchPoint.copy(hit.point).applyMatrix4(item.worldFromObject).distanceTo(from);
+        if (distanceM >= nearestM) continue;
+        nearestM = distanceM;
+        found = { draw, list, item };
+      }
+    }
+  }
+  return found && { way: [...wayTo(inspected, found.list, found.item), found.draw.node], role: found.item.role };
+}
+
+interface Placed {
+  readonly operation: NodeOperation;
+  readonly list: ObjectList;
+}
+
+function listsOf({ program, resources }: Seen): Placed[] {
+  return program.operations.filter(isNode).flatMap((operation) =>
+    Object.values(operation.outputs).flatMap((output) => {
+      const resource = output.kind === 'resource' ? resources.get(output.resource) : undefined;
+      return resource?.kind === 'objects' ? [{ operation, list: resource.list }] : [];
+    }),
+  );
+}
+
+function objectsInto({ resources }: Seen, { inputs }: NodeOperation): ObjectList[] {
+  return Object.values(inputs).flatMap((refs) =>
+    refs.flatMap((ref) => {
+      const resource = ref.kind === 'resource' ? resources.get(ref.resource) : undefined;
+      return resource?.kind === 'objects' ? [resource.list] : [];
+    }),
+  );
+}
+
+/** Where the item of a list comes to stand in a node after it: those that derive lists keep the subtree. */
+function nextOf(seen: Seen, list: ObjectList, item: ObjectItem, way: readonly string[]) {
+  const readers = listsOf(seen).flatMap(({ operation, list: derived }) => {
+    const index = objectsInto(seen, operation).indexOf(list);
+    const same = index === -1 ? undefined : derivedFrom(derived, item, index);
+    return same ? [{ operation, list: derived, item: same }] : [];
+  });
+  return readers.find(({ operation }) => way.includes(operation.node)) ?? readers[0];
+}
+
+function derivedFrom(derived: ObjectList, { root, key }: ObjectItem, index: number): ObjectItem | undefined {
+  const candidates = derived.items.filter((item) => item.root === root);
+  // As `deriveObjects` names them, where one subtree stands in several places.
+  return candidates.find((item) => item.key === `${index}/${key}`) ?? candidates[0];
+}
+
+function wayTo(seen: Seen, list: ObjectList, item: ObjectItem): string[] {
+  const made = listsOf(seen).find((candidate) => candidate.list === list);
+  if (!made) return [];
+  const inputs = objectsInto(seen, made.operation);
+  for (const [index, input] of inputs.entries()) {
+    const source = input.items.find(({ root, key }) => root === item.root && item.key === `${index}/${key}`);
+    const before = source ?? input.items.find(({ root }) => root === item.root);
+    if (before && (source || inputs.length === 1)) return [...wayTo(seen, input, before), made.operation.node];
+  }
+  return [made.operation.node];
+}
+
+function isNode(operation: Operation): operation is NodeOperation {
+  return operation.kind !== 'pass' && operation.kind !== 'shadow-maps';
+}

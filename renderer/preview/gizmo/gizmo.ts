@@ -1,0 +1,245 @@
+import { Matrix4, Quaternion, Vector3 } from 'three';
+import type { Inspected } from '../../../export/runtime/inspected.ts';
+import type { Player } from '../../../export/runtime/player.ts';
+import { pickObject, placedObjects } from '../../../export/runtime/scenes/placed-objects.ts';
+import type { SessionFrame } from '../../../nodes/kit/session.ts';
+import type { FromPreview, PreviewGizmo, ToPreview } from '../../preview-protocol.ts';
+import type { PosterPlace } from '../posters.ts';
+import { createOverlay, type Overlay, type ViewBox } from './overlay.ts';
+import { type Place, paramsOf, type ReadParam, readPlace } from './place.ts';
+
+/** What people take hold of in the picture, and what they click at. */
+export interface Gizmo {
+  take(message: Extract<ToPreview, { kind: 'gizmo' | 'picking' }>): void;
+  afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: PosterPlace | null): void;
+  dispose(): void;
+}
+
+const MODES = { move: 'translate', rotate: 'rotate', scale: 'scale' } as const;
+const SNAP_M = 0.1;
+const SNAP_RAD = Math.PI / 12;
+const SNAP_FACTOR = 0.1;
+/** Of a click, between press and release. */
+const CLICK_PX = 4;
+/** A direction has no place: it is shown this far ahead. */
+const AHEAD_M = 1.5;
+
+const scratchMatrix = new Matrix4();
+
+interface Drag {
+  readonly pointer: number;
+  readonly from: Place;
+  readonly gizmo: PreviewGizmo;
+  readonly read: ReadParam;
+}
+
+/** `wake` asks for a frame, also of a preview that is held. */
+export function createGizmo(parent: HTMLElement, send: (message: FromPreview) => void, wake: () => void): Gizmo {
+  let gizmo: PreviewGizmo | null = null;
+  let picking = false;
+  let overlay: Overlay | null = null;
+  let seen = false;
+  let box: ViewBox | null = null;
+  let drag: Drag | null = null;
+  let press: { readonly pointer: number; readonly x: number; readonly y: number } | null = null;
+  let question: { readonly u: number; readonly v: number } | null = null;
+  let reading: ReadParam = () => null;
+
+  const pointerOf = ({ clientX, clientY }: PointerEvent, button: number) => {
+    const { left = 0, top = 0, width = 1, height = 1 } = box ?? {};
+    return { x: (2 * (clientX - left)) / width - 1, y: 1 - (2 * (clientY - top)) / height, button } as unknown as PointerEvent;
+  };
+  const hover = (event: PointerEvent) => {
+    if (!overlay || !seen || drag) return;
+    const before = overlay.controls.axis;
+    overlay.controls.pointerHover(pointerOf(event, 0));
+    if (overlay.controls.axis === before) return;
+    document.body.style.cursor = overlay.controls.axis === null ? '' : 'grab';
+    overlay.draw();
+  };
+  const swallow = (event: Event) => {
+    event.stopImmediatePropagation();
+    event.preventDefault();
+  };
+  const endDrag = () => {
+    const ended = drag;
+    drag = null;
+    document.body.style.cursor = '';
+    if (overlay && ended) {
+      overlay.controls.dragging = false;
+      overlay.controls.axis = null;
+      if (overlay.canvas.hasPointerCapture(ended.pointer)) overlay.canvas.releasePointerCapture(ended.pointer);
+    }
+    wake();
+  };
+  const cancel = () => {
+    endDrag();
+    send({ kind: 'gizmo', state: 'cancelled', values: {} });
+  };
+  const tell = (state: 'moved' | 'ended') => {
+    if (!drag || !overlay) return;
+    const { gizmo: held, read, from } = drag;
+    send({ kind: 'gizmo', state, values: paramsOf(held.mode, held.handles, read, from, overlay.object) });
+  };
+
+  const onDown = (event: PointerEvent) => {
+    if (event.button !== 0 || drag) return;
+    hover(event);
+    press = { pointer: event.pointerId, x: event.clientX, y: event.clientY };
+    if (overlay && seen && gizmo && overlay.controls.axis !== null) {
+      overlay.controls.pointerDown(pointerOf(event, 0));
+      overlay.canvas.setPointerCapture(event.pointerId);
+      const { position, quaternion, scale } = overlay.object;
+      const from = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
+      drag = { pointer: event.pointerId, from, gizmo, read: held(gizmo, reading) };
+      document.body.style.cursor = 'grabbing';
+      event.stopImmediatePropagation();
+    }
+  };
+  /** Kept from it, the page that has the focus keeps it. */
+  const onMouseDown = (event: MouseEvent) => {
+    if (drag) swallow(event);
+  };
+  const onMove = (event: PointerEvent) => {
+    if (drag?.pointer !== event.pointerId) {
+      if (event.buttons === 0) hover(event);
+      return;
+    }
+    event.stopImmediatePropagation();
+    if (!overlay) return;
+    const snaps = drag.gizmo.snap !== (event.ctrlKey || event.metaKey);
+    overlay.controls.translationSnap = snaps ? SNAP_M : null;
+    overlay.controls.rotationSnap = snaps ? SNAP_RAD : null;
+    overlay.controls.scaleSnap = snaps ? SNAP_FACTOR : null;
+    overlay.controls.pointerMove(pointerOf(event, -1));
+    overlay.draw();
+    tell('moved');
+  };
+  const onUp = (event: PointerEvent) => {
+    if (drag?.pointer === event.pointerId) {
+      event.stopImmediatePropagation();
+      tell('ended');
+      endDrag();
+    }
+    const pressed = press;
+    press = null;
+    // Also at the gizmo: it covers small things.
+    if (!picking || !box || pressed?.pointer !== event.pointerId) return;
+    if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > CLICK_PX) return;
+    const [u, v] = [(event.clientX - box.left) / box.width, 1 - (event.clientY - box.top) / box.height];
+    if (u < 0 || u > 1 || v < 0 || v > 1) return;
+    question = { u, v };
+    wake();
+  };
+  const onCancel = (event: PointerEvent) => {
+    if (drag?.pointer === event.pointerId) cancel();
+  };
+  const onKeyDown = (event: KeyboardEvent) => {
+    if (!drag || event.key !== 'Escape') return;
+    swallow(event);
+    cancel();
+  };
+  const listeners = [
+    ['pointerdown', onDown],
+    ['mousedown', onMouseDown],
+    ['pointermove', onMove],
+    ['pointerup', onUp],
+    ['pointercancel', onCancel],
+    ['keydown', onKeyDown],
+  ] as const;
+  // Before those that look around in rooms, and those that tell what plays of taps.
+  for (const [type, listener] of listeners) window.addEventListener(type, listener as EventListener, true);
+
+  const show = (inspected: Inspected, frame: SessionFrame) => {
+    const [view] = frame.views;
+    const held = gizmo;
+    if (!held || !view || !box) return false;
+    reading = readerOf(inspected, held.node);
+    overlay ??= createOverlay(parent);
+    overlay.look(view, box);
+    const { controls, object } = overlay;
+    if (!drag) {
+      readPlace(held.handles, reading, object);
+      if (placedObjects(inspected, held.node, held.way, scratchMatrix)) overlay.parent.matrix.copy(scratchMatrix);
+      if (isDirection(held)) object.position.copy(ahead(view.worldFromView)).applyMatrix4(scratchMatrix.invert());
+      controls.mode = MODES[held.mode];
+      controls.space = held.space;
+    }
+    overlay.parent.updateMatrixWorld(true);
+    return true;
+  };
+
+  return {
+    take: (message) => {
+      if (message.kind === 'picking') picking = message.on;
+      else {
+        if (message.gizmo === null && drag) endDrag();
+        gizmo = message.gizmo;
+        wake();
+      }
+    },
+    afterFrame: (player, frame, place) => {
+      const inspected = place && player.inspect(null);
+      box = place && boxOf(place.canvas, frame);
+      if (question && inspected) {
+        const picked = pickObject(inspected, 0, question.u, question.v);
+        if (picked) send({ kind: 'picked', way: picked.way, phantom: picked.role === 'phantom' });
+        question = null;
+      }
+      seen = inspected ? show(inspected, frame) : false;
+      if (seen) overlay?.draw();
+      overlay?.setShown(seen && gizmo ? gizmo.mode : null);
+    },
+    dispose: () => {
+      for (const [type, listener] of listeners) window.removeEventListener(type, listener as EventListener, true);
+      overlay?.dispose();
+    },
+  };
+}
+
+/** What params were when a drag began: those that it changes follow it. */
+function held({ handles }: PreviewGizmo, read: ReadParam): ReadParam {
+  const values = new Map(Object.values(handles).map((param) => [param, read(param)]));
+  return (param) => values.get(param) ?? null;
+}
+
+function readerOf({ program, slots }: Inspected, node: string): ReadParam {
+  return (param) => {
+    for (const operation of program.operations) {
+      if (operation.node !== node || operation.kind === 'pass' || operation.kind === 'shadow-maps') continue;
+      const slot = Object.hasOwn(operation.params, param) ? operation.params[param] : undefined;
+      if (slot === undefined) continue;
+      const offset = slots.offset(slot);
+      const size = slots.slots[slot]?.type === 'vector3' ? 3 : 1;
+      return [...slots.numbers.subarray(offset, offset + size)];
+    }
+    return null;
+  };
+}
+
+function isDirection({ handles }: PreviewGizmo): boolean {
+  return handles.position === undefined && (handles.azimuth !== undefined || handles.elevation !== undefined);
+}
+
+const scratchAhead = new Vector3();
+const scratchTurn = new Quaternion();
+const scratchScale = new Vector3();
+
+function ahead(worldFromView: Float32Array): Vector3 {
+  new Matrix4().fromArray(worldFromView).decompose(scratchAhead, scratchTurn, scratchScale);
+  return scratchAhead.add(scratchScale.set(0, 0, -AHEAD_M).applyQuaternion(scratchTurn));
+}
+
+/** Where the first view is on the page. */
+function boxOf(canvas: HTMLCanvasElement, { views, framebufferWidthPx, framebufferHeightPx }: SessionFrame): ViewBox | null {
+  const viewport = views[0]?.viewport;
+  if (!viewport || viewport.widthPx < 1 || framebufferWidthPx < 1) return null;
+  const page = canvas.getBoundingClientRect();
+  const [perX, perY] = [page.width / framebufferWidthPx, page.height / framebufferHeightPx];
+  return {
+    left: page.left + viewport.x * perX,
+    top: page.top + (framebufferHeightPx - viewport.y - viewport.heightPx) * perY,
+    width: viewport.widthPx * perX,
+    height: viewport.heightPx * perY,
+  };
+}

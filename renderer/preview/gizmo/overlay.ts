@@ -1,0 +1,100 @@
+import { Group, Object3D, PerspectiveCamera, Scene, WebGLRenderer } from 'three';
+import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import type { ViewFrame } from '../../../nodes/kit/session.ts';
+import type { GizmoMode } from '../../preview-protocol.ts';
+
+/** A view's part of the page, CSS pixels from the top left. */
+export interface ViewBox {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A canvas over the preview's, with nothing but the gizmo on it: what plays, and pictures of it, know nothing of it. */
+export interface Overlay {
+  readonly controls: TransformControls;
+  /** Carries what comes after the node: its matrix is `worldFromParent`. */
+  readonly parent: Group;
+  /** The node's own place within. */
+  readonly object: Object3D;
+  /** Takes the view's camera over. */
+  look(view: Pick<ViewFrame, 'clipFromView' | 'worldFromView'>, box: ViewBox): void;
+  draw(): void;
+  /** `mode` stands on the canvas, for whoever waits for it. */
+  setShown(mode: GizmoMode | null): void;
+  readonly canvas: HTMLCanvasElement;
+  dispose(): void;
+}
+
+const MAX_PIXEL_RATIO = 2;
+/** Of the picture's height; three's own size is for pictures of a whole window. */
+const SIZE = 1.15;
+/** Of the axes x, y and z, and of the one in hand; softer than three's own. */
+const COLORS = ['#f2495c', '#7ac74f', '#4c8dff', '#ffd23f'] as const;
+
+export function createOverlay(parentElement: HTMLElement): Overlay {
+  const canvas = parentElement.ownerDocument.createElement('canvas');
+  canvas.id = 'gizmo';
+  parentElement.append(canvas);
+  const renderer = new WebGLRenderer({ canvas, alpha: true, antialias: true });
+  renderer.setClearColor(0, 0);
+  const camera = new PerspectiveCamera();
+  camera.matrixAutoUpdate = false;
+  const scene = new Scene();
+  const parent = new Group();
+  parent.matrixAutoUpdate = false;
+  const object = new Object3D();
+  parent.add(object);
+  const controls = new TransformControls(camera);
+  controls.size = SIZE;
+  controls.setColors(...COLORS);
+  controls.attach(object);
+  scene.add(parent, controls.getHelper());
+  let box: ViewBox = { left: 0, top: 0, width: 1, height: 1 };
+
+  const resize = () => {
+    const { innerWidth: width, innerHeight: height, devicePixelRatio } = window;
+    const ratio = Math.min(devicePixelRatio, MAX_PIXEL_RATIO);
+    if (renderer.getPixelRatio() !== ratio) renderer.setPixelRatio(ratio);
+    if (canvas.clientWidth !== width || canvas.clientHeight !== height || canvas.width !== Math.floor(width * ratio)) {
+      renderer.setSize(width, height, false);
+    }
+    return height;
+  };
+  return {
+    controls,
+    parent,
+    object,
+    canvas,
+    look: ({ clipFromView, worldFromView }, at) => {
+      box = at;
+      camera.matrix.fromArray(worldFromView);
+      camera.projectionMatrix.fromArray(clipFromView);
+      camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+      // Its size on the screen is worked out from the field of view.
+      camera.fov = (2 * Math.atan(1 / (clipFromView[5] ?? 1)) * 180) / Math.PI;
+      camera.updateMatrixWorld(true);
+    },
+    draw: () => {
+      const height = resize();
+      const bottom = height - box.top - box.height;
+      renderer.setViewport(box.left, bottom, box.width, box.height);
+      renderer.setScissor(box.left, bottom, box.width, box.height);
+      renderer.setScissorTest(false);
+      renderer.clear();
+      renderer.setScissorTest(true);
+      renderer.render(scene, camera);
+    },
+    setShown: (mode) => {
+      canvas.hidden = mode === null;
+      canvas.dataset.mode = mode ?? '';
+    },
+    dispose: () => {
+      controls.dispose();
+      renderer.dispose();
+      renderer.forceContextLoss();
+      canvas.remove();
+    },
+  };
+}

@@ -1,0 +1,300 @@
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { useBrowser } from '../support/browser.ts';
+import { FLAG_PX, type Point } from '../support/editor-driver.ts';
+import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import type { Picture } from '../support/picture.ts';
+
+/** A box that is placed by two Transforms; a lamp whose place comes by a wire, and a sun. */
+const GRAPH: GraphText = {
+  nodes: {
+    'box-aaaa': { type: 'objects/primitive', params: { color: [0.9, 0.6, 0.1, 1], sizeM: [0.4, 0.3, 0.2] } },
+    'transform-aaaa': { type: 'objects/transform', params: { positionM: [0, 0.5, 0] } },
+    'outer-aaaa': { type: 'objects/transform', params: { rotationRad: [0, Math.PI / 2, 0], scale: 0.5 } },
+    'lamp-aaaa': { type: 'light/point' },
+    'place-aaaa': { type: 'value/make-vector3' },
+    'sun-aaaa': { type: 'light/directional' },
+    'scene-aaaa': { type: 'layer/scene' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: [
+    'box-aaaa.objects -> transform-aaaa.objects',
+    'transform-aaaa.objects -> outer-aaaa.objects',
+    'outer-aaaa.objects -> scene-aaaa.objects',
+    'place-aaaa.vector -> lamp-aaaa.positionM',
+    'lamp-aaaa.lights -> scene-aaaa.lights',
+    'sun-aaaa.lights -> scene-aaaa.lights',
+    'scene-aaaa.layer -> screen-aaaa.layer',
+  ],
+  places: {
+    'box-aaaa': [0, 0],
+    'transform-aaaa': [210, 0],
+    'outer-aaaa': [420, 0],
+    'place-aaaa': [0, 260],
+    'lamp-aaaa': [210, 260],
+    'sun-aaaa': [420, 260],
+    'scene-aaaa': [630, 0],
+    'screen-aaaa': [820, 0],
+  },
+};
+
+/** Of the gizmo's axes, as it draws them. */
+const AXES = { x: [0xf2, 0x49, 0x5c], y: [0x7a, 0xc7, 0x4f], z: [0x4c, 0x8d, 0xff] } as const;
+type Axis = keyof typeof AXES;
+
+const browser = useBrowser();
+let open: OpenEditor;
+/** With the Transform selected, before anything was moved. */
+let rest: Picture;
+beforeAll(async () => {
+  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+  await open.editor.settled();
+  await open.editor.rewind();
+});
+afterAll(async () => {
+  expect(open.errors).toEqual([]);
+  await open.close();
+});
+
+/** Pixels of an axis, in page points. */
+function axisPixels({ width, height, data }: Picture, frame: Point, axis: Axis): Point[] {
+  const points: Point[] = [];
+  for (let i = 0; i < width * height; i++) {
+    if (AXES[axis].every((part, c) => Math.abs((data[i * 4 + c] ?? 0) - part) <= 2)) {
+      points.push({ x: frame.x + (i % width), y: frame.y + FLAG_PX + Math.floor(i / width) });
+    }
+  }
+  return points;
+}
+
+async function frameBox() {
+  const frame = await open.page.locator('iframe[title="Preview"]').boundingBox();
+  if (!frame) throw new Error('There is no preview.');
+  return frame;
+}
+
+/** Where all of an axis is seen, once it is. */
+async function seeAxis(axis: Axis): Promise<Point[]> {
+  const frame = await frameBox();
+  for (const endMs = Date.now() + 60_000; Date.now() < endMs; ) {
+    const points = axisPixels(await open.editor.picture(), frame, axis);
+    if (points.length > 8) return points;
+  }
+  throw new Error(`The axis ${axis} is not to be seen.`);
+}
+
+/** The end of an axis: of all its pixels the last in a direction, a little inwards. */
+async function tip(axis: Axis, by: (point: Point) => number): Promise<Point> {
+  const points = await seeAxis(axis);
+  const last = points.reduce((best, point) => (by(point) > by(best) ? point : best));
+  const near = points.filter(({ x, y }) => Math.hypot(x - last.x, y - last.y) < 6);
+  const mean = (of: (point: Point) => number) => near.reduce((sum, point) => sum + of(point), 0) / near.length;
+  return { x: mean(({ x }) => x), y: mean(({ y }) => y) };
+}
+
+/** The preview shows the gizmo of a tool, of a document as it was when the tool was chosen or later. */
+async function holds(mode: 'move' | 'rotate' | 'scale'): Promise<void> {
+  await open.editor.preview.locator(`#gizmo[data-mode="${mode}"]`).waitFor();
+}
+
+async function select(stem: string): Promise<void> {
+  await open.editor.node(stem).locator('.node-title').click();
+}
+
+function field(name: string) {
+  return open.editor.inspector.getByRole('textbox', { name, exact: true });
+}
+
+async function numberIn(name: string): Promise<number> {
+  return Number(await field(name).inputValue());
+}
+
+function tool(name: RegExp) {
+  return open.page.getByRole('toolbar', { name: 'Take hold in the preview' }).getByRole('button', { name });
+}
+
+async function savedParams(node: string): Promise<Readonly<Record<string, unknown>>> {
+  return (await saveGraphs(open)).main?.nodes[node]?.params ?? {};
+}
+
+async function undo(): Promise<void> {
+  await open.page.locator('.canvas').focus();
+  await open.page.keyboard.press('Control+z');
+}
+
+test('dragging an arrow moves the thing under the pointer, in the picture and in the inspector, as one step', async () => {
+  const { page, editor } = open;
+  await select('transform');
+  await holds('move');
+  rest = await editor.restingPicture();
+  // Outside, a quarter turn about y makes z of x, and half the size half the way.
+  const up = await tip('y', ({ y }) => -y);
+  await page.mouse.move(up.x, up.y);
+  await page.mouse.down();
+  await page.mouse.move(up.x, up.y - 20, { steps: 4 });
+  await expectValue('Position Y', (value) => value > 0.51);
+  const half = await numberIn('Position Y');
+  await page.mouse.move(up.x, up.y - 40, { steps: 4 });
+  await expectValue('Position Y', (value) => value > half + 0.01);
+  await page.mouse.up();
+  await page.mouse.move(up.x + 150, up.y - 60);
+  await editor.pictureOtherThan(rest);
+  // The arrow went along with the pointer, so that the place is right although another Transform comes after.
+  const after = await tip('y', ({ y }) => -y);
+  expect(Math.abs(up.y - 40 - after.y)).toBeLessThan(4);
+  const { positionM } = (await savedParams('transform-aaaa')) as { positionM: number[] };
+  expect(positionM[0]).toBe(0);
+  expect(positionM[1]).toBeCloseTo(await numberIn('Position Y'), 3);
+  await undo();
+  expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
+  await editor.pictureSameAs(rest, 'gizmo-undone');
+});
+
+async function expectValue(name: string, is: (value: number) => boolean): Promise<void> {
+  for (const endMs = Date.now() + 60_000; Date.now() < endMs; ) if (is(await numberIn(name))) return;
+  throw new Error(`${name} stayed ${await numberIn(name)}.`);
+}
+
+test('Escape in the middle of a drag leaves everything as it was, and nothing to undo', async () => {
+  const { page, editor } = open;
+  const up = await tip('y', ({ y }) => -y);
+  await page.mouse.move(up.x, up.y);
+  await page.mouse.down();
+  await page.mouse.move(up.x, up.y - 30, { steps: 4 });
+  await expectValue('Position Y', (value) => value > 0.51);
+  await page.keyboard.press('Escape');
+  await expectValue('Position Y', (value) => value === 0.5);
+  await page.mouse.move(up.x, up.y - 60, { steps: 3 });
+  await page.mouse.up();
+  await page.mouse.move(up.x + 150, up.y - 60);
+  expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
+  await editor.pictureSameAs(rest, 'gizmo-escaped');
+  // The step before was undone; it is still there to be done again.
+  await page.locator('.canvas').focus();
+  expect(await page.getByRole('button', { name: 'Undo' }).isDisabled()).toBe(true);
+});
+
+test('Ctrl snaps to tenths of a metre, rings turn by 15°, boxes resize by tenths; keys change between them', async () => {
+  const { page } = open;
+  const up = await tip('y', ({ y }) => -y);
+  await page.mouse.move(up.x, up.y);
+  await page.mouse.down();
+  await page.keyboard.down('Control');
+  await page.mouse.move(up.x, up.y - 25, { steps: 5 });
+  await expectValue('Position Y', (value) => value > 0.55);
+  await page.mouse.up();
+  await page.keyboard.up('Control');
+  const height = await numberIn('Position Y');
+  // Along the world's axis, of which the outer Transform makes half.
+  expect(Math.abs((height / 2) * 10 - Math.round((height / 2) * 10))).toBeLessThan(1e-3);
+  await undo();
+
+  await page.keyboard.press('Shift+X');
+  await page.keyboard.press('e');
+  await tool(/^Turn Transform/)
+    .and(page.locator('[aria-pressed="true"]'))
+    .waitFor();
+  await holds('rotate');
+  const ring = await tip('y', ({ y }) => y);
+  await page.mouse.move(ring.x, ring.y);
+  await page.mouse.down();
+  await page.mouse.move(ring.x + 40, ring.y, { steps: 6 });
+  await expectValue('Rotation Y', (value) => value !== 0);
+  await page.mouse.up();
+  const angle = await numberIn('Rotation Y');
+  expect(Math.abs(angle / 15 - Math.round(angle / 15))).toBeLessThan(1e-3);
+  expect([await numberIn('Rotation X'), await numberIn('Rotation Z')]).toEqual([0, 0]);
+  await undo();
+
+  await page.keyboard.press('s');
+  await tool(/^Resize Transform/)
+    .and(page.locator('[aria-pressed="true"]'))
+    .waitFor();
+  await holds('scale');
+  const top = await tip('y', ({ y }) => -y);
+  await page.mouse.move(top.x, top.y);
+  await page.mouse.down();
+  await page.mouse.move(top.x, top.y - 40, { steps: 6 });
+  await expectValue('Scale', (value) => value > 1.05);
+  await page.mouse.up();
+  const scale = await numberIn('Scale');
+  expect(Math.abs(scale * 10 - Math.round(scale * 10))).toBeLessThan(1e-6);
+  await undo();
+  expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
+  await page.keyboard.press('Shift+X');
+  await page.keyboard.press('w');
+});
+
+test('a click on an object selects the node that made it, again what places it, and keys go on working', async () => {
+  const { page, editor } = open;
+  await holds('move');
+  const [left, right] = [await tip('x', ({ x }) => -x), await tip('x', ({ x }) => x)];
+  const body = { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2 };
+  const frame = await frameBox();
+  await select('screen');
+  await page.mouse.click(body.x, body.y);
+  await editor.inspector.getByRole('heading', { name: 'Primitive' }).waitFor();
+  // It has a size of its own and is moved by what comes after it.
+  await tool(/^Move Transform/).waitFor();
+  await tool(/^Resize Primitive/).waitFor();
+  await page.mouse.click(frame.x + frame.width - 30, frame.y + 60);
+  await page.mouse.click(body.x, body.y);
+  await editor.inspector.getByRole('heading', { name: 'Transform' }).waitFor();
+  // The preview has the focus now, and what is pressed is for the editor all the same.
+  await page.keyboard.press('e');
+  await tool(/^Turn/).and(page.locator('[aria-pressed="true"]')).waitFor();
+  await page.keyboard.press('g');
+  await tool(/^Move/).and(page.locator('[aria-pressed="true"]')).waitFor();
+  await page.keyboard.press('x');
+  await tool(/^Axes of the object/)
+    .and(page.locator('[aria-pressed="true"]'))
+    .waitFor();
+  await page.keyboard.press('x');
+});
+
+test('what comes by a wire is not offered, and the bar says why', async () => {
+  const { page } = open;
+  await select('lamp');
+  const move = tool(/^Move: “Position” of Point light comes by a wire/);
+  await move.waitFor();
+  expect(await move.getAttribute('aria-disabled')).toBe('true');
+  await move.hover();
+  await page.locator('.tooltip').getByText('“Position” of Point light comes by a wire.').waitFor();
+  await select('screen');
+  await page.getByRole('toolbar', { name: 'Take hold in the preview' }).waitFor({ state: 'detached' });
+  // The sun has no place, and can be turned.
+  await select('sun');
+  await page.keyboard.press('e');
+  await holds('rotate');
+  const ring = await tip('y', ({ y }) => y);
+  const before = await numberIn('Azimuth');
+  await page.mouse.move(ring.x, ring.y);
+  await page.mouse.down();
+  await page.mouse.move(ring.x + 30, ring.y, { steps: 5 });
+  await expectValue('Azimuth', (value) => value !== before);
+  await page.mouse.up();
+  await undo();
+  await expectValue('Azimuth', (value) => value === before);
+  await page.keyboard.press('w');
+});
+
+test('in an emulated room of two views it stands in the left one, while all plays', async () => {
+  const { page, editor } = open;
+  await page.getByRole('button', { name: 'Preview options' }).click();
+  await page.getByRole('menuitemradio', { name: 'Headset' }).click();
+  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('button', { name: 'Play', exact: true }).click();
+  await editor.settled();
+  await select('transform');
+  const frame = await frameBox();
+  await holds('move');
+  const points = await seeAxis('y');
+  for (const { x } of points) expect(x).toBeLessThan(frame.x + frame.width / 2);
+  const up = await tip('y', ({ y }) => -y);
+  await page.mouse.move(up.x, up.y);
+  await page.mouse.down();
+  await page.mouse.move(up.x, up.y - 12, { steps: 6 });
+  await expectValue('Position Y', (value) => value > 0.505);
+  await page.mouse.up();
+  await undo();
+  expect(await savedParams('transform-aaaa')).toEqual({ positionM: [0, 0.5, 0] });
+});
