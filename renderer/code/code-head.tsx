@@ -1,6 +1,6 @@
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { titleOf } from '../state/document.ts';
-import { copyShader, originalOf, revertShader, shaderOf } from '../state/edit-shader.ts';
+import { copyShader, originalOf, revertShader, shaderOf, vertexOf } from '../state/edit-shader.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 
 interface CodeHeadProps {
@@ -8,13 +8,17 @@ interface CodeHeadProps {
   readonly form: boolean;
   readonly comparing: boolean;
   readonly readOnly: boolean;
+  /** What is shown is the vertex shader beside the shader. */
+  readonly inVertex: boolean;
+  readonly onVertex: (shown: boolean) => void;
   readonly onForm: (open: boolean) => void;
   readonly onCompare: (open: boolean) => void;
 }
 
 /** What is shown, whose it is, and what can be done with it as a whole. */
-export function CodeHead({ node, form, comparing, readOnly, onForm, onCompare }: CodeHeadProps) {
+export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, onForm, onCompare }: CodeHeadProps) {
   const editor = useEditor();
+  const vertex = useDocument((state) => vertexOf(state, node));
   const title = useDocument((state) => titleOf(state, node));
   const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
   const ofLibrary = useDocument((state) => shaderOf(state, node)?.file === null);
@@ -25,9 +29,19 @@ export function CodeHead({ node, form, comparing, readOnly, onForm, onCompare }:
   });
   return (
     <div className="code-head">
-      <IconButton icon="form" label="Header form" small pressed={form} onPress={() => onForm(!form)} />
+      <IconButton icon="form" label="Header form" small pressed={form} disabled={inVertex} onPress={() => onForm(!form)} />
       <strong>{title}</strong>
-      <code>{name}</code>
+      <code>{inVertex ? vertex : name}</code>
+      {vertex !== null && (
+        <fieldset className="code-files" aria-label="File">
+          <Button look="quiet" pressed={!inVertex} onPress={() => onVertex(false)}>
+            Fragment
+          </Button>
+          <Button look="quiet" pressed={inVertex} onPress={() => onVertex(true)}>
+            Vertex
+          </Button>
+        </fieldset>
+      )}
       <span className="code-head-gap" />
       {ofLibrary && (
         <>
@@ -37,7 +51,7 @@ export function CodeHead({ node, form, comparing, readOnly, onForm, onCompare }:
           </Button>
         </>
       )}
-      {original !== null && (
+      {original !== null && !inVertex && (
         <>
           <Button look="quiet" tip={`With ${original}`} onPress={() => onCompare(!comparing)} disabled={!changed && !comparing}>
             {comparing ? 'Stop comparing' : 'Compare with original'}

@@ -1,6 +1,6 @@
 import { editor } from 'monaco-editor/editor';
 import { type Colour, coloursOf } from '../../export/glsl/language/literals.ts';
-import { type ChunkOf, documentOf, rangeOf } from './shader-models.ts';
+import { documentOf, rangeOf, type ShaderTexts } from './shader-models.ts';
 
 /** Class of the small square before each colour of the text. */
 export const SWATCH_CLASS = 'tuner-swatch';
@@ -10,14 +10,14 @@ export interface ColourMarks {
 }
 
 /** Shows the colours that the text holds as numbers. */
-export function createColourMarks(view: editor.ICodeEditor, chunkOf: ChunkOf): ColourMarks {
+export function createColourMarks(view: editor.ICodeEditor, texts: ShaderTexts): ColourMarks {
   const sheet = new CSSStyleSheet();
   document.adoptedStyleSheets = [...document.adoptedStyleSheets, sheet];
   const known = new Set<string>();
   const marks = view.createDecorationsCollection();
   const refresh = () => {
     const model = view.getModel();
-    const colours = model ? coloursOf(model.getValue(), documentOf(model, chunkOf).outline) : [];
+    const colours = model ? coloursOf(model.getValue(), documentOf(model, texts).outline) : [];
     marks.set(
       colours.map(({ range, colour }) => ({
         range: { ...rangeOf(range), endLineNumber: range.start.line, endColumn: range.start.column },

@@ -28,6 +28,7 @@ import 'monaco-editor/features/wordOperations/register';
 // The features of these names leave them out.
 import 'monaco-editor/editor/contrib/gotoSymbol/browser/goToCommands';
 import 'monaco-editor/editor/contrib/suggest/browser/suggestController';
+import type { NeighbourFile } from '../../export/glsl/language/shader-document.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { createColourMarks } from './colour-marks.ts';
 import { type Comparison, compareWith } from './compare.ts';
@@ -35,7 +36,7 @@ import { registerGlslLanguage } from './glsl-language.ts';
 import { markDiagnostics } from './markers.ts';
 import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
-import { type ChunkOf, chunkFileOf, forgetModels, shaderModel } from './shader-models.ts';
+import { chunkFileOf, forgetModels, type ShaderTexts, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
 import { optionsFor, readOnlyOptions } from './view-options.ts';
 
@@ -65,11 +66,13 @@ export interface ShaderEditor {
 }
 
 export interface ShaderEditorOptions {
-  readonly chunkOf: ChunkOf;
+  readonly texts: ShaderTexts;
   /** Each change by the person; not what `show` put in. `live`: the picture is to follow at once. */
   readonly onType: (name: string, text: string, live: boolean) => void;
   /** What was typed is done with: the focus left the text, or something else begins. */
   readonly onLeave: () => void;
+  /** What is typed next is one step with this new text of the file beside it. */
+  readonly onRename: (beside: NeighbourFile) => void;
   /** Someone wants to see a place in a chunk, `chunks/NAME.glsl`. */
   readonly onChunk: (file: string, line: number, column: number) => void;
 }
@@ -77,7 +80,7 @@ export interface ShaderEditorOptions {
 /** Caret and scroll of texts that are not shown, also while no view is there at all. */
 const viewStates = new WeakMap<editor.ITextModel, editor.ICodeEditorViewState>();
 
-export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLeave, onChunk }: ShaderEditorOptions): ShaderEditor {
+export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave, onRename, onChunk }: ShaderEditorOptions): ShaderEditor {
   (globalThis as { MonacoEnvironment?: unknown }).MonacoEnvironment = {
     getWorker: () => new Worker(new URL('./monaco.worker.ts', import.meta.url), { type: 'module' }),
   };
@@ -123,9 +126,10 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
     registerGlslLanguage(),
     followTheme(),
     registerProviders({
-      chunkOf,
-      onRename: () => {
+      texts,
+      onRename: (beside) => {
         onLeave();
+        if (beside) onRename(beside);
         stepNext = true;
       },
     }),
@@ -144,10 +148,10 @@ export function createShaderEditor(parent: HTMLElement, { chunkOf, onType, onLea
         },
       }),
     ),
-    disposer(createColourMarks(view, chunkOf)),
+    disposer(createColourMarks(view, texts)),
     disposer(
       createTuning(view, {
-        chunkOf,
+        texts,
         onStart: () => {
           onLeave();
           tuning = true;

@@ -3,19 +3,21 @@ import { type Completion, completionsAt } from '../../export/glsl/language/compl
 import { formatShader } from '../../export/glsl/language/format.ts';
 import { numberAt } from '../../export/glsl/language/literals.ts';
 import { definitionsAt, hoverAt, referencesAt, signatureAt } from '../../export/glsl/language/look-up.ts';
-import { renameAt, renameStart } from '../../export/glsl/language/rename.ts';
+import { renameAt, renameBeside, renameStart } from '../../export/glsl/language/rename.ts';
+import { type DocumentOptions, type NeighbourFile, readShaderDocument } from '../../export/glsl/language/shader-document.ts';
+import { applyEdits } from '../../export/glsl/language/source-text.ts';
 import type { Place } from '../../export/glsl/syntax/token.ts';
 import { GLSL_LANGUAGE } from './glsl-language.ts';
-import { type ChunkOf, chunkModel, documentOf, editOf, rangeOf } from './shader-models.ts';
+import { chunkModel, documentOf, editOf, isVertexShader, rangeOf, type ShaderTexts } from './shader-models.ts';
 
 export interface ProviderOptions {
-  readonly chunkOf: ChunkOf;
-  /** The edits of a renaming are about to be made: they are a step of their own. */
-  readonly onRename: () => void;
+  readonly texts: ShaderTexts;
+  /** The edits of a renaming are about to be made: they are a step of their own, with the new text of the file beside it. */
+  readonly onRename: (beside: NeighbourFile | null) => void;
 }
 
 /** Tells Monaco what `export/glsl/language` knows. The returned function takes it all back. */
-export function registerProviders({ chunkOf, onRename }: ProviderOptions): () => void {
+export function registerProviders({ texts, onRename }: ProviderOptions): () => void {
   const parts = [
     languages.registerCompletionItemProvider(GLSL_LANGUAGE, {
       triggerCharacters: ['.', '#', '"', '$'],
@@ -25,13 +27,13 @@ export function registerProviders({ chunkOf, onRename }: ProviderOptions): () =>
         const dollar = model.getValueInRange({ ...lineRange(lineNumber, word.startColumn - 1, word.startColumn) }) === '$' ? 1 : 0;
         const range = lineRange(lineNumber, word.startColumn - dollar, position.column);
         return {
-          suggestions: completionsAt(documentOf(model, chunkOf), placeOf(position)).map((item) => ({ ...suggestionOf(item), range })),
+          suggestions: completionsAt(documentOf(model, texts), placeOf(position)).map((item) => ({ ...suggestionOf(item), range })),
         };
       },
     }),
     languages.registerHoverProvider(GLSL_LANGUAGE, {
       provideHover: (model, position) => {
-        const document = documentOf(model, chunkOf);
+        const document = documentOf(model, texts);
         const found = hoverAt(document, placeOf(position));
         if (found !== null) return { range: rangeOf(found.range), contents: [glslCode(found.code), { value: found.doc }] };
         const number = numberAt(document.source, placeOf(position), document.outline);
@@ -44,7 +46,7 @@ export function registerProviders({ chunkOf, onRename }: ProviderOptions): () =>
       signatureHelpTriggerCharacters: ['(', ','],
       signatureHelpRetriggerCharacters: [')'],
       provideSignatureHelp: (model, position) => {
-        const help = signatureAt(documentOf(model, chunkOf), placeOf(position));
+        const help = signatureAt(documentOf(model, texts), placeOf(position));
         if (help === null) return null;
         const signatures = help.signatures.map(({ label, parameters }) => ({
           label,
@@ -56,29 +58,38 @@ export function registerProviders({ chunkOf, onRename }: ProviderOptions): () =>
     }),
     languages.registerDefinitionProvider(GLSL_LANGUAGE, {
       provideDefinition: (model, position) =>
-        definitionsAt(documentOf(model, chunkOf), placeOf(position)).flatMap(({ file, range }) => {
-          const uri = file === null ? model.uri : chunkModel(file, chunkOf)?.uri;
+        definitionsAt(documentOf(model, texts), placeOf(position)).flatMap(({ file, range }) => {
+          const uri = file === null ? model.uri : chunkModel(file, texts.chunkOf)?.uri;
           return uri ? [{ uri, range: rangeOf(range) }] : [];
         }),
     }),
     languages.registerReferenceProvider(GLSL_LANGUAGE, {
       provideReferences: (model, position) =>
-        referencesAt(documentOf(model, chunkOf), placeOf(position)).map((range) => ({ uri: model.uri, range: rangeOf(range) })),
+        referencesAt(documentOf(model, texts), placeOf(position)).map((range) => ({ uri: model.uri, range: rangeOf(range) })),
     }),
     languages.registerDocumentHighlightProvider(GLSL_LANGUAGE, {
       provideDocumentHighlights: (model, position) =>
-        referencesAt(documentOf(model, chunkOf), placeOf(position)).map((range) => ({ range: rangeOf(range) })),
+        referencesAt(documentOf(model, texts), placeOf(position)).map((range) => ({ range: rangeOf(range) })),
     }),
     languages.registerRenameProvider(GLSL_LANGUAGE, {
       resolveRenameLocation: (model, position) => {
-        const start = renameStart(documentOf(model, chunkOf), placeOf(position));
+        const start = renameStart(documentOf(model, texts), placeOf(position));
         const here = lineRange(position.lineNumber, position.column, position.column);
         return start.ok ? { range: rangeOf(start.range), text: start.name.name } : { range: here, text: '', rejectReason: start.reason };
       },
       provideRenameEdits: (model, position, newName) => {
-        const rename = renameAt(documentOf(model, chunkOf), placeOf(position), newName.trim(), { chunkOf });
+        const document = documentOf(model, texts);
+        const to = newName.trim();
+        const rename = renameAt(document, placeOf(position), to, optionsFor(document.file, texts));
         if (!rename.ok) return { edits: [], rejectReason: rename.reason };
-        onRename();
+        const beside = texts.besideOf(document.file);
+        const options = beside && optionsFor(beside.file, texts, document);
+        const there =
+          beside &&
+          options &&
+          renameBeside(document, placeOf(position), to, readShaderDocument(beside.source, beside.file, options), options);
+        if (there?.ok === false) return { edits: [], rejectReason: there.reason };
+        onRename(beside && there && there.edits.length > 0 ? { file: beside.file, source: applyEdits(beside.source, there.edits) } : null);
         const { uri: resource } = model;
         return { edits: rename.edits.map((edit) => ({ resource, textEdit: editOf(edit), versionId: undefined })) };
       },
@@ -94,6 +105,12 @@ export function registerProviders({ chunkOf, onRename }: ProviderOptions): () =>
   return () => {
     for (const part of parts) part.dispose();
   };
+}
+
+/** What a file is read with; `shown` is newer than what the others know of it. */
+function optionsFor(file: string, { chunkOf, besideOf }: ShaderTexts, shown?: NeighbourFile): DocumentOptions {
+  const fragment = isVertexShader(file) ? (shown ?? besideOf(file)) : undefined;
+  return { chunkOf, fragment };
 }
 
 function placeOf({ lineNumber, column }: IPosition): Place {

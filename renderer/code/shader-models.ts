@@ -1,5 +1,5 @@
 import { editor, type IRange, Range, Uri } from 'monaco-editor/editor';
-import { readShaderDocument, type ShaderDocument } from '../../export/glsl/language/shader-document.ts';
+import { type NeighbourFile, readShaderDocument, type ShaderDocument } from '../../export/glsl/language/shader-document.ts';
 import type { TextEdit, TextRange } from '../../export/glsl/language/source-text.ts';
 import { GLSL_LANGUAGE } from './glsl-language.ts';
 
@@ -9,11 +9,20 @@ const CHUNK_SCHEME = 'scrim-chunk';
 /** Text of `chunks/NAME.glsl`. */
 export type ChunkOf = (name: string) => string | undefined;
 
+/** What a text's neighbours hold. */
+export interface ShaderTexts {
+  readonly chunkOf: ChunkOf;
+  /** The vertex shader beside an ISF file, or the ISF file beside a vertex shader. */
+  readonly besideOf: (file: string) => NeighbourFile | undefined;
+}
+
 interface Reading {
   readonly version: number;
   readonly file: string;
   /** The chunks that it asked for, with what they were. */
   readonly chunks: ReadonlyMap<string, string | undefined>;
+  /** Of the file whose header counts for it, too. */
+  readonly header: string | undefined;
   readonly document: ShaderDocument;
 }
 
@@ -51,22 +60,28 @@ export function forgetModels(keep: (name: string) => boolean): void {
 }
 
 /** What the language knows of a model's text, read once per version of it and of what it includes. */
-export function documentOf(model: editor.ITextModel, chunkOf: ChunkOf): ShaderDocument {
+export function documentOf(model: editor.ITextModel, { chunkOf, besideOf }: ShaderTexts): ShaderDocument {
   const known = readings.get(model);
   const version = model.getVersionId();
   const file = files.get(model) ?? '';
   const isSame = (chunks: Reading['chunks']) => [...chunks].every(([name, text]) => chunkOf(name) === text);
-  if (known?.version === version && known.file === file && isSame(known.chunks)) return known.document;
+  const fragment = isVertexShader(file) ? besideOf(file) : undefined;
+  const header = fragment?.source;
+  if (known?.version === version && known.file === file && known.header === header && isSame(known.chunks)) return known.document;
   const chunks = new Map<string, string | undefined>();
   const remember: ChunkOf = (name) => {
     const text = chunkOf(name);
     chunks.set(name, text);
     return text;
   };
-  const options = known?.file === file ? { chunkOf: remember, before: known.document } : { chunkOf: remember };
+  const options = { chunkOf: remember, fragment, ...(known?.file === file ? { before: known.document } : {}) };
   const document = readShaderDocument(model.getValue(), file, options);
-  readings.set(model, { version, file, chunks, document });
+  readings.set(model, { version, file, chunks, header, document });
   return document;
+}
+
+export function isVertexShader(file: string): boolean {
+  return file.endsWith('.vs');
 }
 
 export function rangeOf({ start, end }: TextRange): IRange {

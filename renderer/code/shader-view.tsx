@@ -5,7 +5,7 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { useProblems } from '../shell/use-problems.ts';
 import { chunkOf } from '../state/edit-header.ts';
-import { originalOf, shaderOf } from '../state/edit-shader.ts';
+import { besideOf, originalOf, projectFileOf, shaderOf, vertexOf } from '../state/edit-shader.ts';
 import { takeBack } from '../state/outside.ts';
 import { createTyping, type Typing } from '../state/typing.ts';
 import { revealCode } from '../state/ui.ts';
@@ -17,6 +17,7 @@ import type { ShaderEditor } from './monaco.ts';
 const OUTSIDE = 'Another program has saved this. “Edit it here”, above, takes it back.';
 const LIBRARY_CHUNK =
   'A chunk of the library is shared by all its techniques. “Copy chunk into project”, above, gives this project its own.';
+const LIBRARY_VERTEX = 'A vertex shader of the library. “Copy into project”, above, copies it with its shader.';
 
 interface Tools {
   readonly view: ShaderEditor;
@@ -34,18 +35,20 @@ export function ShaderView({ node }: { readonly node: string }) {
   const position = useStore(editor.ui, (state) => state.codePosition);
   const file = useDocument((state) => shaderOf(state, node)?.file ?? null);
   const form = useStore(editor.ui, (state) => state.headerForm);
-  /** A chunk that is looked at in the place of the node's own text. */
-  const [looked, setLooked] = useState<{ readonly node: string; readonly chunk: string } | null>(null);
-  const chunk = useDocument((state) => (looked?.node === node && state.library.shader(looked.chunk) !== undefined ? looked.chunk : null));
+  /** A chunk or the vertex shader, looked at in the place of the node's own text. */
+  const [looked, setLooked] = useState<{ readonly node: string; readonly file: string } | null>(null);
+  const other = useDocument((state) => (looked?.node === node && state.library.shader(looked.file) !== undefined ? looked.file : null));
+  const vertex = useDocument((state) => vertexOf(state, node));
+  const chunk = other === vertex ? null : other;
   /** The node whose text stands beside its original. */
   const [compared, setCompared] = useState<string | null>(null);
-  const comparing = compared === node && chunk === null;
+  const comparing = compared === node && other === null;
   const parent = useRef<HTMLDivElement>(null);
   const tools = useShaderEditor(parent);
-  const shown = chunk ?? node;
-  const shownFile = chunk ?? name;
-  const shownText = useDocument((state) => (chunk === null ? text : (state.library.shader(chunk) ?? '')));
-  const readOnly = useReadOnly(chunk, file);
+  const shown = other ?? node;
+  const shownFile = other ?? name;
+  const shownText = useDocument((state) => (other === null ? text : (state.library.shader(other) ?? '')));
+  const readOnly = useReadOnly(other, file);
 
   useEffect(() => {
     if (!tools) return;
@@ -59,22 +62,22 @@ export function ShaderView({ node }: { readonly node: string }) {
   useEffect(() => tools?.view.compare(comparing ? original : null), [tools, comparing, original]);
 
   useEffect(() => {
-    tools?.view.mark(problems.filter((problem) => (chunk === null ? isAbout(problem, node, name) : problem.file === chunk)));
-  }, [tools, problems, node, name, chunk]);
+    tools?.view.mark(problems.filter((problem) => (other === null ? isAbout(problem, node, name) : problem.file === other)));
+  }, [tools, problems, node, name, other]);
 
   useEffect(() => {
     if (position === null || !tools) return;
-    if (position.chunk !== chunk) {
-      setLooked(position.chunk === null ? null : { node, chunk: position.chunk });
+    if (position.file !== other) {
+      setLooked(position.file === null ? null : { node, file: position.file });
       return;
     }
     tools.view.goTo(position.line, position.column);
     editor.ui.setState({ codePosition: null });
-  }, [editor, tools, position, node, chunk]);
+  }, [editor, tools, position, node, other]);
 
-  const hasForm = form && chunk === null;
+  const hasForm = form && other === null;
   const onTakeBack = () => {
-    const taken = chunk ?? file;
+    const taken = other === null ? file : projectFileOf(other);
     if (taken !== null) takeBack(editor, taken);
     // The button goes with the bar that it is on: the focus has to have left it by then, or it is lost.
     tools?.view.focus();
@@ -87,6 +90,8 @@ export function ShaderView({ node }: { readonly node: string }) {
         form={form}
         comparing={comparing}
         readOnly={readOnly !== null}
+        inVertex={vertex !== null && other === vertex}
+        onVertex={(on) => setLooked(on && vertex !== null ? { node, file: vertex } : null)}
         onForm={(headerForm) => editor.ui.setState({ headerForm })}
         onCompare={(on) => setCompared(on ? node : null)}
       />
@@ -98,12 +103,13 @@ export function ShaderView({ node }: { readonly node: string }) {
   );
 }
 
-/** Why the text cannot be typed in: what `file` of the project, or a chunk, is to others; null where it can. */
-function useReadOnly(chunk: string | null, file: string | null): string | null {
+/** Why the text cannot be typed in: what `file` of the project, or another file in its place, is to others; null where it can. */
+function useReadOnly(other: string | null, file: string | null): string | null {
   const editor = useEditor();
-  const ofLibrary = useDocument(({ project }) => chunk !== null && own(project.sources, chunk) === undefined);
-  const outside = useStore(editor.ui, (state) => state.outside.includes(chunk ?? file ?? ''));
-  if (ofLibrary) return LIBRARY_CHUNK;
+  const shown = other === null ? file : projectFileOf(other);
+  const ofLibrary = useDocument(({ project }) => other !== null && shown !== null && own(project.sources, shown) === undefined);
+  const outside = useStore(editor.ui, (state) => state.outside.includes(shown ?? ''));
+  if (ofLibrary) return other?.endsWith('.vs') ? LIBRARY_VERTEX : LIBRARY_CHUNK;
   return outside ? OUTSIDE : null;
 }
 
@@ -120,13 +126,14 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
     void import('./monaco.ts').then(({ createShaderEditor }) => {
       if (stopped) return;
       view = createShaderEditor(element, {
-        chunkOf: chunkOf(editor),
+        texts: { chunkOf: chunkOf(editor), besideOf: (file) => besideOf(editor.document.getState(), file) },
         onType: (key, text, live) => {
           const shader = key.slice(key.indexOf('/') + 1);
           if (live) typing.tune(shader, text);
           else typing.type(shader, text);
         },
         onLeave: typing.end,
+        onRename: typing.along,
         onChunk: (file, line, column) => revealCode(editor.ui, line, column, file),
       });
       setTools({ view, typing });

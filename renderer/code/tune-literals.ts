@@ -14,10 +14,10 @@ import {
 import { touches } from '../../export/glsl/language/source-text.ts';
 import { SWATCH_CLASS } from './colour-marks.ts';
 import { ColourTuner, NumberTuner } from './literal-tuner.tsx';
-import { type ChunkOf, documentOf, rangeOf } from './shader-models.ts';
+import { documentOf, rangeOf, type ShaderTexts } from './shader-models.ts';
 
 export interface TuningOptions {
-  readonly chunkOf: ChunkOf;
+  readonly texts: ShaderTexts;
   /** The text changes by the tuner until `onEnd`: what it is then is to be seen at once. */
   readonly onStart: () => void;
   readonly onEnd: () => void;
@@ -34,7 +34,7 @@ const CLICK_PX = 3;
  * Numbers and colours of the text by hand: a number is dragged with Alt, and a click on it or on the square before a colour, or
  * Alt+Enter, opens sliders beside it. What one drag changes is one step.
  */
-export function createTuning(view: editor.IStandaloneCodeEditor, { chunkOf, onStart, onEnd }: TuningOptions): Tuning {
+export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStart, onEnd }: TuningOptions): Tuning {
   let open: {
     readonly widget: editor.IContentWidget;
     readonly root: Root;
@@ -152,13 +152,13 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { chunkOf, onSt
   function numberNear({ lineNumber, column }: IPosition): NumberLiteral | null {
     const model = view.getModel();
     if (!model || isReadOnly()) return null;
-    return numberAt(model.getValue(), { line: lineNumber, column }, documentOf(model, chunkOf).outline);
+    return numberAt(model.getValue(), { line: lineNumber, column }, documentOf(model, texts).outline);
   }
 
   function colourNear({ lineNumber, column }: IPosition): ColourLiteral | null {
     const model = view.getModel();
     if (!model || isReadOnly()) return null;
-    const colours = coloursOf(model.getValue(), documentOf(model, chunkOf).outline);
+    const colours = coloursOf(model.getValue(), documentOf(model, texts).outline);
     return colours.find(({ range }) => touches(range, { line: lineNumber, column })) ?? null;
   }
 

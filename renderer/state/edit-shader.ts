@@ -61,22 +61,41 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
 }
 
 /**
- * Takes over the text of a chunk, `chunks/NAME.glsl`, as one of the project: its techniques get it in the place of the library's.
- * Typing is one step until `endGesture`.
+ * Takes over the text of a file of the project that is no node's own: a chunk, `chunks/NAME.glsl`, which takes the place of the
+ * library's, or the vertex shader beside an ISF file, `NAME.vs`. `step`: the file whose typing it is one step with.
  */
-export function editChunk(editor: Editor, file: string, text: string): boolean {
+export function editSource(editor: Editor, file: string, text: string, step = file): boolean {
   const { project, library } = editor.document.getState();
   const { base, readShader } = editor.libraries;
   if (own(project.sources, file) === text) return false;
-  return apply(editor, `Edit ${file}`, setSource(project, { base, readShader, file, text, known: library }), `source ${file}`);
+  return apply(editor, `Edit ${file}`, setSource(project, { base, readShader, file, text, known: library }), `source ${step}`);
 }
 
 /** Copies a chunk from the library into the project, as it stands. */
 export function copyChunk(editor: Editor, file: string): boolean {
   const text = editor.document.getState().library.shader(file);
-  const copied = text !== undefined && editChunk(editor, file, text);
+  const copied = text !== undefined && editSource(editor, file, text);
   endGesture(editor);
   return copied;
+}
+
+/** The vertex shader beside a node's ISF file, as the library calls it; null where there is none. */
+export function vertexOf(state: OpenGraph, node: string): string | null {
+  const name = shaderOf(state, node)?.name;
+  const vertex = name === undefined ? undefined : besideOf(state, name);
+  return vertex?.file ?? null;
+}
+
+/** The vertex shader beside an ISF file, or the ISF file beside a vertex shader. */
+export function besideOf({ library }: OpenGraph, file: string): { readonly file: string; readonly source: string } | undefined {
+  const beside = file.endsWith('.vs') ? file.replace(/\.vs$/, '.fs') : file.replace(/\.fs$/, '.vs');
+  const source = beside === file ? undefined : library.shader(beside);
+  return source === undefined ? undefined : { file: beside, source };
+}
+
+/** Name in the project of what the library calls `shaders/NAME`, or of a chunk. */
+export function projectFileOf(name: string): string {
+  return name.startsWith(OWN_SHADERS) ? name.slice(OWN_SHADERS.length) : name;
 }
 
 /** Copies a node's shader from the library into the project, as it stands. */

@@ -2,7 +2,7 @@ import { isChunkFile } from '../../export/graph/names.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeProblem } from '../canvas/project-canvas.ts';
 import { graphOf, nodeOf, type OpenGraph } from './document.ts';
-import { shaderOf } from './edit-shader.ts';
+import { shaderOf, vertexOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { selectOnly } from './selection.ts';
 import { revealCode, revealNodes } from './ui.ts';
@@ -25,7 +25,8 @@ export function problemKey({ code, nodeId, port, file, line, column, message }: 
 
 /** Whether a problem is a node's: it names the node, or only the file that the node's shader is in. */
 export function isAboutNode({ nodeId, file }: Diagnostic, state: OpenGraph, id: string): boolean {
-  return nodeId === undefined ? file !== undefined && shaderOf(state, id)?.name === file : nodeHere(state, nodeId) === id;
+  if (nodeId !== undefined) return nodeHere(state, nodeId) === id;
+  return file !== undefined && (shaderOf(state, id)?.name === file || vertexOf(state, id) === file);
 }
 
 export function problemsByNode(problems: readonly Diagnostic[], state: OpenGraph): ReadonlyMap<string, NodeProblem> {
@@ -59,7 +60,7 @@ export function goToProblem(editor: Editor, problem: Diagnostic): void {
   selectOnly(editor.selection, [node]);
   revealNodes(editor.ui, [node]);
   if (problem.line !== undefined && shaderOf(state, node) !== null)
-    revealCode(editor.ui, problem.line, problem.column ?? 1, chunkIn(problem));
+    revealCode(editor.ui, problem.line, problem.column ?? 1, otherFileIn(problem));
 }
 
 /** The node of the open graph that `look-a2b3/sepia-k7q2` is, or is in. */
@@ -72,10 +73,10 @@ function nodeOfProblem(editor: Editor, { nodeId, file }: Diagnostic): string | n
   const state = editor.document.getState();
   const named = nodeId === undefined ? undefined : nodeHere(state, nodeId);
   if (named !== undefined || file === undefined) return named ?? null;
-  return Object.keys(graphOf(state).nodes).find((id) => shaderOf(state, id)?.name === file) ?? null;
+  return Object.keys(graphOf(state).nodes).find((id) => shaderOf(state, id)?.name === file || vertexOf(state, id) === file) ?? null;
 }
 
-/** The chunk that a problem is in, though it is told of the node whose technique includes it. */
-function chunkIn({ file }: Diagnostic): string | null {
-  return file !== undefined && isChunkFile(file) ? file : null;
+/** The chunk or vertex shader that a problem is in, though it is told of the node whose shader needs it. */
+function otherFileIn({ file }: Diagnostic): string | null {
+  return file !== undefined && (isChunkFile(file) || file.endsWith('.vs')) ? file : null;
 }

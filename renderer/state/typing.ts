@@ -1,7 +1,7 @@
-import { isChunkFile } from '../../export/graph/names.ts';
+import type { NeighbourFile } from '../../export/glsl/language/shader-document.ts';
 import { debounce } from '../clock.ts';
 import { endGesture } from './apply.ts';
-import { editChunk, editShader } from './edit-shader.ts';
+import { editShader, editSource, projectFileOf, shaderOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 
 /** A pause this long takes the text over: long enough not to compile every letter, short enough to feel live. */
@@ -9,10 +9,12 @@ const PAUSE_MS = 300;
 
 /** Text on its way from the keyboard into the document. */
 export interface Typing {
-  /** `shader`: the node whose shader it is, or the file of a chunk. */
+  /** `shader`: the node whose shader it is, or the file of a chunk or of a vertex shader. */
   type(shader: string, text: string): void;
   /** Takes over at once what a slider in the text makes of it; with what follows it is one step until `end`. */
   tune(shader: string, text: string): void;
+  /** What is typed next is one step with this new text of the file beside it. */
+  along(beside: NeighbourFile): void;
   /** Whether text of the shader's has been typed that the document does not have yet. */
   isAhead(shader: string): boolean;
   /** Takes over at once what was typed for other shaders than this. */
@@ -23,13 +25,18 @@ export interface Typing {
 }
 
 export function createTyping(editor: Editor): Typing {
+  let beside: NeighbourFile | null = null;
   let waiting: { readonly shader: string; readonly text: string } | null = null;
   const take = () => {
     const typed = waiting;
     waiting = null;
     if (typed === null) return;
-    if (isChunkFile(typed.shader)) editChunk(editor, typed.shader, typed.text);
+    const isFile = /\.(glsl|vs)$/.test(typed.shader);
+    const file = isFile ? projectFileOf(typed.shader) : shaderOf(editor.document.getState(), typed.shader)?.file;
+    if (isFile) editSource(editor, projectFileOf(typed.shader), typed.text);
     else editShader(editor, typed.shader, typed.text);
+    if (beside !== null && file) editSource(editor, projectFileOf(beside.file), beside.source, file);
+    beside = null;
   };
   const pause = debounce(editor.clock, PAUSE_MS, take);
   let tuning = false;
@@ -55,6 +62,9 @@ export function createTyping(editor: Editor): Typing {
       waiting = { shader, text };
       pause.cancel();
       take();
+    },
+    along: (changed) => {
+      beside = changed;
     },
     isAhead: (shader) => waiting?.shader === shader,
     flush: (shader) => {

@@ -63,8 +63,8 @@ export interface CodePosition {
   readonly serial: number;
   readonly line: number;
   readonly column: number;
-  /** `chunks/NAME.glsl`, where it is in one. */
-  readonly chunk: string | null;
+  /** Where it is not in the node's own text: a chunk, `chunks/NAME.glsl`, or its vertex shader, `shaders/NAME.vs`. */
+  readonly file: string | null;
 }
 
 export interface Exporting {
@@ -140,10 +140,10 @@ export function revealNodes(store: UiStore, nodes: readonly string[], how: Revea
   store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
 }
 
-/** `chunk`: the file of one that the selected node's technique includes; null for its own text. */
-export function revealCode(store: UiStore, line: number, column: number, chunk: string | null = null): void {
+/** `file`: a chunk that the selected node's technique includes, or its vertex shader; null for its own text. */
+export function revealCode(store: UiStore, line: number, column: number, file: string | null = null): void {
   store.setState(({ codePosition }) => ({
     bottom: 'code',
-    codePosition: { serial: (codePosition?.serial ?? 0) + 1, line, column, chunk },
+    codePosition: { serial: (codePosition?.serial ?? 0) + 1, line, column, file },
   }));
 }

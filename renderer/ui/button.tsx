@@ -8,17 +8,20 @@ interface ButtonProps {
   readonly icon?: IconName;
   readonly look?: 'plain' | 'primary' | 'quiet' | 'danger';
   readonly disabled?: boolean;
+  /** For buttons that stay down. */
+  readonly pressed?: boolean;
   readonly tip?: string;
   readonly autoFocus?: boolean;
 }
 
-export function Button({ children, onPress, icon, look = 'plain', disabled = false, tip, autoFocus = false }: ButtonProps) {
+export function Button({ children, onPress, icon, look = 'plain', disabled = false, pressed, tip, autoFocus = false }: ButtonProps) {
   return (
     <button
       type="button"
       className={`button button-${look}`}
       onClick={onPress}
       disabled={disabled}
+      aria-pressed={pressed}
       data-tip={tip}
       data-autofocus={autoFocus ? '' : undefined}
     >

@@ -17,6 +17,8 @@ export function renameStart(document: ShaderDocument, place: Place): RenameStart
   const found = findName(document, place);
   if (found === null) return { ok: false, reason: 'Only what this file or its header declares can be renamed.' };
   const { name, range } = found;
+  if (name.file?.endsWith('.fs'))
+    return { ok: false, reason: `“${name.name}” is declared in the header of ${name.file}: rename it there.` };
   if (name.file !== null) return { ok: false, reason: `“${name.name}” is declared in ${name.file}, which other techniques use as well.` };
   if (name.declarations.length === 0) return { ok: false, reason: `“${name.name}” belongs to the host: its name is fixed.` };
   if (name.kind === 'member') return { ok: false, reason: `“${name.name}” is a member of a struct: rename it by hand.` };
@@ -42,10 +44,50 @@ export function renameAt(document: ShaderDocument, place: Place, to: string, opt
   }
   const ranges = [...headerUsesOf(document, name).map(({ range }) => range), ...usesOf(document, name).map(rangeOf)];
   const edits = ranges.map((range) => ({ ...range, text: to }));
-  const after = readShaderDocument(applyEdits(document.source, edits), document.file, { chunkOf: options.chunkOf });
+  const { before: _, ...texts } = options;
+  const after = readShaderDocument(applyEdits(document.source, edits), document.file, texts);
   return meansTheSame(document.outline, after.outline)
     ? { ok: true, edits }
     : { ok: false, reason: `“${to}” is used where “${name.name}” is: the shader would mean something else.` };
+}
+
+/**
+ * The edits that the same renaming takes in the file beside it: a vertex shader and its fragment shader share what one hands on to
+ * the other, and the header's inputs. None for all else. `options` are those that `beside` was read with.
+ */
+export function renameBeside(document: ShaderDocument, place: Place, to: string, beside: ShaderDocument, options: DocumentOptions): Rename {
+  const name = findName(document, place)?.name;
+  if (name === undefined || !(isFromHeader(name) || isVarying(document, name))) return { ok: true, edits: [] };
+  const same = beside.names.find((other) => other.name === name.name && (other.file === document.file || isVarying(beside, other)));
+  const ranges = same === undefined ? [] : usesOf(beside, same).map(rangeOf);
+  if (beside.names.some((other) => other.name === to && other.scope === null))
+    return { ok: false, reason: `There is something called “${to}” in ${beside.file} already.` };
+  const edits = ranges.map((range) => ({ ...range, text: to }));
+  const header = isFromHeader(name)
+    ? { fragment: { file: document.file, source: renamedSource(document, place, to, { chunkOf: options.chunkOf }) } }
+    : {};
+  const after = readShaderDocument(applyEdits(beside.source, edits), beside.file, { ...options, ...header });
+  return meansTheSame(beside.outline, after.outline)
+    ? { ok: true, edits }
+    : { ok: false, reason: `“${to}” is used in ${beside.file}: the shader would mean something else.` };
+}
+
+function renamedSource(document: ShaderDocument, place: Place, to: string, options: DocumentOptions): string {
+  const rename = renameAt(document, place, to, options);
+  return rename.ok ? applyEdits(document.source, rename.edits) : document.source;
+}
+
+/** `varying vec2 left;`, or `out` in one file and `in` in the other. */
+function isVarying({ outline }: ShaderDocument, { kind, scope, declarations, file }: ShaderName): boolean {
+  if (kind !== 'variable' || scope !== null || file !== null) return false;
+  return declarations.some((token) => {
+    for (let at = outline.tokens.indexOf(token) - 1; at >= 0; at -= 1) {
+      const text = outline.tokens[at]?.text ?? ';';
+      if (['varying', 'in', 'out'].includes(text)) return true;
+      if ([';', '}', ')'].includes(text)) return false;
+    }
+    return false;
+  });
 }
 
 /** A new name changes no token's place in the row, so every one has to belong together with the same ones as before. */

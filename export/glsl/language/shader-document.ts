@@ -10,7 +10,7 @@ import { type HeaderName, readHeaderNames } from './header-names.ts';
 import type { Outline, ShaderName } from './names.ts';
 import { readOutline } from './outline.ts';
 import { offsetOf, type TextRange, touches } from './source-text.ts';
-import { ISF_VARIABLES, TECHNIQUE_DOCS } from './vocabulary.ts';
+import { ISF_VARIABLES, TECHNIQUE_DOCS, VERTEX_VARIABLES } from './vocabulary.ts';
 
 /** A shader as its author's editor knows it. Lines and columns count from 1, in the text as it stands. */
 export interface ShaderDocument {
@@ -32,28 +32,45 @@ export interface DocumentOptions {
   readonly chunkOf: (name: string) => string | undefined;
   /** The same file a moment ago: while its header is broken, its inputs are those that it had. */
   readonly before?: ShaderDocument;
+  /** Of a vertex shader, `edge.vs`: the file that it belongs to, whose header counts for both. */
+  readonly fragment?: NeighbourFile | undefined;
+}
+
+export interface NeighbourFile {
+  readonly file: string;
+  readonly source: string;
 }
 
 /** Reads what can be read of a text, however broken. */
-export function readShaderDocument(source: string, file: string, { chunkOf, before }: DocumentOptions): ShaderDocument {
-  const { header, diagnostics } = readHeader(source, file);
+export function readShaderDocument(source: string, file: string, { chunkOf, before, fragment }: DocumentOptions): ShaderDocument {
+  const { header, diagnostics } = readHeader(fragment?.source ?? source, fragment?.file ?? file);
   const read = header === null ? [] : readInputs(header);
   const inputs = before !== undefined && hasErrors(diagnostics) ? before.inputs : read;
   const headerNames = header === null ? [] : readHeaderNames(header);
   const isTechnique = holdsTechnique(source, file);
-  const host = isTechnique ? techniqueNames() : isfNames();
-  const given = [...host, ...imageNames(headerNames, inputs), ...inputs.map((input) => inputName(input, headerNames))];
+  const host = isTechnique ? techniqueNames() : fragment ? vertexNames() : isfNames();
+  const fromHeader = [...imageNames(headerNames, inputs), ...inputs.map((input) => inputName(input, headerNames))];
+  const given = [...host, ...fromHeader.map((name) => (fragment ? { ...name, file: fragment.file } : name))];
   given.push(...chunkNames(source, given, chunkOf));
   const outline = readOutline(source, given);
   const own = outline.names.filter(({ kind }) => kind !== 'member');
   const ownNames = new Set(own.filter(({ scope }) => scope === null).map(({ name }) => name));
   const names = [...given.filter(({ name }) => !ownNames.has(name)), ...own];
   const structs = new Map(names.filter(({ kind }) => kind === 'struct').map((struct) => [struct.name, struct]));
-  return { file, source, outline, names, structs, inputs, headerNames, header: findJson(source), isTechnique };
+  const ownHeader = fragment ? { headerNames: [], header: null } : { headerNames, header: findJson(source) };
+  return { file, source, outline, names, structs, inputs, ...ownHeader, isTechnique };
 }
 
 function isfNames(): ShaderName[] {
   return [...ISF_VARIABLES].map(([name, { type, doc }]) => givenName('builtin', name, type, doc));
+}
+
+function vertexNames(): ShaderName[] {
+  const starts = ['isf_vertShaderInit', 'vv_vertShaderInit'].map((name) => ({
+    ...givenName('function', name, 'void', 'Sets gl_Position and isf_FragNormCoord for this corner: call it first.'),
+    signatures: [{ label: `void ${name}()`, returns: 'void', parameters: [] }],
+  }));
+  return [...starts, ...[...VERTEX_VARIABLES].map(([name, { type, doc }]) => givenName('builtin', name, type, doc))];
 }
 
 function techniqueNames(): ShaderName[] {

@@ -17,6 +17,13 @@ export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonl
   ['gl_FragData', { type: 'vec4[]', doc: 'gl_FragData[0] is gl_FragColor.' }],
 ]);
 
+/** The same in the vertex shader beside an ISF file. */
+export const VERTEX_VARIABLES: typeof ISF_VARIABLES = new Map([
+  ...[...ISF_VARIABLES].filter(([name]) => !/^gl_|FragCoord$/.test(name)),
+  ['isf_FragNormCoord', { type: 'vec2', doc: 'This corner, from (0, 0) at the bottom left to (1, 1) at the top right.' }],
+  ['gl_Position', { type: 'vec4', doc: 'Where this corner is drawn, from -1 to 1.' }],
+]);
+
 /** What ISF and Scrim add for reading images; `image` is the name of an image of the header. */
 export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
   [
