@@ -79,12 +79,13 @@ test('an export that takes long can be cancelled', async () => {
     await page.getByRole('button', { name: 'Cancel' }).click();
     await page.getByRole('status').getByText('Cancelling…').waitFor();
     await cancel;
+    letGo();
+    await page.getByText('The export was cancelled').waitFor();
+    await page.getByRole('button', { name: 'Export', exact: true }).first().waitFor();
   } finally {
     letGo();
+    await page.unroute('**/api/call/export.run');
   }
-  await page.getByText('The export was cancelled').waitFor();
-  await page.getByRole('button', { name: 'Export', exact: true }).first().waitFor();
-  await page.unroute('**/api/call/export.run');
 });
 
 test('a page is exported without a picture where the graphics are lost, and the problems say so', async () => {
