@@ -43,6 +43,8 @@ export async function openXrPage(
   url: string,
   options: EmulatorOptions,
   viewport = { width: 480, height: 360 },
+  /** Runs in the page after the emulator is there. */
+  script = '',
 ): Promise<XrPage> {
   injected ??= bundleEmulator();
   const context = await browser.newContext({ viewport });
@@ -50,6 +52,7 @@ export async function openXrPage(
   const errors = collectErrors(page);
   await page.addInitScript({ content: await injected });
   await page.addInitScript((given: unknown) => void scrimEmulator?.install(given as EmulatorOptions), { clock: 'manual', ...options });
+  if (script !== '') await page.addInitScript({ content: script });
   await page.goto(url);
   return {
     page,

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { BufferGeometry, Mesh, Vector3 } from 'three';
+import { BufferGeometry, DoubleSide, type Material, Mesh, Vector3 } from 'three';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
 import type { DetectedPlane, SessionFrame } from '../../kit/session.ts';
 import { definition } from './definition.ts';
@@ -55,7 +55,7 @@ function measure({ items }: ReturnType<typeof make>['objects'], i = 0) {
 
 /** The shadows on them are proved in `tests/slow/real-surfaces.test.ts`. */
 describe('world/planes', () => {
-  test('makes each plane a phantom that is seen from the side of its normal, whichever way its outline turns', () => {
+  test('makes each plane a phantom whose triangles face its normal, whichever way its outline turns, and that both sides show', () => {
     const { objects, see } = make();
     see(
       plane('a', SQUARE),
@@ -69,6 +69,11 @@ describe('world/planes', () => {
       { area: 4, normal: [0, 1, 0] },
       { area: 4, normal: [0, 1, 0] },
       { area: 4, normal: [-1, 0, 0] },
+    ]);
+    expect(objects.items.map(({ root }) => (root as Mesh<BufferGeometry, Material>).material.side)).toEqual([
+      DoubleSide,
+      DoubleSide,
+      DoubleSide,
     ]);
   });
 

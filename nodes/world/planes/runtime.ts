@@ -1,4 +1,4 @@
-import { BufferGeometry, Float32BufferAttribute, Matrix4, Mesh, MeshBasicMaterial, ShapeUtils, Vector2 } from 'three';
+import { BufferGeometry, DoubleSide, Float32BufferAttribute, Matrix4, Mesh, MeshBasicMaterial, ShapeUtils, Vector2 } from 'three';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { DetectedPlane } from '../../kit/session.ts';
 import { type BuiltSurface, createSurfaceObjects } from '../../kit/surface-objects.ts';
@@ -9,7 +9,8 @@ const NOTHING: readonly DetectedPlane[] = [];
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { castShadow, receiveShadow } = ctx.params;
   const { which } = ctx.config;
-  const material = new MeshBasicMaterial();
+  // No specification says which way a plane's normal points, and scans have floors that face down.
+  const material = new MeshBasicMaterial({ side: DoubleSide });
   const planes = createSurfaceObjects<DetectedPlane>(ctx.outputs.objects, {
     wants: ({ orientation }) => which === 'all' || orientation === which,
     build: (plane) => buildPlane(plane, material),
@@ -27,7 +28,6 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
 }
 
-/** Seen from the side of its normal alone: a floor is no ceiling of the room below. */
 function buildPlane({ outlineXZ }: DetectedPlane, material: MeshBasicMaterial): BuiltSurface | null {
   const corners: Vector2[] = [];
   // In these axes, what turns to the left is seen from above.
