@@ -2,6 +2,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { useBrowser } from '../support/browser.ts';
 import { FLAG_PX, type Point } from '../support/editor-driver.ts';
 import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 
 /** A box that is placed by two Transforms; a lamp whose place comes by a wire, and a sun. */
@@ -75,11 +76,11 @@ async function frameBox() {
 /** Where all of an axis is seen, once it is. */
 async function seeAxis(axis: Axis): Promise<Point[]> {
   const frame = await frameBox();
-  for (const endMs = Date.now() + 60_000; Date.now() < endMs; ) {
+  return eventually(async () => {
     const points = axisPixels(await open.editor.picture(), frame, axis);
-    if (points.length > 8) return points;
-  }
-  throw new Error(`The axis ${axis} is not to be seen.`);
+    if (points.length <= 8) throw new Error(`The axis ${axis} is not to be seen.`);
+    return points;
+  });
 }
 
 /** The end of an axis: of all its pixels the last in a direction, a little inwards. */
@@ -150,8 +151,10 @@ test('dragging an arrow moves the thing under the pointer, in the picture and in
 });
 
 async function expectValue(name: string, is: (value: number) => boolean): Promise<void> {
-  for (const endMs = Date.now() + 60_000; Date.now() < endMs; ) if (is(await numberIn(name))) return;
-  throw new Error(`${name} stayed ${await numberIn(name)}.`);
+  await eventually(async () => {
+    const value = await numberIn(name);
+    if (!is(value)) throw new Error(`${name} stayed ${value}.`);
+  });
 }
 
 test('Escape in the middle of a drag leaves everything as it was, and nothing to undo', async () => {
@@ -281,6 +284,8 @@ test('in an emulated room of two views it stands in the left one, while all play
   const { page, editor } = open;
   await page.getByRole('button', { name: 'Preview options' }).click();
   await page.getByRole('menuitemradio', { name: 'Headset' }).click();
+  // The preview has its new shape: a room that is resized is made anew a little later.
+  await editor.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await editor.settled();

@@ -30,7 +30,7 @@ let open: OpenEditor;
 beforeAll(async () => {
   open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
   await open.page.emulateMedia({ reducedMotion: 'reduce' });
-  await open.editor.press('Pause');
+  await open.editor.hold();
 });
 afterAll(async () => {
   expect(open.errors).toEqual([]);
