@@ -28,6 +28,7 @@ import type { CanvasWire } from './project-wires.ts';
 import { RerouteView } from './reroute-view.tsx';
 import { type AnyNode, useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
+import { useLongPress } from './use-long-press.ts';
 import { useMiddle } from './use-middle.ts';
 import { useReveal } from './use-reveal.ts';
 import { useWheel } from './use-wheel.ts';
@@ -64,6 +65,7 @@ function CanvasInside() {
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
+  useLongPress(root);
   useWireTarget();
   useMiddle(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);

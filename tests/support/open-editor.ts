@@ -30,13 +30,15 @@ export interface GraphText {
 export interface EditorPageOptions {
   readonly size?: { readonly width: number; readonly height: number };
   readonly colorScheme?: 'light' | 'dark';
+  /** As on a tablet. */
+  readonly hasTouch?: boolean;
   /** Runs before any script of the page's, in the preview too. */
   readonly before?: () => void;
 }
 
 /** The built editor on loopback, showing a project of one graph in a folder of its own. */
 export async function openEditor(browser: Browser, graph: GraphText, options: EditorPageOptions = {}): Promise<OpenEditor> {
-  const { size = { width: 1440, height: 900 }, colorScheme = 'light', before } = options;
+  const { size = { width: 1440, height: 900 }, colorScheme = 'light', hasTouch = false, before } = options;
   const project = await mkdtemp(join(tmpdir(), 'scrim-editor-'));
   for (const [path, text] of Object.entries(filesOf(graph))) {
     await mkdir(dirname(join(project, path)), { recursive: true });
@@ -45,7 +47,7 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   const log = (message: string) => process.stderr.write(`${message}\n`);
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
   // What glides and fades is in nobody's way here.
-  const page = await browser.newPage({ viewport: size, colorScheme, reducedMotion: 'reduce' });
+  const page = await browser.newPage({ viewport: size, colorScheme, hasTouch, reducedMotion: 'reduce' });
   if (before) await page.addInitScript(before);
   const errors = collectErrors(page);
   await page.goto(server.url);

@@ -1,0 +1,156 @@
+import { test } from '@jest/globals';
+import type { CDPSession, Page } from 'playwright-core';
+import { centreOf, type Point } from '../support/editor-driver.ts';
+import { type GraphText, useEditor } from '../support/open-editor.ts';
+
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'gaussian-blur-aaaa': { type: 'filter/gaussian-blur' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'gaussian-blur-aaaa': [260, 160], 'screen-aaaa': [520, 0] },
+};
+const STEPS = 8;
+/** From 100 px apart to 180. */
+const SPREAD = 1.8;
+
+interface View extends Point {
+  readonly zoom: number;
+}
+
+/** In the page: no finger rests for half a second until the test says so, however busy the machine is. */
+function holdTimers(): void {
+  const { setTimeout: start, clearTimeout: stop } = window;
+  const held = new Map<number, () => void>();
+  let next = -1;
+  const after = (run: () => void, ms?: number) => {
+    if (ms !== 500) return start(run, ms);
+    held.set(next, run);
+    return next--;
+  };
+  const forget = (timer?: number) => void (held.delete(timer ?? 0) || stop(timer));
+  const rest = () => {
+    for (const run of held.values()) run();
+    held.clear();
+  };
+  Object.assign(window, { setTimeout: after, clearTimeout: forget, rest });
+}
+
+/** In the page: how the canvas is moved and scaled. */
+function viewOf(): View {
+  const element = document.querySelector('.react-flow__viewport');
+  const { e: x, f: y, a: zoom } = new DOMMatrix(element ? getComputedStyle(element).transform : '');
+  return { x, y, zoom };
+}
+
+const openEditor = useEditor();
+
+/** Fingers on the page, as the browser reports them. */
+class Hand {
+  private readonly session: CDPSession;
+
+  private constructor(session: CDPSession) {
+    this.session = session;
+  }
+
+  static async on(page: Page): Promise<Hand> {
+    return new Hand(await page.context().newCDPSession(page));
+  }
+
+  async put(...points: readonly Point[]): Promise<void> {
+    await this.send('touchStart', points);
+  }
+
+  async slide(...points: readonly Point[]): Promise<void> {
+    await this.send('touchMove', points);
+  }
+
+  async lift(): Promise<void> {
+    await this.send('touchEnd', []);
+  }
+
+  async drag(from: Point, to: Point): Promise<void> {
+    await this.put(from);
+    for (let step = 1; step <= STEPS; step++) await this.slide(between(from, to, step / STEPS));
+    await this.lift();
+  }
+
+  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly Point[]): Promise<void> {
+    const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
+    await this.session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  }
+}
+
+function between(from: Point, to: Point, part: number): Point {
+  return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
+}
+
+test('fingers move the view, nodes and wires, and resting ones ask for the menu', async () => {
+  const { page, editor } = await openEditor(GRAPH, { size: { width: 1024, height: 768 }, hasTouch: true, before: holdTimers });
+  const hand = await Hand.on(page);
+  const view = () => page.evaluate(viewOf);
+  const viewAt = (wanted: View) =>
+    page.waitForFunction(({ x, y, zoom }) => {
+      const element = document.querySelector('.react-flow__viewport');
+      const now = new DOMMatrix(element ? getComputedStyle(element).transform : '');
+      return Math.hypot(now.e - x, now.f - y) < 2 && Math.abs(now.a - zoom) < 0.02 * zoom;
+    }, wanted);
+  const title = (node: string) => editor.node(node).locator('.node-title');
+
+  // One finger moves the view.
+  const empty = await editor.emptyPlace();
+  const before = await view();
+  await hand.drag(empty, { x: empty.x + 60, y: empty.y - 40 });
+  const moved = { ...before, x: before.x + 60, y: before.y - 40 };
+  await viewAt(moved);
+
+  // Two spread, and what is between them grows; what was in their middle stays there.
+  const right = { x: empty.x + 100, y: empty.y };
+  await hand.put(empty, right);
+  for (let step = 1; step <= STEPS; step++) await hand.slide({ ...empty, x: empty.x - 5 * step }, { ...right, x: right.x + 5 * step });
+  await hand.lift();
+  const pane = await page.locator('.react-flow__pane').boundingBox();
+  const middle = { x: empty.x + 50 - (pane?.x ?? 0), y: empty.y - (pane?.y ?? 0) };
+  await viewAt({
+    x: middle.x + (moved.x - middle.x) * SPREAD,
+    y: middle.y + (moved.y - middle.y) * SPREAD,
+    zoom: moved.zoom * SPREAD,
+  });
+  await page.keyboard.press('f');
+  await viewAt(before);
+
+  // A node goes with the finger on it, and a wire is drawn from port to port.
+  const blur = await centreOf(title('gaussian-blur'));
+  await hand.drag(blur, { x: blur.x, y: blur.y + 80 });
+  await page.waitForFunction(
+    (y) => (document.querySelector('[data-node^="gaussian-blur"] .node-title')?.getBoundingClientRect().y ?? 0) > y + 40,
+    blur.y,
+  );
+  await hand.drag(
+    await centreOf(editor.port('video-aaaa', 'layer', 'source')),
+    await centreOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')),
+  );
+  await page.getByRole('group', { name: 'Wire from Camera video to Gaussian blur' }).waitFor();
+
+  // A finger that rests asks for the menu: of a node, and of the canvas. Lifted, it leaves it there.
+  const menu = page.getByRole('menu', { name: 'Actions' });
+  const rest = () => page.evaluate(() => (window as unknown as { rest: () => void }).rest());
+  await hand.put(await centreOf(title('gaussian-blur')));
+  await rest();
+  await menu.getByRole('menuitem', { name: 'Mute' }).waitFor();
+  await hand.lift();
+  const mute = await centreOf(menu.getByRole('menuitem', { name: 'Mute' }));
+  await page.touchscreen.tap(mute.x, mute.y);
+  await page.locator('.node-muted').waitFor();
+  await menu.waitFor({ state: 'detached' });
+  const free = await editor.emptyPlace();
+  await hand.put(free);
+  await rest();
+  await menu.getByRole('menuitem', { name: /^Add node/ }).waitFor();
+  await hand.lift();
+  const add = await centreOf(menu.getByRole('menuitem', { name: /^Add node/ }));
+  await page.touchscreen.tap(add.x, add.y);
+  await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
+});
