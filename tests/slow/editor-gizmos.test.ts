@@ -77,7 +77,7 @@ async function frameBox() {
 async function seeAxis(axis: Axis): Promise<Point[]> {
   const frame = await frameBox();
   return eventually(async () => {
-    const points = axisPixels(await open.editor.picture(), frame, axis);
+    const points = axisPixels(await open.editor.pictureWithGizmo(), frame, axis);
     if (points.length <= 8) throw new Error(`The axis ${axis} is not to be seen.`);
     return points;
   });

@@ -180,8 +180,27 @@ export class EditorDriver {
     return last;
   }
 
-  /** The preview below the strip at its top, where the editor may put a flag. */
+  /** The preview below the strip at its top, where the editor may put a flag; without what people take hold of things by. */
   async picture(): Promise<Picture> {
+    await this.showGizmo(false);
+    try {
+      return await this.pictureWithGizmo();
+    } finally {
+      await this.showGizmo(true);
+    }
+  }
+
+  /** Out of sight it can be used all the same. */
+  private async showGizmo(shown: boolean): Promise<void> {
+    const show = (visibility: string) => {
+      for (const element of document.querySelectorAll<HTMLElement>('#gizmo, .gizmo-bar')) element.style.visibility = visibility;
+    };
+    // A page that is just being loaded shows none.
+    await Promise.all(this.page.frames().map((frame) => frame.evaluate(show, shown ? '' : 'hidden').catch(() => {})));
+  }
+
+  /** The same with it: tests that look for the gizmo. */
+  async pictureWithGizmo(): Promise<Picture> {
     await this.keepSize();
     const box = await this.page.locator('iframe[title="Preview"]').boundingBox();
     if (!box) throw new Error('There is no preview.');
