@@ -8,6 +8,7 @@ import { downloadFile } from './download.ts';
 import { pageRandom } from './random.ts';
 import { App } from './shell/app.tsx';
 import { NoHost } from './shell/no-host.tsx';
+import { openFilmFrame } from './stage/film-frame.ts';
 import { createEditor } from './state/editor.ts';
 import { createFeed } from './state/feed.ts';
 import { keepRanges } from './state/kept-ranges.ts';
@@ -43,6 +44,7 @@ async function main(): Promise<void> {
   const worker = new Worker(new URL('./compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
   const feed = createFeed(editor, worker);
   const previewUrl = await start(editor);
+  editor.film.open = () => openFilmFrame(document, previewUrl);
   followHost(editor);
   autosave(editor);
   keepSizes(editor, localStorage);

@@ -33,6 +33,11 @@ export type ToPreview =
   | { readonly kind: 'look'; readonly left: string | null; readonly right: string | null; readonly split: number }
   /** The whole picture, all views, as PNG: the answer comes with the next frame. */
   | { readonly kind: 'screenshot' }
+  /** Draw frames of a recording one by one from now on, as `filmed` says when it can begin; a page does nothing else then. */
+  | { readonly kind: 'film'; readonly request: FilmRequest }
+  /** The frame of a moment, seconds since the recording began; unless kept, it is drawn for those who remember it. */
+  | { readonly kind: 'film-frame'; readonly timeS: number; readonly keep: boolean }
+  | { readonly kind: 'film-end' }
   /** Record the picture as a video until told to stop; the answer comes then. */
   | { readonly kind: 'record'; readonly on: boolean }
   /**
@@ -50,6 +55,17 @@ export type ToPreview =
   | { readonly kind: 'cost'; readonly on: boolean }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
+
+export interface FilmRequest {
+  readonly program: Program;
+  /** Of the recording. */
+  readonly url: string;
+  readonly assetBaseUrl: string;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Null: each frame is answered with its picture. */
+  readonly video: { readonly frameRateHz: number } | null;
+}
 
 /** Seconds since the session began. `lastS`, `endS`: where the last frame begins and ends. Without `loop` the preview pauses there. */
 export interface PreviewRange {
@@ -101,6 +117,10 @@ export type FromPreview =
   | { readonly kind: 'ready' }
   /** The program of this revision is now the one on screen. */
   | { readonly kind: 'playing'; readonly revision: number }
+  /** Premultiplied RGBA, rows from the top; null where nothing was asked for but to go on. */
+  | { readonly kind: 'filmed'; readonly frame: Uint8Array<ArrayBuffer> | null }
+  | { readonly kind: 'film-over'; readonly file: Blob | null }
+  | { readonly kind: 'film-failed'; readonly diagnostic: Diagnostic }
   /** A session began; null where it is no recording, and no moment can be gone to. */
   | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
   /** Everything wrong with the running program, or with the one of `revision` that could not be taken over. */

@@ -73,6 +73,9 @@ const openProject = z.object({
  */
 const sessionSource = z.object({ id: z.string(), title: z.string(), kind: z.enum(['recorded', 'room']), url: z.string().nullable() });
 
+/** Of a rendered picture, pixels: WebGL 2 has at least 2,048. */
+const side = z.number().int().min(1).max(8192);
+
 const pictureUrl = z.string().startsWith('data:image/jpeg;base64,').optional();
 
 /** A picture of what the page shows, as JPEG of `POSTER_SIZE`; null or left out where the editor has none. */
@@ -90,6 +93,7 @@ export const MENU_COMMANDS = [
   'file.save',
   'file.save-as',
   'file.export',
+  'file.render',
   'edit.undo',
   'edit.redo',
   'edit.delete',
@@ -117,7 +121,7 @@ export const HOST_CONTRACT = {
   'app.close': { input: z.object({}), output: z.object({}) },
   /** Asks the person for a folder; null when they cancel or the shell has no dialog. */
   'folder.pick': {
-    input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export']) }),
+    input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export', 'render']) }),
     output: z.object({ path: z.string().nullable() }),
   },
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
@@ -150,6 +154,30 @@ export const HOST_CONTRACT = {
     input: z.object({ handle, files: projectFiles, out: z.string().min(1).max(4096), poster: poster.nullable().optional() }),
     output: z.object({ ok: z.boolean(), out: z.string(), diagnostics: z.array(diagnostic), bytes: z.number() }),
   },
+  /**
+   * Begins to write pictures of frames into a new folder beside `out`, which takes its place at the end. `out` is absolute, and may
+   * be missing, empty, or hold what was rendered earlier: anything else is SCR061. One at a time for each project.
+   */
+  'frames.begin': {
+    input: z.object({ handle, out: z.string().min(1).max(4096), widthPx: side, heightPx: side }),
+    output: z.object({}),
+  },
+  /** Premultiplied RGBA, rows from the top; written as `000012.png`. Where it cannot be, nothing stays of those before. */
+  'frames.add': {
+    input: z.object({
+      handle,
+      number: z.number().int().min(0).max(999_999),
+      rgba: z.instanceof(Uint8Array).refine(isBearable, 'too large'),
+    }),
+    output: z.object({}),
+  },
+  /** Puts the folder in its place, with a `sequence.json` that says what it holds. */
+  'frames.finish': {
+    input: z.object({ handle, title: z.string().max(1000), frameRateHz: z.number().positive() }),
+    output: z.object({ out: z.string(), pictures: z.number() }),
+  },
+  /** Nothing is left of them then. */
+  'frames.cancel': { input: z.object({ handle }), output: z.object({}) },
   /** Ends the export of a project, if there is one. */
   'export.cancel': { input: z.object({ handle }), output: z.object({}) },
 } as const;

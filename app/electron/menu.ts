@@ -29,6 +29,7 @@ export function menuTemplate(
         item('Save As…', 'CmdOrCtrl+Shift+S', 'file.save-as'),
         separator,
         item('Export Page…', 'CmdOrCtrl+E', 'file.export'),
+        item('Render Frames…', 'CmdOrCtrl+Shift+E', 'file.render'),
         separator,
         { role: platform === 'darwin' ? 'close' : 'quit' },
       ],

@@ -14,6 +14,7 @@ const PICK_TITLES = {
   open: 'Open Project',
   'save-as': 'Save Project As',
   export: 'Export Page',
+  render: 'Folder for the Rendered Frames',
 } as const;
 
 /** Runs the editor in a window until that is closed. */

@@ -8,6 +8,7 @@ import { dispatch, type Handlers } from './dispatch.ts';
 import { createExportJobs } from './export-jobs.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import { findExamples, withPicture } from './find-examples.ts';
+import { createFrameJobs } from './frame-jobs.ts';
 import { importAsset } from './import-asset.ts';
 import type { Installation } from './installation.ts';
 import { createOpenProjects } from './open-projects.ts';
@@ -59,6 +60,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
   };
   const clients = createClients();
   const exports = createExportJobs();
+  const frames = createFrameJobs(files);
   const projects = createOpenProjects({ content, previewOrigin: shell.origins.preview, files, emit, isThere: clients.isThere });
 
   const handlers: Handlers = {
@@ -93,6 +95,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     },
     'project.close': async ({ handle }) => {
       exports.cancel(handle);
+      await frames.cancel(handle);
       projects.close(handle);
       return {};
     },
@@ -133,6 +136,20 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
         say: (text) => emit({ kind: 'export-progress', handle, text }),
         drawPoster: async () => poster && { type: 'jpg', bytes: poster, drawn: true, ...POSTER_SIZE },
       }),
+    'frames.begin': async ({ handle, out, widthPx, heightPx }, client) => {
+      projects.rootOf(handle);
+      await frames.begin(handle, client, { out: wholePath(out, 'SCR060'), widthPx, heightPx });
+      return {};
+    },
+    'frames.add': async ({ handle, number, rgba }) => {
+      await frames.add(handle, number, rgba);
+      return {};
+    },
+    'frames.finish': ({ handle, title, frameRateHz }) => frames.finish(handle, { title, frameRateHz }),
+    'frames.cancel': async ({ handle }) => {
+      await frames.cancel(handle);
+      return {};
+    },
     'export.cancel': async ({ handle }) => {
       exports.cancel(handle);
       return {};
@@ -146,7 +163,9 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       const leave = clients.attend(client);
       return () => {
         leave();
-        if (!clients.isThere(client)) projects.left(client);
+        if (clients.isThere(client)) return;
+        frames.left(client);
+        projects.left(client);
       };
     },
     subscribe: (listener) => {
@@ -157,6 +176,7 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     dispose: () => {
       listeners.clear();
       exports.dispose();
+      frames.dispose();
       projects.dispose();
     },
   };

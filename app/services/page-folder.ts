@@ -7,14 +7,29 @@ import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { makeFolders } from './make-folders.ts';
 
+/** What is known to be ours: a list of files in a folder's own description. */
+export interface FolderMark {
+  readonly file: string;
+  readonly format: string;
+  /** What such a folder is called. */
+  readonly words: string;
+}
+
+const PAGE_MARK: FolderMark = { file: REPORT_FILE, format: 'scrim-export', words: 'an earlier export' };
+
 /**
- * Writes a page into the folder `out` in one step: into a new folder beside it, which then takes its place. `out` may be
- * missing, empty, or hold what an earlier export wrote, by its `report.json`; anything else there is SCR061. When `write`
+ * Writes a page, or what `mark` is about, into the folder `out` in one step: into a new folder beside it, which then takes its place. `out` may be
+ * missing, empty, or hold what an earlier export wrote, by its `report.json`, or that of the mark; anything else there is SCR061. When `write`
  * answers null or throws, or the disk does, `out` is as it was. Throws SCR060, SCR061 and SCR062.
  */
-export async function writePageFolder<T>(out: string, files: FileLayer, write: (sink: FileSink) => Promise<T | null>): Promise<T | null> {
+export async function writePageFolder<T>(
+  out: string,
+  files: FileLayer,
+  write: (sink: FileSink) => Promise<T | null>,
+  mark: FolderMark = PAGE_MARK,
+): Promise<T | null> {
   const target = await realTarget(out);
-  await refuseForeignFiles(target, out);
+  await refuseForeignFiles(target, out, mark);
   let firstMade: string | undefined;
   const suffix = randomBytes(6).toString('hex');
   const fresh = `${target}.new-${suffix}`;
@@ -42,21 +57,21 @@ async function realTarget(out: string): Promise<string> {
   return realpath(absolute).catch(() => absolute);
 }
 
-async function refuseForeignFiles(target: string, out: string): Promise<void> {
+async function refuseForeignFiles(target: string, out: string, mark: FolderMark): Promise<void> {
   const found = await lstat(target).catch(() => null);
   if (found === null) return;
   if (!found.isDirectory()) throw refusal('SCR061', `${out} is a file. Nothing was written.`, 'Choose a folder.');
   const present = await listAll(target).catch((error: unknown) => {
     throw writeRefusal(error, out);
   });
-  const own = await filesOfReport(target);
+  const own = await filesOfReport(target, mark);
   const foreign = present.filter((path) => !own.has(path));
   if (foreign.length === 0) return;
   const others = foreign.length === 1 ? '' : ` and ${foreign.length - 1} more`;
   throw refusal(
     'SCR061',
     `${out} holds files that Scrim did not write: ${foreign[0]}${others}. Nothing was written.`,
-    'Choose a new or an empty folder, or one that holds an earlier export.',
+    `Choose a new or an empty folder, or one that holds ${mark.words}.`,
   );
 }
 
@@ -74,11 +89,11 @@ async function listAll(folder: string): Promise<string[]> {
 }
 
 /** What an earlier export says that it wrote. */
-async function filesOfReport(target: string): Promise<ReadonlySet<string>> {
+async function filesOfReport(target: string, { file, format }: FolderMark): Promise<ReadonlySet<string>> {
   try {
-    const report = JSON.parse(await readFile(join(target, REPORT_FILE), 'utf8')) as { format?: unknown; files?: { path: string }[] };
-    if (report.format !== 'scrim-export' || !report.files) return new Set();
-    return new Set([REPORT_FILE, ...report.files.map(({ path }) => path)]);
+    const report = JSON.parse(await readFile(join(target, file), 'utf8')) as { format?: unknown; files?: { path: string }[] };
+    if (report.format !== format || !report.files) return new Set();
+    return new Set([file, ...report.files.map(({ path }) => path)]);
   } catch {
     return new Set();
   }

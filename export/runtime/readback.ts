@@ -44,6 +44,20 @@ void main() {
 `,
 };
 
+/** What was drawn into the context's own framebuffer, within the frame. */
+export function readScreen(gl: WebGL2RenderingContext): LayerPixels {
+  const { drawingBufferWidth: widthPx, drawingBufferHeight: heightPx } = gl;
+  const rows = new Uint8Array(widthPx * heightPx * 4);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
+  gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, rows);
+  const pixels = new Uint8Array(rows.length);
+  const rowBytes = widthPx * 4;
+  for (let y = 0; y < heightPx; y++) pixels.set(rows.subarray(y * rowBytes, (y + 1) * rowBytes), (heightPx - 1 - y) * rowBytes);
+  return { widthPx, heightPx, pixels };
+}
+
 /**
  * What a layer shows now; null where it is not tapped or has not been drawn. `heightPx` scales it, keeping its shape. Camera pictures
  * of WebXR can only be read before the frame's callback ends.

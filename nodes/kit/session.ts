@@ -33,6 +33,7 @@ export type SessionEvent =
   | { readonly kind: 'problem'; readonly message: string };
 
 export interface SessionFrame {
+  /** Of a recording: its own frame, later rounds counted on; else counted up. A frame that is drawn again while time stands keeps it. */
   readonly index: number;
   readonly timeS: number;
   readonly deltaS: number;

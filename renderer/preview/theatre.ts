@@ -29,6 +29,7 @@ export interface TheatreOptions {
 }
 
 export interface Theatre {
+  /** Those of films are for others. */
   take(message: ToPreview): void;
   /** The window changed its size. */
   resized(): void;

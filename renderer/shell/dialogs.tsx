@@ -9,6 +9,7 @@ import { FindDialog } from './find-dialog.tsx';
 import { FolderDialog } from './folder-dialog.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
+import { RenderDialog } from './render-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
 
@@ -26,6 +27,8 @@ export function Dialogs() {
     case 'save-as':
     case 'export':
       return <FolderDialog key={dialog.kind} purpose={dialog.kind} onClose={close} />;
+    case 'render':
+      return <RenderDialog onClose={close} />;
     case 'unsaved':
       return <UnsavedDialog proceed={dialog.proceed} onClose={close} />;
     case 'recovery':

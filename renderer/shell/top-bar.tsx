@@ -14,7 +14,7 @@ import './top-bar.css';
 const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
   {
     label: 'File',
-    entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'graph.import-shadertoy', 'file.export'],
+    entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'graph.import-shadertoy', 'file.export', 'file.render'],
   },
   {
     label: 'Edit',

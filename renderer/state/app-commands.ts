@@ -13,6 +13,7 @@ import { addFrame, addNote } from './layout-items.ts';
 import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
 import { clearRange, goToFrame, goToStart, lastFrame, playedRange, setIn, setOut, stepFrames, toggleLoop, togglePlay } from './playing.ts';
 import { frameOf } from './preview.ts';
+import { askForFrames } from './render-frames.ts';
 import { addRerouteToSelected, soleWire } from './reroutes.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
@@ -56,6 +57,7 @@ const COMMANDS = {
   'file.save': { label: 'Save', chords: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
   'file.save-as': { label: 'Save as…', chords: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },
   'file.export': { label: 'Export page…', chords: ['Mod+E'], enabled: isOpen, run: (editor) => void exportPage(editor), whileTyping: true },
+  'file.render': { label: 'Render frames…', chords: ['Mod+Shift+E'], enabled: isOpen, run: askForFrames, whileTyping: true },
   'edit.undo': { label: 'Undo', chords: ['Mod+Z'], enabled: ({ document }) => document.getState().history.past.length > 0, run: undo },
   'edit.redo': {
     label: 'Redo',

@@ -1,6 +1,6 @@
 import type { Host } from '../../app/contract/contract.ts';
 import type { EditorClock } from '../clock.ts';
-import type { ToPreview } from '../preview-protocol.ts';
+import type { FromPreview, ToPreview } from '../preview-protocol.ts';
 import { type CanvasStore, createCanvasState } from './canvas.ts';
 import { type CompileStore, createCompileState } from './compile.ts';
 import { type CostStore, createCostState } from './costs.ts';
@@ -24,6 +24,14 @@ export interface PictureSize {
   readonly heightPx: number;
 }
 
+/** A page that draws frames one by one: it answers each message before it takes the next. */
+export interface FilmLink {
+  ask(
+    message: Extract<ToPreview, { kind: 'film' | 'film-frame' | 'film-end' }>,
+  ): Promise<Extract<FromPreview, { kind: 'filmed' | 'film-over' | 'film-failed' }>>;
+  close(): void;
+}
+
 /**
  * The editor without its page: stores that each hold one concern, and what the outside lends. What people do are functions over
  * it (`edit-graph.ts`, `edit-params.ts`, `files.ts`, …), so that it can be driven without React.
@@ -43,6 +51,8 @@ export interface Editor {
   readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null; readonly layers: Pictures };
   /** Moves the preview's time; goes nowhere while there is no preview. */
   readonly transport: { post: (message: ToPreview) => void };
+  /** Opens a page to render frames in; null where there is none. */
+  readonly film: { open: (() => FilmLink) | null };
   readonly document: DocumentStore;
   readonly selection: SelectionStore;
   readonly canvas: CanvasStore;
@@ -90,6 +100,7 @@ export function createEditor({
     unfinished: new Set(),
     pictures: { take: null, layers: createLayerPictures() },
     transport: { post: () => {} },
+    film: { open: null },
     document: createDocument(libraries.of({ sources: {}, graphs: {} })),
     selection: createSelection(),
     canvas: createCanvasState(),

@@ -37,6 +37,8 @@ export async function cancelExport(editor: Editor): Promise<void> {
   const { exporting } = editor.ui.getState();
   if (exporting === null || exporting.cancelled) return;
   editor.ui.setState({ exporting: { ...exporting, text: 'Cancelling…', cancelled: true } });
+  // Whoever draws them looks between two frames.
+  if (exporting.frames) return;
   try {
     await editor.host.call('export.cancel', { handle: exporting.handle });
   } catch (error) {

@@ -131,6 +131,8 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
       if (message.kind === 'thumbnail') return editor.pictures.layers.deliver(message.port, message.image);
       if (message.kind === 'captured') return takeCapture(editor, message);
       if (message.kind === 'costs') return editor.costs.setState({ measured: message.costs });
+      // Films are drawn by pages of their own.
+      if (message.kind === 'filmed' || message.kind === 'film-over' || message.kind === 'film-failed') return;
       if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
       if (message.kind === 'gizmo' || message.kind === 'picked' || message.kind === 'key') return gizmos.take(message);
       takeMessage(editor, message);
@@ -171,7 +173,10 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
 
 function takeMessage(
   { preview, compile, document }: Editor,
-  message: Exclude<FromPreview, { kind: 'poster' | 'thumbnail' | 'probed' | 'costs' | 'captured' | 'gizmo' | 'picked' | 'key' }>,
+  message: Exclude<
+    FromPreview,
+    { kind: 'filmed' | 'film-over' | 'film-failed' | 'poster' | 'thumbnail' | 'probed' | 'costs' | 'captured' | 'gizmo' | 'picked' | 'key' }
+  >,
 ): void {
   switch (message.kind) {
     case 'ready':
@@ -216,7 +221,7 @@ function readShaderErrors(program: Program, errors: readonly PreviewShaderError[
   });
 }
 
-function previewSource(editor: Editor): PreviewSource | null {
+export function previewSource(editor: Editor): PreviewSource | null {
   const state = editor.preview.getState();
   const { open } = editor.document.getState();
   const source = chosenSource(state);

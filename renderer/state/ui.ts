@@ -34,6 +34,7 @@ export type DialogRequest =
   | { readonly kind: 'new'; readonly template?: string }
   | { readonly kind: 'save-as' }
   | { readonly kind: 'export' }
+  | { readonly kind: 'render' }
   /** Something is about to drop unsaved work; `proceed` goes on with it. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
@@ -73,6 +74,8 @@ export interface Exporting {
   /** What it is at. */
   readonly text: string;
   readonly cancelled: boolean;
+  /** Of frames, which the editor draws itself; else the host exports a page. */
+  readonly frames?: true;
 }
 
 export interface UiState {

@@ -44,6 +44,8 @@ export function FormDialog({ title, action, ready, onGo, onClose, wide = false, 
         }}
       >
         {children}
+        {/* Without one, Enter asks only in forms of a single field. */}
+        <button type="submit" hidden aria-label={action} />
       </form>
     </Dialog>
   );

@@ -72,6 +72,10 @@ export function createFakeHost(
     'session.list': () => [],
     'export.run': ({ out }) => ({ ok: true, out, diagnostics: [], bytes: 1 }),
     'export.cancel': () => ({}),
+    'frames.begin': () => ({}),
+    'frames.add': () => ({}),
+    'frames.finish': () => ({ out: '/frames', pictures: 1 }),
+    'frames.cancel': () => ({}),
     ...handlers,
   };
   return {

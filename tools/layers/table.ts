@@ -148,7 +148,7 @@ export const LAYERS: readonly Layer[] = [
       'recorded session',
       'registry of runtimes',
     ],
-    packages: ['three'],
+    packages: ['three', 'mediabunny'],
   },
   {
     name: 'editor',

@@ -4,8 +4,8 @@ import type { Program } from '../../../export/program/program.ts';
 import { HostError } from '../../contract/host-error.ts';
 import { findChromium } from '../../services/chromium.ts';
 import type { Installation } from '../../services/installation.ts';
+import { encodeLayer } from '../../services/pictures.ts';
 import { startBrowser } from '../../services/start-browser.ts';
-import { encodeLayer } from '../pictures.ts';
 import { renderFrames } from './render-frames.ts';
 import { findRenderSession } from './render-session.ts';
 

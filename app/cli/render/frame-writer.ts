@@ -4,7 +4,7 @@ import { basename, dirname, join, resolve } from 'node:path';
 import process from 'node:process';
 import { writeRefusal } from '../../services/file-errors.ts';
 import { makeFolders } from '../../services/make-folders.ts';
-import { encodeDepth, encodeLayer } from '../pictures.ts';
+import { encodeDepth, encodeLayer } from '../../services/pictures.ts';
 import type { PictureHead } from './render.page.ts';
 
 /** Keeps pictures aside until all are there, so that a render that fails leaves nothing. */

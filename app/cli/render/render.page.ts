@@ -1,9 +1,9 @@
 import type { Program } from '../../../export/program/program.ts';
 import { createFetchAssetSource } from '../../../export/runtime/assets/asset-source.ts';
-import { createBrowserClock, createManualClock, type FrameClock } from '../../../export/runtime/clock.ts';
+import { createRenderClock } from '../../../export/runtime/clock.ts';
 import type { ShaderError } from '../../../export/runtime/gl/program-cache.ts';
 import { createPlayer, type Player } from '../../../export/runtime/player.ts';
-import { readColor, readDepth } from '../../../export/runtime/readback.ts';
+import { readColor, readDepth, readScreen } from '../../../export/runtime/readback.ts';
 import { createScenesWith } from '../../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../../export/runtime/scenes/models/decoders/all-decoders.ts';
@@ -41,9 +41,6 @@ export interface PictureHead {
   readonly widthPx: number;
   readonly heightPx: number;
 }
-
-/** 1 January 2024, 12:00, whatever the machine's clock says. */
-const DATE_MS = Date.UTC(2024, 0, 1, 12);
 
 const SEED = 1;
 
@@ -88,7 +85,7 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
     }),
     assets: createFetchAssetSource(new URL(job.assetBaseUrl, document.baseURI).href, fetchFile),
     seed: SEED,
-    clock: createFrozenClock(),
+    clock: createRenderClock(),
     held: true,
     onDiagnostics: (diagnostics) => {
       problems = diagnostics;
@@ -143,16 +140,10 @@ export function diagnostics(): readonly Diagnostic[] {
   return [...problems, ...events];
 }
 
-/** Time is the frames'; waiting for drivers and files is not part of it. */
-function createFrozenClock(): FrameClock {
-  const { delay } = createBrowserClock();
-  return { ...createManualClock(0, DATE_MS), delay };
-}
-
 function readSubject({ gl, player, subject }: Stage): Picture | null {
   switch (subject.kind) {
     case 'screen':
-      return readScreen(gl);
+      return screenOf(gl);
     case 'layer': {
       const layer = readColor(player.inspect(subject.tap), 0);
       return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: layer.pixels };
@@ -164,15 +155,7 @@ function readSubject({ gl, player, subject }: Stage): Picture | null {
   }
 }
 
-function readScreen(gl: WebGL2RenderingContext): Picture {
-  const { drawingBufferWidth: widthPx, drawingBufferHeight: heightPx } = gl;
-  const rows = new Uint8Array(widthPx * heightPx * 4);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
-  gl.pixelStorei(gl.PACK_ALIGNMENT, 4);
-  gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, rows);
-  const bytes = new Uint8Array(rows.length);
-  const rowBytes = widthPx * 4;
-  for (let y = 0; y < heightPx; y++) bytes.set(rows.subarray(y * rowBytes, (y + 1) * rowBytes), (heightPx - 1 - y) * rowBytes);
-  return { widthPx, heightPx, bytes };
+function screenOf(gl: WebGL2RenderingContext): Picture {
+  const { widthPx, heightPx, pixels } = readScreen(gl);
+  return { widthPx, heightPx, bytes: pixels };
 }

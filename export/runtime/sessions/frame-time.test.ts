@@ -18,3 +18,13 @@ test('begins at 0 wherever the clock stands, goes on with it, and leaps over not
     [1.25, 0.25],
   ]);
 });
+
+test('counts frames, and none of those that are drawn again while time stands', () => {
+  const frame = createSessionFrame();
+  const time = createFrameTime();
+  const numbers = [10, 10, 10.1, 10.1, 10.1, 10.2].map((nowS) => {
+    time.write(frame, nowS);
+    return frame.index;
+  });
+  expect(numbers).toEqual([0, 0, 1, 1, 1, 2]);
+});

@@ -6,7 +6,10 @@ import type { MutableFrame } from './session-frame.ts';
  */
 export const LONGEST_STEP_S = 0.5;
 
-/** Turns what a session's clock says into the time of its frames, which begins at 0. */
+/**
+ * Turns what a session's clock says into the time of its frames, which begins at 0, and counts them. While time stands, as in a
+ * held preview, the same frame is drawn again: effects that change from frame to frame hold still.
+ */
 export interface FrameTime {
   /** For every frame that is drawn, and no other. */
   write(frame: MutableFrame, nowS: number): void;
@@ -23,6 +26,7 @@ export function createFrameTime(): FrameTime {
       lastS = nowS;
       const timeS = nowS - startS;
       frame.deltaS = Math.max(0, timeS - frame.timeS);
+      if (frame.deltaS > 0) frame.index++;
       frame.timeS = timeS;
     },
   };

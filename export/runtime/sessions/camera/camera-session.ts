@@ -97,7 +97,6 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
     setRigidInverse(view.viewFromWorld, view.worldFromView);
     input?.fill(frame);
     onFrame?.(frame);
-    frame.index++;
   };
   const begin = (): void => {
     fitter = createCanvasFitter(canvas);

@@ -58,7 +58,6 @@ export function createOrbitSession(options: OrbitSessionOptions): Session {
       setRigidInverse(view.viewFromWorld, view.worldFromView);
       input.fill(frame);
       onFrame?.(frame);
-      frame.index++;
     };
     handle = clock.requestFrame(tick);
   };

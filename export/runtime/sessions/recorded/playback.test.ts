@@ -8,7 +8,7 @@ function play(durationS: number) {
   const heard: string[] = [];
   const playback = createPlayback(clock, {
     durationS: () => durationS,
-    show: (timeS) => shown.push(timeS) > 0,
+    show: (timeS) => void shown.push(timeS),
     onRepeat: () => void heard.push('repeat'),
     onLoop: () => void heard.push('loop'),
     onEnd: () => void heard.push('end'),

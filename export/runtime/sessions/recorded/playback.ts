@@ -14,8 +14,8 @@ export interface PlayRange {
 export interface PlaybackHost {
   /** Null while it is not open. */
   readonly durationS: () => number | null;
-  /** Shows the recording as it is at `timeS` since its start; false where nothing can be shown yet. */
-  readonly show: (timeS: number, count: number) => boolean;
+  /** Shows the recording as it is at `timeS` since its start, where it can be shown yet. */
+  readonly show: (timeS: number) => void;
   /** The recording starts over, and its time goes on. */
   readonly onRepeat: () => void;
   /** Time leapt back to the start of the range. */
@@ -47,7 +47,6 @@ export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback 
   let playheadS = 0;
   let aheadS: number | null = null;
   let lastS: number | null = null;
-  let count = 0;
   let handle = 0;
   let range: PlayRange | null = null;
   /** False where it came to the end of the range, which says what comes next. */
@@ -56,7 +55,6 @@ export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback 
     if (range === null || playheadS < range.endS - ROUNDING_S || beforeS >= range.endS - ROUNDING_S) return true;
     if (range.loop) {
       playheadS = range.fromS + (Math.max(0, playheadS - range.endS) % (range.endS - range.fromS));
-      count = 0;
       host.onLoop();
     } else {
       playheadS = range.lastS;
@@ -76,13 +74,12 @@ export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback 
     lastS = nowS;
     const roundOf = (timeS: number): number => Math.floor((timeS + ROUNDING_S) / durationS);
     if ((stepped || staysInRange(beforeS)) && roundOf(playheadS) !== roundOf(beforeS)) host.onRepeat();
-    if (host.show(playheadS, count)) count++;
+    host.show(playheadS);
   };
   const seek = (timeS: number): void => {
     playheadS = timeS;
     aheadS = null;
     lastS = null;
-    count = 0;
   };
   return {
     get playheadS() {

@@ -41,6 +41,8 @@ export interface RecordedSession extends Session {
   readonly ready: Promise<Result<RecordingInfo>>;
   /** Manual only, once ready and started: delivers frame `index`. False where its picture is broken, which an event says. */
   step(index: number): Promise<boolean>;
+  /** The same for a moment, seconds since the first frame, later rounds included: shows the frame that it falls into. */
+  stepTo(timeS: number): Promise<boolean>;
   /** Of `clock`: what is shown, or comes next, in seconds since the first frame, later rounds included. */
   readonly playheadS: number;
   /** Of `clock`: the picture that was shown last is an earlier frame's, because its own is not decoded yet. */
@@ -105,17 +107,18 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     onFrame?.(frame);
     return true;
   };
-  const show = (playheadS: number, count: number): boolean => {
+  const show = (playheadS: number): boolean => {
     if (!reel) return false;
     const { file, cache, frames } = reel;
-    const index = frameAtTime(frames, playheadS) % file.frames.length;
+    const number = frameAtTime(frames, playheadS);
+    const index = number % file.frames.length;
     for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
     // What is not decoded yet holds nothing up: the frame before stays.
     const mine = cache.get(index);
     if (!mine && options.onArrival) void cache.request(index).then((arrived) => arrived && options.onArrival?.());
     isLate = cache.isComing(index);
     const decoded = mine ?? shown ?? cache.get(0);
-    return decoded !== null && deliver(reel, decoded, count, playheadS);
+    return decoded !== null && deliver(reel, decoded, number, playheadS);
   };
   const jumped = (): void => {
     deliveredS = null;
@@ -161,6 +164,13 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     playback?.seek(Math.max(0, timeS));
     jumped();
   };
+  const stepTo = async (timeS: number): Promise<boolean> => {
+    const current = reel;
+    if (mode.kind !== 'manual' || !current || !onFrame) throw new Error('Only a manual session that is ready and started can be stepped.');
+    const number = frameAtTime(current.frames, timeS);
+    const decoded = await current.cache.request(number % current.file.frames.length);
+    return decoded !== null && !ended && deliver(current, decoded, number, timeS);
+  };
   gl.canvas.addEventListener('webglcontextrestored', restore);
   return {
     kind: 'recorded',
@@ -177,13 +187,10 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       if (reel) playback?.start();
     },
     step: async (index) => {
-      const current = reel;
-      if (mode.kind !== 'manual' || !current || !onFrame)
-        throw new Error('Only a manual session that is ready and started can be stepped.');
-      if (!current.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
-      const decoded = await current.cache.request(index);
-      return decoded !== null && !ended && deliver(current, decoded, index, timeOfFrame(current.frames, index));
+      if (reel && !reel.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
+      return stepTo(reel ? timeOfFrame(reel.frames, index) : 0);
     },
+    stepTo,
     get playheadS() {
       return playback?.playheadS ?? 0;
     },

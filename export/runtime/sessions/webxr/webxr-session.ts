@@ -84,7 +84,6 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     depthWatch?.update(frame.timeS, hasDepth(frame));
     input.fill(frame.input, xrFrame);
     onFrame?.(frame);
-    frame.index++;
   };
   const lost = (): void => {
     surface = null;

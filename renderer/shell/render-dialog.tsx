@@ -1,0 +1,161 @@
+import { type ReactNode, useId, useState } from 'react';
+import { useStore } from 'zustand';
+import { timeOfFrame } from '../../nodes/kit/frame-times.ts';
+import { showRefusal } from '../state/files.ts';
+import { lastFrame, playedRange } from '../state/playing.ts';
+import { type FramesWish, planFrames, rateOf, renderFrames } from '../state/render-frames.ts';
+import { Button } from '../ui/button.tsx';
+import { FormDialog } from '../ui/form-dialog.tsx';
+import { useDocument, useEditor } from './editor-context.ts';
+import { FolderField } from './folder-field.tsx';
+import './render-dialog.css';
+
+const RATES_HZ = [24, 25, 30, 50, 60];
+const MOST_PX = 8192;
+const MOST_FRAMES = 100_000;
+
+/** What frames to render, and as what. */
+export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
+  const editor = useEditor();
+  const { preview } = editor;
+  const frames = useStore(preview, (state) => state.frames);
+  const canPick = useDocument((state) => state.canPickFolders);
+  const [what, setWhat] = useState<FramesWish['what']>('pictures');
+  const [range, setRange] = useState(() => asTexts(playedRange(preview.getState())));
+  const [size, setSize] = useState(() => sizeOf(preview.getState().status));
+  const [rate, setRate] = useState('own');
+  const [out, setOut] = useState('');
+  if (frames === null) return null;
+
+  const from = wholeIn(range.from, 0, MOST_FRAMES);
+  const to = wholeIn(range.to, from ?? 0, MOST_FRAMES);
+  const widthPx = wholeIn(size.width, 1, MOST_PX);
+  const heightPx = wholeIn(size.height, 1, MOST_PX);
+  const frameRateHz = rate === 'own' ? null : Number(rate);
+  const whole = from !== null && to !== null && widthPx !== null && heightPx !== null;
+  const count = from !== null && to !== null ? planFrames(frames, { from, to }, frameRateHz, false).filter(({ keep }) => keep).length : 0;
+  const lengthS = from !== null && to !== null ? timeOfFrame(frames, to + 1) - timeOfFrame(frames, from) : 0;
+  const go = () => {
+    if (from === null || to === null || widthPx === null || heightPx === null) return;
+    void renderFrames(editor, { what, range: { from, to }, widthPx, heightPx, frameRateHz, out: out.trim() });
+  };
+  const pick = async () => {
+    try {
+      const { path } = await editor.host.call('folder.pick', { purpose: 'render' });
+      if (path !== null) setOut(path);
+    } catch (error) {
+      showRefusal(editor, error);
+    }
+  };
+  return (
+    <FormDialog
+      title="Render frames"
+      action="Render"
+      ready={whole && (what === 'video' || out.trim() !== '')}
+      onGo={go}
+      onClose={onClose}
+      wide
+    >
+      <Choice label="As" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
+        <option value="pictures">Pictures (PNG)</option>
+        <option value="video">Video</option>
+      </Choice>
+      <div className="render-row">
+        <Whole label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
+        <Whole label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
+        <Choice label="Frames a second" value={rate} onChange={setRate}>
+          <option value="own">The recording’s ({rateOf(frames)})</option>
+          {RATES_HZ.map((hz) => (
+            <option key={hz} value={hz}>
+              {hz}
+            </option>
+          ))}
+        </Choice>
+      </div>
+      <div className="render-row">
+        <Whole label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
+        <Whole label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
+      </div>
+      {what === 'pictures' && <Folder path={out} onChange={setOut} {...(canPick ? { onPick: () => void pick() } : {})} />}
+      <p className="dialog-note" role="status">
+        {whole ? `${count} ${count === 1 ? 'frame' : 'frames'}, ${lengthS.toFixed(2)} s. ` : 'Numbers are missing, or out of range. '}
+        {to !== null && to > lastFrame({ frames }) && 'Behind its end the recording begins anew. '}
+        {what === 'video'
+          ? 'The video comes with your downloads, without sound.'
+          : 'The folder must be new, empty, or hold frames of before.'}
+      </p>
+    </FormDialog>
+  );
+}
+
+interface FolderProps {
+  readonly path: string;
+  readonly onChange: (path: string) => void;
+  readonly onPick?: () => void;
+}
+
+function Folder({ path, onChange, onPick }: FolderProps) {
+  const id = useId();
+  return (
+    <FolderField id={id} label="Folder" path={path} example="/home/me/frames/my-effect" onChange={onChange}>
+      {onPick && <Button onPress={onPick}>Choose…</Button>}
+    </FolderField>
+  );
+}
+
+interface ChoiceProps {
+  readonly label: string;
+  readonly value: string;
+  readonly onChange: (value: string) => void;
+  readonly children: ReactNode;
+}
+
+function Choice({ label, value, onChange, children }: ChoiceProps) {
+  const id = useId();
+  return (
+    <div className="render-field">
+      <label htmlFor={id}>{label}</label>
+      <select id={id} className="select" value={value} onChange={(event) => onChange(event.target.value)}>
+        {children}
+      </select>
+    </div>
+  );
+}
+
+interface WholeProps {
+  readonly label: string;
+  readonly text: string;
+  readonly wrong: boolean;
+  readonly onChange: (text: string) => void;
+}
+
+function Whole({ label, text, wrong, onChange }: WholeProps) {
+  const id = useId();
+  return (
+    <div className="render-field">
+      <label htmlFor={id}>{label}</label>
+      <input
+        id={id}
+        className="field"
+        inputMode="numeric"
+        value={text}
+        aria-invalid={wrong}
+        onChange={(event) => onChange(event.target.value)}
+      />
+    </div>
+  );
+}
+
+function asTexts({ from, to }: { readonly from: number; readonly to: number }) {
+  return { from: String(from), to: String(to) };
+}
+
+/** The preview's, which shows what will be in the picture. */
+function sizeOf(status: { readonly widthPx: number; readonly heightPx: number } | null) {
+  return { width: String(status?.widthPx ?? 1280), height: String(status?.heightPx ?? 720) };
+}
+
+function wholeIn(text: string, least: number, most: number): number | null {
+  const number = Number(text.trim());
+  return text.trim() !== '' && Number.isInteger(number) && number >= least && number <= most ? number : null;
+}

@@ -1,0 +1,193 @@
+import { remembersFrames } from '../../export/program/remembers.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import { hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
+import type { FilmRequest } from '../preview-protocol.ts';
+import type { Editor, FilmLink } from './editor.ts';
+import { previewSource } from './feed.ts';
+import { showRefusal } from './files.ts';
+import { chosenSource, type FrameRange } from './preview.ts';
+import { addToast, toastDiagnostic } from './ui.ts';
+
+/** What the person asked for. */
+export interface FramesWish {
+  readonly what: 'pictures' | 'video';
+  readonly range: FrameRange;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Null: the recording's own frames. */
+  readonly frameRateHz: number | null;
+  /** Folder for pictures; videos go where downloads do. */
+  readonly out: string;
+}
+
+interface PlannedFrame {
+  readonly timeS: number;
+  /** Names the picture. */
+  readonly number: number;
+  /** Those before the range are played for those who remember them. */
+  readonly keep: boolean;
+}
+
+const ROUNDING_S = 1e-6;
+
+/** The frames to play, in order. Of the recording's own, numbers are its own, too; at another rate they count from 0. */
+export function planFrames(frames: FrameTimes, range: FrameRange, frameRateHz: number | null, remembers: boolean): readonly PlannedFrame[] {
+  if (frameRateHz === null) {
+    const first = remembers ? 0 : Math.max(0, range.from - 1);
+    return Array.from({ length: range.to - first + 1 }, (_, i) => {
+      const number = first + i;
+      return { timeS: timeOfFrame(frames, number), number, keep: number >= range.from };
+    });
+  }
+  const fromS = timeOfFrame(frames, range.from);
+  const lengthS = timeOfFrame(frames, range.to + 1) - fromS;
+  const count = Math.max(1, Math.ceil((lengthS - ROUNDING_S) * frameRateHz));
+  const before = Math.floor((fromS + ROUNDING_S) * frameRateHz);
+  const first = -(remembers ? before : Math.min(1, before));
+  return Array.from({ length: count - first }, (_, i) => {
+    const number = first + i;
+    return { timeS: Math.max(0, fromS + number / frameRateHz), number, keep: number >= 0 };
+  });
+}
+
+/** Frames a second of a recording, as videos of its own frames have them. */
+export function rateOf({ timesS, durationS }: FrameTimes): number {
+  return Math.round((timesS.length / durationS) * 1000) / 1000;
+}
+
+/** Asks what to render; says so where there is nothing to go through frame by frame. */
+export function askForFrames({ ui, preview }: Editor): void {
+  if (preview.getState().frames !== null) ui.setState({ dialog: { kind: 'render' } });
+  else
+    addToast(ui, {
+      tone: 'info',
+      text: 'Frames are rendered from recordings: choose one below the preview.',
+      detail: 'Of emulated rooms, “scrim render” makes them.',
+    });
+}
+
+/** Draws the frames of the project as it stands, beside the preview. True where they were written. */
+export async function renderFrames(editor: Editor, wish: FramesWish): Promise<boolean> {
+  const { open } = editor.document.getState();
+  const { frames, shaderDiagnostics } = editor.preview.getState();
+  const { program, programRevision, diagnostics } = editor.compile.getState();
+  if (open === null || frames === null || editor.ui.getState().exporting !== null) return false;
+  const source = chosenSource(editor.preview.getState())?.kind === 'recorded' ? previewSource(editor) : null;
+  const link = editor.film.open?.() ?? null;
+  if (program === null || hasErrors(diagnostics) || hasErrors(shaderDiagnostics) || source?.kind !== 'recorded' || link === null) {
+    link?.close();
+    addToast(editor.ui, {
+      tone: 'error',
+      text: 'The project has problems that have to be mended first.',
+      detail: `They are under Problems.`,
+    });
+    editor.ui.setState({ bottom: 'problems' });
+    return false;
+  }
+  if (programRevision !== editor.document.getState().revision && editor.compile.getState().busy) {
+    link.close();
+    addToast(editor.ui, { tone: 'info', text: 'The project is still being compiled: try again in a moment.' });
+    return false;
+  }
+  const { handle } = open;
+  const { what, widthPx, heightPx, frameRateHz, out } = wish;
+  const video = what === 'video' ? { frameRateHz: frameRateHz ?? rateOf(frames) } : null;
+  const request: FilmRequest = { program, url: source.url, assetBaseUrl: source.assetBaseUrl, widthPx, heightPx, video };
+  const plan = planFrames(frames, wish.range, frameRateHz, remembersFrames(program));
+  editor.ui.setState({ exporting: { handle, text: 'Setting the scene…', cancelled: false, frames: true }, dialog: null });
+  let begun = false;
+  const stopped = cancellation(editor);
+  /** Null where the person has had enough. */
+  const ask = (message: FilmQuestion) => Promise.race([link.ask(message), stopped.promise]);
+  try {
+    if (what === 'pictures') {
+      await editor.host.call('frames.begin', { handle, out, widthPx, heightPx });
+      begun = true;
+    }
+    if (filmed(await ask({ kind: 'film', request })) === null) return tellCancelled(editor);
+    const kept = plan.filter(({ keep }) => keep).length;
+    let done = 0;
+    for (const { timeS, number, keep } of plan) {
+      if (keep) say(editor, `Frame ${++done} of ${kept}`);
+      else say(editor, 'Playing what comes before…');
+      const answer = filmed(await ask({ kind: 'film-frame', timeS, keep }));
+      if (answer === null) return tellCancelled(editor);
+      if (answer.kind === 'filmed' && answer.frame) await editor.host.call('frames.add', { handle, number, rgba: answer.frame });
+    }
+    if (isCancelled(editor)) return tellCancelled(editor);
+    if (what === 'video') {
+      const answer = filmed(await ask({ kind: 'film-end' }));
+      if (answer?.kind !== 'film-over' || answer.file === null) return tellCancelled(editor);
+      giveVideo(editor, answer.file);
+      return true;
+    }
+    begun = false;
+    const { title } = editor.document.getState().project;
+    const written = await editor.host.call('frames.finish', { handle, title, frameRateHz: frameRateHz ?? rateOf(frames) });
+    addToast(editor.ui, { tone: 'success', text: `Rendered ${counted(written.pictures)} to ${written.out}.` });
+    return true;
+  } catch (error) {
+    if (error instanceof FilmError) toastDiagnostic(editor.ui, error.diagnostic);
+    else showRefusal(editor, error);
+    return false;
+  } finally {
+    stopped.dispose();
+    link.close();
+    editor.ui.setState({ exporting: null });
+    if (begun) await editor.host.call('frames.cancel', { handle }).catch((error: unknown) => showRefusal(editor, error));
+  }
+}
+
+/** What stopped the page that draws. */
+class FilmError extends Error {
+  readonly diagnostic: Diagnostic;
+
+  constructor(diagnostic: Diagnostic) {
+    super(diagnostic.message);
+    this.diagnostic = diagnostic;
+  }
+}
+
+type FilmQuestion = Parameters<FilmLink['ask']>[0];
+type FilmAnswer = Awaited<ReturnType<FilmLink['ask']>>;
+
+function filmed(answer: FilmAnswer | null): Exclude<FilmAnswer, { kind: 'film-failed' }> | null {
+  if (answer?.kind === 'film-failed') throw new FilmError(answer.diagnostic);
+  return answer;
+}
+
+/** Resolves when the person cancels, also while a frame takes its time. */
+function cancellation({ ui }: Editor) {
+  let dispose = () => {};
+  const promise = new Promise<null>((resolve) => {
+    dispose = ui.subscribe(({ exporting }) => {
+      if (exporting?.cancelled) resolve(null);
+    });
+  });
+  return { promise, dispose };
+}
+
+function giveVideo(editor: Editor, file: Blob): void {
+  const { title } = editor.document.getState().project;
+  const name = `${title.trim() === '' ? 'Video' : title}.${file.type === 'video/mp4' ? 'mp4' : 'webm'}`;
+  editor.keepFile(file, name);
+  addToast(editor.ui, { tone: 'success', text: `${name} is with your downloads.` });
+}
+
+function say({ ui }: Editor, text: string): void {
+  ui.setState(({ exporting }) => ({ exporting: exporting && !exporting.cancelled ? { ...exporting, text } : exporting }));
+}
+
+function isCancelled({ ui }: Editor): boolean {
+  return ui.getState().exporting?.cancelled === true;
+}
+
+function tellCancelled({ ui }: Editor): false {
+  addToast(ui, { tone: 'info', text: 'Rendering was cancelled.', detail: 'Nothing was written.' });
+  return false;
+}
+
+function counted(pictures: number): string {
+  return pictures === 1 ? 'one picture' : `${pictures} pictures`;
+}

@@ -1,0 +1,21 @@
+import { join, resolve } from 'node:path';
+import { expect, test } from '@jest/globals';
+import { useModule } from '../support/browser.ts';
+import { compileExample } from '../support/compile-project.ts';
+import type { Held } from './held-frames.page.ts';
+
+const EXAMPLES = resolve(import.meta.dirname, '../../examples');
+const SESSION = 'examples/sessions/studio/';
+const page = useModule('tests/slow/held-frames.page.ts', { mounts: { '/examples/': EXAMPLES } });
+
+/** Nothing of the picture moves, in no pixel and by no level. */
+const STILL = { pixels: 0, most: 0, changes: [], problems: [], error: 0 };
+
+test.each(['first-light', 'lit-as-the-room-is', 'near-in-colour-far-in-ink', 'sketchy-shadow'])(
+  'held at a moment, “%s” is drawn the same again and again',
+  async (name) => {
+    const held = await page.call<Held>('hold', await compileExample(join(EXAMPLES, name)), `examples/${name}/`, SESSION, 1.25, 12);
+    expect(held).toMatchObject(STILL);
+    expect(held.colours).toBeGreaterThan(1000);
+  },
+);
