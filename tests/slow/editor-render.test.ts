@@ -1,4 +1,4 @@
-import { mkdir, readdir, readFile, writeFile } from 'node:fs/promises';
+import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { ALL_FORMATS, BufferSource, type EncodedPacket, EncodedPacketSink, Input } from 'mediabunny';
@@ -54,6 +54,8 @@ afterAll(async () => {
   // The browser itself says so of every call that is refused.
   expect(open.errors.filter((error) => !error.includes('422'))).toEqual([]);
   await open.close();
+  for (const kind of ['frames', 'frames-cli', 'video', 'foreign', 'cancelled'])
+    await rm(`${open.project}-${kind}`, { recursive: true, force: true });
 });
 
 const dialog = () => open.page.getByRole('dialog', { name: 'Render frames' });
@@ -76,7 +78,7 @@ test('pictures are those of the command line and of the preview, byte for byte',
   const size = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!size) throw new Error('There is no preview.');
   const [width, height] = [Math.round(size.width), Math.round(size.height)];
-  const out = join(project, '..', `${project.split('/').at(-1)}-frames`);
+  const out = `${project}-frames`;
   await ask({ 'First frame': '11', 'Last frame': '13', Width: String(width), Height: String(height), Folder: out });
   expect(await dialog().getByRole('status').textContent()).toContain('3 frames, 0.30 s.');
   if (process.env.SHOT) await page.screenshot({ path: '/tmp/hd-render-dialog.png' });
