@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
+import { decode } from 'fast-png';
 import { compile } from '../../export/compiler/compile.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { makeProject } from '../../tools/examples/paper/recipe.ts';
@@ -46,4 +47,36 @@ test('no two examples have one name or one title', () => {
 
 test('the sheet of pencil strokes comes out the same every time', () => {
   expect(Buffer.compare(readFileSync('examples/sketchy-shadow/assets/strokes.png'), makeStrokes())).toBe(0);
+});
+
+describe('the picture of hands', () => {
+  const bytes = readFileSync('examples/skin-colour/assets/hands.png');
+  const { width, height, data } = decode(bytes);
+  const pixel = (u: number, v: number): number[] =>
+    [0, 1, 2].map((i) => data[(Math.floor(v * height) * width + Math.floor(u * width)) * 4 + i] ?? 0);
+  /** D. Chai and K. N. Ngan 1999, with Cb and Cr of BT.601. */
+  const isSkin = ([r = 0, g = 0, b = 0]: number[]) => {
+    const cb = 128 + (-37.797 * r - 74.203 * g + 112 * b) / 255;
+    const cr = 128 + (112 * r - 93.786 * g - 18.214 * b) / 255;
+    return cb >= 77 && cb <= 127 && cr >= 133 && cr <= 173;
+  };
+
+  test('has skin from light to dark where the hands are, and nowhere else', () => {
+    const palms = [pixel(0.16, 0.66), pixel(0.38, 0.56), pixel(0.63, 0.68), pixel(0.84, 0.57)];
+    expect(palms.map(isSkin)).toEqual([true, true, true, true]);
+    const lights = palms.map(([r = 0, g = 0, b = 0]) => 0.3 * r + 0.6 * g + 0.1 * b);
+    expect(lights).toEqual([...lights].sort((a, b) => b - a));
+    const others = [
+      pixel(0.1, 0.2),
+      pixel(0.45, 0.1),
+      pixel(0.51, 0.31),
+      pixel(0.95, 0.6),
+      pixel(0.12, 0.9),
+      pixel(0.4, 0.85),
+      pixel(0.6, 0.9),
+      pixel(0.88, 0.85),
+      pixel(0.5, 0.95),
+    ];
+    expect(others.filter(isSkin)).toEqual([]);
+  });
 });

@@ -8,6 +8,7 @@ import type { ToolMain } from '../lib/tool.ts';
 import { makeChime } from './chime.ts';
 import { GALLERY_FILES, makeGallery } from './gallery.ts';
 import { makeFilm } from './make-film.ts';
+import { makeHands } from './paper/hands.ts';
 import { makeProject } from './paper/recipe.ts';
 import { RECIPES } from './paper/recipes.ts';
 import { makeStrokes } from './paper/strokes.ts';
@@ -42,6 +43,11 @@ export const main: ToolMain = async (_args, { root }) => {
     root,
     foldersWith('strokes-pen1').map((folder) => `${folder}/assets/strokes.png`),
     makeStrokes(),
+  );
+  await place(
+    root,
+    foldersWith('hands-up04').map((folder) => `${folder}/assets/hands.png`),
+    makeHands(),
   );
   await place(root, PINWHEEL_PATHS, await makePinwheel());
   await place(root, SKY_PATHS, makeSky());

@@ -1,5 +1,6 @@
 import type { Binding, ParamValue } from '../../../export/graph/project.ts';
 import type { Recipe } from './recipe.ts';
+import { HANDS } from './room.ts';
 
 interface VideoFilter extends Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'> {
   readonly filter: string;
@@ -98,22 +99,24 @@ export const FILTERS: readonly Recipe[] = [
     folder: 'skin-colour',
     figure: '12o',
     title: 'Finding skin colour',
-    description: 'What has the colour of skin keeps its colours, the rest turns grey. Hold a hand before the camera.',
+    description:
+      'What has the colour of skin, of any shade, keeps its colours, and the rest turns grey. Wire the camera’s video in the place of the picture, and hold up a hand of your own.',
     nodes: {
-      video: ['source/camera-video', 0, 0],
+      picture: ['source/image-file', 0, 0, { file: 'hands-up04' }],
       skin: ['filter/skin-mask', 1, 0],
       grey: ['filter/grey', 1, 1],
       choose: ['operator/choose-by-mask', 2, 0],
       screen: ['output/screen', 3, 0],
     },
     wires: [
-      'video.layer -> skin.inputImage',
-      'video.layer -> grey.inputImage',
-      'video.layer -> choose.inside',
+      'picture.layer -> skin.inputImage',
+      'picture.layer -> grey.inputImage',
+      'picture.layer -> choose.inside',
       'grey.layer -> choose.outside',
       'skin.layer -> choose.mask',
       'choose.layer -> screen.layer',
     ],
+    assets: HANDS,
   },
   {
     folder: 'near-in-colour-far-in-ink',

@@ -14,6 +14,11 @@ export const STROKES: Readonly<Record<string, Asset>> = {
   'strokes-pen1': { path: 'assets/strokes.png', kind: 'image', credit: 'Made by tools/examples/paper/strokes.ts', licence: 'MIT' },
 };
 
+/** Four hands before a wall. */
+export const HANDS: Readonly<Record<string, Asset>> = {
+  'hands-up04': { path: 'assets/hands.png', kind: 'image', credit: 'Made by tools/examples/paper/hands.ts', licence: 'MIT' },
+};
+
 /** A robot on the rug before the table. `robot.objects` is where it stands. */
 export function robotOnRug(
   row: number,

@@ -2,6 +2,8 @@ import type { Recipe, RecipeNode } from './recipe.ts';
 import { PHANTOM_WIRES, phantoms, ROBOT, ROBOT_WIRES, robotOnRug, STROKES, WINDOW_LIGHT } from './room.ts';
 
 const EDGES = { strength: 5, lineColor: [0.1, 0.08, 0.06, 1], paperColor: [0.97, 0.95, 0.9, 1] } as const;
+/** Far enough for the robot to be seen from head to foot. */
+const BACK = { x: 0.68, z: -0.85 } as const;
 const MODEL_SCENE = {
   ...robotOnRug(0),
   light: ['light/directional', 1, 1, WINDOW_LIGHT],
@@ -37,17 +39,24 @@ function ballAt(i: number): readonly [number, number, number] {
   return [(i % 3) * 0.56 - 0.5, i < 3 ? 1.12 : 0.58, 0.1];
 }
 
-/** The robot by one technique, over the room. */
+/** The robot by one technique, with its shadow on the real floor. */
 function robotBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 'title' | 'description'>): Recipe {
   return {
     ...about,
     nodes: {
       ...MODEL_SCENE,
+      ...robotOnRug(0, { x: 0.54, z: -0.95 }),
+      // Higher than the window, so that the shadow ends before the stool.
+      light: ['light/directional', 1, 1, { ...WINDOW_LIGHT, elevationRad: 1.05 }],
       way: [`technique/${technique}`, 0, 1],
+      plane: ['objects/primitive', 0, 2, { shape: 'plane', sizeM: [5, 0, 4.6] }],
+      floor: ['objects/phantom', 1, 3],
       drawn: ['objects/apply-technique', 2, 1],
       scene: ['layer/scene', 3, 0, { ambient: 0.4 }],
-      merge: ['operator/over', 4, 1],
-      screen: ['output/screen', 5, 1],
+      shadow: ['layer/shadow', 3, 1, { strength: 0.6, method: 'volume' }],
+      ground: ['operator/over', 4, 2],
+      merge: ['operator/over', 5, 1],
+      screen: ['output/screen', 6, 1],
     },
     wires: [
       ...ROBOT_WIRES,
@@ -55,7 +64,13 @@ function robotBy(technique: string, about: Pick<Recipe, 'folder' | 'figure' | 't
       'way.technique -> drawn.technique',
       'drawn.objects -> scene.objects',
       'light.lights -> scene.lights',
-      'video.layer -> merge.bottom',
+      'plane.objects -> floor.objects',
+      'robot.objects -> shadow.casters',
+      'floor.objects -> shadow.receivers',
+      'light.lights -> shadow.lights',
+      'video.layer -> ground.bottom',
+      'shadow.layer -> ground.top',
+      'ground.layer -> merge.bottom',
       'scene.layer -> merge.top',
       'merge.layer -> screen.layer',
     ],
@@ -192,7 +207,7 @@ export const SCENES: readonly Recipe[] = [
       plain: ['objects/primitive', 0, 0, { shape: 'sphere', sizeM: [0.46, 0.46, 0.46], color: [0.75, 0.3, 0.2, 1] }],
       ...BALLS,
       light: ['light/directional', 3, 3, WINDOW_LIGHT],
-      scene: ['layer/scene', 4, 1, { ambient: 0.4 }],
+      scene: ['layer/scene', 4, 1, { ambient: 0.4, shadows: false }],
       video: ['source/camera-video', 4, 2],
       merge: ['operator/over', 5, 1],
       screen: ['output/screen', 6, 1],
@@ -280,9 +295,9 @@ export const SCENES: readonly Recipe[] = [
     title: 'The world in the book',
     description: 'A robot stands on a large page on the rug. Inside the page’s frame it is night, around it the room’s own light stays.',
     nodes: {
-      ...robotOnRug(0, { y: 0.014 }),
+      ...robotOnRug(0, { ...BACK, y: 0.014 }),
       page: ['objects/primitive', 0, 1, { shape: 'plane', sizeM: [0.72, 0, 0.56], color: [0.93, 0.9, 0.82, 1] }],
-      lie: ['objects/transform', 1, 1, { positionM: [0.6, 0.013, -0.18], rotationRad: [0, 0.06, 0] }],
+      lie: ['objects/transform', 1, 1, { positionM: [BACK.x, 0.013, BACK.z + 0.04], rotationRad: [0, 0.06, 0] }],
       moon: ['light/directional', 1, 2, { ...WINDOW_LIGHT, elevationRad: 0.5, color: [0.8, 0.88, 1, 1] }],
       scene: ['layer/scene', 2, 0, { ambient: 0.25 }],
       inside: ['layer/object-mask', 2, 1],
