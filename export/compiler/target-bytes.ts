@@ -1,5 +1,5 @@
 import type { Program, Resource, SizeExpression } from '../program/program.ts';
-import { runSize, SIZE_STACK_BOTTOM, type SizeSource } from '../program/size-operation.ts';
+import { runSize, SIZE_STACK_BOTTOM } from '../program/size-operation.ts';
 
 /** At which sizes are given in pixels and bytes, per view. */
 export interface ReferenceSize {
@@ -19,16 +19,10 @@ export function targetsOf({ resources }: Program): Target[] {
 /** Null where it depends on the size of a file. */
 export function targetSize(target: Target, { slots }: Program, { widthPx, heightPx }: ReferenceSize): ReferenceSize | null {
   if (target.size.base !== 'view') return null;
-  const source: SizeSource<{ readonly slot: number }> = {
-    width: widthPx,
-    height: heightPx,
-    put: ({ slot }, stack, at) => {
-      stack[at] = slots.numbers[slots.slots[slot]?.offset ?? -1] ?? 0;
-    },
-  };
   const pixels = (expression: SizeExpression) => {
     const stack = new Float64Array(SIZE_STACK_BOTTOM + expression.length);
-    return runSize(expression, source, stack) ? Math.max(1, Math.floor(stack[SIZE_STACK_BOTTOM] ?? 1) || 1) : 1;
+    const isSize = runSize(expression, widthPx, heightPx, putStart, slots, stack);
+    return isSize ? Math.max(1, Math.floor(stack[SIZE_STACK_BOTTOM] ?? 1) || 1) : 1;
   };
   return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };
 }
@@ -45,4 +39,8 @@ export function targetBytes(target: Target, program: Program, reference: Referen
   const samples = target.samples > 1 ? target.samples + 1 : 1;
   const copies = target.lifetime === 'persistent' ? 2 : 1;
   return size.widthPx * size.heightPx * perSample * samples * copies;
+}
+
+function putStart({ slot }: { readonly slot: number }, { numbers, slots }: Program['slots'], stack: Float64Array, at: number): void {
+  stack[at] = numbers[slots[slot]?.offset ?? -1] ?? 0;
 }

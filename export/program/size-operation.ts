@@ -30,20 +30,19 @@ export type SizeOperation = keyof typeof TAKES;
 /** Places that lie empty below the first number of a stack, so that no operation looks for one outside of it. */
 export const SIZE_STACK_BOTTOM = 3;
 
-/** What a size expression refers to, each written into the stack: a fraction handed back would be a heap object. */
-export interface SizeSource<Name extends object> {
-  readonly width: number;
-  readonly height: number;
-  put(name: Name, stack: Float64Array, at: number): void;
-}
+/** Writes what a name in a size expression stands for into the stack: a fraction handed back would be a heap object. */
+export type PutNamed<Name, Values> = (name: Name, values: Values, stack: Float64Array, at: number) => void;
 
 /**
  * Plays a size expression, which is postfix. The last number is then at `SIZE_STACK_BOTTOM` of the stack; false where the expression
  * leaves none or several. `stack`: longer than the expression by `SIZE_STACK_BOTTOM`.
  */
-export function runSize<Name extends object>(
+export function runSize<Name extends object, Values>(
   expression: readonly (number | { readonly op: 'width' | 'height' | SizeOperation } | Name)[],
-  source: SizeSource<Name>,
+  width: number,
+  height: number,
+  put: PutNamed<Name, Values>,
+  values: Values,
   stack: Float64Array,
 ): boolean {
   let top = SIZE_STACK_BOTTOM - 1;
@@ -51,9 +50,9 @@ export function runSize<Name extends object>(
     const token = expression[i];
     if (token === undefined) break;
     if (typeof token === 'number') stack[++top] = token;
-    else if (!('op' in token)) source.put(token, stack, ++top);
-    else if (token.op === 'width') stack[++top] = source.width;
-    else if (token.op === 'height') stack[++top] = source.height;
+    else if (!('op' in token)) put(token, values, stack, ++top);
+    else if (token.op === 'width') stack[++top] = width;
+    else if (token.op === 'height') stack[++top] = height;
     else top = applySizeOperation(token.op, stack, top);
   }
   return top === SIZE_STACK_BOTTOM;

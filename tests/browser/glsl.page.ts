@@ -337,9 +337,9 @@ function read(output: Buffer | null, last: LinkedPass | undefined): Pick<Drawing
 function evaluateSize(size: NamedSize | null, whole: number, job: DrawJob): number {
   if (size === null) return whole;
   const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
-  const put = ({ param }: { readonly param: string }, into: Float64Array, at: number) => {
-    into[at] = Number(job.params?.[param]);
+  const put = ({ param }: { readonly param: string }, { params }: DrawJob, into: Float64Array, at: number) => {
+    into[at] = Number(params?.[param]);
   };
-  runSize(size, { width: job.width, height: job.height, put }, stack);
+  runSize(size, job.width, job.height, put, job, stack);
   return Math.max(1, Math.round(stack[SIZE_STACK_BOTTOM] ?? whole));
 }

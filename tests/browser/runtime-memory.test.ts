@@ -42,7 +42,8 @@ test('a frame of two views allocates nothing', async () => {
   await page.call('run', 2500);
   await page.call('runCareless', 500);
   await devtools.send('HeapProfiler.enable');
-  expect(await allocators(devtools, () => page.call('runCareless', FRAMES))).toEqual([expect.stringMatching(/careless/i)]);
+  // What allocates is seen; beside it, whatever the optimising compiler has not come to yet.
+  expect(await allocators(devtools, () => page.call('runCareless', FRAMES))).toContainEqual(expect.stringMatching(/careless/i));
   let found: string[] = [];
   for (let attempt = 0; attempt < 4; attempt++) {
     found = await allocators(devtools, () => page.call('run', FRAMES));

@@ -14,10 +14,10 @@ function evaluate(text: string, width = 640, height = 360): number {
 
 function run(size: NamedSize, width: number, height: number): number {
   const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
-  const put = ({ param }: { readonly param: string }, into: Float64Array, at: number) => {
-    into[at] = PARAMS.get(param) ?? Number.NaN;
+  const put = ({ param }: { readonly param: string }, values: typeof PARAMS, into: Float64Array, at: number) => {
+    into[at] = values.get(param) ?? Number.NaN;
   };
-  expect(runSize(size, { width, height, put }, stack)).toBe(true);
+  expect(runSize(size, width, height, put, PARAMS, stack)).toBe(true);
   return stack[SIZE_STACK_BOTTOM] ?? Number.NaN;
 }
 
