@@ -98,6 +98,12 @@ export const MENU_COMMANDS = [
   'edit.redo',
   'edit.delete',
   'edit.select-all',
+  'view.find',
+  'view.fit',
+  'view.help',
+  'help.commands',
+  'help.shortcuts',
+  'help.tour',
 ] as const;
 
 export const HOST_CONTRACT = {

@@ -10,10 +10,9 @@ export function menuTemplate(
   packaged: boolean,
   send: (command: MenuCommand) => void,
 ): MenuItemConstructorOptions[] {
-  const item = (label: string, accelerator: string, command: MenuCommand): MenuItemConstructorOptions => ({
+  const item = (label: string, accelerator: string | null, command: MenuCommand): MenuItemConstructorOptions => ({
     label,
-    accelerator,
-    registerAccelerator: false,
+    ...(accelerator !== null && { accelerator, registerAccelerator: false }),
     click: () => send(command),
   });
   const separator: MenuItemConstructorOptions = { type: 'separator' };
@@ -50,12 +49,26 @@ export function menuTemplate(
     {
       label: '&View',
       submenu: [
+        item('Show the Whole Graph', 'F', 'view.fit'),
+        item('Find in the Graph…', 'CmdOrCtrl+F', 'view.find'),
+        separator,
         { role: 'zoomIn' },
         { role: 'zoomOut' },
         { role: 'resetZoom' },
         separator,
         { role: 'togglefullscreen' },
         ...(packaged ? [] : [separator, { role: 'toggleDevTools' } as const]),
+      ],
+    },
+    { role: 'windowMenu' },
+    {
+      role: 'help',
+      submenu: [
+        item('Help for the Node', 'F1', 'view.help'),
+        item('All Commands…', 'CmdOrCtrl+K', 'help.commands'),
+        item('Keyboard Shortcuts…', '?', 'help.shortcuts'),
+        separator,
+        item('Take the Tour', null, 'help.tour'),
       ],
     },
   ];
