@@ -5,7 +5,7 @@ import { afterEach, beforeEach, expect, test } from '@jest/globals';
 import type { ElectronApplication } from 'playwright-core';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { playEditorStory } from '../support/editor-story.ts';
-import { describeElectron, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
 import { expectPoster, visitExportedPage } from '../support/exported-page.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -25,9 +25,8 @@ describeElectron('the editor in Electron', await findElectron(), (launch) => {
       const exportTo = join(base, 'page');
       await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
       const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
-      const page = await app.firstWindow();
+      const page = await editorWindow(app);
       const errors = collectErrors(page);
-      await page.waitForURL('scrim://editor/');
       await page.setViewportSize({ width: 1440, height: 900 });
       await playEditorStory({ page, project, exportTo, answerFolder: (path) => answerFolderDialog(app, path) });
       expect(errors).toEqual([]);

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { ElectronApplication, Page } from 'playwright-core';
 import type { Answer } from '../../app/contract/host-error.ts';
 import type { HostBridge } from '../../app/contract/ipc-client.ts';
-import { describeElectron, findElectron } from '../support/electron.ts';
+import { describeElectron, editorWindow, findElectron } from '../support/electron.ts';
 
 /** The shell as it is built, with pages of the test's own: what they may do is what is asked here. */
 const SHELL = resolve(import.meta.dirname, '../../dist/electron');
@@ -26,8 +26,7 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     await put('first/project.scrim.json', '{"title":"First"}\n');
     await put('first/assets/cup.glb', 'glTF');
     app = await launch([join(base, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
-    page = await app.firstWindow();
-    await page.waitForURL('scrim://editor/');
+    page = await editorWindow(app);
   });
   afterAll(() => rm(base, { recursive: true, force: true }));
 

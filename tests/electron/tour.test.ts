@@ -1,7 +1,7 @@
 import { join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { collectErrors } from '../support/browser.ts';
-import { describeElectron, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
 import { TOUR_STEPS, takeTour } from '../support/tour.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
@@ -10,9 +10,8 @@ describeElectron('the tour in Electron', await findElectron(), (launch) => {
   test('leads a newcomer from the start screen through the window of an example', async () => {
     await playedTwiceAfterFault(launch, async (launchWatched) => {
       const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs')]);
-      const page = await app.firstWindow();
+      const page = await editorWindow(app);
       const errors = collectErrors(page);
-      await page.waitForURL('scrim://editor/');
       await page.setViewportSize({ width: 1280, height: 800 });
       await page.getByRole('button', { name: 'Take the tour' }).click();
       await page.locator('.react-flow__node').first().waitFor();

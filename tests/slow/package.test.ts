@@ -90,7 +90,7 @@ describeElectron('the packaged app', electron, () => {
     const page = context?.pages()[0] ?? (await context?.waitForEvent('page'));
     if (!page) throw new Error('The app opened no window.');
     page.setDefaultTimeout(PATIENCE_MS);
-    await page.waitForURL('scrim://editor/');
+    await page.waitForURL('scrim://editor/', { waitUntil: 'commit' });
     return page;
   }
 

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { promisify } from 'node:util';
 import { afterAll, beforeAll, describe } from '@jest/globals';
-import { _electron, type ElectronApplication } from 'playwright-core';
+import { _electron, type ElectronApplication, type Page } from 'playwright-core';
 import { prepareContext } from './browser.ts';
 import { type Display, hasDisplay, openDisplay } from './display.ts';
 import { PATIENCE_MS } from './patience.ts';
@@ -105,6 +105,17 @@ export function describeElectron(name: string, electron: FoundElectron, body: (l
       return app;
     });
   });
+}
+
+/**
+ * The app's window with the editor in it. What stands there is waited for and not the page's load event, which on a busy machine may
+ * be over before anybody listens.
+ */
+export async function editorWindow(app: ElectronApplication): Promise<Page> {
+  const page = await app.firstWindow();
+  await page.waitForURL('scrim://editor/', { waitUntil: 'commit' });
+  await page.locator('body *').first().waitFor({ state: 'attached' });
+  return page;
 }
 
 /** Signals of faults in native code. */
