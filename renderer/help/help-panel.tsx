@@ -45,26 +45,8 @@ function NodeHelp({ definition }: { readonly definition: NodeDefinition }) {
       </p>
       <DocText text={definition.doc} />
       <Examples type={definition.type} />
-      <Facts
-        title="Takes"
-        entries={Object.entries(inputs).map(([name, port]) => ({
-          name,
-          label: port.label,
-          type: port.type,
-          facts: inputFacts(port),
-          doc: port.doc,
-        }))}
-      />
-      <Facts
-        title="Gives"
-        entries={Object.entries(outputs).map(([name, port]) => ({
-          name,
-          label: port.label,
-          type: port.type,
-          facts: outputFacts(port),
-          doc: port.doc,
-        }))}
-      />
+      <Facts title="Takes" entries={portEntries(inputs, inputFacts)} />
+      <Facts title="Gives" entries={portEntries(outputs, outputFacts)} />
       <Facts
         title="Values"
         entries={Object.entries(params).map(([name, param]) => ({
@@ -96,6 +78,14 @@ interface FactsEntry {
   readonly type?: WireType;
   readonly facts: readonly string[];
   readonly doc: string;
+}
+
+/** Of inputs, or of outputs. */
+function portEntries<Port extends { readonly label: string; readonly type: WireType; readonly doc: string }>(
+  ports: Readonly<Record<string, Port>>,
+  factsOf: (port: Port) => readonly string[],
+): readonly FactsEntry[] {
+  return Object.entries(ports).map(([name, port]) => ({ name, label: port.label, type: port.type, facts: factsOf(port), doc: port.doc }));
 }
 
 function Facts({ title, entries }: { readonly title: string; readonly entries: readonly FactsEntry[] }) {

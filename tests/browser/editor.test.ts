@@ -1,7 +1,7 @@
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { centreOf } from '../support/editor-driver.ts';
+import { centreOf } from '../../tools/lib/centre-of.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { encodePicture } from '../support/picture.ts';
 

@@ -2,26 +2,22 @@ import { mkdtemp, readdir, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
 import { expectPoster } from '../support/exported-page.ts';
-import { type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { useOneEditor } from '../support/open-editor.ts';
 
-const browser = useBrowser();
-let open: OpenEditor;
-let base = '';
-beforeAll(async () => {
-  base = await mkdtemp(join(tmpdir(), 'scrim-export-'));
-  open = await openEditor(browser.browser, {
+const open = useOneEditor(
+  {
     nodes: { 'video-aaaa': { type: 'source/camera-video' }, 'screen-aaaa': { type: 'output/screen' } },
     wires: ['video-aaaa.layer -> screen-aaaa.layer'],
     places: { 'video-aaaa': [0, 0], 'screen-aaaa': [520, 0] },
-  });
+  },
+  {},
+);
+let base = '';
+beforeAll(async () => {
+  base = await mkdtemp(join(tmpdir(), 'scrim-export-'));
 });
-afterAll(async () => {
-  await open.close();
-  await rm(base, { recursive: true, force: true });
-  expect(open.errors).toEqual([]);
-});
+afterAll(() => rm(base, { recursive: true, force: true }));
 
 async function askFor(out: string): Promise<void> {
   const { page } = open;
@@ -43,7 +39,7 @@ test('a page has the picture of its recording, which plays on as it was', async 
   const { editor } = open;
   await editor.settled();
   const before = await editor.rewind();
-  await expectPoster(browser.browser, await exportTo('recorded'));
+  await expectPoster(open.browser, await exportTo('recorded'));
   await editor.pictureSameAs(before, 'exported');
 });
 
@@ -54,7 +50,7 @@ test('a page has the picture of its room, one eye’s of two', async () => {
   await page.getByRole('button', { name: 'Two views, as in a headset' }).click();
   await editor.settled();
   const before = await editor.rewind();
-  await expectPoster(browser.browser, await exportTo('room'));
+  await expectPoster(open.browser, await exportTo('room'));
   await editor.pictureSameAs(before, 'exported');
 });
 

@@ -1,7 +1,6 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
+import { expect, test } from '@jest/globals';
 import { FLAG_PX } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 
@@ -16,18 +15,11 @@ const GRAPH: GraphText = {
   places: { 'video-aaaa': [0, 0], 'color-aaaa': [0, 200], 'screen-aaaa': [300, 0] },
 };
 
-const browser = useBrowser();
-let open: OpenEditor;
 let picture: Picture;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   picture = await open.editor.rewind();
   await open.editor.node('color').locator('.node-title').click();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 const pipette = () => open.editor.inspector.getByRole('button', { name: /take it from the preview/ });

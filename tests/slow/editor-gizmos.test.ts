@@ -1,7 +1,7 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
-import { FLAG_PX, type Point } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { expect, test } from '@jest/globals';
+import type { Point } from '../../tools/lib/centre-of.ts';
+import { FLAG_PX } from '../support/editor-driver.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 
@@ -42,18 +42,11 @@ const GRAPH: GraphText = {
 const AXES = { x: [0xf2, 0x49, 0x5c], y: [0x7a, 0xc7, 0x4f], z: [0x4c, 0x8d, 0xff] } as const;
 type Axis = keyof typeof AXES;
 
-const browser = useBrowser();
-let open: OpenEditor;
 /** With the Transform selected, before anything was moved. */
 let rest: Picture;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   await open.editor.rewind();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 /** Pixels of an axis, in page points. */

@@ -1,10 +1,9 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
+import { centreOf } from '../../tools/lib/centre-of.ts';
 import { axeFindings } from '../support/axe.ts';
-import { useBrowser } from '../support/browser.ts';
-import { centreOf } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 
 /** The camera's picture, blurred, goes to the screen; a sepia stands by. */
 const GRAPH: GraphText = {
@@ -19,15 +18,8 @@ const GRAPH: GraphText = {
 };
 const TO_SCREEN = 'gaussian-blur-aaaa.layer -> screen-aaaa.layer';
 
-const browser = useBrowser();
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH);
+const open = useOneEditor(GRAPH, {}, async () => {
   await open.editor.hold();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 function title(node: string) {

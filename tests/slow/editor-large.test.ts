@@ -1,18 +1,10 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import { GRID_ROWS, gridGraph } from '../../tools/bench/grid-graph.ts';
-import { useBrowser } from '../support/browser.ts';
-import { type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { useOneEditor } from '../support/open-editor.ts';
 
 const NODES = 1000;
-const browser = useBrowser();
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, gridGraph(NODES), { colorScheme: 'dark' });
+const open = useOneEditor(gridGraph(NODES), { colorScheme: 'dark' }, async () => {
   await open.editor.hold();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 function nodeCalled(node: string) {

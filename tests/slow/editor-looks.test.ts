@@ -1,8 +1,8 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
+import { centreOf } from '../../tools/lib/centre-of.ts';
 import { axeFindings } from '../support/axe.ts';
-import { useBrowser } from '../support/browser.ts';
-import { centreOf, FLAG_PX } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { FLAG_PX } from '../support/editor-driver.ts';
+import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
 
 /** The camera's picture through two filters; another one has no input. */
@@ -22,16 +22,9 @@ const GRAPH: GraphText = {
   places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [240, 0], 'threshold-aaaa': [480, 0], 'screen-aaaa': [720, 0], 'sobel-aaaa': [240, 260] },
 };
 
-const browser = useBrowser();
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   await open.editor.rewind();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 /** How much of a picture is grey, and how much warmer than blue the rest is. */

@@ -1,9 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
-import { useBrowser } from '../support/browser.ts';
-import { centreOf, type Point } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { expect, test } from '@jest/globals';
+import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 
 /** The camera's picture goes to a sepia, and on to the screen; a blur and an operator stand by. */
 const GRAPH: GraphText = {
@@ -25,16 +24,9 @@ const GRAPH: GraphText = {
 };
 const TO_SEPIA = 'video-aaaa.layer -> sepia-aaaa.inputImage';
 
-const browser = useBrowser();
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.page.emulateMedia({ reducedMotion: 'reduce' });
   await open.editor.hold();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 interface SavedLayout {

@@ -1,8 +1,7 @@
 import { readFile } from 'node:fs/promises';
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import type { Download } from 'playwright-core';
-import { useBrowser } from '../support/browser.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import { decodePicture } from '../support/picture.ts';
 
@@ -14,16 +13,13 @@ const GRAPH: GraphText = {
 };
 
 /** Chromium's own stand-in for a camera, granted unasked: green, with a disc that turns. */
-const browser = useBrowser(['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream']);
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
-  await open.editor.settled();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
-});
+const open = useOneEditor(
+  GRAPH,
+  { colorScheme: 'dark', switches: ['--use-fake-device-for-media-stream', '--use-fake-ui-for-media-stream'] },
+  async () => {
+    await open.editor.settled();
+  },
+);
 
 async function choose(item: string): Promise<void> {
   await open.page.getByRole('button', { name: 'Preview options' }).click();

@@ -1,8 +1,7 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { useBrowser } from '../support/browser.ts';
-import { centreOf } from '../support/editor-driver.ts';
-import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
+import { centreOf } from '../../tools/lib/centre-of.ts';
+import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { countDifferent } from '../support/pixels.ts';
 
 /** What the camera sees, blurred: the room's own frames differ, and a dial changes all of them. */
@@ -18,10 +17,7 @@ const GRAPH: GraphText = {
 /** Of the studio that ships with Scrim. */
 const FRAMES = 36;
 
-const browser = useBrowser();
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH, { colorScheme: 'dark' });
+const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   await open.editor.hold();
   await open.editor.press('Back to the first frame');
@@ -29,10 +25,6 @@ beforeAll(async () => {
   await open.page.locator('.react-flow__pane').click({ position: { x: 40, y: 40 } });
   await open.page.keyboard.press('Shift+T');
   await handle('In point').waitFor();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 function handle(name: string): Locator {

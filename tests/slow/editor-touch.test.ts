@@ -1,7 +1,8 @@
-import { test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import type { CDPSession, Page } from 'playwright-core';
-import { centreOf, type Point } from '../support/editor-driver.ts';
-import { type GraphText, useEditor } from '../support/open-editor.ts';
+import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 
 const GRAPH: GraphText = {
   nodes: {
@@ -88,23 +89,24 @@ function between(from: Point, to: Point, part: number): Point {
 }
 
 test('fingers move the view, nodes and wires, and resting ones ask for the menu', async () => {
-  const { page, editor } = await openEditor(GRAPH, { size: { width: 1024, height: 768 }, hasTouch: true, before: holdTimers });
+  const open = await openEditor(GRAPH, { size: { width: 1024, height: 768 }, hasTouch: true, before: holdTimers });
+  const { page, editor } = open;
   const hand = await Hand.on(page);
-  const view = () => page.evaluate(viewOf);
-  const viewAt = (wanted: View) =>
-    page.waitForFunction(({ x, y, zoom }) => {
-      const element = document.querySelector('.react-flow__viewport');
-      const now = new DOMMatrix(element ? getComputedStyle(element).transform : '');
-      return Math.hypot(now.e - x, now.f - y) < 2 && Math.abs(now.a - zoom) < 0.02 * zoom;
-    }, wanted);
+  // Views glide to where they come to rest.
+  const expectView = ({ x, y, zoom }: View) =>
+    eventually(async () => {
+      const now = await page.evaluate(viewOf);
+      expect(Math.hypot(now.x - x, now.y - y)).toBeLessThan(2);
+      expect(Math.abs(now.zoom / zoom - 1)).toBeLessThan(0.02);
+    });
   const title = (node: string) => editor.node(node).locator('.node-title');
 
   // One finger moves the view.
   const empty = await editor.emptyPlace();
-  const before = await view();
+  const before = await page.evaluate(viewOf);
   await hand.drag(empty, { x: empty.x + 60, y: empty.y - 40 });
   const moved = { ...before, x: before.x + 60, y: before.y - 40 };
-  await viewAt(moved);
+  await expectView(moved);
 
   // Two spread, and what is between them grows; what was in their middle stays there.
   const right = { x: empty.x + 100, y: empty.y };
@@ -113,21 +115,21 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   await hand.lift();
   const pane = await page.locator('.react-flow__pane').boundingBox();
   const middle = { x: empty.x + 50 - (pane?.x ?? 0), y: empty.y - (pane?.y ?? 0) };
-  await viewAt({
+  await expectView({
     x: middle.x + (moved.x - middle.x) * SPREAD,
     y: middle.y + (moved.y - middle.y) * SPREAD,
     zoom: moved.zoom * SPREAD,
   });
   await page.keyboard.press('f');
-  await viewAt(before);
+  await expectView(before);
 
   // A node goes with the finger on it, and a wire is drawn from port to port.
   const blur = await centreOf(title('gaussian-blur'));
   await hand.drag(blur, { x: blur.x, y: blur.y + 80 });
-  await page.waitForFunction(
-    (y) => (document.querySelector('[data-node^="gaussian-blur"] .node-title')?.getBoundingClientRect().y ?? 0) > y + 40,
-    blur.y,
-  );
+  const below = await centreOf(title('gaussian-blur'));
+  // Nodes snap to the grid.
+  expect(Math.abs(below.x - blur.x)).toBeLessThan(10);
+  expect(below.y - blur.y).toBeGreaterThan(40);
   await hand.drag(
     await centreOf(editor.port('video-aaaa', 'layer', 'source')),
     await centreOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')),
@@ -153,4 +155,10 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   const add = await centreOf(menu.getByRole('menuitem', { name: /^Add node/ }));
   await page.touchscreen.tap(add.x, add.y);
   await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
+  await page.keyboard.press('Escape');
+
+  // All of it is in the project.
+  const { main } = await saveGraphs(open);
+  expect(main?.wires).toContain('video-aaaa.layer -> gaussian-blur-aaaa.inputImage');
+  expect(main?.nodes['gaussian-blur-aaaa']).toMatchObject({ muted: true });
 });

@@ -1,7 +1,6 @@
-import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { useBrowser } from '../support/browser.ts';
-import { type GraphText, type OpenEditor, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 
 /** The camera's picture, blurred, goes to the screen; a box stands by. */
 const GRAPH: GraphText = {
@@ -15,15 +14,8 @@ const GRAPH: GraphText = {
   places: { 'video-aaaa': [0, 0], 'gaussian-blur-aaaa': [260, 0], 'transform-aaaa': [0, 220], 'screen-aaaa': [520, 0] },
 };
 
-const browser = useBrowser();
-let open: OpenEditor;
-beforeAll(async () => {
-  open = await openEditor(browser.browser, GRAPH);
+const open = useOneEditor(GRAPH, {}, async () => {
   await open.editor.hold();
-});
-afterAll(async () => {
-  expect(open.errors).toEqual([]);
-  await open.close();
 });
 
 async function select(node: string): Promise<void> {

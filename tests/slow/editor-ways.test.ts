@@ -5,9 +5,10 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
+import { centreOf } from '../../tools/lib/centre-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
-import { centreOf, EditorDriver } from '../support/editor-driver.ts';
+import { EditorDriver } from '../support/editor-driver.ts';
 import { takeTour } from '../support/tour.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');

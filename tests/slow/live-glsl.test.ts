@@ -1,7 +1,7 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { centreOf } from '../support/editor-driver.ts';
+import { centreOf } from '../../tools/lib/centre-of.ts';
 import { type GraphText, type OpenEditor, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { TINT_SHADER, TINTED } from '../support/tinted.ts';
 

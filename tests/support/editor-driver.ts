@@ -1,4 +1,5 @@
 import type { FrameLocator, Locator, Page } from 'playwright-core';
+import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
 import { PATIENCE_MS } from './patience.ts';
 import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent, expectSamePixels } from './pixels.ts';
@@ -245,24 +246,4 @@ export class EditorDriver {
 
 function isAsLarge(a: Picture, b: Picture): boolean {
   return a.width === b.width && a.height === b.height;
-}
-
-export interface Point {
-  readonly x: number;
-  readonly y: number;
-}
-
-/** Where it comes to rest: views glide to what was made. */
-export async function centreOf(locator: Locator): Promise<Point> {
-  await locator.evaluate(async (element) => {
-    const placed = () => new Promise<DOMRect>((done) => requestAnimationFrame(() => done(element.getBoundingClientRect())));
-    for (let last = await placed(), same = 0; same < 2; ) {
-      const next = await placed();
-      same = next.x === last.x && next.y === last.y ? same + 1 : 0;
-      last = next;
-    }
-  });
-  const box = await locator.boundingBox();
-  if (!box) throw new Error(`${locator} is not on screen.`);
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }

@@ -1,7 +1,7 @@
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
-import { afterEach, expect } from '@jest/globals';
+import { afterAll, afterEach, beforeAll, expect } from '@jest/globals';
 import type { Browser, Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
@@ -81,13 +81,60 @@ export function useEditor(): (graph: GraphText, options?: EditorPageOptions) => 
   };
 }
 
+export interface OneEditor extends Omit<OpenEditor, 'close'> {
+  readonly browser: Browser;
+}
+
+/**
+ * Opens an editor for all tests of a file, which go on from one another as a person does. `begin` comes before the first of them;
+ * `switches` are more of Chromium's. What the page printed as an error fails the file.
+ */
+export function useOneEditor(
+  graph: GraphText,
+  options: EditorPageOptions & { readonly switches?: readonly string[] },
+  begin: () => Promise<unknown> = async () => {},
+): OneEditor {
+  const chromium = useBrowser(options.switches);
+  let open: OpenEditor | null = null;
+  const opened = () => {
+    if (!open) throw new Error('The editor is only there inside tests.');
+    return open;
+  };
+  beforeAll(async () => {
+    open = await openEditor(chromium.browser, graph, options);
+    await begin();
+  });
+  afterAll(async () => {
+    const errors = open?.errors ?? [];
+    await open?.close();
+    expect(errors).toEqual([]);
+  });
+  return {
+    get browser() {
+      return chromium.browser;
+    },
+    get page() {
+      return opened().page;
+    },
+    get editor() {
+      return opened().editor;
+    },
+    get project() {
+      return opened().project;
+    },
+    get errors() {
+      return opened().errors;
+    },
+  };
+}
+
 export interface SavedGraph {
   readonly nodes: Readonly<Record<string, { readonly type: string; readonly params?: Readonly<Record<string, unknown>> }>>;
   readonly wires: readonly string[];
 }
 
 /** The graphs as the project's file has them, after a save by keys. */
-export async function saveGraphs({ page, project }: OpenEditor): Promise<Readonly<Record<string, SavedGraph>>> {
+export async function saveGraphs({ page, project }: Pick<OpenEditor, 'page' | 'project'>): Promise<Readonly<Record<string, SavedGraph>>> {
   await page.keyboard.press('Control+s');
   await page.locator('.unsaved').waitFor({ state: 'detached' });
   return JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')).graphs;

@@ -1,6 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
+import { centreOf, type Point } from '../lib/centre-of.ts';
 
 /** What a person does is counted as they would count it: a click, a drag, or a field typed into, with its Enter. */
 export interface Interaction {
@@ -9,11 +10,6 @@ export interface Interaction {
   readonly what: string;
   /** Where the pointer is then, client pixels. */
   readonly at: Point;
-}
-
-export interface Point {
-  readonly x: number;
-  readonly y: number;
 }
 
 const KEY_MS = 8;
@@ -80,19 +76,4 @@ export class Hands {
     this.done.push(done);
     await this.onDone(done);
   }
-}
-
-/** Where it comes to rest: the view glides to what was made. */
-export async function centreOf(locator: Locator): Promise<Point> {
-  await locator.evaluate(async (element) => {
-    const placed = () => new Promise<DOMRect>((done) => requestAnimationFrame(() => done(element.getBoundingClientRect())));
-    for (let last = await placed(), same = 0; same < 2; ) {
-      const next = await placed();
-      same = next.x === last.x && next.y === last.y ? same + 1 : 0;
-      last = next;
-    }
-  });
-  const box = await locator.boundingBox();
-  if (!box) throw new Error(`${locator} is not on screen.`);
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }

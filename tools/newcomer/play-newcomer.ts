@@ -1,5 +1,6 @@
 import type { Locator, Page } from 'playwright-core';
-import { centreOf, Hands, type Interaction, type Point } from './hands.ts';
+import { centreOf, type Point } from '../lib/centre-of.ts';
+import { Hands, type Interaction } from './hands.ts';
 
 export interface NewcomerOptions {
   /** The editor, with no project open, 1440 × 900. */

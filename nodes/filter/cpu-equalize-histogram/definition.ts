@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'filter/cpu-equalize-histogram',
   version: 1,
   title: 'Equalize histogram',
-  doc: 'Spreads the brightness of a picture over all there is, so that each shade covers as much of the picture as any other. That brings out what is hidden in dim, foggy or flat pictures, and in noisy ones the noise too. The processor works it out beside the picture, so the result is one frame late and has no depth.',
+  doc: 'Evens out how often each brightness occurs, which makes what is dim, foggy or flat easier to see, and noise too. It is computed beside the picture by the processor: one frame late and without depth.',
   keywords: ['contrast', 'histogram', 'equalise', 'equalize', 'levels', 'auto', 'cpu', 'worker', 'fog', 'night'],
   inputs: {
     inputImage: { type: 'layer', label: 'Layer', doc: 'The picture to spread. What is transparent does not count.', required: true },
