@@ -1,6 +1,6 @@
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { titleOf } from '../state/document.ts';
-import { copyShader, originalOf, revertShader, shaderOf, vertexOf } from '../state/edit-shader.ts';
+import { addVertex, copyShader, originalOf, removeVertex, revertShader, shaderOf, takesVertex, vertexOf } from '../state/edit-shader.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 
 interface CodeHeadProps {
@@ -19,6 +19,7 @@ interface CodeHeadProps {
 export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, onForm, onCompare }: CodeHeadProps) {
   const editor = useEditor();
   const vertex = useDocument((state) => vertexOf(state, node));
+  const hasNoVertex = useDocument((state) => takesVertex(state, node));
   const title = useDocument((state) => titleOf(state, node));
   const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
   const ofLibrary = useDocument((state) => shaderOf(state, node)?.file === null);
@@ -42,6 +43,18 @@ export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, 
           </Button>
         </fieldset>
       )}
+      {hasNoVertex && (
+        <Button
+          look="quiet"
+          tip="A file beside this one that works things out once for each corner"
+          disabled={readOnly}
+          onPress={() => {
+            if (addVertex(editor, node)) onVertex(true);
+          }}
+        >
+          Add vertex shader
+        </Button>
+      )}
       <span className="code-head-gap" />
       {ofLibrary && (
         <>
@@ -50,6 +63,16 @@ export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, 
             Copy into project
           </Button>
         </>
+      )}
+      {inVertex && !ofLibrary && (
+        <Button
+          look="quiet"
+          tip="Out of the project; undo brings it back"
+          disabled={readOnly}
+          onPress={() => void removeVertex(editor, node)}
+        >
+          Remove vertex shader
+        </Button>
       )}
       {original !== null && !inVertex && (
         <>

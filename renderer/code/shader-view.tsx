@@ -91,7 +91,10 @@ export function ShaderView({ node }: { readonly node: string }) {
         comparing={comparing}
         readOnly={readOnly !== null}
         inVertex={vertex !== null && other === vertex}
-        onVertex={(on) => setLooked(on && vertex !== null ? { node, file: vertex } : null)}
+        onVertex={(on) => {
+          const file = on ? vertexOf(editor.document.getState(), node) : null;
+          setLooked(file === null ? null : { node, file });
+        }}
         onForm={(headerForm) => editor.ui.setState({ headerForm })}
         onCompare={(on) => setCompared(on ? node : null)}
       />

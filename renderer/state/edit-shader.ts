@@ -1,6 +1,8 @@
-import { inTurn } from '../../export/graph/commands/change.ts';
-import { forkShader, setSource } from '../../export/graph/commands/sources.ts';
+import { companionOf } from '../../export/glsl/isf/read-isf.ts';
+import { type Change, inTurn } from '../../export/graph/commands/change.ts';
+import { forkShader, removeSource, setSource } from '../../export/graph/commands/sources.ts';
 import { own } from '../../export/graph/own.ts';
+import type { Project } from '../../export/graph/project.ts';
 import { apply, endGesture } from './apply.ts';
 import { nodeOf, type OpenGraph } from './document.ts';
 import type { Editor } from './editor.ts';
@@ -44,20 +46,24 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
   const { base, readShader } = editor.libraries;
   const shader = shaderOf(state, node);
   if (!shader || shader.text === text) return false;
-  const set = (file: string) => (before: typeof state.project) => setSource(before, { base, readShader, file, text, known: state.library });
+  const set = (file: string) => (before: Project) => setSource(before, { base, readShader, file, text, known: state.library });
   if (shader.file !== null) return apply(editor, `Edit ${shader.file}`, set(shader.file)(state.project), `source ${shader.file}`);
 
   const forked = forkShader(state.project, { library: state.library, graph: state.graph, node });
-  const [file] = Object.keys(forked.project.sources).filter(
-    (name) => /\.(fs|glsl)$/.test(name) && !Object.hasOwn(state.project.sources, name),
-  );
-  if (file === undefined) return apply(editor, 'Edit shader', forked);
+  const file = copyOf(forked, state);
+  if (file === null) return apply(editor, 'Edit shader', forked);
   return apply(
     editor,
     `Edit ${file}`,
     inTurn(state.project, () => forked, set(file)),
     `source ${file}`,
   );
+}
+
+/** The file that a fork has made; null where it was refused. */
+function copyOf({ project }: Change, before: OpenGraph): string | null {
+  const made = (name: string) => /\.(fs|glsl)$/.test(name) && !Object.hasOwn(before.project.sources, name);
+  return Object.keys(project.sources).find(made) ?? null;
 }
 
 /**
@@ -84,6 +90,46 @@ export function vertexOf(state: OpenGraph, node: string): string | null {
   const name = shaderOf(state, node)?.name;
   const vertex = name === undefined ? undefined : besideOf(state, name);
   return vertex?.file ?? null;
+}
+
+/** Corners as they are: the picture stays what it is until more is written. */
+const VERTEX = `void main() {
+  isf_vertShaderInit();
+}
+`;
+
+/** Whether a vertex shader may stand beside a node's shader: beside an ISF file that has none. */
+export function takesVertex(state: OpenGraph, node: string): boolean {
+  return shaderOf(state, node)?.name.endsWith('.fs') === true && vertexOf(state, node) === null;
+}
+
+/** Begins a vertex shader beside a node's ISF file; one of the library is copied into the project in the same step. */
+export function addVertex(editor: Editor, node: string): boolean {
+  finishTyping(editor);
+  const state = editor.document.getState();
+  const { base, readShader } = editor.libraries;
+  const set = (file: string) => (before: Project) => setSource(before, { base, readShader, file: companionOf(file), text: VERTEX });
+  const own = shaderOf(state, node)?.file;
+  if (own != null) return apply(editor, `Add ${companionOf(own)}`, set(own)(state.project));
+  const forked = forkShader(state.project, { library: state.library, graph: state.graph, node });
+  const file = copyOf(forked, state);
+  if (file === null) return apply(editor, 'Add vertex shader', forked);
+  return apply(
+    editor,
+    `Add ${companionOf(file)}`,
+    inTurn(state.project, () => forked, set(file)),
+  );
+}
+
+/** Takes the vertex shader beside a node's file out of the project. */
+export function removeVertex(editor: Editor, node: string): boolean {
+  finishTyping(editor);
+  const state = editor.document.getState();
+  const { base, readShader } = editor.libraries;
+  const vertex = vertexOf(state, node);
+  if (vertex === null) return false;
+  const file = projectFileOf(vertex);
+  return apply(editor, `Remove ${file}`, removeSource(state.project, { base, readShader, file }));
 }
 
 /** The vertex shader beside an ISF file, or the ISF file beside a vertex shader. */

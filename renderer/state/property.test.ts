@@ -20,7 +20,7 @@ import {
   toggleMuted,
 } from './edit-graph.ts';
 import { editParam, resetParam, setExposed } from './edit-params.ts';
-import { editShader, shaderOf } from './edit-shader.ts';
+import { addVertex, editShader, removeVertex, shaderOf, takesVertex } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { filesOf } from './files.ts';
 import { dropOnWire } from './insert-on-wire.ts';
@@ -155,6 +155,11 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
     const shader = shaderOf(editor.document.getState(), id);
     if (shader) editShader(editor, id, `${shader.text}\n// mine`);
     endGesture(editor);
+  },
+  vertex: ({ editor, node }) => {
+    const id = node();
+    if (takesVertex(editor.document.getState(), id)) addVertex(editor, id);
+    else removeVertex(editor, id);
   },
   pack: ({ editor }) => void makeSubgraph(editor),
   unpack: ({ editor }) => void unpackSelected(editor),

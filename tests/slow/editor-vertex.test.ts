@@ -1,4 +1,4 @@
-import { readFile, writeFile } from 'node:fs/promises';
+import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
@@ -93,4 +93,53 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   await page.locator('.code-bar').getByText('Another program has saved').waitFor();
   await page.locator('.view-line', { hasText: 'isf_FragNormCoord * amount' }).waitFor();
   await editor.pictureSameAs(near);
+});
+
+/** The camera's picture through a filter of the library. */
+const TINTED: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'sepia-aaaa': { type: 'filter/sepia' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> sepia-aaaa.inputImage', 'sepia-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [260, 0], 'screen-aaaa': [520, 0] },
+};
+
+test('a vertex shader is begun beside a filter of the library, and taken away', async () => {
+  const opened = await openEditor(TINTED);
+  const { page, editor, project } = opened;
+  await editor.settled();
+  const before = await editor.rewind();
+  const graphs = await saveGraphs(opened);
+  const files = async () => (await readdir(join(project, 'shaders')).catch(() => [])).sort();
+  await editor.openCode('sepia-aaaa');
+  const add = page.getByRole('button', { name: 'Add vertex shader' });
+  await add.click();
+
+  // The filter is the project's own now, and the corners are where they were.
+  await page.locator('.view-line', { hasText: 'isf_vertShaderInit' }).waitFor();
+  await editor.pictureSameAs(before);
+  expect((await saveGraphs(opened)).main?.nodes['sepia-aaaa']).toMatchObject({ type: 'filter/sepia-2' });
+  expect(await files()).toEqual(['sepia-2.fs', 'sepia-2.vs']);
+
+  // What is written in it moves the picture.
+  await editor.findInText('isf_vertShaderInit();');
+  await page.keyboard.press('End');
+  await editor.type(' gl_Position.x *= 0.5;');
+  await page.locator('.status-bar').getByText('No problems').waitFor();
+  await editor.pictureOtherThan(before);
+
+  // Taken away, the filter is as it was, on the disk too; undo goes all the way back.
+  await page.getByRole('button', { name: 'Remove vertex shader' }).click();
+  await add.waitFor();
+  await page.locator('.view-line', { hasText: '/*{' }).first().waitFor();
+  await editor.pictureSameAs(before);
+  await saveGraphs(opened);
+  expect(await files()).toEqual(['sepia-2.fs']);
+  await editor.node('screen-aaaa').locator('.node-title').click();
+  for (let steps = 0; steps < 3; steps++) await page.keyboard.press('Control+z');
+  await page.getByRole('button', { name: 'Undo' }).and(page.locator(':disabled')).waitFor();
+  expect(await saveGraphs(opened)).toEqual(graphs);
+  expect(await files()).toEqual([]);
 });
