@@ -36,7 +36,7 @@ import { registerGlslLanguage } from './glsl-language.ts';
 import { markDiagnostics } from './markers.ts';
 import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
-import { chunkFileOf, forgetModels, type ShaderTexts, shaderModel } from './shader-models.ts';
+import { forgetModels, neighbourFileOf, type ShaderTexts, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
 import { optionsFor, readOnlyOptions } from './view-options.ts';
 
@@ -73,14 +73,14 @@ export interface ShaderEditorOptions {
   readonly onLeave: () => void;
   /** What is typed next is one step with this new text of the file beside it. */
   readonly onRename: (beside: NeighbourFile) => void;
-  /** Someone wants to see a place in a chunk, `chunks/NAME.glsl`. */
-  readonly onChunk: (file: string, line: number, column: number) => void;
+  /** Someone wants to see a place in a chunk, `chunks/NAME.glsl`, or in the ISF file beside a vertex shader. */
+  readonly onOther: (file: string, line: number, column: number) => void;
 }
 
 /** Caret and scroll of texts that are not shown, also while no view is there at all. */
 const viewStates = new WeakMap<editor.ITextModel, editor.ICodeEditorViewState>();
 
-export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave, onRename, onChunk }: ShaderEditorOptions): ShaderEditor {
+export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave, onRename, onOther }: ShaderEditorOptions): ShaderEditor {
   (globalThis as { MonacoEnvironment?: unknown }).MonacoEnvironment = {
     getWorker: () => new Worker(new URL('./monaco.worker.ts', import.meta.url), { type: 'module' }),
   };
@@ -139,11 +139,11 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
     disposer(
       editor.registerEditorOpener({
         openCodeEditor: (_, resource, target) => {
-          const file = chunkFileOf(resource);
+          const file = neighbourFileOf(resource);
           if (file === null) return false;
-          if (!target) onChunk(file, 1, 1);
-          else if ('lineNumber' in target) onChunk(file, target.lineNumber, target.column);
-          else onChunk(file, target.startLineNumber, target.startColumn);
+          if (!target) onOther(file, 1, 1);
+          else if ('lineNumber' in target) onOther(file, target.lineNumber, target.column);
+          else onOther(file, target.startLineNumber, target.startColumn);
           return true;
         },
       }),

@@ -8,7 +8,7 @@ import { type DocumentOptions, type NeighbourFile, readShaderDocument } from '..
 import { applyEdits } from '../../export/glsl/language/source-text.ts';
 import type { Place } from '../../export/glsl/syntax/token.ts';
 import { GLSL_LANGUAGE } from './glsl-language.ts';
-import { chunkModel, documentOf, editOf, isVertexShader, rangeOf, type ShaderTexts } from './shader-models.ts';
+import { documentOf, editOf, isVertexShader, neighbourModel, rangeOf, type ShaderTexts } from './shader-models.ts';
 
 export interface ProviderOptions {
   readonly texts: ShaderTexts;
@@ -57,11 +57,13 @@ export function registerProviders({ texts, onRename }: ProviderOptions): () => v
       },
     }),
     languages.registerDefinitionProvider(GLSL_LANGUAGE, {
-      provideDefinition: (model, position) =>
-        definitionsAt(documentOf(model, texts), placeOf(position)).flatMap(({ file, range }) => {
-          const uri = file === null ? model.uri : chunkModel(file, texts.chunkOf)?.uri;
+      provideDefinition: (model, position) => {
+        const document = documentOf(model, texts);
+        return definitionsAt(document, placeOf(position)).flatMap(({ file, range }) => {
+          const uri = file === null ? model.uri : neighbourModel(file, document.file, texts)?.uri;
           return uri ? [{ uri, range: rangeOf(range) }] : [];
-        }),
+        });
+      },
     }),
     languages.registerReferenceProvider(GLSL_LANGUAGE, {
       provideReferences: (model, position) =>

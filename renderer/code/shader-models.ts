@@ -4,7 +4,7 @@ import type { TextEdit, TextRange } from '../../export/glsl/language/source-text
 import { GLSL_LANGUAGE } from './glsl-language.ts';
 
 const SHADER_SCHEME = 'scrim-shader';
-const CHUNK_SCHEME = 'scrim-chunk';
+const NEIGHBOUR_SCHEME = 'scrim-neighbour';
 
 /** Text of `chunks/NAME.glsl`. */
 export type ChunkOf = (name: string) => string | undefined;
@@ -38,20 +38,21 @@ export function shaderModel(name: string, file: string, text: string): editor.IT
   return model;
 }
 
-/** A chunk to be looked at where it is named, before it is opened; null where there is none of the file's name. */
-export function chunkModel(file: string, chunkOf: ChunkOf): editor.ITextModel | null {
-  const text = chunkOf(file.replace(/^chunks\//, '').replace(/\.glsl$/, ''));
+/** Another file to be looked at where a name leads to it, before it is opened: a chunk, or the ISF file beside a vertex shader. */
+export function neighbourModel(file: string, from: string, { chunkOf, besideOf }: ShaderTexts): editor.ITextModel | null {
+  const beside = besideOf(from);
+  const text = beside?.file === file ? beside.source : chunkOf(file.replace(/^chunks\//, '').replace(/\.glsl$/, ''));
   if (text === undefined) return null;
-  const uri = Uri.from({ scheme: CHUNK_SCHEME, path: `/${file}` });
+  const uri = Uri.from({ scheme: NEIGHBOUR_SCHEME, path: `/${file}` });
   const model = editor.getModel(uri) ?? editor.createModel(text, GLSL_LANGUAGE, uri);
   if (model.getValue() !== text) model.setValue(text);
   files.set(model, file);
   return model;
 }
 
-/** Name of the chunk file that an address stands for; null for any other. */
-export function chunkFileOf(uri: Uri): string | null {
-  return uri.scheme === CHUNK_SCHEME ? uri.path.slice(1) : null;
+/** The other file that an address stands for; null for any other. */
+export function neighbourFileOf(uri: Uri): string | null {
+  return uri.scheme === NEIGHBOUR_SCHEME ? uri.path.slice(1) : null;
 }
 
 /** Ends the models of shaders whose names are not to be kept. */

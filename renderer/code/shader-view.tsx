@@ -137,7 +137,7 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
         },
         onLeave: typing.end,
         onRename: typing.along,
-        onChunk: (file, line, column) => revealCode(editor.ui, line, column, file),
+        onOther: (file, line, column) => revealCode(editor.ui, line, column, file.endsWith('.fs') ? null : file),
       });
       setTools({ view, typing });
     });

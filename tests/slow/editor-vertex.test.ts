@@ -50,6 +50,21 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   await page.locator('.status-bar').getByText('No problems').waitFor();
   await editor.pictureOtherThan(near);
 
+  // An input's name leads to the header in the other file.
+  await editor.findInText('amount');
+  await page.keyboard.press('F12');
+  await page.locator('.view-line', { hasText: 'IMG_NORM_PIXEL' }).waitFor();
+  await page.locator('.monaco-editor.focused').waitFor();
+  await files.getByRole('button', { name: 'Fragment', pressed: true }).waitFor();
+  expect(
+    await page
+      .locator('.monaco-editor .cursor')
+      .first()
+      .evaluate((cursor) => (cursor as HTMLElement).offsetTop),
+  ).toBe(await page.locator('.view-line', { hasText: 'How far aside' }).evaluate((line) => (line as HTMLElement).offsetTop));
+  await files.getByRole('button', { name: 'Vertex' }).click();
+  await page.locator('.view-line', { hasText: 'isf_vertShaderInit' }).waitFor();
+
   // A mistake is marked here, and its problem leads back here from the other file.
   await editor.findInText('2.0');
   await editor.type('nowhere * ');
@@ -102,7 +117,8 @@ const TINTED: GraphText = {
     'sepia-aaaa': { type: 'filter/sepia' },
     'screen-aaaa': { type: 'output/screen' },
   },
-  wires: ['video-aaaa.layer -> sepia-aaaa.inputImage', 'sepia-aaaa.layer -> screen-aaaa.layer'],
+  // In the order in which projects are saved.
+  wires: ['sepia-aaaa.layer -> screen-aaaa.layer', 'video-aaaa.layer -> sepia-aaaa.inputImage'],
   places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [260, 0], 'screen-aaaa': [520, 0] },
 };
 
