@@ -10,6 +10,7 @@ import { createLibraries, type Libraries, type LibraryData } from './library.ts'
 import { createLayerPictures, createLookState, type LookStore, type Pictures } from './looks.ts';
 import { createPreferences, DEFAULT_PREFERENCES, type Preferences, type PreferencesStore } from './preferences.ts';
 import { createPreviewState, type PreviewStore } from './preview.ts';
+import { createQueue, type Queue } from './queue.ts';
 import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type PanelSizes, type UiStore } from './ui.ts';
 
@@ -47,6 +48,8 @@ export interface Editor {
   readonly libraries: Libraries;
   /** Take over at once what is being typed; run before files are made of the document. */
   readonly unfinished: Set<() => void>;
+  /** Opens, saves and closes the project: each begins with what the one before has made of the document. */
+  readonly fileWork: Queue;
   /** Takes a picture of what the preview shows, as JPEG, or null where it shows nothing; set while there is a preview. */
   readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null; readonly layers: Pictures };
   /** Moves the preview's time; goes nowhere while there is no preview. */
@@ -98,6 +101,7 @@ export function createEditor({
     keepFile,
     libraries,
     unfinished: new Set(),
+    fileWork: createQueue(),
     pictures: { take: null, layers: createLayerPictures() },
     transport: { post: () => {} },
     film: { open: null },

@@ -10,6 +10,7 @@ import { type GraphLayout, MAIN_GRAPH, type Project } from '../../export/graph/p
 import { saveProject } from '../../export/graph/save.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { isDirty } from './document.ts';
+import { finishTyping } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { rememberProject } from './preferences.ts';
 import { selectNothing } from './selection.ts';
@@ -17,7 +18,7 @@ import { addToast, toastDiagnostic } from './ui.ts';
 
 /** The texts that the open project would be saved as, with what is being typed at the moment. */
 export function filesOf(editor: Editor): ProjectFiles {
-  for (const finish of editor.unfinished) finish();
+  finishTyping(editor);
   return saveProject(editor.document.getState().project);
 }
 
@@ -39,18 +40,19 @@ export function newProject(editor: Editor): void {
 
 /** Goes on at once, or after the person has decided what becomes of unsaved work. */
 export function withoutUnsaved(editor: Editor, proceed: () => void): void {
+  finishTyping(editor);
   if (isDirty(editor.document.getState())) editor.ui.setState({ dialog: { kind: 'unsaved', proceed } });
   else proceed();
 }
 
 /** Opens a folder in place of what is open. Where it cannot be read, what is open stays. */
-export async function openPath(editor: Editor, path: string): Promise<boolean> {
-  return goOnWith(editor, () => editor.host.call('project.open', { path }));
+export function openPath(editor: Editor, path: string): Promise<boolean> {
+  return editor.fileWork(() => goOnWith(editor, () => editor.host.call('project.open', { path })));
 }
 
 /** Makes a project from a template, in a new or an empty folder, and opens it in place of what is open. */
-export async function createProject(editor: Editor, path: string, template: string): Promise<boolean> {
-  return goOnWith(editor, () => editor.host.call('project.create', { path, template }));
+export function createProject(editor: Editor, path: string, template: string): Promise<boolean> {
+  return editor.fileWork(() => goOnWith(editor, () => editor.host.call('project.create', { path, template })));
 }
 
 /** Whoever calls has asked what becomes of unsaved work: what there is of it now was given up. */
@@ -63,10 +65,7 @@ async function goOnWith(editor: Editor, ask: () => Promise<OpenProject>): Promis
       await editor.host.call('project.close', { handle: opened.handle });
       return false;
     }
-    if (before) {
-      if (givenUp) await editor.host.call('project.autosave', { handle: before.handle, files: null });
-      await editor.host.call('project.close', { handle: before.handle });
-    }
+    if (before) await letGo(editor, before.handle, givenUp);
     editor.ui.setState({ dialog: opened.recovery === null ? null : { kind: 'recovery', files: opened.recovery } });
     rememberProject(editor, { path: opened.displayPath, title: editor.document.getState().project.title });
     if (opened.openElsewhere) tellOfOtherWindow(editor);
@@ -75,6 +74,16 @@ async function goOnWith(editor: Editor, ask: () => Promise<OpenProject>): Promis
   } catch (error) {
     showRefusal(editor, error);
     return false;
+  }
+}
+
+/** Of a project that another one has taken the place of. What cannot be tidied up is told, and no reason not to go on. */
+async function letGo(editor: Editor, handle: string, givenUp: boolean): Promise<void> {
+  try {
+    if (givenUp) await editor.host.call('project.autosave', { handle, files: null });
+    await editor.host.call('project.close', { handle });
+  } catch (error) {
+    showRefusal(editor, error);
   }
 }
 
@@ -90,22 +99,25 @@ function tellOfOtherWindow(editor: Editor): void {
  * Takes the folder's version after somebody else has written it, where nothing here would be lost by that; else asks. What is
  * done while the files are read counts, too.
  */
-export async function followFolder(editor: Editor): Promise<void> {
-  for (const finish of editor.unfinished) finish();
+export function followFolder(editor: Editor): Promise<void> {
+  return editor.fileWork(() => takeFolder(editor));
+}
+
+async function takeFolder(editor: Editor): Promise<void> {
+  finishTyping(editor);
   const { open } = editor.document.getState();
   if (open === null) return;
   if (isDirty(editor.document.getState())) return askWhichVersion(editor);
   try {
     const opened = await editor.host.call('project.open', { path: open.displayPath });
-    for (const finish of editor.unfinished) finish();
-    const now = editor.document.getState();
-    const stays = now.open?.handle === open.handle && !isDirty(now);
-    const taken = stays && showProject(editor, opened, opened.files);
-    await editor.host.call('project.close', { handle: (taken ? open : opened).handle });
+    finishTyping(editor);
+    const changed = isDirty(editor.document.getState());
+    const taken = !changed && showProject(editor, opened, opened.files);
+    await letGo(editor, (taken ? open : opened).handle, false);
     if (taken) {
       addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was loaded again.' });
       if (opened.recovery !== null) editor.ui.setState({ dialog: { kind: 'recovery', files: opened.recovery } });
-    } else if (now.open?.handle === open.handle && isDirty(now)) askWhichVersion(editor);
+    } else if (changed) askWhichVersion(editor);
   } catch (error) {
     showRefusal(editor, error);
   }
@@ -152,7 +164,11 @@ function withPlaces(project: Project): Project {
   return { ...project, layout };
 }
 
-export async function save(editor: Editor, overwrite = false): Promise<boolean> {
+export function save(editor: Editor, overwrite = false): Promise<boolean> {
+  return editor.fileWork(() => write(editor, overwrite));
+}
+
+async function write(editor: Editor, overwrite: boolean): Promise<boolean> {
   const files = filesOf(editor);
   const { open, history } = editor.document.getState();
   if (open === null) return false;
@@ -169,17 +185,19 @@ export async function save(editor: Editor, overwrite = false): Promise<boolean> 
 
 /** Saves a copy into another folder and goes on there. */
 export async function saveAs(editor: Editor, chosen?: string): Promise<boolean> {
-  const { open } = editor.document.getState();
-  if (open === null) return false;
+  if (editor.document.getState().open === null) return false;
   const path = chosen ?? (await pickFolder(editor, 'save-as'));
-  if (path === null) return false;
+  return path !== null && editor.fileWork(() => writeCopy(editor, path));
+}
+
+async function writeCopy(editor: Editor, path: string): Promise<boolean> {
   const files = filesOf(editor);
-  const { history } = editor.document.getState();
+  const { open, history } = editor.document.getState();
+  if (open === null) return false;
   try {
     const opened = await editor.host.call('project.save-as', { handle: open.handle, path, files });
     const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
-    await editor.host.call('project.autosave', { handle: open.handle, files: null });
-    await editor.host.call('project.close', { handle: open.handle });
+    await letGo(editor, open.handle, true);
     editor.document.setState({ open: { handle, displayPath, revision, assetBaseUrl, assetFiles }, savedState: history.state });
     editor.ui.setState({ dialog: null });
     addToast(editor.ui, { tone: 'success', text: `Saved to ${displayPath}.` });

@@ -1,6 +1,7 @@
 import { debounce } from '../clock.ts';
 import { type AppCommandId, runCommand } from './app-commands.ts';
 import { isDirty } from './document.ts';
+import { finishTyping } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { showExportProgress } from './export-page.ts';
 import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files.ts';
@@ -24,11 +25,13 @@ export async function openFirst(editor: Editor): Promise<void> {
 
 /** Keeps unsaved work where it is found again after a crash. */
 export function autosave(editor: Editor): () => void {
-  let last = -1;
+  let last = '';
   const keep = debounce(editor.clock, AUTOSAVE_MS, () => {
     const state = editor.document.getState();
-    if (state.open === null || !isDirty(state) || state.history.state === last) return;
-    last = state.history.state;
+    if (state.open === null || !isDirty(state)) return;
+    const work = `${state.open.handle} ${state.history.state}`;
+    if (work === last) return;
+    last = work;
     editor.host
       .call('project.autosave', { handle: state.open.handle, files: filesOf(editor) })
       .catch((error: unknown) => showRefusal(editor, error));
@@ -66,14 +69,18 @@ export function followHost(editor: Editor): () => void {
 }
 
 /** The work that is open has been saved or given up. */
-async function close(editor: Editor): Promise<void> {
-  const { open } = editor.document.getState();
-  editor.document.setState(({ history }) => ({ savedState: history.state }));
-  if (open !== null) await editor.host.call('project.autosave', { handle: open.handle, files: null });
-  await editor.host.call('app.close', {});
+function close(editor: Editor): Promise<void> {
+  return editor.fileWork(async () => {
+    const { open } = editor.document.getState();
+    editor.document.setState(({ history }) => ({ savedState: history.state }));
+    // What the disk does not let go of is offered again at the next opening, and is no reason to stay.
+    if (open !== null) await editor.host.call('project.autosave', { handle: open.handle, files: null }).catch(() => {});
+    await editor.host.call('app.close', {});
+  });
 }
 
 /** For the page's own guard: asks before a reload throws work away. */
 export function hasUnsavedWork(editor: Editor): boolean {
+  finishTyping(editor);
   return isDirty(editor.document.getState());
 }

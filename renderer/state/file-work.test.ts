@@ -1,0 +1,127 @@
+import { describe, expect, test } from '@jest/globals';
+import { setTitle } from '../../export/graph/commands/project-info.ts';
+import { newProject } from '../../export/graph/new-project.ts';
+import { saveProject } from '../../export/graph/save.ts';
+import { openTestEditor } from '../../tests/support/test-editor.ts';
+import { apply } from './apply.ts';
+import { isDirty } from './document.ts';
+import type { Editor } from './editor.ts';
+import { openPath, openProject, save, saveAs } from './files.ts';
+import { autosave, followHost } from './start.ts';
+
+function retitle(editor: Editor, title: string): void {
+  apply(editor, 'Title', setTitle(editor.document.getState().project, { title }));
+}
+
+/** An editor whose host saves as the real one does: only over the revision that it was last told of, and each when it is let. */
+async function openSlowly() {
+  const opened = await openTestEditor();
+  const { editor, host } = opened;
+  const held: (() => void)[] = [];
+  const revisions: string[] = [];
+  let count = 0;
+  host.answer('project.save', async ({ files, revision }) => {
+    revisions.push(revision);
+    await new Promise<void>((resolve) => held.push(resolve));
+    host.writeOutside(files);
+    return { revision: `saved${++count}` };
+  });
+  const letGo = async () => {
+    while (held.length === 0) await Promise.resolve();
+    held.shift()?.();
+  };
+  const handlesOf = (method: string) =>
+    host.calls.flatMap((call) => (call.method === method ? (call.input as { handle: string }).handle : []));
+  return { ...opened, letGo, revisions, handleNow: () => editor.document.getState().open?.handle ?? '', handlesOf };
+}
+
+describe('work on files, one thing after the other', () => {
+  test('a second save waits for the first, and builds on what that wrote', async () => {
+    const { editor, letGo, revisions } = await openSlowly();
+    retitle(editor, 'A');
+    const first = save(editor);
+    const second = save(editor);
+    await letGo();
+    expect(await first).toBe(true);
+    await letGo();
+    expect(await second).toBe(true);
+    // With the same revision twice, the host would have told of somebody else's change.
+    expect(revisions).toEqual(['r1', 'saved1']);
+    expect(editor.ui.getState().dialog).toBeNull();
+    expect(isDirty(editor.document.getState())).toBe(false);
+  });
+
+  test('a save that ends late says nothing of the project that is open by then', async () => {
+    const { editor, letGo, revisions } = await openSlowly();
+    retitle(editor, 'A');
+    const saved = save(editor);
+    const other = openPath(editor, '/other');
+    await letGo();
+    await Promise.all([saved, other]);
+    expect(editor.document.getState().open?.displayPath).toBe('/other');
+    expect(isDirty(editor.document.getState())).toBe(false);
+    retitle(editor, 'B');
+    const again = save(editor);
+    await letGo();
+    expect(await again).toBe(true);
+    expect(revisions[1]).not.toBe('saved1');
+  });
+
+  test('of two projects that are opened at once the last stays, and every other one is closed once', async () => {
+    const { editor, handleNow, handlesOf } = await openSlowly();
+    await Promise.all([openPath(editor, '/a'), openPath(editor, '/b')]);
+    expect(editor.document.getState().open?.displayPath).toBe('/b');
+    const all = ['1', '2', '3'].map((number) => `abcdef0123456789${number}`);
+    expect(handlesOf('project.close').sort()).toEqual(all.filter((handle) => handle !== handleNow()));
+  });
+
+  test('a project is opened, and its sources are listed, also where the one before cannot be closed', async () => {
+    const { editor, host, handleNow } = await openSlowly();
+    host.refuse('project.close', 'SCR073', 'The project is not open any more.');
+    expect(await openPath(editor, '/other')).toBe(true);
+    expect(host.calls.at(-1)).toEqual({ method: 'session.list', input: { handle: handleNow() } });
+  });
+
+  test('a copy is gone on with, also where the original cannot be closed', async () => {
+    const { editor, host } = await openSlowly();
+    retitle(editor, 'A');
+    host.refuse('project.autosave', 'SCR060', 'The folder cannot be written.');
+    expect(await saveAs(editor, '/copy')).toBe(true);
+    expect(editor.document.getState().open?.displayPath).toBe('/copy');
+    expect(isDirty(editor.document.getState())).toBe(false);
+  });
+
+  test('what is typed at the moment counts as unsaved', async () => {
+    const { editor } = await openSlowly();
+    const finish = () => {
+      editor.unfinished.delete(finish);
+      retitle(editor, 'Typed');
+    };
+    editor.unfinished.add(finish);
+    openProject(editor);
+    expect(editor.ui.getState().dialog?.kind).toBe('unsaved');
+  });
+
+  test('unsaved work of each project is kept, however many steps the one before had', async () => {
+    const { editor, clock, handlesOf, handleNow } = await openSlowly();
+    const stop = autosave(editor);
+    retitle(editor, 'A');
+    clock.pass(2000);
+    await openPath(editor, '/other');
+    retitle(editor, 'B');
+    clock.pass(2000);
+    expect(handlesOf('project.autosave').at(-1)).toBe(handleNow());
+    stop();
+  });
+
+  test('the window closes, also where the disk keeps work that was given up', async () => {
+    const { editor, host } = await openSlowly();
+    const stop = followHost(editor);
+    host.writeOutside(saveProject(newProject('Test')));
+    host.refuse('project.autosave', 'SCR060', 'The folder cannot be written.');
+    host.emit({ kind: 'close-requested' });
+    for (let turn = 0; turn < 10; turn++) await Promise.resolve();
+    expect(host.calls.at(-1)?.method).toBe('app.close');
+    stop();
+  });
+});
