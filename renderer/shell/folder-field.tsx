@@ -1,4 +1,7 @@
-import type { ReactNode } from 'react';
+import type { HostInput } from '../../app/contract/contract.ts';
+import { askForFolder } from '../state/files.ts';
+import { Button } from '../ui/button.tsx';
+import { useDocument, useEditor } from './editor-context.ts';
 import './folder-field.css';
 
 interface FolderFieldProps {
@@ -7,13 +10,15 @@ interface FolderFieldProps {
   readonly path: string;
   /** A path of the kind that is asked for. */
   readonly example?: string;
+  /** What the shell's own dialog asks it for, where it has one; absent: it is typed alone. */
+  readonly purpose?: HostInput<'folder.pick'>['purpose'];
   readonly onChange: (path: string) => void;
-  /** What stands beside it, such as a button that picks one. */
-  readonly children?: ReactNode;
 }
 
 /** A folder by its path: what a dialog begins with. */
-export function FolderField({ id, label, path, example = '/home/me/projects/my-effect', onChange, children }: FolderFieldProps) {
+export function FolderField({ id, label, path, example = '/home/me/projects/my-effect', purpose, onChange }: FolderFieldProps) {
+  const editor = useEditor();
+  const canPick = useDocument((state) => state.canPickFolders);
   return (
     <>
       <label htmlFor={id}>{label}</label>
@@ -27,7 +32,17 @@ export function FolderField({ id, label, path, example = '/home/me/projects/my-e
           value={path}
           onChange={(event) => onChange(event.target.value)}
         />
-        {children}
+        {purpose !== undefined && canPick && (
+          <Button
+            icon="folder"
+            onPress={async () => {
+              const picked = await askForFolder(editor, purpose);
+              if (picked !== null) onChange(picked);
+            }}
+          >
+            Choose…
+          </Button>
+        )}
       </div>
     </>
   );

@@ -1,7 +1,6 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { createProject } from '../state/files.ts';
-import { Button } from '../ui/button.tsx';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
@@ -18,7 +17,6 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
   const editor = useEditor();
   const id = useId();
   const templates = useStore(editor.document, (state) => state.templates);
-  const canPick = useStore(editor.document, (state) => state.canPickFolders);
   const [template, setTemplate] = useState(chosen ?? templates[0]?.name ?? '');
   const [path, setPath] = useState('');
   const [busy, setBusy] = useState(false);
@@ -41,19 +39,7 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
           </label>
         ))}
       </fieldset>
-      <FolderField id={id} label="Folder" path={path} onChange={setPath}>
-        {canPick && (
-          <Button
-            icon="folder"
-            onPress={async () => {
-              const picked = await editor.host.call('folder.pick', { purpose: 'new' });
-              if (picked.path !== null) setPath(picked.path);
-            }}
-          >
-            Choose…
-          </Button>
-        )}
-      </FolderField>
+      <FolderField id={id} label="Folder" path={path} purpose="new" onChange={setPath} />
       <p className="dialog-note">The folder must be empty or new; its name becomes the project’s title.</p>
     </FormDialog>
   );

@@ -1,6 +1,6 @@
 import { type FormEvent, useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { openPath } from '../state/files.ts';
+import { askForFolder, openPath } from '../state/files.ts';
 import { forgetProject } from '../state/preferences.ts';
 import { startTour } from '../state/tour.ts';
 import { Button, IconButton } from '../ui/button.tsx';
@@ -55,8 +55,8 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
             <Button
               icon="folder"
               onPress={async () => {
-                const picked = await editor.host.call('folder.pick', { purpose: 'open' });
-                if (picked.path !== null) await open(picked.path);
+                const picked = await askForFolder(editor, 'open');
+                if (picked !== null) await open(picked);
               }}
             >
               Choose a folder…

@@ -1,12 +1,10 @@
 import { type ReactNode, useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { timeOfFrame } from '../../nodes/kit/frame-times.ts';
-import { showRefusal } from '../state/files.ts';
+import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { lastFrame, playedRange } from '../state/playing.ts';
 import { type FramesWish, planFrames, rateOf, renderFrames } from '../state/render-frames.ts';
-import { Button } from '../ui/button.tsx';
 import { FormDialog } from '../ui/form-dialog.tsx';
-import { useDocument, useEditor } from './editor-context.ts';
+import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
 import './render-dialog.css';
 
@@ -19,7 +17,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const { preview } = editor;
   const frames = useStore(preview, (state) => state.frames);
-  const canPick = useDocument((state) => state.canPickFolders);
+  const id = useId();
   const [what, setWhat] = useState<FramesWish['what']>('pictures');
   const [range, setRange] = useState(() => asTexts(playedRange(preview.getState())));
   const [size, setSize] = useState(() => sizeOf(preview.getState().status));
@@ -32,27 +30,16 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const widthPx = wholeIn(size.width, 1, MOST_PX);
   const heightPx = wholeIn(size.height, 1, MOST_PX);
   const frameRateHz = rate === 'own' ? null : Number(rate);
-  const whole = from !== null && to !== null && widthPx !== null && heightPx !== null;
-  const count = from !== null && to !== null ? planFrames(frames, { from, to }, frameRateHz, false).filter(({ keep }) => keep).length : 0;
-  const lengthS = from !== null && to !== null ? timeOfFrame(frames, to + 1) - timeOfFrame(frames, from) : 0;
-  const go = () => {
-    if (from === null || to === null || widthPx === null || heightPx === null) return;
-    void renderFrames(editor, { what, range: { from, to }, widthPx, heightPx, frameRateHz, out: out.trim() });
-  };
-  const pick = async () => {
-    try {
-      const { path } = await editor.host.call('folder.pick', { purpose: 'render' });
-      if (path !== null) setOut(path);
-    } catch (error) {
-      showRefusal(editor, error);
-    }
-  };
+  const wish: FramesWish | null =
+    from === null || to === null || widthPx === null || heightPx === null
+      ? null
+      : { what, range: { from, to }, widthPx, heightPx, frameRateHz, out: out.trim() };
   return (
     <FormDialog
       title="Render frames"
       action="Render"
-      ready={whole && (what === 'video' || out.trim() !== '')}
-      onGo={go}
+      ready={wish !== null && (what === 'video' || wish.out !== '')}
+      onGo={() => void (wish && renderFrames(editor, wish))}
       onClose={onClose}
       wide
     >
@@ -76,30 +63,17 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
         <Whole label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
         <Whole label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
       </div>
-      {what === 'pictures' && <Folder path={out} onChange={setOut} {...(canPick ? { onPick: () => void pick() } : {})} />}
+      {what === 'pictures' && (
+        <FolderField id={`${id}-folder`} label="Folder" path={out} example="/home/me/frames/my-effect" purpose="render" onChange={setOut} />
+      )}
       <p className="dialog-note" role="status">
-        {whole ? `${count} ${count === 1 ? 'frame' : 'frames'}, ${lengthS.toFixed(2)} s. ` : 'Numbers are missing, or out of range. '}
+        {wish ? `${lengthWords(frames, wish)}. ` : 'Numbers are missing, or out of range. '}
         {to !== null && to > lastFrame({ frames }) && 'Behind its end the recording begins anew. '}
         {what === 'video'
           ? 'The video comes with your downloads, without sound.'
           : 'The folder must be new, empty, or hold frames of before.'}
       </p>
     </FormDialog>
-  );
-}
-
-interface FolderProps {
-  readonly path: string;
-  readonly onChange: (path: string) => void;
-  readonly onPick?: () => void;
-}
-
-function Folder({ path, onChange, onPick }: FolderProps) {
-  const id = useId();
-  return (
-    <FolderField id={id} label="Folder" path={path} example="/home/me/frames/my-effect" onChange={onChange}>
-      {onPick && <Button onPress={onPick}>Choose…</Button>}
-    </FolderField>
   );
 }
 
@@ -144,6 +118,12 @@ function Whole({ label, text, wrong, onChange }: WholeProps) {
       />
     </div>
   );
+}
+
+function lengthWords(frames: FrameTimes, { range, frameRateHz }: FramesWish): string {
+  const count = planFrames(frames, range, frameRateHz, false).filter(({ keep }) => keep).length;
+  const lengthS = timeOfFrame(frames, range.to + 1) - timeOfFrame(frames, range.from);
+  return `${count} ${count === 1 ? 'frame' : 'frames'}, ${lengthS.toFixed(2)} s`;
 }
 
 function asTexts({ from, to }: { readonly from: number; readonly to: number }) {

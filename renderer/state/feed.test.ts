@@ -1,5 +1,6 @@
 import { beforeEach, describe, expect, test } from '@jest/globals';
 import { createCompiler } from '../../export/compiler/compile.ts';
+import type { FakeHost } from '../../tests/support/fake-host.ts';
 import { LIBRARY } from '../../tests/support/library.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import type { CompilerWorker } from '../compile/compiler-link.ts';
@@ -10,7 +11,7 @@ import { editParam } from './edit-params.ts';
 import { editShader, shaderOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { createFeed, type Feed } from './feed.ts';
-import { openPath } from './files.ts';
+import { followFolder, openPath, saveAs } from './files.ts';
 import { isLoading } from './preview.ts';
 
 /** The real compiler, which answers when it is told to. */
@@ -30,6 +31,7 @@ function createSlowWorker() {
 
 describe('the way from document to preview', () => {
   let editor: Editor;
+  let host: FakeHost;
   let feed: Feed;
   let sent: ToPreview[];
   let worker: ReturnType<typeof createSlowWorker>;
@@ -44,7 +46,7 @@ describe('the way from document to preview', () => {
   const kinds = () => sent.splice(0).map((message) => (message.kind === 'param' ? `param ${message.value}` : message.kind));
 
   beforeEach(async () => {
-    ({ editor } = await openTestEditor());
+    ({ editor, host } = await openTestEditor());
     worker = createSlowWorker();
     feed = createFeed(editor, worker.worker);
     sent = [];
@@ -162,5 +164,37 @@ describe('the way from document to preview', () => {
     await openPath(editor, '/project');
     expect(editor.compile.getState().program).toBeNull();
     expect(editor.preview.getState().playing).toBeNull();
+  });
+
+  test('the preview reads files where the project is now, whatever it takes its picture from', async () => {
+    const listed = { id: 'example/walk', title: 'A walk', kind: 'recorded', url: 'http://127.0.0.1:1/sessions/walk/' } as const;
+    host.answer('session.list', () => [listed]);
+    feed.receive({ kind: 'ready' });
+    for (const sourceId of ['example/walk', 'orbit']) {
+      editor.preview.setState({ sourceId });
+      for (const goOn of [() => openPath(editor, '/other'), () => saveAs(editor, '/copy'), () => followFolder(editor)]) {
+        await goOn();
+        const source = sent.flatMap((message) => (message.kind === 'session' ? message.source : [])).at(-1);
+        expect(source).toMatchObject({
+          kind: sourceId === 'orbit' ? 'orbit' : 'recorded',
+          assetBaseUrl: editor.document.getState().open?.assetBaseUrl,
+        });
+      }
+    }
+  });
+
+  test('another project is not shown what was still being made of the one before', async () => {
+    editShader(editor, blur, `${shaderOf(editor.document.getState(), blur)?.text}\nvoid broken(`);
+    const { revision } = editor.document.getState();
+    await openPath(editor, '/project');
+    const own = worker.waiting.length;
+    sent = [];
+    worker.answer();
+    feed.receive({ kind: 'playing', revision });
+    expect([own, editor.compile.getState().diagnostics, editor.compile.getState().busy]).toEqual([1, [], true]);
+    expect(editor.preview.getState().playing).toBeNull();
+    worker.answer();
+    expect(editor.compile.getState().busy).toBe(false);
+    expect(editor.compile.getState().revision).toBe(editor.document.getState().revision);
   });
 });

@@ -5,7 +5,7 @@ import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { type CompilerLink, type CompilerWorker, createCompilerLink } from '../compile/compiler-link.ts';
 import type { CompileAnswer } from '../compile/messages.ts';
-import type { FromPreview, PreviewShaderError, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import type { FromPreview, PreviewShaderError, PreviewStatus, ToPreview } from '../preview-protocol.ts';
 import { takeCapture } from './captures.ts';
 import { consequenceOf, type ParamEdit } from './changes.ts';
 import type { Editor } from './editor.ts';
@@ -14,7 +14,8 @@ import { createLooking } from './looking.ts';
 import { lookAtNothing } from './looks.ts';
 import { createPictures } from './pictures.ts';
 import { previewRange } from './playing.ts';
-import { chosenSource, towardsLight } from './preview.ts';
+import { type PreviewState, towardsLight } from './preview.ts';
+import { previewSource } from './preview-source.ts';
 
 /** Keeps compiler and preview up with the document. */
 export interface Feed {
@@ -25,6 +26,9 @@ export interface Feed {
   send(message: ToPreview): void;
   dispose(): void;
 }
+
+/** What the source of the picture is chosen by. Sources are listed anew for every project: its files are at an address of its own. */
+const SOURCE_PARTS = ['sources', 'sourceId', 'views', 'frame', 'tier', 'still'] as const satisfies readonly (keyof PreviewState)[];
 
 interface PendingEdit extends ParamEdit {
   readonly revision: number;
@@ -40,6 +44,8 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   let pending: PendingEdit[] = [];
   /** Where the page was told to take its picture from; a picture of one's own stands in it by its key. */
   let asked = '';
+  /** Document revision with which the open project began: what is about an earlier one is another project's. */
+  let since = 0;
   const post = (message: ToPreview) => send?.(message);
   const pictures = createPictures(editor, post);
   const gizmos = createGizmos(editor, post);
@@ -70,6 +76,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     post({ kind: 'room-light', directionWorld: roomLight && towardsLight(roomLight) });
   };
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
+    if (answer.revision < since) return;
     takeAnswer(editor, answer, more);
     if (answer.program !== null) postProgram();
   });
@@ -85,6 +92,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
     const reopened = state.open?.handle !== before.open?.handle;
     if (state.project === before.project && !reopened) return;
     if (reopened) {
+      since = state.revision;
       lookAtNothing(editor.look);
       pending = [];
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
@@ -109,10 +117,62 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
   editor.transport.post = post;
   const stopSource = editor.preview.subscribe((state, before) => {
     if (state.range !== before.range || state.loop !== before.loop || state.frames !== before.frames) postRange();
-    const same = state.views === before.views && state.frame === before.frame && state.tier === before.tier && state.still === before.still;
-    if (chosenSource(state) !== chosenSource(before) || !same) postSource();
+    if (SOURCE_PARTS.some((part) => state[part] !== before[part])) postSource();
     if (state.roomLight !== before.roomLight) postLight();
   });
+  const receive = (message: FromPreview): void => {
+    switch (message.kind) {
+      case 'ready':
+        editor.preview.setState({ ready: true });
+        asked = '';
+        postSource();
+        if (editor.preview.getState().roomLight) postLight();
+        postProgram();
+        looking.tell();
+        gizmos.tell();
+        return;
+      case 'playing':
+        if (message.revision >= since) editor.preview.setState({ playing: message.revision });
+        return;
+      case 'diagnostics':
+        editor.preview.setState({ diagnostics: message.diagnostics });
+        return;
+      case 'shader-errors':
+        takeShaderErrors(editor, message);
+        return;
+      case 'status':
+        takeStatus(editor, message.status);
+        return;
+      case 'frames':
+        editor.preview.setState({ frames: message.frames, asked: null });
+        return;
+      case 'poster':
+        pictures.answer(message.bytes);
+        return;
+      case 'thumbnail':
+        editor.pictures.layers.deliver(message.port, message.image);
+        return;
+      case 'captured':
+        takeCapture(editor, message);
+        return;
+      case 'costs':
+        editor.costs.setState({ measured: message.costs });
+        return;
+      case 'probed':
+        editor.look.setState({ probed: message.probe });
+        return;
+      case 'gizmo':
+      case 'picked':
+      case 'key':
+        gizmos.take(message);
+        return;
+      // Films are drawn by pages of their own.
+      case 'filmed':
+      case 'film-over':
+      case 'film-failed':
+        return;
+    }
+  };
 
   return {
     attach: (to) => {
@@ -126,24 +186,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
         editor.preview.setState({ ready: false, playing: null, status: null });
       };
     },
-    receive: (message) => {
-      if (message.kind === 'poster') return pictures.answer(message.bytes);
-      if (message.kind === 'thumbnail') return editor.pictures.layers.deliver(message.port, message.image);
-      if (message.kind === 'captured') return takeCapture(editor, message);
-      if (message.kind === 'costs') return editor.costs.setState({ measured: message.costs });
-      // Films are drawn by pages of their own.
-      if (message.kind === 'filmed' || message.kind === 'film-over' || message.kind === 'film-failed') return;
-      if (message.kind === 'probed') return editor.look.setState({ probed: message.probe });
-      if (message.kind === 'gizmo' || message.kind === 'picked' || message.kind === 'key') return gizmos.take(message);
-      takeMessage(editor, message);
-      if (message.kind !== 'ready') return;
-      asked = '';
-      postSource();
-      if (editor.preview.getState().roomLight) postLight();
-      postProgram();
-      looking.tell();
-      gizmos.tell();
-    },
+    receive,
     send: post,
     dispose: () => {
       stopDocument();
@@ -171,47 +214,25 @@ function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: 
   editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
 }
 
-function takeMessage(
+function takeStatus({ preview }: Editor, status: PreviewStatus): void {
+  // Once it has been shown, what was asked for is what is there.
+  preview.setState(({ asked }) => ({
+    status,
+    asked: status.state !== 'paused' || (asked === status.frame && !status.late) ? null : asked,
+  }));
+}
+
+function takeShaderErrors(
   { preview, compile, document }: Editor,
-  message: Exclude<
-    FromPreview,
-    { kind: 'filmed' | 'film-over' | 'film-failed' | 'poster' | 'thumbnail' | 'probed' | 'costs' | 'captured' | 'gizmo' | 'picked' | 'key' }
-  >,
+  { revision, errors }: Extract<FromPreview, { kind: 'shader-errors' }>,
 ): void {
-  switch (message.kind) {
-    case 'ready':
-      preview.setState({ ready: true });
-      return;
-    case 'playing':
-      preview.setState({ playing: message.revision });
-      return;
-    case 'diagnostics':
-      preview.setState({ diagnostics: message.diagnostics });
-      return;
-    case 'shader-errors': {
-      const { program, programRevision } = compile.getState();
-      // An answer about an older program is of no use any more.
-      if (program !== null && message.revision === programRevision) {
-        preview.setState({
-          shaderDiagnostics: readShaderErrors(program, message.errors, document.getState().library),
-          ...(message.errors.length > 0 && { refused: message.revision }),
-        });
-      }
-      return;
-    }
-    case 'status': {
-      const { status } = message;
-      // Once it has been shown, what was asked for is what is there.
-      preview.setState(({ asked }) => ({
-        status,
-        asked: status.state !== 'paused' || (asked === status.frame && !status.late) ? null : asked,
-      }));
-      return;
-    }
-    case 'frames':
-      preview.setState({ frames: message.frames, asked: null });
-      return;
-  }
+  const { program, programRevision } = compile.getState();
+  // An answer about an older program is of no use any more.
+  if (program === null || revision !== programRevision) return;
+  preview.setState({
+    shaderDiagnostics: readShaderErrors(program, errors, document.getState().library),
+    ...(errors.length > 0 && { refused: revision }),
+  });
 }
 
 function readShaderErrors(program: Program, errors: readonly PreviewShaderError[], library: NodeLibrary): Diagnostic[] {
@@ -219,27 +240,4 @@ function readShaderErrors(program: Program, errors: readonly PreviewShaderError[
     const linked = program.shaders.find(({ id }) => id === shaderId);
     return linked ? driverDiagnostics(linked, log, (file) => library.shader(file), stage) : [];
   });
-}
-
-export function previewSource(editor: Editor): PreviewSource | null {
-  const state = editor.preview.getState();
-  const { open } = editor.document.getState();
-  const source = chosenSource(state);
-  if (source === null || open === null) return null;
-  const { assetBaseUrl } = open;
-  const { still, frame, views, tier } = state;
-  switch (source.kind) {
-    case 'camera':
-    case 'orbit':
-      return { kind: source.kind, assetBaseUrl };
-    case 'still':
-      return still && { kind: 'still', picture: still, key: `${still.name} ${still.size} ${still.lastModified}`, assetBaseUrl };
-    case 'room': {
-      const device = frame === 'glasses' ? 'glasses' : views === 2 ? 'headset' : 'phone';
-      return { kind: 'room', captureUrl: source.url, views, device, tier, assetBaseUrl };
-    }
-    case 'recorded':
-      break;
-  }
-  return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
 }

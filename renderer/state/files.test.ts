@@ -136,7 +136,12 @@ describe('files', () => {
     await settle();
     expect(editor.document.getState().project.title).toBe('Theirs');
     expect(editor.ui.getState().dialog).toBeNull();
-    expect(host.calls.at(-1)).toEqual({ method: 'project.close', input: { handle } });
+    // What the preview plays lies at the address of the new opening.
+    const now = editor.document.getState().open?.handle;
+    expect(host.calls.slice(-2)).toEqual([
+      { method: 'project.close', input: { handle } },
+      { method: 'session.list', input: { handle: now } },
+    ]);
   });
 
   test('a change on disk asks where something is unsaved, typed or done while the files were read', async () => {

@@ -1,4 +1,4 @@
-import type { OpenProject, ProjectFiles } from '../../app/contract/contract.ts';
+import type { HostInput, OpenProject, ProjectFiles } from '../../app/contract/contract.ts';
 import { HostError } from '../../app/contract/host-error.ts';
 import { emptyHistory } from '../../export/graph/history.ts';
 import { migrateNodes } from '../../export/graph/library/migrate-nodes.ts';
@@ -115,6 +115,7 @@ async function takeFolder(editor: Editor): Promise<void> {
     const taken = !changed && showProject(editor, opened, opened.files);
     await letGo(editor, (taken ? open : opened).handle, false);
     if (taken) {
+      await listSessions(editor);
       addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was loaded again.' });
       if (opened.recovery !== null) editor.ui.setState({ dialog: { kind: 'recovery', files: opened.recovery } });
     } else if (changed) askWhichVersion(editor);
@@ -201,6 +202,7 @@ async function writeCopy(editor: Editor, path: string): Promise<boolean> {
     editor.document.setState({ open: { handle, displayPath, revision, assetBaseUrl, assetFiles }, savedState: history.state });
     editor.ui.setState({ dialog: null });
     addToast(editor.ui, { tone: 'success', text: `Saved to ${displayPath}.` });
+    await listSessions(editor);
     return true;
   } catch (error) {
     showRefusal(editor, error);
@@ -210,11 +212,19 @@ async function writeCopy(editor: Editor, path: string): Promise<boolean> {
 
 /** The shell's own dialog; where it has none, ours, which comes back with a typed path. */
 export async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promise<string | null> {
-  if (!editor.document.getState().canPickFolders) {
-    editor.ui.setState({ dialog: { kind: purpose } });
+  if (editor.document.getState().canPickFolders) return askForFolder(editor, purpose);
+  editor.ui.setState({ dialog: { kind: purpose } });
+  return null;
+}
+
+/** By the shell's own dialog; null where the person chose none. */
+export async function askForFolder(editor: Editor, purpose: HostInput<'folder.pick'>['purpose']): Promise<string | null> {
+  try {
+    return (await editor.host.call('folder.pick', { purpose })).path;
+  } catch (error) {
+    showRefusal(editor, error);
     return null;
   }
-  return (await editor.host.call('folder.pick', { purpose })).path;
 }
 
 /** Takes the folder's version in place of what is on the canvas. */
@@ -224,11 +234,15 @@ export async function reload(editor: Editor): Promise<boolean> {
   return openPath(editor, open.displayPath);
 }
 
-export async function listSessions(editor: Editor): Promise<void> {
+/** What the preview can take its picture from, at the addresses that the open project has now. */
+async function listSessions(editor: Editor): Promise<void> {
   const { open } = editor.document.getState();
   if (open === null) return;
-  const sources = await editor.host.call('session.list', { handle: open.handle });
-  editor.preview.setState({ sources });
+  try {
+    editor.preview.setState({ sources: await editor.host.call('session.list', { handle: open.handle }) });
+  } catch (error) {
+    showRefusal(editor, error);
+  }
 }
 
 function withPlace(diagnostic: Diagnostic): Diagnostic {

@@ -1,12 +1,11 @@
 import { remembersFrames } from '../../export/program/remembers.ts';
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import type { FilmRequest } from '../preview-protocol.ts';
 import type { Editor, FilmLink } from './editor.ts';
-import { previewSource } from './feed.ts';
 import { showRefusal } from './files.ts';
-import { chosenSource, type FrameRange } from './preview.ts';
+import type { FrameRange } from './preview.ts';
+import { previewSource } from './preview-source.ts';
 import { addToast, toastDiagnostic } from './ui.ts';
 
 /** What the person asked for. */
@@ -57,14 +56,17 @@ export function rateOf({ timesS, durationS }: FrameTimes): number {
 }
 
 /** Asks what to render; says so where there is nothing to go through frame by frame. */
-export function askForFrames({ ui, preview }: Editor): void {
-  if (preview.getState().frames !== null) ui.setState({ dialog: { kind: 'render' } });
-  else
-    addToast(ui, {
-      tone: 'info',
-      text: 'Frames are rendered from recordings: choose one below the preview.',
-      detail: 'Of emulated rooms, “scrim render” makes them.',
-    });
+export function askForFrames(editor: Editor): void {
+  if (editor.preview.getState().frames !== null) editor.ui.setState({ dialog: { kind: 'render' } });
+  else tellOfRecordings(editor);
+}
+
+function tellOfRecordings({ ui }: Editor): void {
+  addToast(ui, {
+    tone: 'info',
+    text: 'Frames are rendered from recordings: choose one below the preview.',
+    detail: 'Of emulated rooms, “scrim render” makes them.',
+  });
 }
 
 /** Draws the frames of the project as it stands, beside the preview. True where they were written. */
@@ -73,23 +75,26 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
   const { frames, shaderDiagnostics } = editor.preview.getState();
   const { program, programRevision, diagnostics } = editor.compile.getState();
   if (open === null || frames === null || editor.ui.getState().exporting !== null) return false;
-  const source = chosenSource(editor.preview.getState())?.kind === 'recorded' ? previewSource(editor) : null;
-  const link = editor.film.open?.() ?? null;
-  if (program === null || hasErrors(diagnostics) || hasErrors(shaderDiagnostics) || source?.kind !== 'recorded' || link === null) {
-    link?.close();
+  const source = previewSource(editor);
+  if (source?.kind !== 'recorded') {
+    tellOfRecordings(editor);
+    return false;
+  }
+  if (programRevision !== editor.document.getState().revision && editor.compile.getState().busy) {
+    addToast(editor.ui, { tone: 'info', text: 'The project is still being compiled: try again in a moment.' });
+    return false;
+  }
+  if (program === null || hasErrors(diagnostics) || hasErrors(shaderDiagnostics)) {
     addToast(editor.ui, {
       tone: 'error',
       text: 'The project has problems that have to be mended first.',
-      detail: `They are under Problems.`,
+      detail: 'They are under Problems.',
     });
     editor.ui.setState({ bottom: 'problems' });
     return false;
   }
-  if (programRevision !== editor.document.getState().revision && editor.compile.getState().busy) {
-    link.close();
-    addToast(editor.ui, { tone: 'info', text: 'The project is still being compiled: try again in a moment.' });
-    return false;
-  }
+  const link = editor.film.open?.();
+  if (!link) return false;
   const { handle } = open;
   const { what, widthPx, heightPx, frameRateHz, out } = wish;
   const video = what === 'video' ? { frameRateHz: frameRateHz ?? rateOf(frames) } : null;

@@ -32,12 +32,12 @@ export function createFakeHost(
   let revision = 1;
   let opened = 0;
   const open = (path: string) => ({
-    // Each opening gives another one, as the real host does.
+    // Each opening gives another one, and another address, as the real host does.
     handle: `abcdef0123456789${++opened}`,
     displayPath: path,
     files: saved,
     revision: `r${revision}`,
-    assetBaseUrl: 'http://127.0.0.1:1/projects/x/',
+    assetBaseUrl: `http://127.0.0.1:1/projects/${opened}/`,
     assetFiles: [],
     recovery: null,
     openElsewhere,
