@@ -54,7 +54,11 @@ export interface DroppedFile {
  * Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. A vertex shader
  * goes with the shader of its name, and so do pictures with the shader that imports them.
  */
-export async function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
+export function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
+  return editor.fileWork(() => addEach(editor, files, place));
+}
+
+async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   const added: string[] = [];
   const { others, vertexOf, picturesOf } = await pairShaders(files);
   for (const [index, file] of others.entries()) {
@@ -149,12 +153,14 @@ async function textOf(file: DroppedFile): Promise<string> {
 }
 
 /** Copies a file into the project and makes an asset of it; its id, or null where the host refused. */
-export async function importAsset(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<string | null> {
-  const imported = await importFile(editor, file, kind);
-  if (imported === null) return null;
-  const { project } = editor.document.getState();
-  const id = makeAssetId(project, imported.path, editor.random);
-  return apply(editor, `Import ${file.name}`, putAsset(project, { id, asset: imported })) ? id : null;
+export function importAsset(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<string | null> {
+  return editor.fileWork(async () => {
+    const imported = await importFile(editor, file, kind);
+    if (imported === null) return null;
+    const { project } = editor.document.getState();
+    const id = makeAssetId(project, imported.path, editor.random);
+    return apply(editor, `Import ${file.name}`, putAsset(project, { id, asset: imported })) ? id : null;
+  });
 }
 
 async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<Asset | null> {

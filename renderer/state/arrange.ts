@@ -127,10 +127,13 @@ export function distribute(editor: Editor, along: 'x' | 'y'): boolean {
 /** Lays the selected nodes, or the whole graph, out from left to right along the wires. Loads what it takes when it is asked for. */
 export async function tidy(editor: Editor): Promise<boolean> {
   const boxes = boxesToArrange(editor);
+  const { graph } = editor.document.getState();
   const { wires } = graphOf(editor.document.getState());
   const layout = layoutOf(editor.document.getState());
   const { layOut } = await import('./lay-out.ts');
   const places = await layOut(boxes, [...stretchesOf({ wires }, layout).values()].map(endsOf));
+  // Laying out a large graph takes its time: the person may be in another by then.
+  if (editor.document.getState().graph !== graph) return false;
   const moved = move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box);
   // All of it has gone elsewhere: what was looked at may be out of sight.
   if (moved && boxes.filter(({ id }) => itemOf(id) === null).length === Object.keys(graphOf(editor.document.getState()).nodes).length)

@@ -80,13 +80,19 @@ export function parseClipping(text: string): Clipping | null {
 
 function areWays(value: unknown): boolean {
   if (value === undefined) return true;
-  const isTable = (table: unknown): table is object => typeof table === 'object' && table !== null;
   const { reroutes, routes } = (value ?? {}) as Partial<Record<'reroutes' | 'routes', unknown>>;
   if (!isTable(reroutes) || !isTable(routes)) return false;
-  const arePlaces = Object.values(reroutes).every(
-    (place) => isTable(place) && [place].every(({ x, y }: Partial<Place>) => Number.isFinite(x) && Number.isFinite(y)),
-  );
-  return arePlaces && Object.values(routes).every((route) => Array.isArray(route) && route.every((id) => typeof id === 'string'));
+  const areRoutes = Object.values(routes).every((route) => Array.isArray(route) && route.every((id) => typeof id === 'string'));
+  return areRoutes && Object.values(reroutes).every(isPlace);
+}
+
+function isTable(value: unknown): value is object {
+  return typeof value === 'object' && value !== null;
+}
+
+function isPlace(value: unknown): boolean {
+  const { x, y } = (value ?? {}) as Partial<Place>;
+  return Number.isFinite(x) && Number.isFinite(y);
 }
 
 /**
@@ -200,24 +206,35 @@ async function withFiles(editor: Editor, clipping: Clipping): Promise<Clipping> 
 export function copyInEvent(editor: Editor): string | null {
   const clipping = clipSelection(editor);
   if (clipping === null) return null;
-  if (bringsFiles(clipping.brought)) void copySelection(editor);
+  editor.copied.newest = clipping;
+  if (bringsFiles(clipping.brought)) void write(editor, clipping);
   return JSON.stringify(clipping);
 }
 
 async function pasteWithFiles(editor: Editor, clipping: Clipping): Promise<void> {
   const place = { x: OFFSET_PX, y: OFFSET_PX };
-  if (clipping.files === undefined) {
+  const { brought, files } = clipping;
+  if (files === undefined) {
     pasteClipping(editor, clipping, 'Paste', place);
     return;
   }
-  const paths = await writeCopiedFiles(editor, clipping.brought, clipping.files);
-  pasteClipping(editor, clipping, 'Paste', place, { paths });
+  await editor.fileWork(async () => {
+    const paths = await writeCopiedFiles(editor, brought, files);
+    pasteClipping(editor, clipping, 'Paste', place, { paths });
+  });
 }
 
 export async function copySelection(editor: Editor): Promise<boolean> {
   const clipping = clipSelection(editor);
   if (clipping === null) return false;
-  return editor.clipboard.write(JSON.stringify(await withFiles(editor, clipping))).then(
+  editor.copied.newest = clipping;
+  return write(editor, clipping);
+}
+
+async function write(editor: Editor, clipping: Clipping): Promise<boolean> {
+  const whole = await withFiles(editor, clipping);
+  if (editor.copied.newest !== clipping) return true;
+  return editor.clipboard.write(JSON.stringify(whole)).then(
     () => true,
     () => {
       addToast(editor.ui, { tone: 'error', text: 'The browser did not let Scrim use the clipboard.' });
@@ -226,11 +243,16 @@ export async function copySelection(editor: Editor): Promise<boolean> {
   );
 }
 
-export async function cutSelection(editor: Editor): Promise<void> {
+/** Takes the nodes away once they are on the clipboard, wherever the person is by then. */
+export function cutSelection(editor: Editor): Promise<void> {
+  const { graph } = editor.document.getState();
   const nodes = [...editor.selection.getState().nodes];
-  if (!(await copySelection(editor))) return;
-  const { project, library, graph } = editor.document.getState();
-  apply(editor, 'Cut', removeNodes(project, { library, graph, nodes }));
+  return editor.fileWork(async () => {
+    if (!(await copySelection(editor))) return;
+    const { project, library } = editor.document.getState();
+    const there = nodes.filter((id) => own(own(project.graphs, graph)?.nodes ?? {}, id) !== undefined);
+    if (there.length > 0) apply(editor, 'Cut', removeNodes(project, { library, graph, nodes: there }));
+  });
 }
 
 export async function pasteFromClipboard(editor: Editor): Promise<void> {

@@ -2,6 +2,7 @@ import type { Host } from '../../app/contract/contract.ts';
 import type { EditorClock } from '../clock.ts';
 import type { FromPreview, ToPreview } from '../preview-protocol.ts';
 import { type CanvasStore, createCanvasState } from './canvas.ts';
+import type { Clipping } from './clipboard.ts';
 import { type CompileStore, createCompileState } from './compile.ts';
 import { type CostStore, createCostState } from './costs.ts';
 import { createDocument, type DocumentStore } from './document.ts';
@@ -43,12 +44,14 @@ export interface Editor {
   readonly random: () => number;
   readonly mac: boolean;
   readonly clipboard: Clipboard;
+  /** What was copied last: what is still being read for an earlier clipping comes too late. */
+  readonly copied: { newest: Clipping | null };
   /** Hands a file to the person. */
   readonly keepFile: (file: Blob, name: string) => void;
   readonly libraries: Libraries;
   /** Take over at once what is being typed; run before files are made of the document. */
   readonly unfinished: Set<() => void>;
-  /** Opens, saves and closes the project: each begins with what the one before has made of the document. */
+  /** Opens, saves and closes the project, and brings files into it: each begins with what the one before has made of the document. */
   readonly fileWork: Queue;
   /** Takes a picture of what the preview shows, as JPEG, or null where it shows nothing; set while there is a preview. */
   readonly pictures: { take: ((size: PictureSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null; readonly layers: Pictures };
@@ -98,6 +101,7 @@ export function createEditor({
     random,
     mac,
     clipboard,
+    copied: { newest: null },
     keepFile,
     libraries,
     unfinished: new Set(),

@@ -3,8 +3,11 @@ import { setTitle } from '../../export/graph/commands/project-info.ts';
 import { newProject } from '../../export/graph/new-project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
+import { addFiles } from './add-files.ts';
 import { apply } from './apply.ts';
+import { copySelection, parseClipping } from './clipboard.ts';
 import { isDirty } from './document.ts';
+import { addNodeFromPalette } from './edit-graph.ts';
 import type { Editor } from './editor.ts';
 import { openPath, openProject, save, saveAs } from './files.ts';
 import { autosave, followHost } from './start.ts';
@@ -112,6 +115,51 @@ describe('work on files, one thing after the other', () => {
     clock.pass(2000);
     expect(handlesOf('project.autosave').at(-1)).toBe(handleNow());
     stop();
+  });
+
+  test('a file that is dropped goes into the project that it was dropped on', async () => {
+    const { editor, host } = await openSlowly();
+    const into: string[] = [];
+    let arrive = () => {};
+    host.answer('asset.import', async ({ handle, name }) => {
+      into.push(handle);
+      await new Promise<void>((resolve) => {
+        arrive = resolve;
+      });
+      return { path: `assets/${name}` };
+    });
+    const file = { name: 'robot.glb', arrayBuffer: async () => new ArrayBuffer(4) };
+    const { handle } = editor.document.getState().open ?? {};
+    const added = addFiles(editor, [file], { x: 0, y: 0 });
+    const opened = openPath(editor, '/other');
+    while (into.length === 0) await Promise.resolve();
+    expect(editor.document.getState().open?.handle).toBe(handle);
+    arrive();
+    await added;
+    expect(into).toEqual([handle]);
+    await opened;
+    expect(Object.keys(editor.document.getState().project.assets)).toEqual([]);
+  });
+
+  test('what was copied last stays on the clipboard, however long the files of an earlier clipping take', async () => {
+    const { editor, host } = await openSlowly();
+    const file = { name: 'robot.glb', arrayBuffer: async () => new ArrayBuffer(4) };
+    await addFiles(editor, [file], { x: 0, y: 0 });
+    let arrive = () => {};
+    host.answer('asset.read', async () => {
+      await new Promise<void>((resolve) => {
+        arrive = resolve;
+      });
+      return { base64: '' };
+    });
+    const slow = copySelection(editor);
+    const definition = editor.document.getState().library.definition('filter/sepia');
+    if (!definition) throw new Error('There is no sepia.');
+    const sepia = addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
+    await copySelection(editor);
+    arrive();
+    await slow;
+    expect(Object.keys(parseClipping(await editor.clipboard.read())?.nodes ?? {})).toEqual([sepia]);
   });
 
   test('the window closes, also where the disk keeps work that was given up', async () => {
