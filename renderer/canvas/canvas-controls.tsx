@@ -1,10 +1,12 @@
 import { Panel, useReactFlow, useStore } from '@xyflow/react';
+import { useKeys } from '../shell/use-keys.ts';
 import { IconButton } from '../ui/button.tsx';
 
 /** Zoom, with its figure, and everything in view. */
 export function CanvasControls() {
   const { zoomIn, zoomOut, zoomTo, fitView } = useReactFlow();
   const zoom = useStore((state) => Math.round(state.transform[2] * 100));
+  const fitKeys = useKeys('view.fit');
   return (
     <Panel position="bottom-left" className="canvas-controls">
       <button type="button" className="zoom-step" aria-label="Zoom out" onClick={() => void zoomOut()}>
@@ -16,7 +18,7 @@ export function CanvasControls() {
       <button type="button" className="zoom-step" aria-label="Zoom in" onClick={() => void zoomIn()}>
         +
       </button>
-      <IconButton icon="fit" label="Show the whole graph" keys="F" onPress={() => void fitView({ padding: 0.15, maxZoom: 1 })} />
+      <IconButton icon="fit" label="Show the whole graph" keys={fitKeys} onPress={() => void fitView({ padding: 0.15, maxZoom: 1 })} />
     </Panel>
   );
 }

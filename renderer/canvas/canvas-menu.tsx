@@ -1,9 +1,8 @@
 import { useCallback, useMemo, useState } from 'react';
-import { showChord } from '../shell/chord.ts';
+import { commandItem } from '../shell/command-item.ts';
 import { useEditor } from '../shell/editor-context.ts';
-import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import type { AppCommandId } from '../state/app-commands.ts';
 import type { Place } from '../state/canvas.ts';
-import { chordsOf } from '../state/chords.ts';
 import type { Editor } from '../state/editor.ts';
 import { itemOf } from '../state/item-ids.ts';
 import { addReroute, wiresOfStretch } from '../state/reroutes.ts';
@@ -105,12 +104,9 @@ export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; 
   if (menu === null) return null;
   const items = menu.commands.map((id): MenuItem => {
     if (id === 'line') return { kind: 'line' };
-    const { label, enabled } = appCommand(id);
-    const [chord] = chordsOf(editor, id);
-    const keys = chord === undefined ? {} : { keys: showChord(chord, editor.mac) };
+    const item = commandItem(editor, id);
     const onWire = menu.wire && ON_WIRE[id];
-    if (onWire) return { kind: 'action', label, ...keys, run: () => onWire(editor, menu) };
-    return { kind: 'action', label, ...keys, disabled: !enabled(editor), run: () => runCommand(editor, id) };
+    return onWire ? { ...item, disabled: false, run: () => onWire(editor, menu) } : item;
   });
   return <ContextMenu label="Actions" at={menu} items={items} onClose={onClose} />;
 }

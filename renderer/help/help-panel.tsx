@@ -6,6 +6,7 @@ import { categoryOf } from '../canvas/palette-search.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { PictureCard } from '../shell/picture-card.tsx';
+import { useKeys } from '../shell/use-keys.ts';
 import { nodeOf } from '../state/document.ts';
 import { openPath, withoutUnsaved } from '../state/files.ts';
 import { soleNode } from '../state/selection.ts';
@@ -17,6 +18,7 @@ import './help-panel.css';
 export function HelpPanel() {
   const { ui, selection } = useEditor();
   const node = useStore(selection, soleNode);
+  const keys = useKeys('view.help');
   const definition = useDocument((state) => {
     const type = node === null ? undefined : nodeOf(state, node)?.type;
     return type === undefined ? undefined : state.library.definition(type);
@@ -25,7 +27,7 @@ export function HelpPanel() {
     <aside className="help scroll" aria-label="Help for the node">
       <div className="help-bar">
         <h2>{definition?.title ?? 'Help for the node'}</h2>
-        <IconButton icon="close" label="Close the help" keys="F1" small onPress={() => ui.setState({ help: false })} />
+        <IconButton icon="close" label="Close the help" keys={keys} small onPress={() => ui.setState({ help: false })} />
       </div>
       {definition ? (
         <NodeHelp key={definition.type} definition={definition} />
@@ -114,7 +116,7 @@ const MOST_EXAMPLES = 2;
 /** Projects that come with Scrim and use the node. */
 function Examples({ type }: { readonly type: string }) {
   const editor = useEditor();
-  const all = useStore(editor.document, (state) => state.examples);
+  const all = useDocument((state) => state.examples);
   const examples = all.filter(({ types }) => types.includes(type)).slice(0, MOST_EXAMPLES);
   if (examples.length === 0) return null;
   return (

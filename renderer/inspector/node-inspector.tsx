@@ -6,6 +6,7 @@ import type { Binding } from '../../export/graph/project.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { categoryOf } from '../canvas/palette-search.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { useKeys } from '../shell/use-keys.ts';
 import { useProblems } from '../shell/use-problems.ts';
 import { runCommand } from '../state/app-commands.ts';
 import { graphOf, nodeOf } from '../state/document.ts';
@@ -51,12 +52,20 @@ export function NodeInspector({ id }: { readonly id: string }) {
 function Head({ id, definition, muted }: { readonly id: string; readonly definition: NodeDefinition; readonly muted: boolean }) {
   const editor = useEditor();
   const hasShader = useDocument((state) => shaderOf(state, id) !== null);
+  const muteKeys = useKeys('edit.mute');
   const codeOpen = useStore(editor.ui, (state) => state.bottom === 'code');
   return (
     <header className="inspector-head">
       <div className="inspector-title">
         <h2>{definition.title}</h2>
-        <IconButton icon="mute" label={muted ? 'Unmute' : 'Mute'} keys="M" pressed={muted} small onPress={() => void toggleMuted(editor)} />
+        <IconButton
+          icon="mute"
+          label={muted ? 'Unmute' : 'Mute'}
+          keys={muteKeys}
+          pressed={muted}
+          small
+          onPress={() => void toggleMuted(editor)}
+        />
       </div>
       <p className="inspector-kind">
         {categoryOf(definition)} <code>{id}</code>

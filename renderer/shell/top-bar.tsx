@@ -1,15 +1,15 @@
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
-import { chordsOf } from '../state/chords.ts';
+import { type AppCommandId, runCommand } from '../state/app-commands.ts';
 import { isDirty } from '../state/document.ts';
 import { cancelExport } from '../state/export-page.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
-import { showChord } from './chord.ts';
+import { commandItem } from './command-item.ts';
 import { useDocument, useEditor } from './editor-context.ts';
 import { Logo } from './logo.tsx';
 import './top-bar.css';
+import { useKeys } from './use-keys.ts';
 
 const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
   {
@@ -129,18 +129,7 @@ export function TopBar() {
 function MenuBar() {
   const editor = useEditor();
   const [open, setOpen] = useState<string | null>(null);
-  const itemOf = (id: AppCommandId | 'line'): MenuItem => {
-    if (id === 'line') return { kind: 'line' };
-    const { label, enabled } = appCommand(id);
-    const [chord] = chordsOf(editor, id);
-    return {
-      kind: 'action',
-      label,
-      ...(chord === undefined ? {} : { keys: showChord(chord, editor.mac) }),
-      disabled: !enabled(editor),
-      run: () => runCommand(editor, id),
-    };
-  };
+  const itemOf = (id: AppCommandId | 'line'): MenuItem => (id === 'line' ? { kind: 'line' } : commandItem(editor, id));
   return (
     <nav className="menu-bar" aria-label="Menus">
       {MENUS.map(({ label, entries }) => (
@@ -171,11 +160,12 @@ function Tools() {
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const open = useDocument((state) => state.open !== null);
   const exporting = useStore(editor.ui, (state) => state.exporting);
-  const keys = (id: AppCommandId) => showChord(chordsOf(editor, id)[0] ?? '', editor.mac);
+  const undoKeys = useKeys('edit.undo');
+  const redoKeys = useKeys('edit.redo');
   return (
     <div className="top-tools">
-      <IconButton icon="undo" label="Undo" keys={keys('edit.undo')} disabled={!canUndo} onPress={() => runCommand(editor, 'edit.undo')} />
-      <IconButton icon="redo" label="Redo" keys={keys('edit.redo')} disabled={!canRedo} onPress={() => runCommand(editor, 'edit.redo')} />
+      <IconButton icon="undo" label="Undo" keys={undoKeys} disabled={!canUndo} onPress={() => runCommand(editor, 'edit.undo')} />
+      <IconButton icon="redo" label="Redo" keys={redoKeys} disabled={!canRedo} onPress={() => runCommand(editor, 'edit.redo')} />
       <span className="top-gap" />
       <span data-tour="add">
         <Button icon="add" onPress={() => runCommand(editor, 'graph.add')} disabled={!open}>

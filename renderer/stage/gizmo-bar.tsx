@@ -1,10 +1,9 @@
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import type { GizmoMode } from '../preview-protocol.ts';
-import { showChord } from '../shell/chord.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
+import { useKeys } from '../shell/use-keys.ts';
 import { type AppCommandId, runCommand } from '../state/app-commands.ts';
-import { chordsOf } from '../state/chords.ts';
 import { cancelDrag } from '../state/gizmo.ts';
 import { gripOf } from '../state/grip.ts';
 import { soleNode } from '../state/selection.ts';
@@ -71,7 +70,7 @@ interface ToolProps {
 
 function Tool({ label, icon, command, pressed, reason }: ToolProps) {
   const editor = useEditor();
-  const [chord] = chordsOf(editor, command);
+  const keys = useKeys(command);
   const press = () => {
     if (reason === undefined) runCommand(editor, command);
     else addToast(editor.ui, { tone: 'info', text: reason ?? label });
@@ -84,7 +83,7 @@ function Tool({ label, icon, command, pressed, reason }: ToolProps) {
       aria-pressed={pressed}
       aria-disabled={reason !== undefined}
       data-tip={reason ?? label}
-      data-tip-keys={chord && showChord(chord, editor.mac)}
+      data-tip-keys={keys}
       onClick={press}
     >
       <Icon name={icon} />

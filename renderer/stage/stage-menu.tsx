@@ -2,6 +2,7 @@ import { useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
+import { useKeys } from '../shell/use-keys.ts';
 import { runCommand } from '../state/app-commands.ts';
 import { chosenSource, type DeviceFrame, type PreviewTier } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
@@ -32,6 +33,7 @@ export function StageMenu() {
   const recording = useStore(preview, (state) => state.recording);
   const isRoom = useStore(preview, (state) => chosenSource(state)?.kind === 'room');
   const probing = useStore(editor.look, (look) => look.probing);
+  const probeKeys = useKeys('view.probe');
   const button = useRef<HTMLSpanElement>(null);
   const [at, setAt] = useState<{ x: number; y: number } | null>(null);
   const record = (on: boolean) => {
@@ -55,7 +57,7 @@ export function StageMenu() {
   return (
     <>
       {recording && <IconButton icon="stop" label="Stop recording" onPress={() => record(false)} />}
-      <IconButton icon="probe" label="Pixel probe" keys="Q" pressed={probing} onPress={() => runCommand(editor, 'view.probe')} />
+      <IconButton icon="probe" label="Pixel probe" keys={probeKeys} pressed={probing} onPress={() => runCommand(editor, 'view.probe')} />
       <span ref={button}>
         <IconButton
           icon="more"

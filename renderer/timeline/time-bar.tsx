@@ -1,8 +1,7 @@
 import { useStore } from 'zustand';
-import { showChord } from '../shell/chord.ts';
 import { useEditor } from '../shell/editor-context.ts';
+import { useKeys } from '../shell/use-keys.ts';
 import { type AppCommandId, runCommand } from '../state/app-commands.ts';
-import { chordsOf } from '../state/chords.ts';
 import { isHeld, playedRange } from '../state/playing.ts';
 import { IconButton } from '../ui/button.tsx';
 import type { IconName } from '../ui/icon.tsx';
@@ -41,16 +40,9 @@ interface ActProps {
 
 function Act({ command, icon, label, disabled = false, pressed }: ActProps) {
   const editor = useEditor();
-  const [chord = ''] = chordsOf(editor, command);
+  const keys = useKeys(command);
   return (
-    <IconButton
-      icon={icon}
-      label={label}
-      keys={showChord(chord, editor.mac)}
-      disabled={disabled}
-      {...(pressed === undefined ? {} : { pressed })}
-      onPress={() => runCommand(editor, command)}
-    />
+    <IconButton icon={icon} label={label} keys={keys} disabled={disabled} pressed={pressed} onPress={() => runCommand(editor, command)} />
   );
 }
 

@@ -37,10 +37,10 @@ interface IconButtonProps {
   readonly label: string;
   readonly onPress: () => void;
   /** Shown behind the label in the tooltip. */
-  readonly keys?: string;
+  readonly keys?: string | undefined;
   readonly disabled?: boolean;
   /** For buttons that stay down. */
-  readonly pressed?: boolean;
+  readonly pressed?: boolean | undefined;
   readonly small?: boolean;
 }
 

@@ -1,0 +1,24 @@
+import { type AppCommandId, appCommand, runCommand } from '../state/app-commands.ts';
+import { chordsOf } from '../state/chords.ts';
+import type { Editor } from '../state/editor.ts';
+import type { MenuItem } from '../ui/menu.tsx';
+import { showChord } from './chord.ts';
+
+/** A command as menus have it now, with the person's keys. */
+export function commandItem(editor: Editor, id: AppCommandId): Extract<MenuItem, { kind: 'action' }> {
+  const { label, enabled } = appCommand(id);
+  const keys = shownKeys(editor, id);
+  return {
+    kind: 'action',
+    label,
+    ...(keys === undefined ? {} : { keys }),
+    disabled: !enabled(editor),
+    run: () => runCommand(editor, id),
+  };
+}
+
+/** The first keys of a command, as menus and tooltips show them; undefined where it has none. */
+export function shownKeys(editor: Pick<Editor, 'preferences' | 'mac'>, id: AppCommandId): string | undefined {
+  const [chord] = chordsOf(editor, id);
+  return chord === undefined ? undefined : showChord(chord, editor.mac);
+}
