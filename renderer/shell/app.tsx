@@ -6,7 +6,7 @@ import { Stage } from '../stage/stage.tsx';
 import type { Editor } from '../state/editor.ts';
 import type { Feed } from '../state/feed.ts';
 import type { PanelSizes } from '../state/ui.ts';
-import { Split } from '../ui/split.tsx';
+import { Split, type SplitProps } from '../ui/split.tsx';
 import { TooltipLayer } from '../ui/tooltip.tsx';
 import './app.css';
 import { BottomPanel, useBottomTab } from './bottom-panel.tsx';
@@ -36,21 +36,19 @@ export function App({ editor, feed, previewUrl }: AppProps) {
 }
 
 function Frame({ previewUrl }: { readonly previewUrl: string }) {
-  const { ui, clock } = useEditor();
-  const { sideWidthPx } = useStore(ui, (state) => state.sizes);
+  const { clock } = useEditor();
   useShortcuts();
   return (
     <div className="app">
       <TopBar />
       <main className="app-main">
-        <Split
+        <Panes
           direction="columns"
           fixed="second"
           label="Width of preview and inspector"
-          sizePx={sideWidthPx}
+          size="sideWidthPx"
           minPx={300}
           otherMinPx={360}
-          onResize={(px) => resize(ui, { sideWidthPx: px })}
           first={<Work />}
           second={<Side previewUrl={previewUrl} />}
         />
@@ -65,18 +63,15 @@ function Frame({ previewUrl }: { readonly previewUrl: string }) {
 }
 
 function Work() {
-  const { ui } = useEditor();
   const tab = useBottomTab();
-  const { bottomHeightPx } = useStore(ui, (state) => state.sizes);
   return (
-    <Split
+    <Panes
       direction="rows"
       fixed="second"
       label="Height of the panel below the graph"
-      sizePx={bottomHeightPx}
+      size="bottomHeightPx"
       minPx={120}
       otherMinPx={160}
-      onResize={(px) => resize(ui, { bottomHeightPx: px })}
       first={<Graph />}
       second={tab === null ? null : <BottomPanel tab={tab} />}
     />
@@ -84,18 +79,15 @@ function Work() {
 }
 
 function Graph() {
-  const { ui } = useEditor();
-  const help = useStore(ui, (state) => state.help);
-  const { helpWidthPx } = useStore(ui, (state) => state.sizes);
+  const help = useStore(useEditor().ui, (state) => state.help);
   return (
-    <Split
+    <Panes
       direction="columns"
       fixed="second"
       label="Width of the help"
-      sizePx={helpWidthPx}
+      size="helpWidthPx"
       minPx={200}
       otherMinPx={320}
-      onResize={(px) => resize(ui, { helpWidthPx: px })}
       first={<Canvas />}
       second={help ? <HelpPanel /> : null}
     />
@@ -103,23 +95,23 @@ function Graph() {
 }
 
 function Side({ previewUrl }: { readonly previewUrl: string }) {
-  const { ui } = useEditor();
-  const { previewHeightPx } = useStore(ui, (state) => state.sizes);
   return (
-    <Split
+    <Panes
       direction="rows"
       fixed="first"
       label="Height of the preview"
-      sizePx={previewHeightPx}
+      size="previewHeightPx"
       minPx={160}
       otherMinPx={160}
-      onResize={(px) => resize(ui, { previewHeightPx: px })}
       first={<Stage previewUrl={previewUrl} />}
       second={<Inspector />}
     />
   );
 }
 
-function resize(ui: Editor['ui'], size: Partial<PanelSizes>): void {
-  ui.setState(({ sizes }) => ({ sizes: { ...sizes, ...size } }));
+/** Two panes whose handle moves a size that is kept. What is in them is not drawn anew by it: whoever made them is not. */
+function Panes({ size, ...panes }: Omit<SplitProps, 'sizePx' | 'onResize'> & { readonly size: keyof PanelSizes }) {
+  const { ui } = useEditor();
+  const sizePx = useStore(ui, (state) => state.sizes[size]);
+  return <Split {...panes} sizePx={sizePx} onResize={(px) => ui.setState(({ sizes }) => ({ sizes: { ...sizes, [size]: px } }))} />;
 }

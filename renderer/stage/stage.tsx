@@ -3,7 +3,7 @@ import { useStore } from 'zustand';
 import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { useFeed } from '../shell/feed-context.ts';
-import { goToStart, stepFrames, togglePlay } from '../state/playing.ts';
+import { goToStart, isHeld, stepFrames, togglePlay } from '../state/playing.ts';
 import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, timeOf } from '../state/preview.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
@@ -97,25 +97,33 @@ function Notice() {
 
 function Transport() {
   const editor = useEditor();
-  const status = useStore(editor.preview, (preview) => preview.status);
-  const frame = useStore(editor.preview, frameOf);
-  const timeS = useStore(editor.preview, timeOf);
-  const paused = status?.state === 'paused';
+  const held = useStore(editor.preview, isHeld);
   return (
     <div className="transport" role="toolbar" aria-label="Transport">
-      <IconButton icon={paused ? 'play' : 'pause'} label={paused ? 'Play' : 'Pause'} onPress={() => togglePlay(editor)} />
+      <IconButton icon={held ? 'play' : 'pause'} label={held ? 'Play' : 'Pause'} onPress={() => togglePlay(editor)} />
       <IconButton icon="step" label="One frame on" onPress={() => stepFrames(editor, 1)} />
       <IconButton icon="reset" label="Back to the first frame" onPress={() => goToStart(editor)} />
-      <output className="transport-time" data-tip="Time in the session and number of the frame">
-        {status ? `${timeS.toFixed(2)} s` : '–'}
-        <span>{status ? frame : ''}</span>
-      </output>
+      <TransportTime />
       <span className="transport-gap" />
       <StageMenu />
       <RoomLight />
       <ViewsToggle />
       <SourcePicker />
     </div>
+  );
+}
+
+/** Drawn anew ten times a second, and nothing with it. */
+function TransportTime() {
+  const { preview } = useEditor();
+  const known = useStore(preview, ({ status }) => status !== null);
+  const frame = useStore(preview, frameOf);
+  const timeS = useStore(preview, timeOf);
+  return (
+    <output className="transport-time" data-tip="Time in the session and number of the frame">
+      {known ? `${timeS.toFixed(2)} s` : '–'}
+      <span>{known ? frame : ''}</span>
+    </output>
   );
 }
 

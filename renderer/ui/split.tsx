@@ -1,7 +1,7 @@
 import { type KeyboardEvent, type PointerEvent, type ReactNode, useRef } from 'react';
 import './split.css';
 
-interface SplitProps {
+export interface SplitProps {
   /** `columns`: side by side. `rows`: one above the other. */
   readonly direction: 'columns' | 'rows';
   readonly first: ReactNode;
