@@ -3,10 +3,11 @@ import type { Handle } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
 
-/**
+/*
  * Messages between the editor and its preview page, over one MessagePort that the editor hands to the preview's origin once it
  * has loaded. The preview has no host API: all it can do is play what it is sent.
  */
+
 /** What the preview page listens for on its window, from its parent and once per load; all else goes over the port sent with it. */
 export const CONNECT_MESSAGE = 'scrim-preview-connect';
 

@@ -1,7 +1,6 @@
 import { Panel } from '@xyflow/react';
-import { MAIN_GRAPH } from '../../export/graph/project.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { titleOfName } from '../state/library.ts';
+import { titleOfGraph } from '../state/find.ts';
 import { openOnTrail } from '../state/subgraphs.ts';
 import { Icon } from '../ui/icon.tsx';
 import './breadcrumb.css';
@@ -20,12 +19,12 @@ export function Breadcrumb() {
             // A subgraph never contains itself, so no name comes twice.
             <li key={name}>
               <button type="button" onClick={() => openOnTrail(editor, depth)}>
-                {name === MAIN_GRAPH ? 'Main graph' : titleOfName(name)}
+                {titleOfGraph(name)}
               </button>
               <Icon name="chevron" size={12} />
             </li>
           ))}
-          <li aria-current="page">{titleOfName(graph)}</li>
+          <li aria-current="page">{titleOfGraph(graph)}</li>
         </ol>
       </nav>
     </Panel>

@@ -1,6 +1,7 @@
 import type { GraphNode } from '../../export/graph/project.ts';
 import { type NodeDefinition, type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
+import { layerPortOf } from '../state/looks.ts';
 
 /**
  * How large a node is drawn and where its ports are, from data alone. React Flow is handed these numbers instead of measuring
@@ -106,9 +107,14 @@ export function nodeShape(
   }
   if (collapsed) return { width: NODE_WIDTH, height: HEADER_HEIGHT, ports, hiddenParams: 0, collapsed, picture: null };
   const rows = Math.max(row, 1);
-  const picture = pictured ? (outputs.find(([, { type }]) => type === 'layer')?.[0] ?? null) : null;
+  const picture = pictured ? layerPortOf(definition) : null;
   const height = HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT + (picture === null ? 0 : PICTURE_HEIGHT);
   return { width: NODE_WIDTH, height, ports, hiddenParams, picture };
+}
+
+/** The type that the node is about: what it gives, or what it takes where it gives nothing. */
+export function mainType({ inputs, outputs }: Pick<NodeDefinition, 'inputs' | 'outputs'>): WireType | undefined {
+  return (Object.values(outputs)[0] ?? Object.values(inputs)[0])?.type;
 }
 
 /** For a node whose type is not in the library: as many ports as its wires name, so that nothing of it is lost from sight. */

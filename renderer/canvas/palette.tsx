@@ -4,6 +4,7 @@ import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import './palette.css';
+import { mainType } from './node-shape.ts';
 import { categoryOf, type OpenEnd, type PaletteEntry, searchPalette } from './palette-search.ts';
 import { PortMark } from './port-mark.tsx';
 
@@ -173,9 +174,4 @@ function Ports({ title, ports }: { readonly title: string; readonly ports: Reado
       ))}
     </dl>
   );
-}
-
-/** The type that the node is about: what it gives, or what it takes where it gives nothing. */
-export function mainType(definition: NodeDefinition): WireType | undefined {
-  return (Object.values(definition.outputs)[0] ?? Object.values(definition.inputs)[0])?.type;
 }

@@ -4,7 +4,7 @@ import type { GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts'
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
+import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
 import { type CanvasWire, createWiresProjection, sameParts as same, type WiresInput } from './project-wires.ts';
 import { valueText } from './value-text.ts';
 
@@ -134,7 +134,7 @@ function canvasNode(
   }
   const data: NodeData = {
     title: definition?.title ?? node.type,
-    type: definition && (Object.values(definition.outputs)[0] ?? Object.values(definition.inputs)[0])?.type,
+    type: definition && mainType(definition),
     shape,
     values,
     muted: node.muted ?? false,

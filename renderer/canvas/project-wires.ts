@@ -1,8 +1,9 @@
 import type { Edge } from '@xyflow/react';
+import { inputOf } from '../../export/graph/library/faces.ts';
 import type { Graph, GraphLayout, Wire } from '../../export/graph/project.ts';
 import { type Stretch, stretchesOf } from '../../export/graph/routes.ts';
 import { printWire } from '../../export/graph/wires.ts';
-import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { itemId } from '../state/item-ids.ts';
 import { portWords } from '../state/plain-words.ts';
@@ -133,14 +134,8 @@ function wireLabel({ graph, library }: WiresInput, { from, to }: Wire): string {
 function portTypes({ graph, library }: WiresInput): (node: string, port: string, side: 'input' | 'output') => WireType | undefined {
   return (id, port, side) => {
     const definition = library.definition(graph.nodes[id]?.type ?? '');
-    if (side === 'output') return definition?.outputs[port]?.type;
-    const param = definition?.params[port];
-    return definition?.inputs[port]?.type ?? (param && paramType(param));
+    return side === 'output' ? definition?.outputs[port]?.type : definition && inputOf(definition, port)?.type;
   };
-}
-
-function paramType(param: NodeDefinition['params'][string]): WireType | undefined {
-  return param.type === 'choice' ? 'number' : param.type === 'asset' ? undefined : param.type;
 }
 
 function portKey({ node, port }: Wire['to']): string {

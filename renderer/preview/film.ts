@@ -23,7 +23,8 @@ export interface Film {
 /** As the preview and exported pages have it. */
 const SEED = 1;
 
-interface Set {
+/** What a film is made with. */
+interface FilmSet {
   readonly gl: WebGL2RenderingContext;
   readonly session: RecordedSession;
   readonly encoder: FilmEncoder | null;
@@ -31,7 +32,7 @@ interface Set {
 }
 
 export function createFilm(send: (message: FromPreview, transfer?: Transferable[]) => void): Film {
-  let set: Set | null = null;
+  let set: FilmSet | null = null;
   let problems: readonly Diagnostic[] = [];
   const fail = (error: unknown) => {
     const reason = error instanceof Error ? error.message : String(error);
@@ -72,21 +73,16 @@ export function createFilm(send: (message: FromPreview, transfer?: Transferable[
     set = { gl, session, encoder, drawn: startDrawing(player, session) };
     send({ kind: 'filmed', frame: null });
   };
-  const draw = async ({ gl, session, encoder, drawn }: Set, timeS: number, keep: boolean) => {
+  const draw = async ({ gl, session, encoder, drawn }: FilmSet, timeS: number, keep: boolean) => {
     if (!(await session.stepTo(timeS))) throw new Error('a picture of the recording is broken.');
     await drawn();
-    if (!keep || gl.isContextLost()) {
-      if (gl.isContextLost()) throw new Error('the graphics device was lost.');
-      return send({ kind: 'filmed', frame: null });
-    }
-    if (encoder) {
-      await encoder.add();
-      return send({ kind: 'filmed', frame: null });
-    }
+    if (gl.isContextLost()) throw new Error('the graphics device was lost.');
+    if (keep && encoder) await encoder.add();
+    if (!keep || encoder) return send({ kind: 'filmed', frame: null });
     const { pixels } = readScreen(gl);
     send({ kind: 'filmed', frame: pixels }, [pixels.buffer]);
   };
-  const end = async ({ encoder }: Set) => send({ kind: 'film-over', file: (await encoder?.finish()) ?? null });
+  const end = async ({ encoder }: FilmSet) => send({ kind: 'film-over', file: (await encoder?.finish()) ?? null });
   return {
     take: (message) => {
       switch (message.kind) {

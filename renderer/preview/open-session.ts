@@ -86,6 +86,7 @@ async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Pr
   try {
     await stream.start();
   } catch {
+    stream.stop();
     const message = 'The picture could not be read.';
     return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP.' }] });
   }

@@ -18,7 +18,7 @@ import { addRerouteToSelected, soleWire } from './reroutes.ts';
 import { soleNode } from './selection.ts';
 import { leaveSubgraph, makeIndependent, makeSubgraph, openSubgraph, selectedSubgraph, unpackSelected } from './subgraphs.ts';
 import { startTour } from './tour.ts';
-import { addToast, type BottomTab, revealNodes } from './ui.ts';
+import { addToast, type BottomTab, middleOfWindow, revealNodes } from './ui.ts';
 
 /** Something that a menu, a key or the window's own menu can ask for. */
 export interface AppCommand {
@@ -287,14 +287,9 @@ function openSwapPalette({ ui, selection }: Editor): void {
   if (node !== null) ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, swap: node } });
 }
 
-/** In the middle of the window, which is the middle of the canvas within a few pixels. */
 /** Canvas units: the middle of what is seen. */
 function middleOfCanvas({ canvas }: Editor): Place {
   return canvas.getState().middle();
-}
-
-function middleOfWindow() {
-  return { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
 }
 
 /** With one wire selected and nothing else, the new node goes into it. */

@@ -1,6 +1,6 @@
 import { subgraphName } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import type { GraphNode } from '../../export/graph/project.ts';
+import type { GraphNode, Project } from '../../export/graph/project.ts';
 import type { Handle, NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { GizmoMode } from '../preview-protocol.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
@@ -108,7 +108,7 @@ function makeGrip(state: DocumentState, node: string, { type }: GraphNode, defin
   for (const handle of all) {
     const name = paramOf(definition, handle);
     if (name === undefined) continue;
-    const inner = innermost(state, type, nodePath(state, node), name);
+    const inner = innermost(state.project, type, nodePath(state, node), name);
     if (Object.keys(names).length === 0) program = inner.program;
     if (inner.program !== program) continue;
     handles[handle] = inner.param;
@@ -118,16 +118,11 @@ function makeGrip(state: DocumentState, node: string, { type }: GraphNode, defin
 }
 
 /** Follows a param into the subgraphs that show it. */
-function innermost(
-  { project }: DocumentState,
-  type: string,
-  path: string,
-  name: string,
-): { readonly program: string; readonly param: string } {
+function innermost(project: Project, type: string, path: string, name: string): { readonly program: string; readonly param: string } {
   const subgraph = subgraphName(type);
   const graph = subgraph === null ? undefined : own(project.graphs, subgraph);
   const exposed = graph?.exposed.inputs.find((input) => input.name === name);
   const node = exposed && own(graph?.nodes ?? {}, exposed.node);
   if (!exposed || !node) return { program: path, param: name };
-  return innermost({ project } as DocumentState, node.type, `${path}/${exposed.node}`, exposed.port);
+  return innermost(project, node.type, `${path}/${exposed.node}`, exposed.port);
 }

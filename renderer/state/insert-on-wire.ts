@@ -3,6 +3,7 @@ import { moveNodes } from '../../export/graph/commands/layout.ts';
 import { addNode } from '../../export/graph/commands/nodes.ts';
 import { setRoutes } from '../../export/graph/commands/routes.ts';
 import { connect, disconnect, reorderWires } from '../../export/graph/commands/wires.ts';
+import { inputOf } from '../../export/graph/library/faces.ts';
 import { makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
 import type { PortAddress, Project, Wire } from '../../export/graph/project.ts';
@@ -31,11 +32,9 @@ export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
   const at = stretchCalled(state, stretch);
   const definitionAt = (node: string) => state.library.definition(nodeOf(state, node)?.type ?? '');
   const from = at && own(definitionAt(at.source.node)?.outputs ?? {}, at.source.port)?.type;
-  const to = (at?.wires ?? []).flatMap((wire): WireType[] => {
-    const definition = definitionAt(wire.to.node);
-    const param = definition && own(definition.params, wire.to.port);
-    const taken = param && param.type !== 'asset' ? (param.type === 'choice' ? 'number' : param.type) : undefined;
-    return [(definition && own(definition.inputs, wire.to.port)?.type) ?? taken ?? []].flat();
+  const to = (at?.wires ?? []).flatMap(({ to: { node, port } }): WireType | [] => {
+    const definition = definitionAt(node);
+    return (definition && inputOf(definition, port)?.type) ?? [];
   });
   return from === undefined || to.length === 0 || to.length < (at?.wires.length ?? 0) ? null : { from, to };
 }

@@ -1,6 +1,7 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { subgraphType } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
+import { MAIN_GRAPH } from '../../export/graph/project.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { PreviewProbe } from '../preview-protocol.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
@@ -103,16 +104,16 @@ export function nodePath(state: Pick<DocumentState, 'project' | 'graph' | 'trail
 
 /** The layer that the screen shows, in the main graph. */
 function screenLayer({ project }: DocumentState): string | null {
-  const main = graphOf({ project, graph: 'main' });
+  const main = graphOf({ project, graph: MAIN_GRAPH });
   const wire = main.wires.filter(({ to }) => main.nodes[to.node]?.type === 'output/screen').at(-1);
   return wire ? `${wire.from.node}.${wire.from.port}` : null;
 }
 
 /** All layers that a program has to keep for looking at them. */
-export function lookedAt({ look, pictures, document }: Pick<Editor, 'look' | 'pictures' | 'document'>): readonly string[] {
-  const { left, right, probing } = look.getState();
-  const besides = [left, right, probing ? (left ?? screenLayer(document.getState())) : null];
-  return [...new Set([...pictures.layers.wanted(), ...besides.flatMap((layer) => layer ?? [])])].sort();
+export function lookedAt(editor: Pick<Editor, 'look' | 'pictures' | 'document'>): readonly string[] {
+  const { left, right, probing } = editor.look.getState();
+  const besides = [left, right, probing ? probedLayer(editor) : null];
+  return [...new Set([...editor.pictures.layers.wanted(), ...besides.flatMap((layer) => layer ?? [])])].sort();
 }
 
 /** Where a probe finds depth. */
@@ -120,7 +121,7 @@ export function probedLayer({ look, document }: Pick<Editor, 'look' | 'document'
   return look.getState().left ?? screenLayer(document.getState());
 }
 
-/** As people call a layer: the node's title; that of the port only where a node gives several. */
+/** As people call a layer: by its node's title. */
 export function layerTitle(state: DocumentState, layer: string | null): string {
   if (layer === null) return 'Screen';
   const id = layer.slice(layer.lastIndexOf('/') + 1, layer.lastIndexOf('.'));

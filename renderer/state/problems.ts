@@ -25,7 +25,10 @@ export function problemKey({ code, nodeId, port, file, line, column, message }: 
 
 /** Whether a problem is a node's: it names the node, or only the file that the node's shader is in. */
 export function isAboutNode({ nodeId, file }: Diagnostic, state: OpenGraph, id: string): boolean {
-  if (nodeId !== undefined) return nodeHere(state, nodeId) === id;
+  return nodeId === undefined ? isAboutFileOf(state, id, file) : nodeHere(state, nodeId) === id;
+}
+
+function isAboutFileOf(state: OpenGraph, id: string, file: string | undefined): boolean {
   return file !== undefined && (shaderOf(state, id)?.name === file || vertexOf(state, id) === file);
 }
 
@@ -72,8 +75,7 @@ function nodeHere(state: OpenGraph, path: string): string | undefined {
 function nodeOfProblem(editor: Editor, { nodeId, file }: Diagnostic): string | null {
   const state = editor.document.getState();
   const named = nodeId === undefined ? undefined : nodeHere(state, nodeId);
-  if (named !== undefined || file === undefined) return named ?? null;
-  return Object.keys(graphOf(state).nodes).find((id) => shaderOf(state, id)?.name === file || vertexOf(state, id) === file) ?? null;
+  return named ?? Object.keys(graphOf(state).nodes).find((id) => isAboutFileOf(state, id, file)) ?? null;
 }
 
 /** The chunk or vertex shader that a problem is in, though it is told of the node whose shader needs it. */

@@ -8,6 +8,7 @@ import { addNodeFromPalette } from './edit-graph.ts';
 import { resetParam } from './edit-params.ts';
 import type { Editor } from './editor.ts';
 import { goToProblem } from './problems.ts';
+import { middleOfWindow } from './ui.ts';
 
 /** What can be done about a problem with one press; undo takes it back. */
 export interface QuickFix {
@@ -58,7 +59,7 @@ function openPaletteFor(editor: Editor, problem: Diagnostic): void {
   const { x, y } = own(state.project.layout[state.graph]?.nodes ?? {}, nodeId) ?? editor.canvas.getState().middle();
   editor.ui.setState({
     palette: {
-      at: { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 },
+      at: middleOfWindow(),
       place: { x: x - 60, y: y + 60 },
       end: { node: nodeId, port, side: 'input', type: input.type },
     },

@@ -28,6 +28,11 @@ export interface PaletteRequest {
   readonly swap?: string;
 }
 
+/** Client pixels: where a palette that was asked for by keys lies in the middle of the canvas, within a few pixels. */
+export function middleOfWindow(): PaletteRequest['at'] {
+  return { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
+}
+
 export type DialogRequest =
   | { readonly kind: 'open' }
   /** `template`: what is chosen already. */

@@ -7,7 +7,8 @@ export type MenuItem =
       readonly kind: 'action';
       readonly label: string;
       readonly keys?: string;
-      readonly disabled?: boolean /** One of several, of which one holds. */;
+      readonly disabled?: boolean;
+      /** One of several, of which one holds. */
       readonly checked?: boolean;
       readonly run: () => void;
     }

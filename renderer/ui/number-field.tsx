@@ -1,4 +1,4 @@
-import { type KeyboardEvent, type PointerEvent, useEffect, useRef, useState } from 'react';
+import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
 import './fields.css';
 
 /** How edits are told apart: those of one gesture become one undo step, which `end` closes. */
@@ -42,8 +42,6 @@ export function NumberField(props: NumberFieldProps) {
     }
     onEnd();
   };
-  // Another node's field takes this one's place while text is being typed: the text belongs to the old one.
-  useEffect(() => () => setTyped(null), []);
 
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>) => {
     if (event.key === 'Enter') {

@@ -24,6 +24,7 @@ const CLICK_PX = 4;
 /** A direction has no place: it is shown this far ahead. */
 const AHEAD_M = 1.5;
 
+/** Of what comes after the node; filled and read within one call. */
 const scratchMatrix = new Matrix4();
 
 interface Drag {
@@ -221,12 +222,14 @@ function isDirection({ handles }: PreviewGizmo): boolean {
   return handles.position === undefined && (handles.azimuth !== undefined || handles.elevation !== undefined);
 }
 
+// Filled and read within one call.
+const scratchView = new Matrix4();
 const scratchAhead = new Vector3();
 const scratchTurn = new Quaternion();
 const scratchScale = new Vector3();
 
 function ahead(worldFromView: Float32Array): Vector3 {
-  new Matrix4().fromArray(worldFromView).decompose(scratchAhead, scratchTurn, scratchScale);
+  scratchView.fromArray(worldFromView).decompose(scratchAhead, scratchTurn, scratchScale);
   return scratchAhead.add(scratchScale.set(0, 0, -AHEAD_M).applyQuaternion(scratchTurn));
 }
 
