@@ -20,7 +20,9 @@ const scratchTurn = new Matrix4();
 /** Where the copy stands, as it is to be moved from the place of the first: turned and sized about its own foot. */
 export function placeCopy(pattern: Pattern, index: number, arrangement: Arrangement, into: Matrix4): Matrix4 {
   const { count, stepM, radiusM, turnRad, sizeSpread, seed } = arrangement;
-  const [stepX = 0, stepY = 0, stepZ = 0] = [stepM[0], stepM[1], stepM[2]];
+  const stepX = stepM[0] ?? 0;
+  const stepY = stepM[1] ?? 0;
+  const stepZ = stepM[2] ?? 0;
   const size = 1 + sizeSpread * (2 * chance(seed, index, 0) - 1);
   switch (pattern) {
     case 'row':

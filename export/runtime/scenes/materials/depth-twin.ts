@@ -6,10 +6,9 @@ import {
   type MeshStandardMaterial,
   NoBlending,
   NormalBlending,
-  type Texture,
 } from 'three';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
-import type { Twin } from './twins.ts';
+import { setMap, type Twin } from './twins.ts';
 import { castsVeil } from './veil-twin.ts';
 
 /** Below this, a surface that is blended lets light through rather than stopping it. */
@@ -65,11 +64,4 @@ export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 's
 /** Whether a material covers what is behind it and writes no depth. What only adds light covers nothing. */
 export function blendsWithoutDepth({ transparent, depthWrite, blending }: Material): boolean {
   return transparent && !depthWrite && blending === NormalBlending;
-}
-
-function setMap(material: MeshDepthMaterial, name: 'map' | 'alphaMap' | 'displacementMap', texture: Texture | null | undefined): void {
-  const next = texture ?? null;
-  // With or without a map are two programs.
-  if ((material[name] === null) !== (next === null)) material.needsUpdate = true;
-  material[name] = next;
 }

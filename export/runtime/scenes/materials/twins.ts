@@ -1,4 +1,4 @@
-import type { Material } from 'three';
+import type { Material, MeshDepthMaterial, Texture } from 'three';
 
 /**
  * A material made for one scene from a master's: scenes differ in blending, occlusion and lights, and three compiles a material
@@ -9,6 +9,17 @@ export interface Twin {
   /** Takes over the master's values; allocates nothing unless the master's version changed. */
   sync(): void;
   dispose(): void;
+}
+
+export function setMap(
+  material: MeshDepthMaterial,
+  name: 'map' | 'alphaMap' | 'displacementMap',
+  texture: Texture | null | undefined,
+): void {
+  const next = texture ?? null;
+  // With or without a map are two programs.
+  if ((material[name] === null) !== (next === null)) material.needsUpdate = true;
+  material[name] = next;
 }
 
 /** Keeps twins over rebuilds of a scene, so that a moved wire recompiles nothing. */

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import { isTransmissive } from './layer-blending.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
-import type { Twin } from './twins.ts';
+import { setMap, type Twin } from './twins.ts';
 
 /** Of a master: how much of the light it stops where its alpha is 1, and whether its alpha counts beyond the alpha test. */
 interface Solid {
@@ -71,12 +71,9 @@ export function createVeilTwin(master: Material): Twin {
     material.alphaTest = from.alphaTest;
     material.displacementScale = from.displacementScale ?? 1;
     material.displacementBias = from.displacementBias ?? 0;
-    for (const name of ['map', 'alphaMap', 'displacementMap'] as const) {
-      const next = from[name] ?? null;
-      // With or without a map are two programs.
-      if ((material[name] === null) !== (next === null)) material.needsUpdate = true;
-      material[name] = next;
-    }
+    setMap(material, 'map', from.map);
+    setMap(material, 'alphaMap', from.alphaMap);
+    setMap(material, 'displacementMap', from.displacementMap);
   }
   sync();
   return { material, sync, dispose: () => material.dispose() };

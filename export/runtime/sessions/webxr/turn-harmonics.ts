@@ -9,7 +9,9 @@
 export function turnHarmonics(out: Float32Array, from: Float32Array, worldFromLight: Float32Array): void {
   for (let i = 0; i < 9; i++) scratchTurn[i] = worldFromLight[Math.floor(i / 3) + (i % 3) * 4] ?? 0;
   for (let channel = 0; channel < 3; channel++) {
-    const [x, y, z] = [at(from, 9 + channel), at(from, 3 + channel), at(from, 6 + channel)];
+    const x = at(from, 9 + channel);
+    const y = at(from, 3 + channel);
+    const z = at(from, 6 + channel);
     for (let row = 0; row < 3; row++) {
       const turned = at(scratchTurn, row * 3) * x + at(scratchTurn, row * 3 + 1) * y + at(scratchTurn, row * 3 + 2) * z;
       out[(VECTOR_AT[row] ?? 0) + channel] = turned;
@@ -41,7 +43,8 @@ function at(numbers: Float32Array | Float64Array, i: number): number {
 
 /** In units of the basis's factor on x² - y²: that on products is twice it, and they come twice; that on 3 z² - 1 is 1/√3 of it. */
 function setForm(out: Float64Array, from: Float32Array, channel: number): void {
-  const [third, difference] = [at(from, 18 + channel) / Math.sqrt(3), at(from, 24 + channel)];
+  const third = at(from, 18 + channel) / Math.sqrt(3);
+  const difference = at(from, 24 + channel);
   out[0] = difference - third;
   out[4] = -difference - third;
   out[8] = 2 * third;
@@ -55,14 +58,16 @@ function setForm(out: Float64Array, from: Float32Array, channel: number): void {
 
 function setTimes(out: Float64Array, a: Float64Array, b: Float64Array): void {
   for (let i = 0; i < 9; i++) {
-    const [row, column] = [i - (i % 3), i % 3];
+    const column = i % 3;
+    const row = i - column;
     out[i] = at(a, row) * at(b, column) + at(a, row + 1) * at(b, column + 3) + at(a, row + 2) * at(b, column + 6);
   }
 }
 
 function setTimesTransposed(out: Float64Array, a: Float64Array, b: Float64Array): void {
   for (let i = 0; i < 9; i++) {
-    const [row, other] = [i - (i % 3), (i % 3) * 3];
+    const row = i - (i % 3);
+    const other = (i % 3) * 3;
     out[i] = at(a, row) * at(b, other) + at(a, row + 1) * at(b, other + 1) + at(a, row + 2) * at(b, other + 2);
   }
 }
