@@ -1,3 +1,4 @@
+import { existsSync, readdirSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
@@ -6,16 +7,15 @@ import type { Held } from './held-frames.page.ts';
 
 const EXAMPLES = resolve(import.meta.dirname, '../../examples');
 const SESSION = 'examples/sessions/studio/';
+/** The gallery of all nodes ends in a few flat colours, which are still in any case. */
+const PROJECTS = readdirSync(EXAMPLES).filter((name) => name !== 'gallery' && existsSync(join(EXAMPLES, name, 'project.scrim.json')));
 const page = useModule('tests/slow/held-frames.page.ts', { mounts: { '/examples/': EXAMPLES } });
 
 /** Nothing of the picture moves, in no pixel and by no level. */
 const STILL = { pixels: 0, most: 0, changes: [], problems: [], error: 0 };
 
-test.each(['first-light', 'lit-as-the-room-is', 'near-in-colour-far-in-ink', 'sketchy-shadow'])(
-  'held at a moment, “%s” is drawn the same again and again',
-  async (name) => {
-    const held = await page.call<Held>('hold', await compileExample(join(EXAMPLES, name)), `examples/${name}/`, SESSION, 1.25, 12);
-    expect(held).toMatchObject(STILL);
-    expect(held.colours).toBeGreaterThan(1000);
-  },
-);
+test.each(PROJECTS)('held at a moment, “%s” is drawn the same again and again', async (name) => {
+  const held = await page.call<Held>('hold', await compileExample(join(EXAMPLES, name)), `examples/${name}/`, SESSION, 1.25, 12);
+  expect(held).toMatchObject(STILL);
+  expect(held.colours).toBeGreaterThan(200);
+});
