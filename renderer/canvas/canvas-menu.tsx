@@ -47,7 +47,7 @@ const ON_NODE = [
   'line',
   'edit.delete',
 ] as const;
-const ON_SUBGRAPH = ['graph.enter', 'graph.independent', 'graph.unpack', 'line', ...ON_NODE] as const;
+const ON_SUBGRAPH = ['graph.enter', 'graph.save', 'graph.independent', 'graph.unpack', 'line', ...ON_NODE] as const;
 const ON_WIRE_OR_ITEM = { wire: ['graph.reroute', 'graph.add', 'line', 'edit.delete'], item: ['edit.delete'] } as const;
 const ON_PANE = [
   'graph.add',

@@ -2,27 +2,32 @@ import { type DragEvent, useMemo, useState } from 'react';
 import { useEditor } from '../shell/editor-context.ts';
 import { addFiles } from '../state/add-files.ts';
 import type { Place } from '../state/canvas.ts';
+import { addFromLibrary, NODE_TYPE_DRAG } from '../state/subgraph-library.ts';
 
-/** Files dragged in from outside: models, pictures and shaders become nodes where they are let go. */
+/** Files dragged in from outside: models, pictures and shaders become nodes where they are let go; so do nodes of the library. */
 export function useFileDrop(toCanvas: (client: Place) => Place) {
   const editor = useEditor();
   const [over, setOver] = useState(false);
   const handlers = useMemo(
     () => ({
       onDragOver: (event: DragEvent) => {
-        if (!event.dataTransfer.types.includes('Files')) return;
+        const files = event.dataTransfer.types.includes('Files');
+        if (!files && !event.dataTransfer.types.includes(NODE_TYPE_DRAG)) return;
         event.preventDefault();
         event.dataTransfer.dropEffect = 'copy';
-        setOver(true);
+        setOver(files);
       },
       onDragLeave: (event: DragEvent) => {
         if (!(event.relatedTarget instanceof Node) || !event.currentTarget.contains(event.relatedTarget)) setOver(false);
       },
       onDrop: (event: DragEvent) => {
-        if (!event.dataTransfer.types.includes('Files')) return;
+        const type = event.dataTransfer.getData(NODE_TYPE_DRAG);
+        if (type === '' && !event.dataTransfer.types.includes('Files')) return;
         event.preventDefault();
         setOver(false);
-        void addFiles(editor, [...event.dataTransfer.files], toCanvas({ x: event.clientX, y: event.clientY }));
+        const place = toCanvas({ x: event.clientX, y: event.clientY });
+        if (type === '') void addFiles(editor, [...event.dataTransfer.files], place);
+        else addFromLibrary(editor, type, place);
       },
     }),
     [editor, toCanvas],

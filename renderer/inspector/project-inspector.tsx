@@ -3,6 +3,7 @@ import { setPage, setTitle } from '../../export/graph/commands/project-info.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { apply, endGesture } from '../state/apply.ts';
 import { graphOf } from '../state/document.ts';
+import { LibrarySection } from './library-section.tsx';
 
 /** The project itself: its name, what its page says, what is in it. */
 export function ProjectInspector() {
@@ -49,6 +50,7 @@ export function ProjectInspector() {
           />
         </div>
       </section>
+      <LibrarySection />
       <section className="inspector-section" aria-label="Hint">
         <p className="inspector-note">Select a node to change its values. Hold Shift to select several.</p>
       </section>

@@ -1,5 +1,5 @@
 import { useId, useState } from 'react';
-import { subgraphType } from '../../export/graph/names.ts';
+import { usersOfGraph } from '../../export/graph/commands/graphs.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { runCommand } from '../state/app-commands.ts';
 import { titleOfName } from '../state/library.ts';
@@ -42,13 +42,7 @@ export function SubgraphName({ name }: { readonly name: string }) {
 /** At a node that stands for a subgraph: its name, and what can be done with it. */
 export function SubgraphSection({ name }: { readonly name: string }) {
   const editor = useEditor();
-  const users = useDocument(({ project }) => {
-    const type = subgraphType(name);
-    return Object.values(project.graphs).reduce(
-      (sum, { nodes }) => sum + Object.values(nodes).filter((node) => node.type === type).length,
-      0,
-    );
-  });
+  const users = useDocument(({ project }) => usersOfGraph(project, name).length);
   return (
     <section className="inspector-section" aria-label="Subgraph">
       <SubgraphName key={name} name={name} />
@@ -56,6 +50,9 @@ export function SubgraphSection({ name }: { readonly name: string }) {
         <Button onPress={() => runCommand(editor, 'graph.enter')}>Open</Button>
         {users > 1 && <Button onPress={() => runCommand(editor, 'graph.independent')}>Make independent</Button>}
         <Button onPress={() => runCommand(editor, 'graph.unpack')}>Unpack</Button>
+        <Button onPress={() => runCommand(editor, 'graph.save')} tip="As a node of the project’s own, found by Tab">
+          Save to the library…
+        </Button>
       </div>
       {users > 1 && <p className="inspector-note">{users} nodes stand for it, and all follow what is changed in it.</p>}
     </section>

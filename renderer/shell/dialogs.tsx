@@ -7,6 +7,7 @@ import { CommandsDialog } from './commands-dialog.tsx';
 import { useEditor } from './editor-context.ts';
 import { FindDialog } from './find-dialog.tsx';
 import { FolderDialog } from './folder-dialog.tsx';
+import { LibraryNameDialog, LibraryRemoveDialog } from './library-dialogs.tsx';
 import { NewDialog } from './new-dialog.tsx';
 import { OpenDialog } from './open-dialog.tsx';
 import { RenderDialog } from './render-dialog.tsx';
@@ -37,6 +38,10 @@ export function Dialogs() {
       return <ChangedOutsideDialog onClose={close} />;
     case 'shadertoy':
       return <ShadertoyDialog onClose={close} />;
+    case 'library':
+      return <LibraryNameDialog name={dialog.name} rename={dialog.rename === true} onClose={close} />;
+    case 'library-remove':
+      return <LibraryRemoveDialog name={dialog.name} onClose={close} />;
     case 'commands':
       return <CommandsDialog onClose={close} />;
     case 'shortcuts':

@@ -106,6 +106,7 @@ const COMMANDS = {
     enabled: hasSubgraph,
     run: (editor) => void makeIndependent(editor),
   },
+  'graph.save': { label: 'Save to the library…', chords: [], enabled: hasSubgraph, run: askToSaveSubgraph },
   'graph.enter': {
     label: 'Open the subgraph',
     chords: ['I'],
@@ -285,6 +286,11 @@ export function runCommand(editor: Editor, id: AppCommandId): void {
 function openSwapPalette({ ui, selection }: Editor): void {
   const node = soleNode(selection.getState());
   if (node !== null) ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, swap: node } });
+}
+
+function askToSaveSubgraph(editor: Editor): void {
+  const name = selectedSubgraph(editor);
+  if (name !== null) editor.ui.setState({ dialog: { kind: 'library', name } });
 }
 
 /** Canvas units: the middle of what is seen. */

@@ -83,6 +83,9 @@ export function createLibraries(data: LibraryData): Libraries {
   };
 }
 
+/** What people look for who want what they made themselves. */
+const KEYWORDS = ['library', 'project', 'own', 'group'];
+
 /** Subgraphs as node types. They lower to nothing of their own: the compiler puts what is in them in their place. */
 function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): readonly NodeDefinition[] {
   const faceOf = createFaceLookup({ graphs }, library);
@@ -90,7 +93,7 @@ function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): r
     .filter((name) => name !== MAIN_GRAPH)
     .flatMap((name) => {
       const face = faceOf(subgraphType(name));
-      return face ? [{ ...face, ...wordsOf(name, face), lowering: { kind: 'behaviour' as const } }] : [];
+      return face ? [{ ...face, ...wordsOf(name, face), keywords: KEYWORDS, lowering: { kind: 'behaviour' as const } }] : [];
     });
 }
 

@@ -92,15 +92,19 @@ export function makeIndependent(editor: Editor): boolean {
   return apply(editor, 'Make the subgraph independent', change);
 }
 
-/** Names a subgraph as a person would write it: “Söft look” becomes `soft-look`. */
-export function renameSubgraph(editor: Editor, from: string, title: string): boolean {
+/** A subgraph's name as a person would write it: “Söft look” is `soft-look`. Empty where no letter begins it. */
+export function nameOfTitle(title: string): string {
   const words =
     title
       .normalize('NFKD')
       .replaceAll(/\p{M}/gu, '')
       .toLowerCase()
       .match(/[a-z0-9]+/g) ?? [];
-  const to = words.join('-').replace(/^[0-9-]+/, '');
+  return words.join('-').replace(/^[0-9-]+/, '');
+}
+
+export function renameSubgraph(editor: Editor, from: string, title: string): boolean {
+  const to = nameOfTitle(title);
   if (to === from) return true;
   if (to === '') {
     addToast(editor.ui, { tone: 'error', text: 'A subgraph needs a name that begins with a letter.' });

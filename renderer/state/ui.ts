@@ -45,6 +45,10 @@ export type DialogRequest =
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }
   | { readonly kind: 'shadertoy' }
+  /** A subgraph, to be called what it is found by; `rename` where it is in the library for long. */
+  | { readonly kind: 'library'; readonly name: string; readonly rename?: true }
+  /** A subgraph, to be taken out of the library; it is used. */
+  | { readonly kind: 'library-remove'; readonly name: string }
   | { readonly kind: 'commands' }
   | { readonly kind: 'shortcuts' }
   | { readonly kind: 'find' };

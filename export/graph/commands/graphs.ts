@@ -27,7 +27,7 @@ export function renameGraph(project: Project, { from, to }: { readonly from: str
   if (problem) return problem;
   const layout = own(project.layout, from);
   return change(project, (draft) => {
-    for (const [name, node] of usersOf(project, from)) {
+    for (const [name, node] of usersOfGraph(project, from)) {
       const user = draftGraph(draft, name).nodes[node];
       if (user) user.type = subgraphType(to);
     }
@@ -44,7 +44,7 @@ export function renameGraph(project: Project, { from, to }: { readonly from: str
 export function removeGraph(project: Project, { name }: { readonly name: string }): Change {
   graphOf(project, name);
   if (name === MAIN_GRAPH) return refuse(project, 'SCR020', 'The main graph cannot be removed.');
-  const [user] = usersOf(project, name);
+  const [user] = usersOfGraph(project, name);
   if (user) return refuse(project, 'SCR020', `The subgraph “${name}” is used by ${user[1]} in “${user[0]}”.`, { nodeId: user[1] });
   return change(project, (draft) => {
     delete draft.graphs[name];
@@ -106,7 +106,7 @@ function nameProblem(project: Project, name: string): Change | null {
 }
 
 /** Graph and id of every node that stands for the subgraph. */
-function usersOf(project: Project, name: string): [graph: string, node: string][] {
+export function usersOfGraph(project: Project, name: string): [graph: string, node: string][] {
   const type = subgraphType(name);
   return Object.entries(project.graphs).flatMap(([graph, { nodes }]) =>
     Object.entries(nodes).flatMap(([id, node]): [string, string][] => (node.type === type ? [[graph, id]] : [])),

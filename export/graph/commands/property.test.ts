@@ -244,7 +244,7 @@ function start(): Project {
 
 /** What commands are made of, and no commands themselves. */
 const PARTS = ['carry-rename.ts', 'change.ts', 'settle.ts'];
-const HELPERS = ['draftLayout', 'usesGraph', 'copyOfGraph', 'checkLayoutId', 'rounded'];
+const HELPERS = ['draftLayout', 'usesGraph', 'usersOfGraph', 'copyOfGraph', 'checkLayoutId', 'rounded'];
 
 test('every command there is takes part', async () => {
   const folder = import.meta.dirname;
