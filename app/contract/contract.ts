@@ -86,25 +86,27 @@ function isPosterJpeg(bytes: Uint8Array): boolean {
   return bytes.length <= MAX_POSTER_BYTES && bytes[0] === 0xff && bytes[1] === 0xd8 && bytes[2] === 0xff;
 }
 
-/** What the window's own menu can ask of the editor. */
-export const MENU_COMMANDS = [
-  'file.new',
-  'file.open',
-  'file.save',
-  'file.save-as',
-  'file.export',
-  'file.render',
-  'edit.undo',
-  'edit.redo',
-  'edit.delete',
-  'edit.select-all',
-  'view.find',
-  'view.fit',
-  'view.help',
-  'help.commands',
-  'help.shortcuts',
-  'help.tour',
-] as const;
+/** A command of the editor's, by which its menu asks for it. */
+const menuCommand = z.string().regex(/^[a-z]+\.[a-z-]+$/);
+
+/** What the editor's own menus offer, for the window's. */
+const platformMenu = z.object({
+  label: z.string().max(64),
+  entries: z
+    .array(
+      z.union([
+        z.literal('line'),
+        z.object({
+          command: menuCommand,
+          label: z.string().max(128),
+          /** As `renderer/key-chord.ts` writes them; null where there is none. */
+          chord: z.string().max(64).nullable(),
+          enabled: z.boolean(),
+        }),
+      ]),
+    )
+    .max(64),
+});
 
 export const HOST_CONTRACT = {
   'app.info': {
@@ -125,6 +127,8 @@ export const HOST_CONTRACT = {
   },
   /** Closes the window without asking again: the answer to `close-requested`. Does nothing where the shell has no window. */
   'app.close': { input: z.object({}), output: z.object({}) },
+  /** What the window's own menu has, from now on. Does nothing where the shell has no window. */
+  'menu.show': { input: z.object({ menus: z.array(platformMenu).max(16) }), output: z.object({}) },
   /** Asks the person for a folder; null when they cancel or the shell has no dialog. */
   'folder.pick': {
     input: z.object({ purpose: z.enum(['new', 'open', 'save-as', 'export', 'render']) }),
@@ -205,7 +209,7 @@ export const hostEvent = z.discriminatedUnion('kind', [
     revision: z.string(),
     shaders: z.array(z.object({ file: z.string(), before: z.string().nullable(), text: z.string().nullable() })),
   }),
-  z.object({ kind: z.literal('menu'), command: z.enum(MENU_COMMANDS) }),
+  z.object({ kind: z.literal('menu'), command: menuCommand }),
   /** The window wants to close: answer with `app.close`, or ask about unsaved work first. */
   z.object({ kind: z.literal('close-requested') }),
 ]);
@@ -221,4 +225,5 @@ export type ProjectFiles = z.infer<typeof projectFiles>;
 export type OpenProject = z.infer<typeof openProject>;
 export type SessionSource = z.infer<typeof sessionSource>;
 export type HostDiagnostic = z.infer<typeof diagnostic>;
-export type MenuCommand = (typeof MENU_COMMANDS)[number];
+export type PlatformMenu = z.infer<typeof platformMenu>;
+export type PlatformMenuEntry = PlatformMenu['entries'][number];

@@ -1,75 +1,64 @@
 import type { MenuItemConstructorOptions } from 'electron';
-import type { MenuCommand } from '../contract/contract.ts';
+import type { PlatformMenu, PlatformMenuEntry } from '../contract/contract.ts';
+import { acceleratorOf } from './accelerator.ts';
+
+export interface MenuOptions {
+  readonly platform: NodeJS.Platform;
+  readonly packaged: boolean;
+  readonly send: (command: string) => void;
+}
+
+/** What the system does by itself: into text fields as well, and to the editor as the page's own copy and paste events. */
+const ROLES: Readonly<Record<string, MenuItemConstructorOptions['role']>> = {
+  'edit.cut': 'cut',
+  'edit.copy': 'copy',
+  'edit.paste': 'paste',
+};
+
+const SEPARATOR: MenuItemConstructorOptions = { type: 'separator' };
 
 /**
- * The window's menu. Commands of the editor go to its page; their keys are only shown here, because the page handles them
- * itself, knowing whether a text field has the focus.
+ * The window's menu: the editor's own, with what windows have beside. Commands go to its page. Their keys are only shown here: the
+ * page handles them itself, knowing what has the focus, and nothing is done twice. macOS takes keys of menus in any case, after the
+ * page; so there, keys without Cmd, which type text, are not shown.
  */
-export function menuTemplate(
-  platform: NodeJS.Platform,
-  packaged: boolean,
-  send: (command: MenuCommand) => void,
-): MenuItemConstructorOptions[] {
-  const item = (label: string, accelerator: string | null, command: MenuCommand): MenuItemConstructorOptions => ({
-    label,
-    ...(accelerator !== null && { accelerator, registerAccelerator: false }),
-    click: () => send(command),
-  });
-  const separator: MenuItemConstructorOptions = { type: 'separator' };
+export function menuTemplate(menus: readonly PlatformMenu[], { platform, packaged, send }: MenuOptions): MenuItemConstructorOptions[] {
+  const itemOf = (entry: PlatformMenuEntry): MenuItemConstructorOptions => {
+    if (entry === 'line') return SEPARATOR;
+    const { command, label, chord, enabled } = entry;
+    const role = ROLES[command];
+    if (role) return { role, label };
+    const accelerator = chord === null ? null : acceleratorOf(chord, platform);
+    return {
+      id: command,
+      label,
+      enabled,
+      ...(accelerator !== null && { accelerator, registerAccelerator: false }),
+      click: () => send(command),
+    };
+  };
+  const more: Readonly<Record<string, readonly MenuItemConstructorOptions[]>> = {
+    File: [{ role: platform === 'darwin' ? 'close' : 'quit' }],
+    View: [
+      { role: 'zoomIn' },
+      { role: 'zoomOut' },
+      { role: 'resetZoom' },
+      SEPARATOR,
+      { role: 'togglefullscreen' },
+      ...(packaged ? [] : [SEPARATOR, { role: 'toggleDevTools' } as const]),
+    ],
+  };
+  const shown = menus.length > 0 ? menus : [{ label: 'File', entries: [] }];
   return [
     ...(platform === 'darwin' ? [{ role: 'appMenu' } as const] : []),
-    {
-      label: '&File',
-      submenu: [
-        item('New Project…', 'CmdOrCtrl+Alt+N', 'file.new'),
-        item('Open Project…', 'CmdOrCtrl+O', 'file.open'),
-        separator,
-        item('Save', 'CmdOrCtrl+S', 'file.save'),
-        item('Save As…', 'CmdOrCtrl+Shift+S', 'file.save-as'),
-        separator,
-        item('Export Page…', 'CmdOrCtrl+E', 'file.export'),
-        item('Render Frames…', 'CmdOrCtrl+Shift+E', 'file.render'),
-        separator,
-        { role: platform === 'darwin' ? 'close' : 'quit' },
-      ],
-    },
-    {
-      label: '&Edit',
-      submenu: [
-        item('Undo', 'CmdOrCtrl+Z', 'edit.undo'),
-        item('Redo', 'CmdOrCtrl+Shift+Z', 'edit.redo'),
-        separator,
-        { role: 'cut' },
-        { role: 'copy' },
-        { role: 'paste' },
-        item('Delete', 'Delete', 'edit.delete'),
-        item('Select All', 'CmdOrCtrl+A', 'edit.select-all'),
-      ],
-    },
-    {
-      label: '&View',
-      submenu: [
-        item('Show the Whole Graph', 'F', 'view.fit'),
-        item('Find in the Graph…', 'CmdOrCtrl+F', 'view.find'),
-        separator,
-        { role: 'zoomIn' },
-        { role: 'zoomOut' },
-        { role: 'resetZoom' },
-        separator,
-        { role: 'togglefullscreen' },
-        ...(packaged ? [] : [separator, { role: 'toggleDevTools' } as const]),
-      ],
-    },
-    { role: 'windowMenu' },
-    {
-      role: 'help',
-      submenu: [
-        item('Help for the Node', 'F1', 'view.help'),
-        item('All Commands…', 'CmdOrCtrl+K', 'help.commands'),
-        item('Keyboard Shortcuts…', '?', 'help.shortcuts'),
-        separator,
-        item('Take the Tour', null, 'help.tour'),
-      ],
-    },
+    ...shown.flatMap(({ label, entries }): MenuItemConstructorOptions[] => {
+      const items = [...entries.map(itemOf), ...(entries.length > 0 && more[label] ? [SEPARATOR] : []), ...(more[label] ?? [])];
+      return label === 'Help' ? [{ role: 'windowMenu' }, { role: 'help', submenu: items }] : [{ label: `&${label}`, submenu: items }];
+    }),
   ];
+}
+
+/** What a menu is built from; what can be done now is left out, which a built menu takes without being built anew. */
+export function shapeOfMenus(menus: readonly PlatformMenu[]): string {
+  return JSON.stringify(menus, (key, value) => (key === 'enabled' ? undefined : value));
 }

@@ -1,9 +1,10 @@
 import { type App, BrowserWindow, dialog, Menu, protocol, session } from 'electron';
+import type { PlatformMenu } from '../contract/contract.ts';
 import { createHost } from '../services/host.ts';
 import type { Installation } from '../services/installation.ts';
 import { type EditorWindow, openEditorWindow } from './editor-window.ts';
 import { guardContents, guardSession } from './guards.ts';
-import { menuTemplate } from './menu.ts';
+import { menuTemplate, shapeOfMenus } from './menu.ts';
 import { ORIGINS, registerScheme, serveScheme } from './scheme.ts';
 
 /** What `scrim open` adds to the command line. */
@@ -31,23 +32,43 @@ export function startApp(app: App, installation: Installation): void {
   void app.whenReady().then(() => {
     guardSession(session.defaultSession);
     let editor: EditorWindow | null = null;
+    const showMenus = menuShower(app, (command) => host.emit({ kind: 'menu', command }));
     const host = createHost({
       shell: {
         kind: 'electron',
         origins: ORIGINS,
         pickFolder: (purpose) => pickFolder(PICK_TITLES[purpose]),
         closeWindow: () => editor?.closeNow(),
+        showMenus,
       },
       installation,
       startPath,
       log: (message) => console.error(message),
     });
     serveScheme(protocol, host.content);
-    const template = menuTemplate(process.platform, app.isPackaged, (command) => host.emit({ kind: 'menu', command }));
-    Menu.setApplicationMenu(Menu.buildFromTemplate(template));
+    // What the editor's page offers follows when it is there.
+    showMenus([]);
     editor = openEditorWindow(host);
     app.on('quit', () => host.dispose());
   });
+}
+
+/** Builds the window's menu where it has become another one; else only says what can be chosen in it, so that an open one stays open. */
+function menuShower(app: App, send: (command: string) => void): (menus: readonly PlatformMenu[]) => void {
+  let shape: string | null = null;
+  return (menus) => {
+    const next = shapeOfMenus(menus);
+    if (next === shape) {
+      const menu = Menu.getApplicationMenu();
+      for (const entry of menus.flatMap(({ entries }) => entries)) {
+        const item = entry === 'line' ? null : menu?.getMenuItemById(entry.command);
+        if (item && entry !== 'line') item.enabled = entry.enabled;
+      }
+      return;
+    }
+    shape = next;
+    Menu.setApplicationMenu(Menu.buildFromTemplate(menuTemplate(menus, { platform: process.platform, packaged: app.isPackaged, send })));
+  };
 }
 
 /** `--open=PATH`; a packaged app also takes the plain path that desktops call it with. */

@@ -43,7 +43,7 @@ export async function startServer(options: ServerOptions): Promise<EditorServer>
   const preview = await listen(0);
   const origins = { editor: originOf(editor.server), preview: originOf(preview.server) };
   const host = createHost({
-    shell: { kind: 'server', origins, pickFolder: null, closeWindow: () => {} },
+    shell: { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, showMenus: null },
     installation: options.installation,
     startPath: options.startPath,
     log: options.log,

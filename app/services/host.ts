@@ -1,5 +1,5 @@
 import { join } from 'node:path';
-import type { HostEvent, HostInput } from '../contract/contract.ts';
+import type { HostEvent, HostInput, PlatformMenu } from '../contract/contract.ts';
 import type { Answer } from '../contract/host-error.ts';
 import { POSTER_SIZE } from '../contract/poster-size.ts';
 import { type Content, createContent } from './content.ts';
@@ -25,6 +25,8 @@ export interface Shell {
   /** Asks the person for a folder; null where the shell has no dialog. */
   readonly pickFolder: ((purpose: HostInput<'folder.pick'>['purpose']) => Promise<string | null>) | null;
   readonly closeWindow: () => void;
+  /** Null where the shell has no menu of its own. */
+  readonly showMenus: ((menus: readonly PlatformMenu[]) => void) | null;
 }
 
 export interface HostOptions {
@@ -79,6 +81,10 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
     }),
     'app.close': async () => {
       shell.closeWindow();
+      return {};
+    },
+    'menu.show': async ({ menus }) => {
+      shell.showMenus?.(menus);
       return {};
     },
     'folder.pick': async ({ purpose }) => ({ path: shell.pickFolder ? await shell.pickFolder(purpose) : null }),

@@ -3,6 +3,7 @@ import { useStore } from 'zustand';
 import { type AppCommandId, runCommand } from '../state/app-commands.ts';
 import { isDirty } from '../state/document.ts';
 import { cancelExport } from '../state/export-page.ts';
+import { MENUS } from '../state/menus.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
 import { commandItem } from './command-item.ts';
@@ -10,110 +11,6 @@ import { useDocument, useEditor } from './editor-context.ts';
 import { Logo } from './logo.tsx';
 import './top-bar.css';
 import { useKeys } from './use-keys.ts';
-
-const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
-  {
-    label: 'File',
-    entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'graph.import-shadertoy', 'file.export', 'file.render'],
-  },
-  {
-    label: 'Edit',
-    entries: [
-      'edit.undo',
-      'edit.redo',
-      'line',
-      'edit.cut',
-      'edit.copy',
-      'edit.paste',
-      'edit.duplicate',
-      'edit.duplicate-wired',
-      'edit.delete',
-      'line',
-      'edit.select-all',
-      'edit.mute',
-    ],
-  },
-  {
-    label: 'Graph',
-    entries: [
-      'graph.add',
-      'graph.swap',
-      'graph.collapse',
-      'graph.frame',
-      'graph.note',
-      'graph.reroute',
-      'line',
-      'graph.subgraph',
-      'graph.enter',
-      'graph.leave',
-      'graph.independent',
-      'graph.unpack',
-    ],
-  },
-  {
-    label: 'Arrange',
-    entries: [
-      'arrange.tidy',
-      'line',
-      'arrange.left',
-      'arrange.centre',
-      'arrange.right',
-      'line',
-      'arrange.top',
-      'arrange.middle',
-      'arrange.bottom',
-      'line',
-      'arrange.across',
-      'arrange.down',
-    ],
-  },
-  {
-    label: 'View',
-    entries: [
-      'view.find',
-      'view.fit',
-      'view.fit-selection',
-      'line',
-      'view.thumbnails',
-      'view.costs',
-      'view.pin',
-      'view.compare',
-      'view.screen',
-      'view.probe',
-      'line',
-      'gizmo.move',
-      'gizmo.rotate',
-      'gizmo.scale',
-      'gizmo.space',
-      'gizmo.snap',
-      'line',
-      'view.code',
-      'view.timeline',
-      'view.problems',
-      'line',
-      'view.theme',
-      'view.motion',
-    ],
-  },
-  {
-    label: 'Playback',
-    entries: [
-      'play.toggle',
-      'play.next',
-      'play.back',
-      'play.first',
-      'play.last',
-      'line',
-      'play.in',
-      'play.out',
-      'play.to-in',
-      'play.to-out',
-      'play.whole',
-      'play.loop',
-    ],
-  },
-  { label: 'Help', entries: ['view.help', 'help.commands', 'help.shortcuts', 'line', 'help.tour'] },
-];
 
 export function TopBar() {
   return (

@@ -1,5 +1,5 @@
 import { debounce } from '../clock.ts';
-import { type AppCommandId, runCommand } from './app-commands.ts';
+import { type AppCommandId, appCommandIds, runCommand } from './app-commands.ts';
 import { isDirty } from './document.ts';
 import { finishTyping } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
@@ -10,11 +10,11 @@ import { followShaders } from './outside.ts';
 /** Unsaved work is on disk at most this long after it was done. */
 const AUTOSAVE_MS = 2000;
 
-/** Asks the host what it is and opens what it was started with. Returns the preview's address. */
-export async function start(editor: Editor): Promise<string> {
+/** Asks the host what it is. Returns the preview's address, and whether the window has a menu of its own. */
+export async function start(editor: Editor): Promise<{ readonly previewUrl: string; readonly hasMenu: boolean }> {
   const info = await editor.host.call('app.info', {});
   editor.document.setState({ canPickFolders: info.canPickFolders, examples: info.examples, templates: info.templates });
-  return info.previewUrl;
+  return { previewUrl: info.previewUrl, hasMenu: info.shell === 'electron' };
 }
 
 export async function openFirst(editor: Editor): Promise<void> {
@@ -46,11 +46,11 @@ export function autosave(editor: Editor): () => void {
 }
 
 /** What the host says unasked: its menu, changes on disk, the window's close button. */
-export function followHost(editor: Editor): () => void {
+export function followHost(editor: Editor, runFromMenu: (id: AppCommandId) => void = (id) => runCommand(editor, id)): () => void {
   return editor.host.subscribe((event) => {
     switch (event.kind) {
       case 'menu':
-        runCommand(editor, event.command satisfies AppCommandId);
+        for (const id of appCommandIds()) if (id === event.command) runFromMenu(id);
         return;
       case 'project-changed-outside':
         if (event.handle === editor.document.getState().open?.handle) void followFolder(editor);

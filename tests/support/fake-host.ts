@@ -53,6 +53,7 @@ export function createFakeHost(
       canPickFolders: false,
     }),
     'app.close': () => ({}),
+    'menu.show': () => ({}),
     'folder.pick': () => ({ path: null }),
     'project.open': ({ path }) => open(path),
     'project.create': ({ path }) => open(path),

@@ -12,7 +12,7 @@ const hosts: HostService[] = [];
 /** What another process has: nothing is shared with the first but the folder. */
 export function startHost(files: FileLayer = NODE_FILES): HostService {
   const origins = { editor: 'http://127.0.0.1:1', preview: 'http://127.0.0.1:2' };
-  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {} } as const;
+  const shell = { kind: 'server', origins, pickFolder: null, closeWindow: () => {}, showMenus: null } as const;
   const log = (text: string) => process.stderr.write(`${text}\n`);
   const host = createHost({ shell, installation: installationAt(ROOT, '0'), startPath: null, files, log });
   hosts.push(host);
