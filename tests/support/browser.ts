@@ -138,7 +138,8 @@ async function bundleForPage(entry: string): Promise<string> {
     globalName: 'testModule',
     target: 'chrome108',
     define: { 'import.meta.url': 'document.baseURI' },
-    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    // Pages that need the styles of what they show bring them along.
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text', '.css': 'empty' },
     sourcemap: 'inline',
     logLevel: 'silent',
   });
