@@ -1,13 +1,12 @@
 import { useMemo } from 'react';
-import { canConnect } from '../../export/graph/connect.ts';
 import type { PortAddress, Wire } from '../../export/graph/project.ts';
 import type { InputPort, NodeDefinition } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { type DocumentState, graphOf, titleOf } from '../state/document.ts';
+import { useDocumentWhile, useEditor } from '../shell/editor-context.ts';
 import { connect, reorderWires } from '../state/edit-graph.ts';
 import { IconButton } from '../ui/button.tsx';
 import { SourceLink } from './source-link.tsx';
+import { sameForWires, sourcesFor } from './wire-sources.ts';
 
 interface InputsSectionProps {
   readonly node: string;
@@ -87,11 +86,8 @@ interface SourcePickerProps {
 /** All outputs that the port would take. */
 function SourcePicker({ node, name, port, empty }: SourcePickerProps) {
   const editor = useEditor();
-  const project = useDocument((state) => state.project);
-  const options = useMemo(
-    () => sourcesFor({ ...editor.document.getState(), project }, { node, port: name }),
-    [editor, project, node, name],
-  );
+  const state = useDocumentWhile(sameForWires);
+  const options = useMemo(() => sourcesFor(state, { node, port: name }), [state, node, name]);
   const none = port.required ? 'Nothing wired (needed)' : 'Nothing wired';
   return (
     <select
@@ -110,15 +106,5 @@ function SourcePicker({ node, name, port, empty }: SourcePickerProps) {
         </option>
       ))}
     </select>
-  );
-}
-
-function sourcesFor(state: DocumentState, to: PortAddress): { readonly from: PortAddress; readonly label: string }[] {
-  return Object.entries(graphOf(state).nodes).flatMap(([id, { type }]) =>
-    Object.entries(state.library.definition(type)?.outputs ?? {}).flatMap(([port, output]) => {
-      const from = { node: id, port };
-      const fits = canConnect(state.project, state.library, state.graph, from, to).ok;
-      return fits ? [{ from, label: `${titleOf(state, id)} · ${output.label}` }] : [];
-    }),
   );
 }

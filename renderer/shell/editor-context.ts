@@ -1,4 +1,4 @@
-import { createContext, useContext } from 'react';
+import { createContext, useContext, useRef } from 'react';
 import { useStore } from 'zustand';
 import type { DocumentState } from '../state/document.ts';
 import type { Editor } from '../state/editor.ts';
@@ -17,4 +17,13 @@ export function useEditor(): Editor {
 /** A part of the document; the component is drawn anew when that part changes, and only then. */
 export function useDocument<T>(select: (state: DocumentState) => T): T {
   return useStore(useEditor().document, select);
+}
+
+/** The document as it was when `isSame` last found it another: for what takes long to work out of it. */
+export function useDocumentWhile(isSame: (a: DocumentState, b: DocumentState) => boolean): DocumentState {
+  const kept = useRef<DocumentState | null>(null);
+  return useDocument((state) => {
+    if (kept.current === null || !isSame(kept.current, state)) kept.current = state;
+    return kept.current;
+  });
 }
