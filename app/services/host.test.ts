@@ -49,6 +49,13 @@ describe('what a page may not ask of the host', () => {
     }
   });
 
+  test('a project that cannot be opened to the end, which nobody shows then', async () => {
+    const window = openWindow(startHost(), 'a');
+    await mkdir(join(project, 'assets', 'a:b'), { recursive: true });
+    await expect(window.call('project.open', { path: project })).rejects.toMatchObject({ diagnostic: { code: 'SCR031' } });
+    expect((await readdir(join(project, '.scrim'))).filter((name) => name.startsWith('window-'))).toEqual([]);
+  });
+
   test('a template that is none, or leads elsewhere', async () => {
     const window = openWindow(startHost(), 'a');
     for (const template of ['none', '../first-light', '/etc', '.']) {

@@ -99,11 +99,17 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
       takeSignAway(root, handle);
     };
     entries.set(handle, { root, baseUrl, client, files: projectFiles, known: revision, close: release });
-    await leaveSign(root, handle, files);
-    const recovery = await takeOverUnsaved(root, handle, projectFiles, isMinded, files);
-    const assetFiles = await listAssets(root);
-    const openElsewhere = isShownBeside(root, client) || (await isShownByOthers(root));
-    return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
+    try {
+      await leaveSign(root, handle, files);
+      const recovery = await takeOverUnsaved(root, handle, projectFiles, isMinded, files);
+      const assetFiles = await listAssets(root);
+      const openElsewhere = isShownBeside(root, client) || (await isShownByOthers(root));
+      return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
+    } catch (error) {
+      // Nobody hears of the handle, so nobody would close it.
+      close(handle);
+      throw error;
+    }
   };
 
   const makeRoom = () => {
