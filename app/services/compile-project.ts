@@ -4,7 +4,7 @@ import { loadProject } from '../../export/graph/load.ts';
 import type { Project } from '../../export/graph/project.ts';
 import type { Program } from '../../export/program/program.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
-import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import { libraryOf, type NodeLibrary } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { checkAssets } from './check-assets.ts';
@@ -40,11 +40,5 @@ export async function compileProject(
   return { project, program: hasErrors(diagnostics) ? null : compiled.output, diagnostics };
 }
 
-const byType = new Map(DEFINITIONS.map((definition) => [definition.type, definition]));
-
 /** The node types of this Scrim; a project's own shaders are put before them by the compiler. */
-export const LIBRARY: NodeLibrary = {
-  definition: (type) => byType.get(type),
-  shader: (name) => (Object.hasOwn(SHADERS, name) ? SHADERS[name] : undefined),
-  types: () => byType.keys(),
-};
+export const LIBRARY: NodeLibrary = libraryOf(DEFINITIONS, SHADERS);

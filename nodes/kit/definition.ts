@@ -234,6 +234,16 @@ export interface NodeLibrary {
   types(): Iterable<string>;
 }
 
+/** A library of what `nodes/generated` lists, or of a part of that. */
+export function libraryOf(definitions: readonly NodeDefinition[], shaders: Readonly<Record<string, string>>): NodeLibrary {
+  const byType = new Map(definitions.map((definition) => [definition.type, definition]));
+  return {
+    definition: (type) => byType.get(type),
+    shader: (name) => (Object.hasOwn(shaders, name) ? shaders[name] : undefined),
+    types: () => byType.keys(),
+  };
+}
+
 /** Keeps the literal types, so that a runtime can be typed from its definition; adds nothing. */
 export function defineNode<const D extends NodeDefinition>(definition: D): D {
   return definition;

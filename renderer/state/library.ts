@@ -3,21 +3,12 @@ import { createFaceLookup, type NodeFace } from '../../export/graph/library/face
 import { type ProjectLibrary, projectLibrary, type ReadShader, rememberShaders } from '../../export/graph/library/project-library.ts';
 import { subgraphType } from '../../export/graph/names.ts';
 import { MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
-import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
+import { libraryOf, type NodeDefinition, type NodeLibrary } from '../../nodes/kit/definition.ts';
 
 /** Node types and shader texts as `nodes/generated` has them. */
 export interface LibraryData {
   readonly definitions: readonly NodeDefinition[];
   readonly shaders: Readonly<Record<string, string>>;
-}
-
-export function baseLibrary({ definitions, shaders }: LibraryData): NodeLibrary {
-  const byType = new Map(definitions.map((definition) => [definition.type, definition]));
-  return {
-    definition: (type) => byType.get(type),
-    shader: (name) => (Object.hasOwn(shaders, name) ? shaders[name] : undefined),
-    types: () => byType.keys(),
-  };
 }
 
 /** The node type that a shader file is, or what is wrong with its header. */
@@ -49,7 +40,7 @@ interface Whole {
 }
 
 export function createLibraries(data: LibraryData): Libraries {
-  const base = baseLibrary(data);
+  const base = libraryOf(data.definitions, data.shaders);
   const remembered = rememberShaders(readShader);
   const lastGood = new Map<string, NodeDefinition>();
   let last: { readonly sources: Project['sources']; readonly library: ProjectLibrary } | null = null;

@@ -6,9 +6,8 @@ import { loadProject } from '../../export/graph/load.ts';
 import { newProject } from '../../export/graph/new-project.ts';
 import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
-import type { NodeDefinition } from '../../nodes/kit/definition.ts';
+import { libraryOf, type NodeDefinition } from '../../nodes/kit/definition.ts';
 import { LIBRARY } from '../support/library.ts';
-import { libraryOf } from '../support/test-library.ts';
 import { type ArchivedProject, readArchive, stepsNeverTaken } from './archive.ts';
 
 const archive = await readArchive();
@@ -63,8 +62,8 @@ describe('every migration has been taken by an archived project', () => {
       exposed: { inputs: [], outputs: [] },
     };
     const empty = newProject('');
-    expect(stepsNeverTaken(libraryOf([definition]), [empty])).toEqual(['value/number 1-2', 'value/number 2-3']);
+    expect(stepsNeverTaken(libraryOf([definition], {}), [empty])).toEqual(['value/number 1-2', 'value/number 2-3']);
     const second = { ...definition, version: 2 };
-    expect(stepsNeverTaken(libraryOf([second]), [{ ...empty, graphs: { main } }])).toEqual([]);
+    expect(stepsNeverTaken(libraryOf([second], {}), [{ ...empty, graphs: { main } }])).toEqual([]);
   });
 });

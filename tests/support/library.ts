@@ -1,11 +1,5 @@
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
-import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
-
-const byType = new Map<string, NodeDefinition>(DEFINITIONS.map((definition) => [definition.type, definition]));
+import { libraryOf, type NodeLibrary } from '../../nodes/kit/definition.ts';
 
 /** The library that ships, without any project's own shaders. */
-export const LIBRARY: NodeLibrary = {
-  definition: (type) => byType.get(type),
-  shader: (name) => (Object.hasOwn(SHADERS, name) ? SHADERS[name] : undefined),
-  types: () => byType.keys(),
-};
+export const LIBRARY: NodeLibrary = libraryOf(DEFINITIONS, SHADERS);

@@ -1,6 +1,6 @@
 import { readDefinition } from '../../export/glsl/read-definition.ts';
 import type { ReadShader } from '../../export/graph/library/project-library.ts';
-import { defineNode, type NodeDefinition, type NodeLibrary } from '../../nodes/kit/definition.ts';
+import { defineNode, libraryOf, type NodeDefinition, type NodeLibrary } from '../../nodes/kit/definition.ts';
 import { TEST_VALUES } from './test-values.ts';
 
 /**
@@ -298,14 +298,4 @@ function libraryDefinitions(): NodeDefinition[] {
   });
 }
 
-/** A library of these definitions, and of the shaders given. */
-export function libraryOf(definitions: readonly NodeDefinition[], shaders: Readonly<Record<string, string>> = TEST_SHADERS): NodeLibrary {
-  const byType = new Map(definitions.map((definition) => [definition.type, definition]));
-  return {
-    definition: (type) => byType.get(type),
-    shader: (name) => (Object.hasOwn(shaders, name) ? shaders[name] : undefined),
-    types: () => byType.keys(),
-  };
-}
-
-export const TEST_LIBRARY: NodeLibrary = libraryOf([...NODES, ...libraryDefinitions()]);
+export const TEST_LIBRARY: NodeLibrary = libraryOf([...NODES, ...libraryDefinitions()], TEST_SHADERS);

@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import type { Project } from '../../export/graph/project.ts';
 import { validateProject } from '../../export/graph/validate/validate.ts';
 import { printWire } from '../../export/graph/wires.ts';
-import type { InputPort, NodeDefinition, NodeLibrary, OutputPort } from '../../nodes/kit/definition.ts';
+import { type InputPort, libraryOf, type NodeDefinition, type OutputPort } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
 import { surround } from './surround.ts';
 
@@ -48,15 +48,7 @@ const NODES = [
   node('output/screen', { layer: input('layer') }, {}, { lowering: { kind: 'present' } }),
 ];
 
-function libraryOf(definitions: readonly NodeDefinition[]): NodeLibrary {
-  return {
-    definition: (type) => definitions.find((definition) => definition.type === type),
-    shader: () => undefined,
-    types: () => definitions.map((definition) => definition.type),
-  };
-}
-
-const LIBRARY = libraryOf(NODES);
+const LIBRARY = libraryOf(NODES, {});
 
 function wires(project: Project): string[] {
   return project.graphs.main?.wires.map(printWire) ?? [];
@@ -84,7 +76,10 @@ describe('the smallest project around a node', () => {
   });
 
   test('without a way to the screen the node stands alone', () => {
-    const alone = libraryOf(NODES.filter(({ type }) => type === 'objects/box'));
+    const alone = libraryOf(
+      NODES.filter(({ type }) => type === 'objects/box'),
+      {},
+    );
     expect(surround(alone, 'objects/box', 'Try').graphs.main).toMatchObject({ nodes: { 'box-x1': { type: 'objects/box' } }, wires: [] });
   });
 });

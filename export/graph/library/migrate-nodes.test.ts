@@ -1,6 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { defineNode, type NodeDefinition } from '../../../nodes/kit/definition.ts';
-import { libraryOf } from '../../../tests/support/test-library.ts';
+import { defineNode, libraryOf, type NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { newProject } from '../new-project.ts';
 import type { Binding, Project } from '../project.ts';
 import { migrateNodes } from './migrate-nodes.ts';
@@ -32,7 +31,7 @@ function projectWith(version: number, params: Record<string, Binding>): Project 
   return { ...newProject(''), graphs: { main, other: { ...main, nodes: {} } } };
 }
 
-const library = libraryOf([BOX]);
+const library = libraryOf([BOX], {});
 const boxOf = (project: Project) => project.graphs.main?.nodes['box-aaaa'];
 
 describe('migrateNodes', () => {
@@ -62,7 +61,7 @@ describe('migrateNodes', () => {
   test('newer versions and unknown types are left alone', () => {
     const newer = projectWith(4, { side: { value: 1 } });
     expect(migrateNodes(newer, library)).toEqual({ project: newer, diagnostics: [] });
-    expect(migrateNodes(projectWith(1, {}), libraryOf([])).diagnostics).toEqual([]);
+    expect(migrateNodes(projectWith(1, {}), libraryOf([], {})).diagnostics).toEqual([]);
   });
 
   test('params that a step cannot read are kept and told', () => {
@@ -94,7 +93,7 @@ describe('params that a shader file renamed', () => {
     const inputs = [{ name: 'thickness', ...to }];
     return { ...newProject(''), graphs: { main: { nodes, wires, exposed: { inputs, outputs: [] } } } };
   };
-  const migrated = (project: Project) => migrateNodes(project, libraryOf([LINES]));
+  const migrated = (project: Project) => migrateNodes(project, libraryOf([LINES], {}));
 
   test.each<[string, Binding, Binding]>([
     ['a value', { value: 0.004 }, { value: 3 }],
