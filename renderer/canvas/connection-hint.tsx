@@ -1,28 +1,38 @@
 import { useConnection, useStore as useFlowStore } from '@xyflow/react';
 import { createPortal } from 'react-dom';
 import { useEditor } from '../shell/editor-context.ts';
+import { portOver } from '../state/drop-on-node.ts';
 import { refusalOver } from '../state/join-ends.ts';
+import { nodeAt } from './node-at.ts';
 
 const OFFSET_PX = 16;
 
-/** While a wire hangs over a port that cannot take it: why not, beside the pointer. */
+/** Beside the pointer while a wire hangs over a port that cannot take it: why not; over a node: which of its ports would. */
 export function ConnectionHint() {
   const editor = useEditor();
   const connection = useConnection();
   const pane = useFlowStore((state) => state.domNode);
-  if (!connection.inProgress || connection.isValid !== false || !connection.toHandle || !pane) return null;
   const { inHand } = editor.canvas.getState();
-  const reason = inHand && refusalOver(editor, inHand, connection.toHandle);
-  if (!reason) return null;
+  if (!connection.inProgress || !inHand || !pane) return null;
   const box = pane.getBoundingClientRect();
+  const at = { x: box.left + connection.pointer.x, y: box.top + connection.pointer.y };
+  const hint = hintAt();
+  if (!hint) return null;
   return createPortal(
-    <div
-      className="connection-hint"
-      role="status"
-      style={{ left: box.left + connection.pointer.x + OFFSET_PX, top: box.top + connection.pointer.y + OFFSET_PX }}
-    >
-      {reason.message}
+    <div className="connection-hint" data-refused={hint.refused} role="status" style={{ left: at.x + OFFSET_PX, top: at.y + OFFSET_PX }}>
+      {hint.text}
     </div>,
     document.body,
   );
+
+  function hintAt() {
+    if (!inHand) return null;
+    if (connection.toHandle) {
+      const reason = connection.isValid === false && refusalOver(editor, inHand, connection.toHandle);
+      return reason ? { text: reason.message, refused: true } : null;
+    }
+    const node = nodeAt(at);
+    const port = node === null ? null : portOver(editor, inHand, node);
+    return port && { text: inHand.side === 'output' ? `To ${port.label}` : `From ${port.label}`, refused: false };
+  }
 }

@@ -13,6 +13,7 @@ import { printWire } from '../../export/graph/wires.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '../state/canvas.ts';
 import { layoutOf, nodeOf } from '../state/document.ts';
+import { dropOnNode } from '../state/drop-on-node.ts';
 import { removeWires } from '../state/edit-graph.ts';
 import type { Editor } from '../state/editor.ts';
 import { dropOnWire, layOver } from '../state/insert-on-wire.ts';
@@ -22,9 +23,11 @@ import { boxOfItem, contentOf, moveAll } from '../state/layout-items.ts';
 import { addReroute, stretchCalled, wiresOfStretch } from '../state/reroutes.ts';
 import { changeSelection, type SelectionChange } from '../state/selection.ts';
 import { openSubgraph } from '../state/subgraphs.ts';
+import { nodeAt } from './node-at.ts';
 import { HEADER_HEIGHT, NODE_WIDTH } from './node-shape.ts';
 import type { CanvasWire } from './project-wires.ts';
 import type { AnyNode } from './use-canvas-view.ts';
+import { useGiveUp } from './use-give-up.ts';
 import { wireBehind } from './wire-behind.ts';
 
 export type ToCanvas = (client: Place, options?: { readonly snapToGrid: boolean }) => Place;
@@ -35,8 +38,10 @@ export const WHERE_IT_IS = { snapToGrid: false };
 /** What pointer and keys on the canvas do: selection, wires, places. */
 export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Place) {
   const editor = useEditor();
+  const givingUp = useGiveUp();
   const onNodesChange = useCallback(
     (changes: NodeChange<AnyNode>[]) => {
+      if (givingUp.current) return;
       changeSelection(editor.selection, nodeChanges(changes));
       const moved = changes.filter((change) => change.type === 'position');
       const places: Record<string, Place> = {};
@@ -56,7 +61,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       if (only && place && wireUnder !== null) dropOnWire(editor, only.id, place, wireUnder);
       else moveAll(editor, dragged);
     },
-    [editor, toClient],
+    [editor, givingUp, toClient],
   );
   const flowStore = useStoreApi();
   const onWiresChange = useCallback(
@@ -81,9 +86,9 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   const onConnect = useCallback(
     (connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends) joinEnds(editor, ends.from, ends.to);
+      if (ends && !givingUp.current) joinEnds(editor, ends.from, ends.to);
     },
-    [editor],
+    [editor, givingUp],
   );
   const onConnectStart = useCallback(
     (_event: MouseEvent | TouchEvent, start: { nodeId: string | null; handleId: string | null; handleType: HandleType | null }) => {
@@ -96,7 +101,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
     (event: MouseEvent | TouchEvent, end: FinalConnectionState) => {
       const { inHand, wireUnder } = editor.canvas.getState();
       dropWire(editor.canvas);
-      if (inHand === null || end.isValid === true) return;
+      if (inHand === null || end.isValid === true || givingUp.current) return;
       const client = clientOf(event);
       if (wireUnder !== null && !end.toHandle && !rewiring.current) {
         const { x, y } = toCanvas(client);
@@ -104,24 +109,27 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
         return;
       }
       if (end.toHandle) explainRefusal(editor, inHand, end.toHandle);
-      else if (onPane(event) && !rewiring.current) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
+      else if (rewiring.current) return;
+      else if (onPane(event)) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
+      else dropOnNode(editor, inHand, nodeAt(client));
     },
-    [editor, toCanvas],
+    [editor, givingUp, toCanvas],
   );
   const onReconnect = useCallback(
     (wire: CanvasWire, connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends) rejoinEnds(editor, wire.id, ends.from, ends.to);
+      if (ends && !givingUp.current) rejoinEnds(editor, wire.id, ends.from, ends.to);
     },
-    [editor],
+    [editor, givingUp],
   );
   const onReconnectEnd = useCallback(
     (_event: MouseEvent | TouchEvent, wire: CanvasWire, _type: HandleType, end: FinalConnectionState) => {
       rewiring.current = false;
       // Pulled off and let go over nothing: the usual way to take a wire away.
-      if (end.isValid !== true && !end.toHandle) removeWires(editor, wiresOfStretch(editor.document.getState(), wire.id));
+      if (end.isValid !== true && !end.toHandle && !givingUp.current)
+        removeWires(editor, wiresOfStretch(editor.document.getState(), wire.id));
     },
-    [editor],
+    [editor, givingUp],
   );
   const onNodeEnter = useCallback(
     (_event: unknown, node: AnyNode) => {

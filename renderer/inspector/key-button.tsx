@@ -2,10 +2,10 @@ import { useStore } from 'zustand';
 import type { Track } from '../../export/graph/project.ts';
 import type { ParamDefinition } from '../../nodes/kit/definition.ts';
 import { useEditor } from '../shell/editor-context.ts';
-import { endGesture } from '../state/apply.ts';
 import { editAt, keyAt, toggleKey, valueAt } from '../state/keyframes.ts';
 import { timeOf } from '../state/preview.ts';
 import { ParamControl } from './param-control.tsx';
+import { useGesture } from './use-gesture.ts';
 
 interface KeyButtonProps {
   readonly node: string;
@@ -50,14 +50,6 @@ interface TrackFieldProps {
 export function TrackField({ id, node, name, param, track }: TrackFieldProps) {
   const editor = useEditor();
   const timeS = useStore(editor.preview, timeOf);
-  return (
-    <ParamControl
-      id={id}
-      param={param}
-      value={valueAt(track, timeS)}
-      onEdit={(value) => void editAt(editor, node, name, timeOf(editor.preview.getState()), value)}
-      onEnd={() => endGesture(editor)}
-      onExpression={() => false}
-    />
-  );
+  const gesture = useGesture((value) => void editAt(editor, node, name, timeOf(editor.preview.getState()), value));
+  return <ParamControl id={id} param={param} value={valueAt(track, timeS)} {...gesture} onExpression={() => false} />;
 }

@@ -19,7 +19,7 @@ import { Pipette } from './pipette.tsx';
 import { parseTyped } from './typed-number.ts';
 import { clampTo, formatNumber, rangeOf, shownUnit } from './units.ts';
 
-interface ControlProps<P extends ParamDefinition> extends EditHandlers<ParamValue> {
+interface ControlProps<P extends ParamDefinition> extends Required<EditHandlers<ParamValue>> {
   readonly param: P;
   readonly value: ParamValue;
   /** For the label's `for`. */
@@ -50,7 +50,7 @@ export function ParamControl({ param, ...rest }: ControlProps<ParamDefinition>) 
   }
 }
 
-function NumberControl({ param, value, id, onEdit, onEnd, onExpression }: ControlProps<NumberParam>) {
+function NumberControl({ param, value, id, onExpression, ...gesture }: ControlProps<NumberParam>) {
   const { suffix, shownPerStored } = shownUnit(param.unit);
   const range = rangeOf(param);
   const stored = Number(value);
@@ -66,8 +66,7 @@ function NumberControl({ param, value, id, onEdit, onEnd, onExpression }: Contro
       parse={(text) => parseTyped(text, param.unit)}
       clamp={(number) => clampTo(number, range)}
       {...(param.stage === 'uniform' ? { onExpression } : {})}
-      onEdit={onEdit}
-      onEnd={onEnd}
+      {...gesture}
     />
   );
   if (range.min === undefined || range.max === undefined) return field;
@@ -80,8 +79,7 @@ function NumberControl({ param, value, id, onEdit, onEnd, onExpression }: Contro
         max={range.max}
         step={range.step}
         valueText={`${format(stored)} ${suffix}`}
-        onEdit={onEdit}
-        onEnd={onEnd}
+        {...gesture}
       />
       {field}
     </div>
@@ -90,7 +88,7 @@ function NumberControl({ param, value, id, onEdit, onEnd, onExpression }: Contro
 
 const AXES = ['X', 'Y', 'Z', 'W'] as const;
 
-function VectorControl({ param, value, id, onEdit, onEnd, onExpression }: ControlProps<VectorParam>) {
+function VectorControl({ param, value, id, onEdit, onEnd, onCancel, onExpression }: ControlProps<VectorParam>) {
   const { suffix, shownPerStored } = shownUnit(param.unit);
   const parts: readonly number[] = Array.isArray(value) ? value : param.default;
   return (
@@ -112,6 +110,7 @@ function VectorControl({ param, value, id, onEdit, onEnd, onExpression }: Contro
               clamp={(number) => clampTo(number, limits)}
               onEdit={(number) => onEdit(param.default.map((fallback, i) => (i === index ? number : (parts[i] ?? fallback))))}
               onEnd={onEnd}
+              onCancel={onCancel}
             />
           </span>
         );
@@ -125,7 +124,7 @@ function asList(text: string, parts: readonly number[], index: number): string {
   return text.startsWith('[') ? text : `[${parts.map((part, i) => (i === index ? text : String(part))).join(', ')}]`;
 }
 
-function ColorControl({ param, value, onEdit, onEnd }: ControlProps<ColorParam>) {
+function ColorControl({ param, value, onEdit, onEnd, onCancel }: ControlProps<ColorParam>) {
   const [r = 0, g = 0, b = 0, a = 1] = Array.isArray(value) ? (value as readonly number[]) : param.default;
   const color: Rgba = [r, g, b, a];
   const pipette = (
@@ -137,7 +136,7 @@ function ColorControl({ param, value, onEdit, onEnd }: ControlProps<ColorParam>)
       }}
     />
   );
-  return <ColorField label={param.label} value={color} pipette={pipette} onEdit={onEdit} onEnd={onEnd} />;
+  return <ColorField label={param.label} value={color} pipette={pipette} onEdit={onEdit} onEnd={onEnd} onCancel={onCancel} />;
 }
 
 function ToggleControl({ param, value, id, onEdit, onEnd }: ControlProps<ToggleParam>) {

@@ -4,7 +4,6 @@ import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.
 import { PortMark } from '../canvas/port-mark.tsx';
 import { boundValue } from '../canvas/value-text.ts';
 import { useEditor } from '../shell/editor-context.ts';
-import { endGesture } from '../state/apply.ts';
 import { bindExpression } from '../state/bind-params.ts';
 import { editParam, resetParam } from '../state/edit-params.ts';
 import { isAnimatable } from '../state/keyframes.ts';
@@ -15,6 +14,7 @@ import { ParamControl } from './param-control.tsx';
 import { ParamMenu } from './param-menu.tsx';
 import { SourceLink } from './source-link.tsx';
 import { shownUnit } from './units.ts';
+import { useGesture } from './use-gesture.ts';
 
 interface ParamRowProps {
   readonly node: string;
@@ -31,9 +31,11 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
   const id = useId();
   const row = useRef<HTMLFieldSetElement>(null);
   const [menuAt, setMenuAt] = useState<Point | null>(null);
+  const gesture = useGesture((value) => void editParam(editor, node, name, value));
   const type = paramWireType(param);
   // Fields of a vector are too narrow to say it themselves.
-  const unit = param.type.startsWith('vector') && 'unit' in param ? shownUnit(param.unit).suffix : '';
+  const isVector = param.type.startsWith('vector');
+  const unit = isVector && 'unit' in param ? shownUnit(param.unit).suffix : '';
   const changed = source !== undefined || (binding !== undefined && !isDefaultPort(param, binding));
   const openMenu = (event: MouseEvent) => {
     // Text that is being typed keeps the browser's own menu.
@@ -54,7 +56,13 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
     });
   };
   return (
-    <fieldset ref={row} className="param-row" aria-label={param.label} data-param={name} onContextMenu={openMenu}>
+    <fieldset
+      ref={row}
+      className={isVector ? 'param-row param-row-vector' : 'param-row'}
+      aria-label={param.label}
+      data-param={name}
+      onContextMenu={openMenu}
+    >
       <label htmlFor={id} className="param-label" data-tip={param.doc}>
         {type && <PortMark type={type} />}
         <span>
@@ -74,8 +82,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
             id={id}
             param={param}
             value={boundValue(param, binding)}
-            onEdit={(value) => void editParam(editor, node, name, value)}
-            onEnd={() => endGesture(editor)}
+            {...gesture}
             onExpression={(text) => bindExpression(editor, node, name, text)}
           />
         )}

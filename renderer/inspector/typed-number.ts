@@ -2,12 +2,20 @@ import { parseExpression } from '../../export/graph/expression/parse-expression.
 import type { Unit } from '../../nodes/kit/definition.ts';
 import { EXPRESSION_CLOCK } from '../../nodes/kit/expression.ts';
 import { playExpression } from '../../nodes/kit/play-expression.ts';
-import { parseNumber, shownUnit } from './units.ts';
+import { parseNumber, shownUnit, storedPerTyped } from './units.ts';
 
-/** What was typed as a number, in stored units: a number, or sums that come to one (`1/3`, `=2*12`); null for all else. */
+/** What was typed as a number, in stored units: a number, or sums that come to one (`1/3`, `=2*12`, `1 m + 20 cm`); null for all else. */
 export function parseTyped(text: string, unit: Unit | undefined): number | null {
   const bare = text.trim().replace(/^=/, '');
-  return parseNumber(bare, unit) ?? valueOfSum(bare, shownUnit(unit).shownPerStored);
+  return parseNumber(bare, unit) ?? valueOfSum(inShownUnits(bare, unit), shownUnit(unit).shownPerStored);
+}
+
+/** Numbers with a unit become numbers of the unit that is shown; a percent sign between numbers is the rest of a division. */
+function inShownUnits(text: string, unit: Unit | undefined): string {
+  return text.replace(/(?<![\w.])((?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*([a-z°]+)(?![\w(])/gi, (all, number: string, typed: string) => {
+    const factor = storedPerTyped(typed, unit);
+    return factor === undefined ? all : `(${number} * ${factor * shownUnit(unit).shownPerStored})`;
+  });
 }
 
 function valueOfSum(text: string, shownPerStored: number): number | null {

@@ -1,3 +1,4 @@
+import { own } from '../../export/graph/own.ts';
 import type { NumberParam, Unit } from '../../nodes/kit/definition.ts';
 
 /** How a stored number is shown and typed: radians as degrees, all else as it is. */
@@ -52,12 +53,27 @@ export function formatNumber(shown: number): string {
   return text.includes('.') ? text.replace(/\.?0+$/, '') || '0' : text;
 }
 
-/** What was typed, in stored units; null where it is no number. Takes a decimal comma and a trailing unit. */
+/** Units that people may type, each with how much of the stored one it is. */
+const TYPED: Readonly<Partial<Record<Unit, Readonly<Record<string, number>>>>> = {
+  m: { mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000, in: 0.0254, ft: 0.3048 },
+  s: { ms: 0.001, s: 1, min: 60, h: 3600 },
+  rad: { '°': Math.PI / 180, deg: Math.PI / 180, rad: 1, turn: 2 * Math.PI, turns: 2 * Math.PI },
+  Hz: { Hz: 1, kHz: 1000 },
+  ratio: { '%': 0.01 },
+  none: { '%': 0.01 },
+};
+
+/** How much of the stored unit a typed one is; undefined where it is a unit of something else, or none. */
+export function storedPerTyped(typed: string, unit: Unit | undefined): number | undefined {
+  if (typed === '') return 1 / shownUnit(unit).shownPerStored;
+  return own(TYPED[unit ?? 'none'] ?? {}, typed) ?? (typed === shownUnit(unit).suffix ? 1 : undefined);
+}
+
+/** What was typed, in stored units; null where it is no number. Takes a decimal comma, and any unit of the same quantity. */
 export function parseNumber(text: string, unit: Unit | undefined): number | null {
-  const { suffix, shownPerStored } = shownUnit(unit);
-  const trimmed = text.trim();
-  const bare = suffix !== '' && trimmed.endsWith(suffix) ? trimmed.slice(0, -suffix.length).trim() : trimmed;
-  if (!/^[-+]?(\d+([.,]\d*)?|[.,]\d+)(e[-+]?\d+)?$/i.test(bare)) return null;
-  const value = Number(bare.replace(',', '.')) / shownPerStored;
+  const [, number, typed = ''] = /^([-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+]?\d+)?)\s*(\S*)$/i.exec(text.trim()) ?? [];
+  const factor = number === undefined ? undefined : storedPerTyped(typed, unit);
+  if (number === undefined || factor === undefined) return null;
+  const value = Number(number.replace(',', '.')) * factor;
   return Number.isFinite(value) ? value : null;
 }

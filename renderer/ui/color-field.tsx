@@ -12,7 +12,7 @@ interface ColorFieldProps extends EditHandlers<Rgba> {
 }
 
 /** Swatch with the browser's own picker, hexadecimal text, and a slider for the alpha. */
-export function ColorField({ value, label, pipette, onEdit, onEnd }: ColorFieldProps) {
+export function ColorField({ value, label, pipette, onEdit, onEnd, onCancel }: ColorFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const [r, g, b, a] = value;
   const hex = hexFromColor(value);
@@ -57,6 +57,7 @@ export function ColorField({ value, label, pipette, onEdit, onEnd }: ColorFieldP
         valueText={`${Math.round(a * 100)} %`}
         onEdit={(alpha) => onEdit([r, g, b, alpha])}
         onEnd={onEnd}
+        {...(onCancel ? { onCancel } : {})}
       />
       <span className="color-alpha" aria-hidden="true">
         {Math.round(a * 100)}%

@@ -1,10 +1,13 @@
-import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
+import { type KeyboardEvent, type PointerEvent, useEffect, useRef, useState } from 'react';
+import { onEscape } from './escape.ts';
 import './fields.css';
 
 /** How edits are told apart: those of one gesture become one undo step, which `end` closes. */
 export interface EditHandlers<T> {
   readonly onEdit: (value: T) => void;
   readonly onEnd: () => void;
+  /** The gesture is given up: all is to be as it was before it. */
+  readonly onCancel?: () => void;
 }
 
 interface NumberFieldProps extends EditHandlers<number> {
@@ -24,36 +27,45 @@ interface NumberFieldProps extends EditHandlers<number> {
 const SCRUB_START_PX = 3;
 const PX_PER_STEP = 2;
 
-/** A number as text. Dragging it sideways, or the arrow keys, change it by steps; Shift makes ten of them, Alt a tenth. Sums are worked out; `=` begins an expression. */
+/** A number as text. Dragging it sideways, or the arrow keys, change it by steps; Shift makes ten of them, Alt a tenth; Escape gives a drag up. Sums are worked out; `=` begins an expression. */
 export function NumberField(props: NumberFieldProps) {
-  const { value, label, id, step, suffix, format, parse, clamp, onExpression, onEdit, onEnd } = props;
+  const { value, label, id, step, suffix, format, parse, clamp, onExpression, onEdit, onEnd, onCancel } = props;
   const [typed, setTyped] = useState<string | null>(null);
+  const [refused, setRefused] = useState(false);
   const field = useRef<HTMLInputElement>(null);
   const scrub = useRef<{ x: number; value: number; moving: boolean } | null>(null);
   const edited = useRef(false);
+  const stopListening = useRef<(() => void) | null>(null);
+  useEffect(() => () => stopListening.current?.(), []);
 
-  const finish = () => {
+  /** What cannot be read stays to be mended, until the field is left. */
+  const finish = (leaving: boolean) => {
     if (typed !== null) {
       const parsed = parse(typed);
       const expression = /^\s*=(.*)/s.exec(typed)?.[1]?.trim() ?? '';
       if (parsed === null && expression !== '' && onExpression && !onExpression(expression)) return;
+      if (parsed === null && expression === '' && !leaving) return setRefused(true);
       if (parsed !== null && clamp(parsed) !== value) onEdit(clamp(parsed));
-      setTyped(null);
+      changeTyped(null);
     }
     onEnd();
+  };
+  const changeTyped = (text: string | null) => {
+    setTyped(text);
+    setRefused(false);
   };
 
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>) => {
     if (event.key === 'Enter') {
-      finish();
+      finish(false);
       field.current?.select();
     } else if (event.key === 'Escape' && typed !== null) {
       event.stopPropagation();
-      setTyped(null);
+      changeTyped(null);
     } else if (event.key === 'ArrowUp' || event.key === 'ArrowDown') {
       event.preventDefault();
       const from = (typed === null ? null : parse(typed)) ?? value;
-      setTyped(null);
+      changeTyped(null);
       edited.current = true;
       onEdit(clamp(round(from + stepOf(step, event) * (event.key === 'ArrowUp' ? 1 : -1))));
     }
@@ -68,6 +80,11 @@ export function NumberField(props: NumberFieldProps) {
     event.preventDefault();
     event.currentTarget.setPointerCapture(event.pointerId);
     scrub.current = { x: event.clientX, value, moving: false };
+    if (onCancel) stopListening.current = onEscape(() => giveUp(onCancel));
+  };
+  const giveUp = (cancel: () => void) => {
+    if (scrub.current?.moving) cancel();
+    scrub.current = null;
   };
   const onPointerMove = (event: PointerEvent<HTMLInputElement>) => {
     const from = scrub.current;
@@ -77,9 +94,16 @@ export function NumberField(props: NumberFieldProps) {
     from.moving = true;
     onEdit(clamp(round(from.value + Math.round(byPx / PX_PER_STEP) * stepOf(step, event))));
   };
+  /** The browser took the finger for something else. */
+  const onPointerCancel = () => {
+    stopListening.current?.();
+    if (scrub.current?.moving) onEnd();
+    scrub.current = null;
+  };
   const onPointerUp = () => {
     const from = scrub.current;
     scrub.current = null;
+    stopListening.current?.();
     if (from?.moving) onEnd();
     else if (from) field.current?.focus();
   };
@@ -94,16 +118,19 @@ export function NumberField(props: NumberFieldProps) {
         autoComplete="off"
         spellCheck={false}
         aria-label={label}
+        aria-invalid={refused}
         data-clean={typed === null ? '' : undefined}
+        data-tip={refused ? 'That is no number.' : undefined}
         value={typed ?? format(value)}
-        onChange={(event) => setTyped(event.target.value)}
+        onChange={(event) => changeTyped(event.target.value)}
         onFocus={(event) => event.target.select()}
-        onBlur={finish}
+        onBlur={() => finish(true)}
         onKeyDown={onKeyDown}
         onKeyUp={onKeyUp}
         onPointerDown={onPointerDown}
         onPointerMove={onPointerMove}
         onPointerUp={onPointerUp}
+        onPointerCancel={onPointerCancel}
       />
       {suffix !== '' && (
         <span className="number-suffix" aria-hidden="true">

@@ -1,3 +1,5 @@
+import { useEffect, useRef } from 'react';
+import { onEscape } from './escape.ts';
 import './fields.css';
 import type { EditHandlers } from './number-field.tsx';
 
@@ -10,8 +12,26 @@ interface SliderProps extends EditHandlers<number> {
   readonly valueText: string;
 }
 
-export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd }: SliderProps) {
+/** The browser's own, whose drag Escape gives up. */
+export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd, onCancel }: SliderProps) {
   const filled = max > min ? Math.min(Math.max((value - min) / (max - min), 0), 1) : 0;
+  /** The browser goes on dragging until the pointer is let go. */
+  const givenUp = useRef(false);
+  const stopListening = useRef<(() => void) | null>(null);
+  useEffect(() => () => stopListening.current?.(), []);
+  const begin = () => {
+    givenUp.current = false;
+    if (!onCancel) return;
+    stopListening.current = onEscape(() => {
+      givenUp.current = true;
+      onCancel();
+    });
+  };
+  const end = () => {
+    stopListening.current?.();
+    givenUp.current = false;
+    onEnd();
+  };
   return (
     <input
       type="range"
@@ -23,10 +43,13 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd 
       step={step}
       value={value}
       style={{ ['--filled' as string]: `${filled * 100}%` }}
-      onChange={(event) => onEdit(event.target.valueAsNumber)}
-      onPointerUp={onEnd}
+      onChange={(event) => {
+        if (!givenUp.current) onEdit(event.target.valueAsNumber);
+      }}
+      onPointerDown={begin}
+      onPointerUp={end}
       onKeyUp={onEnd}
-      onBlur={onEnd}
+      onBlur={end}
     />
   );
 }

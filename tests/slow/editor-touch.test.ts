@@ -1,8 +1,9 @@
 import { expect, test } from '@jest/globals';
-import type { CDPSession, Page } from 'playwright-core';
+import type { CDPSession, Locator, Page } from 'playwright-core';
 import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
+import { holdRests, rest } from '../support/rest.ts';
 
 const GRAPH: GraphText = {
   nodes: {
@@ -19,24 +20,6 @@ const SPREAD = 1.8;
 
 interface View extends Point {
   readonly zoom: number;
-}
-
-/** In the page: no finger rests for half a second until the test says so, however busy the machine is. */
-function holdTimers(): void {
-  const { setTimeout: start, clearTimeout: stop } = window;
-  const held = new Map<number, () => void>();
-  let next = -1;
-  const after = (run: () => void, ms?: number) => {
-    if (ms !== 500) return start(run, ms);
-    held.set(next, run);
-    return next--;
-  };
-  const forget = (timer?: number) => void (held.delete(timer ?? 0) || stop(timer));
-  const rest = () => {
-    for (const run of held.values()) run();
-    held.clear();
-  };
-  Object.assign(window, { setTimeout: after, clearTimeout: forget, rest });
 }
 
 /** In the page: how the canvas is moved and scaled. */
@@ -84,12 +67,17 @@ class Hand {
   }
 }
 
+async function spot(locator: Locator): Promise<[x: number, y: number]> {
+  const { x, y } = await centreOf(locator);
+  return [x, y];
+}
+
 function between(from: Point, to: Point, part: number): Point {
   return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
 }
 
 test('fingers move the view, nodes and wires, and resting ones ask for the menu', async () => {
-  const open = await openEditor(GRAPH, { size: { width: 1024, height: 768 }, hasTouch: true, before: holdTimers });
+  const open = await openEditor(GRAPH, { size: { width: 1024, height: 768 }, hasTouch: true, before: holdRests });
   const { page, editor } = open;
   const hand = await Hand.on(page);
   // Views glide to where they come to rest.
@@ -138,9 +126,8 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
 
   // A finger that rests asks for the menu: of a node, and of the canvas. Lifted, it leaves it there.
   const menu = page.getByRole('menu', { name: 'Actions' });
-  const rest = () => page.evaluate(() => (window as unknown as { rest: () => void }).rest());
   await hand.put(await centreOf(title('gaussian-blur')));
-  await rest();
+  await rest(page);
   await menu.getByRole('menuitem', { name: 'Mute' }).waitFor();
   await hand.lift();
   const mute = await centreOf(menu.getByRole('menuitem', { name: 'Mute' }));
@@ -149,13 +136,25 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   await menu.waitFor({ state: 'detached' });
   const free = await editor.emptyPlace();
   await hand.put(free);
-  await rest();
+  await rest(page);
   await menu.getByRole('menuitem', { name: /^Add node/ }).waitFor();
   await hand.lift();
   const add = await centreOf(menu.getByRole('menuitem', { name: /^Add node/ }));
   await page.touchscreen.tap(add.x, add.y);
   await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
   await page.keyboard.press('Escape');
+
+  // A number is turned like a dial, in spite of the panel that scrolls, and no hovering mouse goes on with it.
+  await page.touchscreen.tap(...(await spot(title('gaussian-blur'))));
+  const radius = editor.inspector.getByRole('textbox', { name: 'Radius', exact: true });
+  const dial = await centreOf(radius);
+  const still = Number(await radius.inputValue());
+  await hand.drag(dial, { x: dial.x + 60, y: dial.y + 3 });
+  await eventually(async () => expect(Number(await radius.inputValue())).toBeGreaterThan(still + 1));
+  const turned = await radius.inputValue();
+  await page.mouse.move(dial.x + 20, dial.y);
+  await page.mouse.move(dial.x - 20, dial.y);
+  expect(await radius.inputValue()).toBe(turned);
 
   // All of it is in the project.
   const { main } = await saveGraphs(open);

@@ -1,0 +1,168 @@
+import { expect, test } from '@jest/globals';
+import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
+
+/** The camera's picture goes to the screen; other nodes stand by. */
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'sepia-aaaa': { type: 'filter/sepia' },
+    'over-aaaa': { type: 'operator/over' },
+    'number-aaaa': { type: 'value/number' },
+    'transform-aaaa': { type: 'objects/transform', params: { positionM: [-1.2345, 0.5, -2.75] } },
+    'threshold-aaaa': { type: 'filter/threshold' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> screen-aaaa.layer'],
+  places: {
+    'video-aaaa': [0, 0],
+    'sepia-aaaa': [0, 180],
+    'over-aaaa': [300, 180],
+    'number-aaaa': [0, 340],
+    'transform-aaaa': [300, 340],
+    'threshold-aaaa': [600, 180],
+    'screen-aaaa': [600, 0],
+  },
+};
+const WIRES = GRAPH.wires;
+
+const open = useOneEditor(GRAPH, { size: { width: 1024, height: 768 } }, async () => {
+  await open.editor.hold();
+});
+
+function title(node: string) {
+  return open.editor.node(node).locator('.node-title');
+}
+
+function field(name: string) {
+  return open.editor.inspector.getByRole('textbox', { name, exact: true });
+}
+
+/** Presses at a point and moves, and does not let go. */
+async function begin(from: Point, to: Point): Promise<void> {
+  const { mouse } = open.page;
+  await mouse.move(from.x, from.y);
+  await mouse.down();
+  await mouse.move(from.x + 4, from.y + 4, { steps: 4 });
+  await mouse.move(to.x, to.y, { steps: 6 });
+}
+
+/** Escape, and on with the pointer: what was given up stays so. */
+async function giveUp(at: Point): Promise<void> {
+  await open.page.keyboard.press('Escape');
+  await open.page.mouse.move(at.x + 20, at.y + 10, { steps: 3 });
+  await open.page.mouse.up();
+}
+
+async function wires(): Promise<readonly string[]> {
+  return (await saveGraphs(open)).main?.wires ?? [];
+}
+
+async function expectNothingToUndo(): Promise<void> {
+  expect(await open.page.getByRole('button', { name: 'Undo', exact: true }).isDisabled()).toBe(true);
+}
+
+test('Escape gives up what the pointer drags: nodes, wires, numbers and sliders, and leaves nothing to undo', async () => {
+  const { page, editor } = open;
+  const sepia = await centreOf(title('sepia'));
+  const away = { x: sepia.x + 80, y: sepia.y + 40 };
+  await begin(sepia, away);
+  await eventually(async () => expect((await centreOf(title('sepia'))).x).toBeGreaterThan(sepia.x + 40));
+  await giveUp(away);
+  await eventually(async () => expect(await centreOf(title('sepia'))).toEqual(sepia));
+
+  const empty = await editor.emptyPlace();
+  await begin(await centreOf(editor.port('video-aaaa', 'layer', 'source')), empty);
+  await page.locator('.react-flow__connection').waitFor({ state: 'attached' });
+  await page.keyboard.press('Escape');
+  await page.locator('.react-flow__connection').waitFor({ state: 'detached' });
+  await page.mouse.up();
+  // Over a port that would take it, too.
+  const port = await centreOf(editor.port('sepia-aaaa', 'inputImage', 'target'));
+  await begin(await centreOf(editor.port('video-aaaa', 'layer', 'source')), port);
+  await giveUp(port);
+  expect(await page.getByRole('combobox', { name: 'Search nodes' }).count()).toBe(0);
+
+  await title('threshold').click();
+  const level = await centreOf(field('Level'));
+  await begin(level, { x: level.x + 40, y: level.y });
+  await eventually(async () => expect(await field('Level').inputValue()).not.toBe('0.5'));
+  await giveUp(level);
+  expect(await field('Level').inputValue()).toBe('0.5');
+  const slider = editor.inspector.getByRole('slider', { name: 'Level, slider' });
+  const middle = await centreOf(slider);
+  await begin(middle, { x: middle.x + 14, y: middle.y });
+  await eventually(async () => expect(await field('Level').inputValue()).not.toBe('0.5'));
+  await giveUp(middle);
+  expect(await field('Level').inputValue()).toBe('0.5');
+
+  await expectNothingToUndo();
+  expect(await page.locator('.unsaved').count()).toBe(0);
+  // What is let go the usual way counts as ever.
+  await editor.drag(level, { x: level.x + 40, y: level.y });
+  await eventually(async () => expect(await field('Level').inputValue()).not.toBe('0.5'));
+  await page.keyboard.press('Control+z');
+  await eventually(async () => expect(await field('Level').inputValue()).toBe('0.5'));
+});
+
+test('a wire let go over a node goes to the first port of it that is free, which is named beforehand; else it says why not', async () => {
+  const { page, editor } = open;
+  const from = await centreOf(editor.port('video-aaaa', 'layer', 'source'));
+  const over = await centreOf(title('over'));
+  const hint = page.locator('.connection-hint');
+  await begin(from, over);
+  await hint.getByText('To Top').waitFor();
+  await page.mouse.up();
+  await page.getByRole('group', { name: 'Wire from Camera video to Over' }).waitFor();
+  await begin(from, over);
+  await hint.getByText('To Bottom').waitFor();
+  await page.mouse.up();
+  await eventually(async () => expect(await page.getByRole('group', { name: 'Wire from Camera video to Over' }).count()).toBe(2));
+  // The other way round: from an input to a node that gives it.
+  await begin(await centreOf(editor.port('threshold-aaaa', 'inputImage', 'target')), over);
+  await hint.getByText('From Layer').waitFor();
+  await page.mouse.up();
+  await page.getByRole('group', { name: 'Wire from Over to Threshold' }).waitFor();
+  expect(await wires()).toEqual([
+    'video-aaaa.layer -> over-aaaa.bottom',
+    'video-aaaa.layer -> over-aaaa.top',
+    ...WIRES,
+    'over-aaaa.layer -> threshold-aaaa.inputImage',
+  ]);
+  // A node that takes nothing of the kind, and one of which nobody knows what is meant.
+  await begin(from, await centreOf(title('transform')));
+  expect(await hint.count()).toBe(0);
+  await page.mouse.up();
+  await page.getByText('Transform takes no layer.').waitFor();
+  await begin(await centreOf(editor.port('number-aaaa', 'number', 'source')), await centreOf(title('threshold')));
+  await page.mouse.up();
+  await page.getByText('Threshold has several values that take this.').waitFor();
+  // One value that fits is the one that is meant.
+  await begin(await centreOf(editor.port('number-aaaa', 'number', 'source')), await centreOf(title('sepia')));
+  await page.mouse.up();
+  await page.getByRole('group', { name: 'Wire from Number to Sepia' }).waitFor();
+  for (let step = 0; step < 4; step++) await page.keyboard.press('Control+z');
+  expect(await wires()).toEqual(WIRES);
+});
+
+test('the numbers of a vector can be read in a narrow window; units are typed, and what is no number stays to be mended', async () => {
+  const { page } = open;
+  await title('transform').click();
+  const clipped = await open.editor.inspector
+    .locator('.vector-control input')
+    .evaluateAll((all) => (all as HTMLInputElement[]).filter((input) => input.scrollWidth > input.clientWidth).length);
+  expect(clipped).toBe(0);
+  expect(await field('Position X').inputValue()).toBe('-1.2345');
+  const y = field('Position Y');
+  await y.fill('1 m + 20 cm');
+  await page.keyboard.press('Enter');
+  expect(await y.inputValue()).toBe('1.2');
+  await y.fill('high');
+  await page.keyboard.press('Enter');
+  expect(await y.getAttribute('aria-invalid')).toBe('true');
+  expect(await y.inputValue()).toBe('high');
+  await page.keyboard.press('Escape');
+  expect(await y.inputValue()).toBe('1.2');
+  expect(await y.getAttribute('aria-invalid')).toBe('false');
+});
