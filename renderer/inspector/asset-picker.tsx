@@ -38,12 +38,14 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
         type="file"
         hidden
         accept={acceptedNames(kind)}
+        // A model may come in several files.
+        multiple={kind === 'model'}
         aria-label={`Import for ${label}`}
         onChange={async (event) => {
-          const [file] = event.target.files ?? [];
+          const files = [...(event.target.files ?? [])];
           event.target.value = '';
-          if (!file) return;
-          const asset = await importAsset(editor, file, kind);
+          if (files.length === 0) return;
+          const asset = await importAsset(editor, files, kind);
           if (asset !== null) onChoose(asset);
         }}
       />

@@ -15,11 +15,12 @@ import { showRefusal } from './files.ts';
 import { addCube } from './import-cube.ts';
 import { addShadertoy } from './import-shadertoy.ts';
 import { selectOnly } from './selection.ts';
-import { addToast } from './ui.ts';
+import { addToast, toastDiagnostic } from './ui.ts';
+import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
 
-/** Endings by which a dropped file is known, first come first served; a panorama may be an ordinary picture, and is asked for by name. */
+/** Endings by which a dropped file is known, first come first served; `also` may be chosen where that kind is asked for: ordinary pictures as panoramas, and the files that a model refers to. */
 const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly string[]; readonly also?: readonly string[] }[] = [
-  { kind: 'model', endings: ['.glb', '.gltf'] },
+  { kind: 'model', endings: ['.glb', '.gltf'], also: ['.bin', '.png', '.jpg', '.jpeg', '.webp', '.ktx2'] },
   { kind: 'image', endings: ['.png', '.jpg', '.jpeg', '.webp'] },
   { kind: 'video', endings: ['.mp4', '.webm', '.m4v'] },
   { kind: 'audio', endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
@@ -60,7 +61,7 @@ export function addFiles(editor: Editor, files: readonly DroppedFile[], place: P
 
 async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   const added: string[] = [];
-  const { others, vertexOf, picturesOf } = await pairShaders(files);
+  const { others, vertexOf, picturesOf } = await pairShaders(await packModels(editor, files));
   for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
@@ -88,6 +89,34 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+const MISSING_FIX = 'Bring in the model together with all its files, or as one .glb file.';
+
+/** Dropped files come without their folders, in which references may go up. */
+const SOMEWHERE = 'a/b/c/';
+
+/** The files with each `.gltf` and what it refers to as one; where something is missing, that is said and the model left out. */
+async function packModels(editor: Editor, files: readonly DroppedFile[]): Promise<readonly DroppedFile[]> {
+  const taken = new Set<DroppedFile>();
+  const models: DroppedFile[] = [];
+  for (const file of files.filter(({ name }) => isGltf(name))) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const beside = (path: string) => named(files, path.slice(path.lastIndexOf('/') + 1));
+    const read = async (path: string) => {
+      const found = beside(path);
+      return found ? new Uint8Array(await found.arrayBuffer()) : null;
+    };
+    const whole = await wholeModel(`${SOMEWHERE}${file.name}`, bytes, MISSING_FIX, read);
+    for (const used of [file, ...whole.beside.map(beside)]) if (used) taken.add(used);
+    if (whole.diagnostic !== null) toastDiagnostic(editor.ui, whole.diagnostic);
+    if (whole.file !== null) models.push(fileOf(whole.file));
+  }
+  return [...models, ...files.filter((file) => !taken.has(file))];
+}
+
+function fileOf({ name, bytes }: ModelFile): DroppedFile {
+  return { name, arrayBuffer: async () => bytes.buffer };
 }
 
 /** Pictures that a shader imports, by the path in its header. */
@@ -152,9 +181,12 @@ async function textOf(file: DroppedFile): Promise<string> {
   return new TextDecoder().decode(await file.arrayBuffer());
 }
 
-/** Copies a file into the project and makes an asset of it; its id, or null where the host refused. */
-export function importAsset(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<string | null> {
+/** Copies a file into the project, of a model all of its files, and makes an asset of it; its id, or null where that was refused. */
+export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: AssetKind): Promise<string | null> {
   return editor.fileWork(async () => {
+    const [first, ...others] = await packModels(editor, files);
+    const file = [first, ...others].find((candidate) => candidate && kindOfFile(candidate.name) === kind) ?? first;
+    if (!file) return null;
     const imported = await importFile(editor, file, kind);
     if (imported === null) return null;
     const { project } = editor.document.getState();

@@ -1,12 +1,17 @@
+import { HostError } from '../../app/contract/host-error.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import { own } from '../../export/graph/own.ts';
 import type { Asset } from '../../export/graph/project.ts';
 import type { Brought } from './brought.ts';
 import type { Editor } from './editor.ts';
 import { showRefusal } from './files.ts';
+import { toastDiagnostic } from './ui.ts';
+import { isGlb, isGltf, wholeModel } from './whole-models.ts';
 
 /** What copied nodes' assets have in their files, by asset id, as base64: clipboards carry text alone between programs. */
 export type CopiedFiles = Readonly<Record<string, string>>;
+
+const PIECE_BYTES = 2 ** 14;
 
 function assetsOf(brought: Brought | undefined): Readonly<Record<string, Asset>> {
   return (brought === undefined ? null : loadProject(brought).output)?.assets ?? {};
@@ -21,19 +26,46 @@ export function bringsFiles(brought: Brought | undefined): boolean {
   return Object.keys(assetsOf(brought)).length > 0;
 }
 
-/** Reads what the copied assets have in their files. What cannot be read is said and left out. */
+const MISSING_FIX = 'Put it beside the model in the project’s assets folder, or import the model as one .glb file.';
+
+/** Reads what the copied assets have in their files, models with all that they refer to. What cannot be read is said and left out. */
 export async function readCopiedFiles(editor: Editor, brought: Brought | undefined): Promise<CopiedFiles> {
   const { open } = editor.document.getState();
   const files: Record<string, string> = {};
   if (open === null) return files;
-  for (const [id, { path }] of Object.entries(assetsOf(brought))) {
+  const read = async (path: string) => bytesOf((await editor.host.call('asset.read', { handle: open.handle, path })).base64);
+  for (const [id, { path, kind }] of Object.entries(assetsOf(brought))) {
     try {
-      files[id] = (await editor.host.call('asset.read', { handle: open.handle, path })).base64;
+      const { base64 } = await editor.host.call('asset.read', { handle: open.handle, path });
+      if (kind !== 'model' || !isGltf(path)) {
+        files[id] = base64;
+        continue;
+      }
+      const { file, diagnostic } = await wholeModel(path, bytesOf(base64), MISSING_FIX, (beside) => read(beside).catch(nullWhereMissing));
+      if (diagnostic !== null) toastDiagnostic(editor.ui, diagnostic);
+      if (file !== null) files[id] = base64Of(file.bytes);
     } catch (error) {
       showRefusal(editor, error);
     }
   }
   return files;
+}
+
+/** What is there and cannot be read is another matter, which the host says. */
+function nullWhereMissing(error: unknown): null {
+  if (error instanceof HostError && error.diagnostic.code === 'SCR004') return null;
+  throw error;
+}
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+}
+
+/** Piece by piece: a call takes only so many arguments. */
+function base64Of(bytes: Uint8Array): string {
+  const pieces: string[] = [];
+  for (let at = 0; at < bytes.length; at += PIECE_BYTES) pieces.push(String.fromCharCode(...bytes.subarray(at, at + PIECE_BYTES)));
+  return btoa(pieces.join(''));
 }
 
 /** Puts the files of assets that the open project does not have into it; asset id → the path that it has here. */
@@ -48,8 +80,10 @@ export async function writeCopiedFiles(
     const base64 = own(files, id);
     if (open === null || base64 === undefined || own(project.assets, id) !== undefined) continue;
     try {
-      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-      const name = asset.path.slice(asset.path.lastIndexOf('/') + 1);
+      const bytes = bytesOf(base64);
+      const known = asset.path.slice(asset.path.lastIndexOf('/') + 1);
+      // A model that was copied with all that it refers to has become one file.
+      const name = isGltf(known) && isGlb(bytes) ? known.replace(/gltf$/i, 'glb') : known;
       paths.set(id, (await editor.host.call('asset.import', { handle: open.handle, name, bytes })).path);
     } catch (error) {
       showRefusal(editor, error);

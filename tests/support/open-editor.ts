@@ -25,6 +25,9 @@ export interface GraphText {
   readonly places: Readonly<Record<string, readonly [x: number, y: number]>>;
   /** Shaders of the project's own, by file name. */
   readonly shaders?: Readonly<Record<string, string>>;
+  readonly assets?: Readonly<Record<string, { readonly path: string; readonly kind: string }>>;
+  /** Contents below `assets/`. */
+  readonly assetFiles?: Readonly<Record<string, Uint8Array>>;
 }
 
 export interface EditorPageOptions {
@@ -140,12 +143,19 @@ export async function saveGraphs({ page, project }: Pick<OpenEditor, 'page' | 'p
   return JSON.parse(await readFile(join(project, 'project.scrim.json'), 'utf8')).graphs;
 }
 
-function filesOf({ nodes, wires, places, shaders = {} }: GraphText): Record<string, string> {
+function filesOf({ nodes, wires, places, shaders = {}, assets = {}, assetFiles = {} }: GraphText): Record<string, string | Uint8Array> {
   const whole = Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { version: 1, ...node }]));
   const layout = Object.fromEntries(Object.entries(places).map(([id, [x, y]]) => [id, { x, y }]));
   return {
-    'project.scrim.json': JSON.stringify({ format: 'scrim-project', version: 1, title: 'Test', graphs: { main: { nodes: whole, wires } } }),
+    'project.scrim.json': JSON.stringify({
+      format: 'scrim-project',
+      version: 1,
+      title: 'Test',
+      graphs: { main: { nodes: whole, wires } },
+      assets,
+    }),
     'project.layout.json': JSON.stringify({ format: 'scrim-layout', version: 1, graphs: { main: { nodes: layout } } }),
     ...Object.fromEntries(Object.entries(shaders).map(([name, text]) => [`shaders/${name}`, text])),
+    ...Object.fromEntries(Object.entries(assetFiles).map(([name, bytes]) => [`assets/${name}`, bytes])),
   };
 }

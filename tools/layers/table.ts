@@ -153,7 +153,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'editor',
     files: ['renderer/**'],
-    imports: ['kit', 'graph', 'glsl', 'compiler', 'program', 'preview protocol', 'host client', 'registry of definitions'],
+    imports: ['kit', 'graph', 'glsl', 'gltf', 'compiler', 'program', 'preview protocol', 'host client', 'registry of definitions'],
     types: ['contract'],
     packages: ['react', 'react-dom', '@xyflow/react', 'elkjs', 'monaco-editor', 'zustand', 'immer', 'fast-png'],
   },

@@ -1,0 +1,117 @@
+import { access, rm } from 'node:fs/promises';
+import { join } from 'node:path';
+import { beforeAll, expect, test } from '@jest/globals';
+import { useBrowser } from '../support/browser.ts';
+import { looseModel } from '../support/loose-model.ts';
+import { type GraphText, openEditor, saveGraphs } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
+import type { Picture } from '../support/picture.ts';
+
+/** An orange tile before the camera, lit by the sun; its model lies in three files in a folder below `assets`. */
+const GRAPH: GraphText = {
+  nodes: {
+    'model-aaaa': { type: 'source/model', params: { model: 'tile' } },
+    'place-aaaa': { type: 'objects/transform', params: { positionM: [0, 1, -1.5] } },
+    'sun-aaaa': { type: 'light/directional' },
+    'scene-aaaa': { type: 'layer/scene' },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: [
+    'model-aaaa.objects -> place-aaaa.objects',
+    'sun-aaaa.lights -> scene-aaaa.lights',
+    'place-aaaa.objects -> scene-aaaa.objects',
+    'scene-aaaa.layer -> screen-aaaa.layer',
+  ],
+  places: {
+    'model-aaaa': [0, 0],
+    'place-aaaa': [220, 0],
+    'sun-aaaa': [220, 200],
+    'scene-aaaa': [440, 0],
+    'screen-aaaa': [660, 0],
+  },
+  assets: { tile: { path: 'assets/shapes/tile.gltf', kind: 'model' } },
+};
+/** Far from where copies are put, so that both are seen. */
+const OTHER: GraphText = { nodes: { 'sepia-bbbb': { type: 'filter/sepia' } }, wires: [], places: { 'sepia-bbbb': [0, 400] } };
+
+const chromium = useBrowser();
+let files: Readonly<Record<string, Uint8Array<ArrayBuffer>>> = {};
+beforeAll(async () => {
+  files = await looseModel();
+});
+
+const withFiles = (): GraphText => ({
+  ...GRAPH,
+  assetFiles: Object.fromEntries(Object.entries(files).map(([name, bytes]) => [`shapes/${name}`, bytes])),
+});
+
+function orangePixels({ data }: Picture): number {
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4)
+    if ((data[i] ?? 0) > 1.5 * (data[i + 1] ?? 0) && (data[i] ?? 0) > 3 * (data[i + 2] ?? 0)) count++;
+  return count;
+}
+
+test('nodes with a model in several files are copied to another project, where they draw the same', async () => {
+  const first = await openEditor(chromium.browser, withFiles());
+  const second = await openEditor(chromium.browser, OTHER);
+  try {
+    await first.page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await first.page.bringToFront();
+    const picture = await first.editor.rewind();
+    expect(orangePixels(picture)).toBeGreaterThan(2000);
+    await first.editor.node('model').locator('.node-title').click();
+    await first.page.keyboard.press('Control+a');
+    await first.page.keyboard.press('Control+c');
+    // With the model's file, once that has been read.
+    await eventually(async () => expect(await first.page.evaluate(() => navigator.clipboard.readText())).toContain('"files":{"tile"'));
+    await second.page.bringToFront();
+    await second.editor.node('sepia').locator('.node-title').click();
+    await second.page.keyboard.press('Control+v');
+    await second.editor.node('model').waitFor();
+    await saveGraphs(second);
+    await access(join(second.project, 'assets', 'tile.glb'));
+    await second.editor.rewind();
+    await second.editor.pictureSameAs(picture, 'copied-model');
+    expect([...first.errors, ...second.errors]).toEqual([]);
+  } finally {
+    await first.close();
+    await second.close();
+  }
+});
+
+test('a file that a model refers to and that is missing is named, when it is copied', async () => {
+  const open = await openEditor(chromium.browser, withFiles());
+  try {
+    await open.editor.settled();
+    await rm(join(open.project, 'assets', 'shapes', 'paint on wood.png'));
+    await open.editor.node('model').locator('.node-title').click();
+    await open.page.keyboard.press('Control+c');
+    await open.page.getByText('tile.gltf is not whole: it refers to “paint on wood.png”, which is missing.').waitFor();
+  } finally {
+    await open.close();
+  }
+});
+
+test('a model is chosen with all its files, and refused without them', async () => {
+  const open = await openEditor(chromium.browser, { ...GRAPH, assets: {} });
+  try {
+    const { page, editor } = open;
+    await editor.node('model').locator('.node-title').click();
+    const chosen = (names: readonly string[]) =>
+      editor.inspector
+        .getByLabel('Import for Model')
+        .setInputFiles(names.map((name) => ({ name, mimeType: '', buffer: Buffer.from(files[name] ?? []) })));
+    await chosen(['tile.gltf']);
+    await page.getByText('tile.gltf is not whole: it refers to “tile.bin” and “paint on wood.png”, which are missing.').waitFor();
+    await chosen(Object.keys(files));
+    await eventually(async () =>
+      expect(await editor.inspector.locator('.asset-picker select option').allTextContents()).toContain('tile.glb'),
+    );
+    await access(join(open.project, 'assets', 'tile.glb'));
+    await editor.settled();
+    await page.locator('.status-bar').getByText('No problems').waitFor();
+  } finally {
+    await open.close();
+  }
+});
