@@ -1,6 +1,7 @@
 import { expect, test } from '@jest/globals';
-import type { CDPSession, Locator, Page } from 'playwright-core';
+import type { Locator } from 'playwright-core';
 import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { Hand } from '../support/hand.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import { holdRests, rest } from '../support/rest.ts';
@@ -14,7 +15,6 @@ const GRAPH: GraphText = {
   wires: ['video-aaaa.layer -> screen-aaaa.layer'],
   places: { 'video-aaaa': [0, 0], 'gaussian-blur-aaaa': [260, 160], 'screen-aaaa': [520, 0] },
 };
-const STEPS = 8;
 /** From 100 px apart to 180. */
 const SPREAD = 1.8;
 
@@ -29,51 +29,13 @@ function viewOf(): View {
   return { x, y, zoom };
 }
 
+/** Of a pinch. */
+const STEPS = 8;
 const openEditor = useEditor();
-
-/** Fingers on the page, as the browser reports them. */
-class Hand {
-  private readonly session: CDPSession;
-
-  private constructor(session: CDPSession) {
-    this.session = session;
-  }
-
-  static async on(page: Page): Promise<Hand> {
-    return new Hand(await page.context().newCDPSession(page));
-  }
-
-  async put(...points: readonly Point[]): Promise<void> {
-    await this.send('touchStart', points);
-  }
-
-  async slide(...points: readonly Point[]): Promise<void> {
-    await this.send('touchMove', points);
-  }
-
-  async lift(): Promise<void> {
-    await this.send('touchEnd', []);
-  }
-
-  async drag(from: Point, to: Point): Promise<void> {
-    await this.put(from);
-    for (let step = 1; step <= STEPS; step++) await this.slide(between(from, to, step / STEPS));
-    await this.lift();
-  }
-
-  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly Point[]): Promise<void> {
-    const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
-    await this.session.send('Input.dispatchTouchEvent', { type, touchPoints });
-  }
-}
 
 async function spot(locator: Locator): Promise<[x: number, y: number]> {
   const { x, y } = await centreOf(locator);
   return [x, y];
-}
-
-function between(from: Point, to: Point, part: number): Point {
-  return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
 }
 
 test('fingers move the view, nodes and wires, and resting ones ask for the menu', async () => {

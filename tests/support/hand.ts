@@ -1,0 +1,44 @@
+import type { CDPSession, Page } from 'playwright-core';
+import type { Point } from '../../tools/lib/centre-of.ts';
+
+const STEPS = 8;
+
+/** Fingers on the page, as the browser reports them. */
+export class Hand {
+  private readonly session: CDPSession;
+
+  private constructor(session: CDPSession) {
+    this.session = session;
+  }
+
+  static async on(page: Page): Promise<Hand> {
+    return new Hand(await page.context().newCDPSession(page));
+  }
+
+  async put(...points: readonly Point[]): Promise<void> {
+    await this.send('touchStart', points);
+  }
+
+  async slide(...points: readonly Point[]): Promise<void> {
+    await this.send('touchMove', points);
+  }
+
+  async lift(): Promise<void> {
+    await this.send('touchEnd', []);
+  }
+
+  async drag(from: Point, to: Point): Promise<void> {
+    await this.put(from);
+    for (let step = 1; step <= STEPS; step++) await this.slide(between(from, to, step / STEPS));
+    await this.lift();
+  }
+
+  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly Point[]): Promise<void> {
+    const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
+    await this.session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  }
+}
+
+function between(from: Point, to: Point, part: number): Point {
+  return { x: from.x + (to.x - from.x) * part, y: from.y + (to.y - from.y) * part };
+}
