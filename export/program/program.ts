@@ -71,7 +71,7 @@ export interface SlotTable {
   readonly params: Readonly<Record<string, number>>;
 }
 
-export type SlotType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text';
+export type SlotType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text' | 'curve';
 
 export interface Slot {
   readonly type: SlotType;
@@ -110,6 +110,8 @@ export type Resource =
   | { readonly id: ResourceId; readonly kind: 'sound' }
   /** What happened in this frame: emptied before each. */
   | { readonly id: ResourceId; readonly kind: 'pulses' }
+  /** A curve as a table of heights (`curve-table.ts`), of the curve in that slot; nobody writes it. */
+  | { readonly id: ResourceId; readonly kind: 'curve'; readonly slot: number }
   /** A way to draw objects; nobody writes it. */
   | TechniqueResource
   /** Depth from every shadow-casting light over one set of casters. */
@@ -280,6 +282,7 @@ export interface PassSampler {
     | { readonly kind: 'room-depth'; readonly resource: ResourceId }
     /** What was heard last, `count` samples or bins wide and as many rows high as there are channels; see `export/runtime/sound`. */
     | { readonly kind: 'sound'; readonly resource: ResourceId; readonly analysis: 'waveform' | 'spectrum'; readonly count: number }
+    | { readonly kind: 'curve'; readonly resource: ResourceId }
     /** Assets that are pictures: one, or the six sides of a cube in the order +x, -x, +y, -y, +z, -z. */
     | { readonly kind: 'import'; readonly assets: readonly string[]; readonly cube: boolean };
   /** How an image-domain layer is laid onto a view; `none` where the domains agree. */

@@ -1,3 +1,4 @@
+import type { Curve } from './curve.ts';
 import type { ValueType, WireType } from './wire-types.ts';
 
 /**
@@ -137,6 +138,16 @@ export interface ChoiceParam extends ParamBase {
   readonly options: readonly { readonly value: string | number; readonly label: string }[];
 }
 
+/**
+ * A curve over the square from (0, 0) to (1, 1), as `curve.ts` says. It is set while the project runs, but no wire, track or expression
+ * carries one.
+ */
+export interface CurveParam extends ParamBase {
+  readonly type: 'curve';
+  readonly stage: 'uniform';
+  readonly default: Curve;
+}
+
 /** The id of an entry in the project's asset table; the empty string means none chosen. */
 export interface AssetParam extends ParamBase {
   readonly type: 'asset';
@@ -149,7 +160,7 @@ export interface AssetParam extends ParamBase {
 
 export type AssetKind = 'image' | 'model' | 'video' | 'audio' | 'environment';
 
-export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | AssetParam;
+export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | CurveParam | AssetParam;
 
 /**
  * What an image operation reads of its inputs, from the cheapest: `pointwise` the pixel itself; `displaced` one other pixel;
@@ -251,6 +262,6 @@ export function defineNode<const D extends NodeDefinition>(definition: D): D {
 
 /** The value type under which a param can be wired, or undefined where it cannot. */
 export function paramWireType(param: ParamDefinition): ValueType | undefined {
-  if (param.stage !== 'uniform') return undefined;
+  if (param.stage !== 'uniform' || param.type === 'curve') return undefined;
   return param.type === 'choice' ? 'number' : param.type;
 }

@@ -1,3 +1,4 @@
+import { type Curve, DIAGONAL } from './curve.ts';
 import {
   type InputPort,
   type Need,
@@ -46,6 +47,8 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
         `one of ${param.options.map((option) => `"${option.label}"`).join(', ')}`,
         `default "${param.options.find((option) => option.value === param.default)?.label ?? param.default}"`,
       ];
+    case 'curve':
+      return ['curve', param.default.join() === DIAGONAL.join() ? 'default the diagonal' : `default through ${points(param.default)}`];
     case 'asset':
       return [`${param.accept} file`];
   }
@@ -89,6 +92,10 @@ const SUFFIX: Readonly<Record<Unit, string>> = {
 function quantity(value: number, unit: Unit | undefined, scaledBy: Unit | undefined = unit): string {
   const shown = scaledBy === 'rad' ? (value * 180) / Math.PI : value;
   return `${Number(shown.toPrecision(6))}${unit === undefined ? '' : SUFFIX[unit]}`;
+}
+
+function points(curve: Curve): string {
+  return Array.from({ length: curve.length / 2 }, (_, i) => `(${curve[2 * i]}, ${curve[2 * i + 1]})`).join(' ');
 }
 
 function hex(color: readonly number[]): string {

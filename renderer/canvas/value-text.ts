@@ -39,6 +39,8 @@ export function valueText(param: ParamDefinition, binding: Binding | undefined):
       return value === true ? 'on' : 'off';
     case 'choice':
       return param.options.find((option) => option.value === value)?.label ?? String(value);
+    case 'curve':
+      return `${numbersOf(value).length / 2} points`;
     case 'text':
     case 'asset':
       return String(value);

@@ -10,7 +10,7 @@ import { HeaderField } from './header-field.tsx';
 import { numbersOf, textOfField, wordsOf } from './header-text.ts';
 
 /** Types that an ISF file and a technique can have, in the order in which they are offered. */
-export const INPUT_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image', 'event', 'audio', 'audioFFT', 'depth'] as const;
+export const INPUT_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image', 'event', 'audio', 'audioFFT', 'depth', 'curve'] as const;
 export const TECHNIQUE_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image'] as const;
 
 interface HeaderInputProps {

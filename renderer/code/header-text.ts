@@ -58,6 +58,8 @@ export function newInput(type: string, taken: readonly string[]): HeaderFields {
       return { NAME: freeInputName('tint', taken), TYPE: type, LABEL: 'Tint', DEFAULT: [1, 0.5, 0.25, 1] };
     case 'point2D':
       return { NAME: freeInputName('place', taken), TYPE: type, LABEL: 'Place', MIN: [0, 0], MAX: [1, 1], DEFAULT: [0.5, 0.5] };
+    case 'curve':
+      return { NAME: freeInputName('curve', taken), TYPE: type, LABEL: 'Curve' };
     default:
       return { NAME: freeInputName(type === 'image' ? 'inputImage' : type, taken), TYPE: type };
   }

@@ -1,8 +1,10 @@
 import type { ParamValue } from '../../export/graph/project.ts';
+import { type Curve, curveMisfit } from '../../nodes/kit/curve.ts';
 import type {
   AssetParam,
   ChoiceParam,
   ColorParam,
+  CurveParam,
   NumberParam,
   ParamDefinition,
   TextParam,
@@ -11,6 +13,7 @@ import type {
 } from '../../nodes/kit/definition.ts';
 import { ColorField } from '../ui/color-field.tsx';
 import type { Rgba } from '../ui/color-text.ts';
+import { CurveField } from '../ui/curve-field.tsx';
 import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
 import { Slider } from '../ui/slider.tsx';
 import { AssetPicker } from './asset-picker.tsx';
@@ -45,6 +48,8 @@ export function ParamControl({ param, ...rest }: ControlProps<ParamDefinition>) 
       return <TextControl param={param} {...rest} />;
     case 'choice':
       return <ChoiceControl param={param} {...rest} />;
+    case 'curve':
+      return <CurveControl param={param} {...rest} />;
     case 'asset':
       return <AssetControl param={param} {...rest} />;
   }
@@ -190,6 +195,11 @@ function ChoiceControl({ param, value, id, onEdit, onEnd }: ControlProps<ChoiceP
       ))}
     </select>
   );
+}
+
+function CurveControl({ param, value, id, onExpression: _, ...gesture }: ControlProps<CurveParam>) {
+  const curve = curveMisfit(value) === null ? (value as Curve) : param.default;
+  return <CurveField id={id} label={param.label} value={curve} {...gesture} />;
 }
 
 function AssetControl({ param, value, id, onEdit, onEnd }: ControlProps<AssetParam>) {

@@ -34,6 +34,13 @@ describe('what follows from a change', () => {
     expect(back).toEqual({ kind: 'params', edits: [{ graph: 'main', node: id, param: 'radius', value: byDefault }] });
   });
 
+  test('so does a curve', async () => {
+    const { editor, id } = await withNode('filter/curves');
+    const value = [0, 0.1, 0.5, 0.75, 1, 1];
+    const edits = [{ graph: 'main', node: id, param: 'all', value }];
+    expect(consequence(editor, () => editParam(editor, id, 'all', value))).toEqual({ kind: 'params', edits });
+  });
+
   test('moving changes nothing that plays', async () => {
     const { editor, id } = await withNode('filter/sepia');
     expect(consequence(editor, () => moveNodes(editor, { [id]: { x: 80, y: 80 } }))).toEqual({ kind: 'nothing' });

@@ -43,6 +43,7 @@ const TYPES = [
   'source/camera-video',
   'filter/sepia',
   'filter/gaussian-blur',
+  'filter/curves',
   'operator/over',
   'value/math',
   'objects/primitive',
@@ -121,6 +122,13 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
   set: (hand) => {
     const node = hand.node();
     editParam(hand.editor, node, portOf(hand, node, 'params'), hand.of([0, 0.5, -0, true, 'add', [1, 0, 0, 1], 1e9]) ?? 0);
+    endGesture(hand.editor);
+  },
+  /** A point is added and dragged, as one gesture. */
+  draw: (hand) => {
+    const node = Object.entries(graphOf(hand.editor.document.getState()).nodes).find(([, { type }]) => type === 'filter/curves')?.[0] ?? '';
+    const param = hand.of(['all', 'red', 'luma']) ?? 'all';
+    for (const y of [0.5, hand.of([0.7, 0.2]) ?? 0]) editParam(hand.editor, node, param, [0, 0, 0.5, y, 1, 1]);
     endGesture(hand.editor);
   },
   bind: (hand) => {

@@ -1,5 +1,6 @@
 import type { NamedSize } from '../../export/glsl/isf/isf-shader.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../export/glsl/link/linked-pass.ts';
+import { CURVE_WIDTH_PX } from '../../export/program/curve-table.ts';
 import {
   GATE_SAMPLER,
   GATE_UNIFORM,
@@ -10,6 +11,7 @@ import {
 } from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
 import { runSize, SIZE_STACK_BOTTOM } from '../../export/program/size-operation.ts';
+import { sampleCurve } from '../../nodes/kit/curve.ts';
 
 /**
  * Plays linked passes as `export/program/program.ts` says, in a few lines of plain WebGL 2 and without the runtime: what the
@@ -262,6 +264,15 @@ function uploadDepth(depth: DepthPicture): WebGLTexture {
   return texture;
 }
 
+function uploadCurve(curve: number | readonly number[] | undefined): WebGLTexture {
+  if (typeof curve !== 'object') throw new Error('The test gives no curve.');
+  const heights = new Float32Array(CURVE_WIDTH_PX);
+  sampleCurve(curve, heights);
+  const texture = createTexture(gl.R16F, CURVE_WIDTH_PX, 1);
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, CURVE_WIDTH_PX, 1, gl.RED, gl.FLOAT, heights);
+  return texture;
+}
+
 function setUniforms(
   program: WebGLProgram,
   uniforms: readonly LinkedUniform[],
@@ -301,7 +312,7 @@ function setSamplers(
 ): void {
   samplers.forEach(({ name, source }, unit) => {
     const buffer = source.kind === 'buffer' ? buffers.get(source.target) : undefined;
-    const image = source.kind === 'buffer' ? '' : source.kind === 'import' ? source.import : source.input;
+    const image = source.kind === 'import' ? source.import : 'input' in source ? source.input : '';
     const isDepth = source.kind === 'input-depth' || source.kind === 'room-depth';
     const cube = job.cubes?.[image];
     const picture = job.pictures?.[image];
@@ -309,6 +320,7 @@ function setSamplers(
     const texture = buffer === undefined ? textures.get(isDepth ? `${image}:depth` : image) : buffer.textures[buffer.front];
     gl.activeTexture(gl.TEXTURE0 + unit);
     if (cube) gl.bindTexture(gl.TEXTURE_CUBE_MAP, uploadCube(cube));
+    else if (source.kind === 'curve') gl.bindTexture(gl.TEXTURE_2D, uploadCurve(job.params?.[source.param]));
     else gl.bindTexture(gl.TEXTURE_2D, texture ?? null);
     gl.uniform1i(gl.getUniformLocation(program, name), unit);
     gl.uniformMatrix3fv(gl.getUniformLocation(program, `${name}_uvFromViewUv`), false, picture?.uvFromViewUv ?? IDENTITY);

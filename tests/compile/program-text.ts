@@ -1,5 +1,6 @@
 import { describeProgram } from '../../export/compiler/describe.ts';
 import type { Program } from '../../export/program/program.ts';
+import { CURVE_NUMBERS } from '../../nodes/kit/curve.ts';
 
 /**
  * A program as a golden: its plan in words, then every slot, resource and operation on a line of its own. Of shaders only the
@@ -31,5 +32,6 @@ export function programText(program: Program): string {
 
 function numbersIn(type: string): number {
   if (type === 'color') return 4;
+  if (type === 'curve') return CURVE_NUMBERS;
   return type.startsWith('vector') ? Number(type.slice(-1)) : 1;
 }

@@ -221,6 +221,23 @@ export const TEST_SHADERS: Readonly<Record<string, string>> = {
     { INPUTS: [image('inputImage'), float('amount', 1, 0, 1)] },
     'void main() {\n  vec4 c = IMG_THIS_PIXEL(inputImage);\n  gl_FragColor = vec4(mix(c.rgb, vec3(dot(c.rgb, vec3(0.3, 0.6, 0.1))), amount), c.a);\n}',
   ),
+  'filters/curves.fs': isf(
+    {
+      INPUTS: [
+        image('inputImage'),
+        { NAME: 'tone', TYPE: 'curve' },
+        {
+          NAME: 'warmth',
+          TYPE: 'curve',
+          DEFAULT: [
+            [0, 0.1],
+            [1, 1],
+          ],
+        },
+      ],
+    },
+    'void main() {\n  vec4 c = IMG_THIS_PIXEL(inputImage);\n  gl_FragColor = vec4(CURVE(warmth, CURVE(tone, c.r)), CURVE(tone, c.g), c.b, c.a);\n}',
+  ),
   'filters/swirl.fs': isf(
     { INPUTS: [image('inputImage'), float('angle', 1, -10, 10)] },
     'void main() {\n  vec2 p = isf_FragNormCoord - 0.5;\n  float a = angle * length(p);\n  gl_FragColor = IMG_NORM_PIXEL(inputImage, 0.5 + mat2(cos(a), -sin(a), sin(a), cos(a)) * p);\n}',

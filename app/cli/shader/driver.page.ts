@@ -16,7 +16,7 @@ export interface ShaderJob {
     readonly type: PassUniform['type'];
     readonly value: readonly number[] | BuiltinUniform;
   }[];
-  /** `number`: depth or sound, in the red channel. */
+  /** `number`: depth, sound or a curve, in the red channel. */
   readonly samplers: readonly { readonly name: string; readonly holds: 'color' | 'number' | 'cube' }[];
 }
 

@@ -85,6 +85,7 @@ function firstValue(source: LinkedUniform['source'], inputs: IsfShader['inputs']
 }
 
 function contentOf(source: LinkedSampler['source'], imported: IsfShader['imported']): ShaderJob['samplers'][number]['holds'] {
-  if (source.kind === 'input-depth' || source.kind === 'room-depth' || source.kind === 'sound') return 'number';
-  return source.kind === 'import' && imported.find(({ name }) => name === source.import)?.cube ? 'cube' : 'color';
+  if (source.kind === 'input' || source.kind === 'buffer') return 'color';
+  if (source.kind !== 'import') return 'number';
+  return imported.find(({ name }) => name === source.import)?.cube ? 'cube' : 'color';
 }

@@ -1,8 +1,9 @@
+import { paddedCurve } from '../../../nodes/kit/curve.ts';
 import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
 import { VALUE_SIZES, type ValueType } from '../../../nodes/kit/wire-types.ts';
 import { boundValue, clampToRange } from '../../graph/library/param-value.ts';
 import type { Binding, ParamValue } from '../../graph/project.ts';
-import type { Slot, SlotTable } from '../../program/program.ts';
+import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 
 /** Gives every value of the program its place. */
@@ -51,11 +52,12 @@ export function createSlotAllocator(
   const converted = new Map<string, number>();
   const outerNames = namesFromOutside(graph);
 
-  function add(type: ValueType, value: ParamValue): number {
+  function add(type: SlotType, value: ParamValue): number {
     const isText = type === 'text';
     slots.push({ type, offset: isText ? texts.length : numbers.length });
     if (isText) texts.push(String(value));
-    else numbers.push(...(typeof value === 'object' ? value : [Number(value)]));
+    else if (typeof value === 'object') numbers.push(...(type === 'curve' ? paddedCurve(value) : value));
+    else numbers.push(Number(value));
     return slots.length - 1;
   }
 
@@ -83,10 +85,11 @@ export function createSlotAllocator(
     ofInput,
     ofParam: (node, name) => {
       const definition = node.definition.params[name];
-      const type = definition && paramWireType(definition);
+      const wireType = definition && paramWireType(definition);
+      const type = definition?.type === 'curve' ? definition.type : wireType;
       if (!definition || !type) throw new Error(`${node.id} has no uniform param ${name}.`);
       const [source] = sourcesAt(node, name);
-      if (source) return ofInput(source, type);
+      if (source && wireType) return ofInput(source, wireType);
       const key = `${node.id}.${name}`;
       const known = own.get(key);
       if (known !== undefined) return known;

@@ -8,6 +8,7 @@ function accessOf(body: string, header: Readonly<Record<string, unknown>> = {}):
     { NAME: 'other', TYPE: 'image' },
     { NAME: 'room', TYPE: 'depth' },
     { NAME: 'shift', TYPE: 'point2D' },
+    { NAME: 'tone', TYPE: 'curve' },
   ];
   const { output } = readIsf(`/*${JSON.stringify({ INPUTS: inputs, ...header })}*/\n${body}`, 'test.fs');
   if (output === null) throw new Error('The header is broken.');
@@ -37,6 +38,7 @@ describe('pointwise', () => {
       'void main() { gl_FragColor = vec4(LAYER_DEPTH(inputImage, isf_FragNormCoord) - ROOM_DEPTH(room, isf_FragNormCoord)); }',
     ],
     ['nothing at all', 'void main() { gl_FragColor = vec4(1.0); }'],
+    ['curves, wherever', `void main() { gl_FragColor = ${HERE} * CURVE(tone, shift.x) * CURVE(tone, 0.5); }`],
     ['a size', 'void main() { gl_FragColor = vec4(IMG_SIZE(inputImage), 0.0, 1.0); }'],
   ])('%s', (_, body) => {
     expect(accessOf(body)).toBe('pointwise');

@@ -83,7 +83,8 @@ function countReads(shader: CheckedShader, passIndex: number, positionOf: (expre
     }
     const read = classifyImageCall(call);
     const [image] = call.args;
-    if (read === null || read.use === 'size' || image === undefined) return;
+    // A curve is the same for all pixels.
+    if (read === null || read.use === 'size' || read.use === 'curve' || image === undefined) return;
     if (image.kind !== 'name' || image.symbol?.role !== 'image') unclear = true;
     const here = isHere(call, read, positionOf);
     add(into, image.token.text, here ? times : 0, here ? 0 : times);
@@ -104,7 +105,7 @@ function add(into: Map<string, Reads>, image: string, here: number, elsewhere: n
 }
 
 function isHere(call: CallExpression, read: ImageCall, positionOf: (expression: Expression) => Position): boolean {
-  if (read.use === 'size' || (read.use === 'color' && read.position === 'here')) return true;
+  if (read.use === 'size' || read.use === 'curve' || (read.use === 'color' && read.position === 'here')) return true;
   const at = call.args[1];
   if (at === undefined) return false;
   const position = positionOf(at);

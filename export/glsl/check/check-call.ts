@@ -16,6 +16,7 @@ const IMAGE_FUNCTIONS: ReadonlyMap<string, readonly [returns: GlslType, ...args:
   ['IMG_SIZE', ['vec2']],
   ['LAYER_DEPTH', ['float', 'vec2']],
   ['ROOM_DEPTH', ['float', 'vec2']],
+  ['CURVE', ['float', 'float']],
 ]);
 
 export function isImageFunction(name: string): boolean {

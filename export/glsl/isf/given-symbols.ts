@@ -4,7 +4,7 @@ import type { VariableSymbol } from '../syntax/ast.ts';
 import { IMAGE_PROPERTY_TYPES } from './image-properties.ts';
 import type { IsfInputType, IsfShader } from './isf-shader.ts';
 
-/** Type under which the GLSL sees an input; images and depth stand only in functions that read them. */
+/** Type under which the GLSL sees an input; images, depth and curves stand only in functions that read them. */
 export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   event: 'bool',
   bool: 'bool',
@@ -16,6 +16,7 @@ export const INPUT_TYPES: Readonly<Record<IsfInputType, string>> = {
   audio: 'sampler2D',
   audioFFT: 'sampler2D',
   depth: 'sampler2D',
+  curve: 'sampler2D',
   vector3: 'vec3',
   vector4: 'vec4',
 };

@@ -26,6 +26,7 @@ describe('the node type of a file', () => {
           { NAME: 'on', TYPE: 'bool', DEFAULT: true },
           { NAME: 'at', TYPE: 'point2D', DEFAULT: [0.5, 0.25] },
           { NAME: 'tint', TYPE: 'color', DEFAULT: [1, 0, 0, 1] },
+          { NAME: 'bow', TYPE: 'curve', DEFAULT: [0, 0, 0.5, 0.75, 1, 1] },
           { NAME: 'flash', TYPE: 'event' },
           { NAME: 'room', TYPE: 'depth', OPTIONAL: true },
         ],
@@ -61,6 +62,7 @@ describe('the node type of a file', () => {
         on: { type: 'toggle', stage: 'uniform', label: 'on', doc: '', default: true },
         at: { type: 'vector2', stage: 'uniform', label: 'at', doc: '', default: [0.5, 0.25] },
         tint: { type: 'color', stage: 'uniform', label: 'tint', doc: '', default: [1, 0, 0, 1] },
+        bow: { type: 'curve', stage: 'uniform', label: 'bow', doc: '', default: [0, 0, 0.5, 0.75, 1, 1] },
       },
       lowering: { kind: 'image', shader: 'filters/my-effect.fs', access: 'pointwise' },
     });

@@ -117,6 +117,8 @@ function paramOf(input: IsfInput): ParamDefinition | null {
     case 'vector3':
     case 'vector4':
       return { ...base, type: input.type, default: input.default };
+    case 'curve':
+      return { ...base, type: 'curve', default: input.default };
     case 'color': {
       const [r = 0, g = 0, b = 0, a = 1] = input.default;
       return { ...base, type: 'color', default: [r, g, b, a] };

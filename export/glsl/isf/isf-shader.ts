@@ -56,6 +56,7 @@ export type IsfInputType =
   | 'audio'
   | 'audioFFT'
   | 'depth'
+  | 'curve'
   | 'vector3'
   | 'vector4';
 
@@ -64,7 +65,7 @@ export interface IsfInput {
   readonly type: IsfInputType;
   readonly label: string;
   readonly doc: string;
-  /** One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; empty for all else. */
+  /** One number for `bool` (0 or 1), `long` and `float`; two for `point2D`; four for `color`; a `curve`'s points; empty for all else. */
   readonly default: readonly number[];
   readonly min: readonly number[] | null;
   readonly max: readonly number[] | null;

@@ -1,9 +1,10 @@
 import type { Node } from 'jsonc-parser';
+import { type Curve, curveMisfit, DIAGONAL } from '../../../nodes/kit/curve.ts';
 import type { Unit } from '../../../nodes/kit/definition.ts';
 import { flagOf, type Header, items, numberOf, property, textOf } from './header.ts';
 import type { IsfInput, IsfInputType } from './isf-shader.ts';
 
-/** How many numbers a value of the type has; 0 for what only a wire can bring. */
+/** How many numbers a value of the type has; 0 for what only a wire can bring, and for curves, which may have more or fewer. */
 const SIZES: Readonly<Record<IsfInputType, number>> = {
   event: 0,
   bool: 1,
@@ -15,6 +16,7 @@ const SIZES: Readonly<Record<IsfInputType, number>> = {
   audio: 0,
   audioFFT: 0,
   depth: 0,
+  curve: 0,
   vector3: 3,
   vector4: 4,
 };
@@ -93,7 +95,7 @@ function readInput(header: Header, node: Node): IsfInput | null {
     label: textOf(property(node, 'LABEL'))?.trim() || name,
     doc: textOf(property(node, 'DOC'))?.trim() ?? '',
     ...range,
-    default: readDefault(header, node, type, name, range.min, range.max, choices),
+    default: type === 'curve' ? readCurve(header, node, name) : readDefault(header, node, type, name, range.min, range.max, choices),
     identity: readValue(header, node, 'IDENTITY', type, name),
     choices,
     unit: readUnit(header, node, name),
@@ -130,6 +132,19 @@ function readDefault(
     header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is outside of MIN and MAX: the nearest value is used.`);
   }
   return clamped;
+}
+
+/** `[[0, 0], [0.5, 0.7], [1, 1]]`, or the same numbers in one list. */
+function readCurve(header: Header, node: Node, name: string): Curve {
+  const written = property(node, 'DEFAULT');
+  if (written === undefined) return DIAGONAL;
+  const numbers = items(written)
+    .flatMap((item) => (item.type === 'array' ? items(item) : [item]))
+    .map(numberOf);
+  const misfit = curveMisfit(numbers);
+  if (misfit === null) return numbers as Curve;
+  header.warn(written, `The DEFAULT of "${name}" has to be ${misfit}: the diagonal is used.`);
+  return DIAGONAL;
 }
 
 function readValue(header: Header, node: Node, key: string, type: IsfInputType, name: string): readonly number[] | null {

@@ -26,7 +26,9 @@ describe('inputs', () => {
       { "NAME": "picture", "TYPE": "image", "OPTIONAL": true },
       { "NAME": "sound", "TYPE": "audio", "MAX": 256 },
       { "NAME": "bars", "TYPE": "audioFFT" },
-      { "NAME": "room", "TYPE": "depth" }
+      { "NAME": "room", "TYPE": "depth" },
+      { "NAME": "tone", "TYPE": "curve" },
+      { "NAME": "bow", "TYPE": "curve", "DEFAULT": [[0, 0.2], [0.5, 0.75], [1, 1]] }
     ] }`);
     expect(inputs.map((input) => [input.name, input.type, input.default])).toEqual([
       ['flash', 'event', []],
@@ -40,6 +42,8 @@ describe('inputs', () => {
       ['sound', 'audio', []],
       ['bars', 'audioFFT', []],
       ['room', 'depth', []],
+      ['tone', 'curve', [0, 0, 1, 1]],
+      ['bow', 'curve', [0, 0.2, 0.5, 0.75, 1, 1]],
     ]);
     expect(inputs[2]?.choices).toEqual([
       { value: 3, label: 'three' },
@@ -92,6 +96,8 @@ describe('inputs', () => {
     ['a range upside down', '{ "INPUTS": [ { "NAME": "x", "TYPE": "float",\n "MIN": 1, "MAX": 0, "DEFAULT": 7 } ] }', [7]],
     ['a default of another type', '{ "INPUTS": [ { "NAME": "x", "TYPE": "float",\n "DEFAULT": "much" } ] }', [0]],
     ['a default that is no choice', '{ "INPUTS": [ { "NAME": "x", "TYPE": "long", "VALUES": [4, 5],\n "DEFAULT": 9 } ] }', [4]],
+    ['a curve of one point', '{ "INPUTS": [ { "NAME": "x", "TYPE": "curve",\n "DEFAULT": [[0, 0.5]] } ] }', [0, 0, 1, 1]],
+    ['a curve that goes back', '{ "INPUTS": [ { "NAME": "x", "TYPE": "curve",\n "DEFAULT": [[1, 0], [0, 1]] } ] }', [0, 0, 1, 1]],
     ['a unit that nobody knows', '{ "INPUTS": [ { "NAME": "x", "TYPE": "float",\n "UNIT": "parsec" } ] }', [0]],
   ])('%s is a warning, and the input works', (_, header, value) => {
     expect(problems(header)).toMatchObject([{ code: 'SCR040', severity: 'warning', line: 2 }]);

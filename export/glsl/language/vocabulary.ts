@@ -38,6 +38,7 @@ export const ISF_FUNCTIONS: ReadonlyMap<string, BuiltinFunction> = new Map(
       'Distance of what the layer shows at a place from 0 to 1, metres; 0 where there is nothing. Scrim only.',
     ],
     ['float ROOM_DEPTH(depth, vec2 place)', 'Distance of the real room at a place from 0 to 1, metres; 0 where it is unknown. Scrim only.'],
+    ['float CURVE(curve, float x)', 'Height of a curve at a place from 0 to 1. Scrim only.'],
   ].map(([label = '', doc = '']) => {
     const name = /(\w+)\(/.exec(label)?.[1] ?? '';
     return [name, { name, signatures: [readSignature(label)], doc }] as const;
@@ -127,4 +128,5 @@ export const INPUT_TYPE_DOCS: Readonly<Record<string, string>> = {
   audio: 'The waveform of a sound, as an image.',
   audioFFT: 'The spectrum of a sound, as an image.',
   depth: 'Distance to the real world. Scrim only.',
+  curve: 'A curve from 0 to 1, edited in the inspector. Scrim only.',
 };

@@ -11,7 +11,8 @@ import type { ImageUse } from './images.ts';
 export type ImageCall =
   | { readonly use: 'color'; readonly position: 'here' | 'norm' | 'pixel' | 'projected' | 'texel' | 'offset' | 'direction' }
   | { readonly use: 'size'; readonly whole: boolean }
-  | { readonly use: 'depth'; readonly room: boolean };
+  | { readonly use: 'depth'; readonly room: boolean }
+  | { readonly use: 'curve' };
 
 const NORM = /^texture(2D)?(Lod|LodEXT|Grad|GradEXT)?$/;
 const CUBE = /^textureCube(Lod|LodEXT|GradEXT)?$/;
@@ -39,6 +40,8 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
       return { use: 'depth', room: false };
     case 'ROOM_DEPTH':
       return { use: 'depth', room: true };
+    case 'CURVE':
+      return { use: 'curve' };
     case 'texelFetch':
       return { use: 'color', position: 'texel' };
     case 'textureOffset':
@@ -61,6 +64,6 @@ export function usesOf(call: ImageCall): readonly ImageUse[] {
 /** How many arguments after the image the call needs. */
 export function positionCount(call: ImageCall): number {
   if (call.use === 'size') return 0;
-  if (call.use === 'depth') return 1;
+  if (call.use !== 'color') return 1;
   return call.position === 'here' ? 0 : 1;
 }

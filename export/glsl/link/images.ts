@@ -1,10 +1,11 @@
+import { CURVE_WIDTH_PX } from '../../program/curve-table.ts';
 import { ROOM_DEPTH_TEXT } from '../../program/room-depth.ts';
 import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 
 /** An image that a pass may read, and how. */
 export interface Image {
   readonly name: string;
-  readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'absent';
+  readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'curve' | 'absent';
   /** Room depth, whether it is there or not. */
   readonly isRoom: boolean;
   /** For buffers: the version of this pass, see `plan-passes.ts`. */
@@ -19,8 +20,8 @@ export interface Image {
   readonly sound: LinkedSound | null;
 }
 
-/** What is read of an image: its colours, how large it is, its depth. */
-export type ImageUse = 'color' | 'size' | 'depth';
+/** What is read of an image: its colours, how large it is, its depth, or the height of a curve. */
+export type ImageUse = 'color' | 'size' | 'depth' | 'curve';
 
 /** What the names below add to that of a sampler. */
 export const IMAGE_SUFFIXES = [
@@ -33,6 +34,7 @@ export const IMAGE_SUFFIXES = [
   '_depth_uvFromViewUv',
   '_depth_decode',
   '_depth_size',
+  '_heightAt',
 ] as const;
 
 /** The functions that the printed text reads images with. */
@@ -44,6 +46,10 @@ export function depthFunction(image: Image): string {
   return `${image.sampler}_depthAt`;
 }
 
+export function curveFunction(image: Image): string {
+  return `${image.sampler}_heightAt`;
+}
+
 export function sizeUniform(image: Image): string {
   return `${image.sampler}_size`;
 }
@@ -51,6 +57,7 @@ export function sizeUniform(image: Image): string {
 /** Samplers that a use of the image needs bound. */
 export function samplerFor(image: Image, use: ImageUse): LinkedSampler | null {
   if (image.kind === 'absent') return null;
+  if (image.kind === 'curve') return { name: image.sampler, source: { kind: 'curve', param: image.name } };
   if (use === 'depth') {
     if (image.kind === 'room') return { name: image.sampler, source: { kind: 'room-depth', input: image.name } };
     if (image.kind === 'input' && image.hasDepth)
@@ -76,6 +83,7 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultipli
     if (uses.has('depth')) parts.push(`float ${depthFunction(image)}(vec2 uv) { return 0.0; }`);
     return parts.join('\n');
   }
+  if (image.kind === 'curve') return curveText(image);
   const type = image.kind === 'cube' ? 'samplerCube' : 'sampler2D';
   if (uses.has('color') || uses.has('size')) parts.push(`uniform ${type} ${image.sampler};`);
   if (uses.has('size')) parts.push(`uniform vec2 ${sizeUniform(image)};`);
@@ -109,6 +117,14 @@ vec4 ${colorFunction(image)}(vec2 uv) {
   vec2 at = scrim_place(${sampler}_uvFromViewUv, ${image.repeat ? 'fract(uv)' : 'uv'});
   vec4 color = scrim_inside(at) ? textureLod(${sampler}, at, 0.0) : vec4(0.0);
   return ${premultiplied ? 'color' : 'scrim_straight(color)'};
+}`;
+}
+
+/** The table has the curve's height at the middle of its pixels, the first at 0 and the last at 1, and is even beyond. */
+function curveText(image: Image): string {
+  return `uniform sampler2D ${image.sampler};
+float ${curveFunction(image)}(float x) {
+  return textureLod(${image.sampler}, vec2((clamp(x, 0.0, 1.0) * ${CURVE_WIDTH_PX - 1}.0 + 0.5) / ${CURVE_WIDTH_PX}.0, 0.5), 0.0).r;
 }`;
 }
 

@@ -255,6 +255,26 @@ describe('what is refused', () => {
     }
   });
 
+  test('a curve is read at a place across, of the table of its param', () => {
+    const header = { INPUTS: [IMAGE, { NAME: 'tone', TYPE: 'curve' }] };
+    const { output } = linkIsf(read('void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) * CURVE(tone, 1); }', header), { node: 'n' });
+    expect(output?.[0]?.samplers.map(({ source }) => source)).toEqual([
+      { kind: 'input', input: 'inputImage' },
+      { kind: 'curve', param: 'tone' },
+    ]);
+    expect(output?.[0]?.shader.fragment).toContain('tone_heightAt(1.0)');
+    expect(output?.[0]?.uniforms).toEqual([]);
+  });
+
+  test('a curve is not read as an image, nor an image as a curve', () => {
+    const header = { INPUTS: [IMAGE, { NAME: 'tone', TYPE: 'curve' }] };
+    for (const expression of ['IMG_THIS_PIXEL(tone)', 'texture2D(tone, vec2(0.5))', 'vec4(CURVE(inputImage, 0.5))']) {
+      expect(linkIsf(read(`void main() { gl_FragColor = ${expression}; }`, header), { node: 'n' }).diagnostics).toMatchObject([
+        { code: 'SCR043', line: 2 },
+      ]);
+    }
+  });
+
   test('depth is computed only by files that say so', () => {
     expect(() => linkIsfDepth(read('void main() {}', { INPUTS: [IMAGE] }), { node: 'n' })).toThrow('computes no depth');
   });

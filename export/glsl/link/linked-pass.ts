@@ -40,6 +40,8 @@ export interface LinkedSampler {
     | { readonly kind: 'room-depth'; readonly input: string }
     /** What was heard last at the sound input `input`, as a picture: one row per channel. */
     | ({ readonly kind: 'sound'; readonly input: string } & LinkedSound)
+    /** Heights of the curve that is the param `param`, as `export/program/curve-table.ts` says. */
+    | { readonly kind: 'curve'; readonly param: string }
     /** A picture of the shader's own, `IMPORTED` under this name. */
     | { readonly kind: 'import'; readonly import: string }
     /** Buffer `target` of this node: this frame's picture if an earlier pass has drawn it, else the last frame's. */

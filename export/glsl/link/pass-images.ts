@@ -23,6 +23,7 @@ export function passImages(shader: IsfShader, pass: PlannedPass, options: LinkOp
     const { name, type, repeat } = input;
     if (type === 'image') add(name, absent.has(name) ? 'absent' : 'input', { repeat });
     if (type === 'depth') add(name, absent.has(name) ? 'absent' : 'room', { isRoom: true });
+    if (type === 'curve') add(name, 'curve');
     if (type === 'audio' || type === 'audioFFT') add(name, absent.has(name) ? 'absent' : 'sound', { sound: soundOf(input) });
   }
   for (const { name, cube } of shader.imported) if (!images.has(name)) add(name, cube ? 'cube' : 'picture');

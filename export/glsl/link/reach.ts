@@ -151,6 +151,10 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
 }
 
 function checkKind(call: CallExpression, read: ImageCall, image: Image): void {
+  if ((image.kind === 'curve') !== (read.use === 'curve')) {
+    const [what, instead] = image.kind === 'curve' ? ['a curve', 'CURVE(curve, x)'] : ['no curve', 'IMG_NORM_PIXEL'];
+    throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`, 'SCR043');
+  }
   const takesDirection = read.use === 'color' && (read.position === 'direction' || read.position === 'norm');
   if (image.kind === 'cube' ? !takesDirection : read.use === 'color' && read.position === 'direction') {
     const [what, instead] = image.kind === 'cube' ? ['a cube', 'textureCube and a direction'] : ['no cube', 'IMG_NORM_PIXEL or IMG_PIXEL'];

@@ -55,6 +55,8 @@ const VALUES: readonly ParamValue[] = [
   'fox-aaaa',
   [1, 0, 0, 1],
   [0, -0, 2],
+  [0, 1, 0.5, 0.25, 1, -0],
+  [0.5, 0, 0.5, 1],
   Number.NaN,
   [Number.NaN, 0, 0],
 ];
@@ -227,7 +229,16 @@ const UNFINISHED: ReadonlySet<string> = new Set(['SCR015', 'SCR017', 'SCR022', '
 
 const ALL = { ...LOGIC_COMMANDS, ...LAYOUT_COMMANDS };
 
-const START_TYPES = ['layer/scene', 'filter/sepia', 'operator/over', 'value/number', 'source/model', 'objects/primitive', 'objects/group'];
+const START_TYPES = [
+  'layer/scene',
+  'filter/sepia',
+  'filter/curves',
+  'operator/over',
+  'value/number',
+  'source/model',
+  'objects/primitive',
+  'objects/group',
+];
 
 /** Some nodes, and a port with two wires to put in another order. */
 function start(): Project {

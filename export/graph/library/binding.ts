@@ -16,6 +16,7 @@ const MAX_EXPRESSION_CHARACTERS = 10_000;
  */
 export function bindingMisfit(param: ParamDefinition, binding: Binding): BindingMisfit | null {
   if ('value' in binding) return valueMisfit(param, binding.value);
+  if (param.type === 'curve') return { code: 'SCR019', message: 'is a curve, which nothing but a value gives.' };
   if (paramWireType(param) === undefined) {
     return { code: 'SCR019', message: 'is fixed while the project runs: it can only be bound to a value.' };
   }

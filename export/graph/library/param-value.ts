@@ -1,3 +1,4 @@
+import { curveMisfit } from '../../../nodes/kit/curve.ts';
 import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
 import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
 import { MAX_NUMBER } from '../json/shape-reader.ts';
@@ -33,6 +34,8 @@ export function misfit(param: ParamDefinition, value: unknown): string | null {
     case 'choice':
       if (param.options.some((option) => option.value === value)) return null;
       return `one of ${param.options.map((option) => JSON.stringify(option.value)).join(', ')}`;
+    case 'curve':
+      return curveMisfit(value);
     case 'asset':
       return typeof value === 'string' ? null : 'the id of an asset';
   }

@@ -114,6 +114,26 @@ describe('validateProject', () => {
     ['a value of another type', projectOf(withParams('value/number', { value: { value: 'much' } })), ['error SCR018 node-aaaa value']],
     ['NaN', projectOf(withParams('value/number', { value: { value: Number.NaN } })), ['error SCR018 node-aaaa value']],
     ['a vector that is too short', projectOf(withParams('value/color', { color: { value: [1, 1, 1] } })), ['error SCR018 node-aaaa color']],
+    [
+      'a curve of one point',
+      projectOf(withParams('filter/curves', { tone: { value: [0.5, 0.5] } })),
+      ['warning SCR015 node-aaaa inputImage', 'error SCR018 node-aaaa tone'],
+    ],
+    [
+      'a curve with points out of order',
+      projectOf(withParams('filter/curves', { tone: { value: [0, 0, 0.7, 1, 0.2, 1] } })),
+      ['warning SCR015 node-aaaa inputImage', 'error SCR018 node-aaaa tone'],
+    ],
+    [
+      'a curve with a point that is nowhere',
+      projectOf(withParams('filter/curves', { tone: { value: [0, Number.NaN, 1, 1] } })),
+      ['warning SCR015 node-aaaa inputImage', 'error SCR018 node-aaaa tone'],
+    ],
+    [
+      'an expression for a curve',
+      projectOf(withParams('filter/curves', { tone: { expression: 'time' } })),
+      ['warning SCR015 node-aaaa inputImage', 'error SCR019 node-aaaa tone'],
+    ],
     ['a choice that is none', projectOf(withParams('objects/primitive', { shape: { value: 'teapot' } })), ['error SCR018 node-aaaa shape']],
     [
       'a value out of range',

@@ -4,6 +4,7 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 import { IDENTITY } from '../resources/identity.ts';
+import type { LiveCurve } from '../resources/live-curve.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { SoundPicture } from '../sound/sound-picture.ts';
 import type { Target } from '../targets/target.ts';
@@ -70,6 +71,7 @@ function createSampler(
     const { live } = liveResource(resources, source.resource, 'sound');
     return heard(gl, drawer, unit, locations, live.picture(source.analysis, source.count));
   }
+  if (source.kind === 'curve') return drawn(drawer, unit, locations, liveResource(resources, source.resource, 'curve').curve);
   if (source.kind === 'room-depth') {
     return roomDepth(gl, drawer, unit, locations, liveResource(resources, source.resource, 'room-depth').depth);
   }
@@ -166,6 +168,15 @@ function heard(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, loc
     bind: () => {
       if (locations.texture) drawer.texture(unit, locations.texture, picture.texture, 'linear');
       setSize(gl, locations, picture.widthPx, picture.heightPx);
+    },
+  };
+}
+
+function drawn(drawer: PassDrawer, unit: number, locations: Locations, curve: LiveCurve): Sampler {
+  return {
+    prepare: curve.update,
+    bind: () => {
+      if (locations.texture) drawer.texture(unit, locations.texture, curve.texture, 'linear');
     },
   };
 }

@@ -7,6 +7,7 @@ import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
 import { IDENTITY } from './identity.ts';
+import { createLiveCurve, type LiveCurve } from './live-curve.ts';
 import { createLiveTechnique, type LiveTechnique } from './live-technique.ts';
 
 /** What stands behind a resource of the program while it is played. */
@@ -18,6 +19,7 @@ export type LiveResource =
   | { readonly kind: 'lights'; readonly list: LightList }
   | { readonly kind: 'environment'; readonly environment: EnvironmentOutput }
   | { readonly kind: 'sound'; readonly live: LiveSound }
+  | { readonly kind: 'curve'; readonly curve: LiveCurve }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
   /** Made by its operation. */
@@ -50,9 +52,10 @@ function sharedWith(resource: Resource): ResourceId | null {
   return (resource.kind === 'target' && resource.shares) || null;
 }
 
-/** Gives techniques their texts and values of a program that is about to be drawn. */
-export function pointTechniques(program: Program, live: LiveResources, engine: Pick<Engine, 'pictures' | 'state'>, slots: Slots): void {
+/** Gives techniques and curves their texts and values of a program that is about to be drawn. */
+export function pointResources(program: Program, live: LiveResources, engine: Pick<Engine, 'pictures' | 'state'>, slots: Slots): void {
   for (const resource of program.resources) {
+    if (resource.kind === 'curve') liveResource(live, resource.id, 'curve').curve.point(slots, resource.slot);
     if (resource.kind === 'technique') liveResource(live, resource.id, 'technique').technique.point(resource, { live, slots, ...engine });
   }
 }
@@ -63,6 +66,7 @@ export function disposeUnused(before: LiveResources, after: LiveResources | null
     if (kept.has(resource)) continue;
     if (resource.kind === 'target') resource.target.dispose();
     if (resource.kind === 'sound') resource.live.dispose();
+    if (resource.kind === 'curve') resource.curve.dispose();
   }
 }
 
@@ -96,6 +100,7 @@ export function clearOutput(resource: LiveResource): void {
       resource.queue.clear();
       break;
     case 'target':
+    case 'curve':
     case 'technique':
     case 'shadow-maps':
       break;
@@ -118,6 +123,8 @@ function create(resource: Resource, objects: GlObjects, tapped: boolean): LiveRe
       return { kind: 'environment', environment: { asset: null, intensity: 1, rotationRad: 0 } };
     case 'sound':
       return { kind: 'sound', live: createLiveSound(objects) };
+    case 'curve':
+      return { kind: 'curve', curve: createLiveCurve(objects) };
     case 'pulses':
       return { kind: 'pulses', queue: createPulseQueue() };
     case 'technique':

@@ -9,7 +9,7 @@ import { createImports, type Imports } from '../passes/imports.ts';
 import { createPass, type PassParts } from '../passes/pass.ts';
 import { EMPTY_FRAME, enterView } from '../play-state.ts';
 import { createBackground, type SessionTraits } from '../present/background.ts';
-import { createResources, disposeUnused, type LiveResources, pointTechniques } from '../resources/resources.ts';
+import { createResources, disposeUnused, type LiveResources, pointResources } from '../resources/resources.ts';
 import { createSessionFrame } from '../sessions/session-frame.ts';
 import { createTargetSizes } from '../targets/target-sizes.ts';
 import { createSlots, type Slots } from '../values/slots.ts';
@@ -56,7 +56,7 @@ export function createStage(engine: Engine, loaded: LoadedProgram, before: Herit
   const { state } = engine;
   const slots = createSlots(program.slots);
   const resources = createResources(program, engine.objects, before?.resources ?? null);
-  pointTechniques(program, resources, engine, slots);
+  pointResources(program, resources, engine, slots);
   const cast = createCast(engine, program, slots, resources, before?.cast ?? null);
   const runtimes: readonly NodeRuntime[] = [...cast.nodes.values()].map((node) => node.runtime);
   const delays = runtimes.filter((runtime) => runtime.remember !== undefined);

@@ -1,4 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
+import { DIAGONAL, paddedCurve } from '../../../nodes/kit/curve.ts';
 import type { SlotTable } from '../../program/program.ts';
 import { createSlots, createSlotView } from './slots.ts';
 
@@ -44,6 +45,17 @@ describe('slots', () => {
     expect(slots.find('a.nothing')).toBeUndefined();
     expect(slots.find('toString')).toBeUndefined();
   });
+});
+
+test('of curves take any that is one, and hold it padded with its last point', () => {
+  const numbers = [...paddedCurve(DIAGONAL)];
+  const slots = createSlots({ numbers, texts: [], slots: [{ type: 'curve', offset: 0 }], params: { 'a.curve': 0 } });
+  expect(slots.set(0, [0, 1, 0.5, 0.25, 1, 0])).toBe(true);
+  expect([...slots.numbers]).toEqual([0, 1, 0.5, 0.25, ...new Array(6).fill([1, 0]).flat()]);
+  const before = [...slots.numbers];
+  for (const wrong of [[], [0, 0, 1], new Array<number>(18).fill(0), [0, Number.NaN, 1, 1], 1, 'x'])
+    expect(slots.set(0, wrong)).toBe(false);
+  expect([...slots.numbers]).toEqual(before);
 });
 
 describe('a view', () => {

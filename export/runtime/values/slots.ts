@@ -1,3 +1,4 @@
+import { CURVE_NUMBERS, paddedCurve } from '../../../nodes/kit/curve.ts';
 import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/runtime.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 
@@ -35,8 +36,9 @@ export function createSlots(table: SlotTable): Slots {
       const size = NUMBERS_IN[type];
       if (typeof value === 'string') return false;
       if (typeof value === 'object') {
-        if (value.length !== size || !value.every(Number.isFinite)) return false;
-        numbers.set(value, offset);
+        const list = type === 'curve' ? paddedCurve(value) : value;
+        if (list.length !== size || !list.every(Number.isFinite)) return false;
+        numbers.set(list, offset);
         return true;
       }
       const number = Number(value);
@@ -54,6 +56,7 @@ const NUMBERS_IN: Readonly<Record<Exclude<SlotType, 'text'>, number>> = {
   vector3: 3,
   vector4: 4,
   color: 4,
+  curve: CURVE_NUMBERS,
 };
 
 /**

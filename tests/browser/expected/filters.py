@@ -13,6 +13,7 @@ import warnings
 
 import cv2
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 from scipy.ndimage import map_coordinates
 from skimage.transform import swirl as skimage_swirl
 
@@ -21,6 +22,7 @@ import colour  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 LUMA_709 = np.array([0.2126, 0.7152, 0.0722])
+DIAGONAL = [0, 0, 1, 1]
 
 
 def read(path):
@@ -104,6 +106,19 @@ def posterize(rgba, levels):
     """As a table: value i of n covers the i-th of n equal parts of 0 to 1."""
     bins = np.digitize(np.round(straight(rgba), 7), np.round(np.arange(1, levels) / levels, 7))
     return recoloured(rgba, np.linspace(0, 1, levels)[bins])
+
+
+def curve(points, x):
+    xs, ys = points[::2], points[1::2]
+    return PchipInterpolator(xs, ys)(np.clip(x, xs[0], xs[-1]))
+
+
+def curves(rgba, every, red=DIAGONAL, green=DIAGONAL, blue=DIAGONAL, luma=DIAGONAL, amount=1):
+    before = straight(rgba)
+    rgb = np.dstack([curve(one, curve(every, before[..., i])) for i, one in enumerate([red, green, blue])])
+    bright = (rgb @ LUMA_709)[..., None]
+    rgb = rgb + curve(luma, bright) - bright
+    return recoloured(rgba, before + (rgb - before) * amount)
 
 
 def chroma_key(rgba, key=(0, 0.7, 0.2), tolerance=0.15, softness=0.1, spill=0.5):
@@ -366,6 +381,9 @@ CASES = {
     'vignette-circle': lambda p: vignette(p, 0.9, 0.2, 0.3, 1, (1, 0.9, 0.6)),
     'posterize-4': lambda p: posterize(p, 4),
     'posterize-7': lambda p: posterize(p, 7),
+    'curves-contrast': lambda p: curves(p, [0, 0, 0.25, 0.1, 0.75, 0.9, 1, 1]),
+    'curves-graded': lambda p: curves(
+        p, [0.1, 0, 1, 0.9], [0, 0, 0.3, 0.6, 1, 1], [0, 0.1, 0.5, 0.4, 1, 1], [0, 0.3, 0.5, 0.5, 1, 0.8], [0, 0, 0.5, 0.65, 1, 1], 0.8),
     'chroma-key-green': lambda p: chroma_key(p),
     'chroma-key-red': lambda p: chroma_key(p, (0.8, 0.2, 0.1), 0.1, 0.2, 1),
     'skin-mask-soft': lambda p: skin(p, 4),

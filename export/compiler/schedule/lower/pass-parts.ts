@@ -7,7 +7,7 @@ import { importedAssetId } from '../../imported-assets.ts';
 import type { LinkVariant } from '../../shaders/shader-store.ts';
 import { fitOf } from '../fit.ts';
 import { layerInputs, layerOutput } from '../layers.ts';
-import { type Lowering, resourceAt } from './lowering.ts';
+import { addResource, type Lowering, resourceAt } from './lowering.ts';
 
 /** The text behind an image node and how it is to be linked there. */
 export interface NodeShader {
@@ -81,6 +81,7 @@ function sampled(
     if (resource === undefined) throw new Error(`The shader of ${node.id} reads the buffer ${from.target}, which nobody makes.`);
     return { source: { kind: 'color', resource }, fit: 'none' };
   }
+  if (from.kind === 'curve') return { source: { kind: 'curve', resource: curveAt(lowering, node, from.param) }, fit: 'none' };
   if (from.kind === 'import') return { source: importedAt(lowering, node, from.import), fit: 'none' };
   const [input] = sourcesAt(node, from.input);
   if (!input) throw new Error(`The shader of ${node.id} reads ${from.input}, which has no wire.`);
@@ -93,6 +94,13 @@ function sampled(
   if (from.kind === 'sound') return { source: { kind: 'sound', resource, analysis: from.analysis, count: from.count }, fit: 'none' };
   if (from.kind === 'room-depth') return { source: { kind: 'room-depth', resource }, fit: 'none' };
   return { source: { kind: 'color', resource }, fit: fitAt(lowering, node, input) };
+}
+
+/** The table of a curve, once for each node and param. */
+function curveAt(lowering: Lowering, node: FlatNode, param: string): ResourceId {
+  const id = `${node.id}.${param}.curve`;
+  const known = lowering.resources.some((resource) => resource.id === id);
+  return known ? id : addResource(lowering, { id, kind: 'curve', slot: lowering.slots.ofParam(node, param) });
 }
 
 /** Slots in the place of params. */

@@ -1,0 +1,110 @@
+/**
+ * A curve as a param's value: the points `[x, y, x, y, …]` that it goes through, both from 0 to 1, from left to right. Before its first
+ * point and after its last it stays level.
+ *
+ * Between points it is a cubic that never goes beyond the two it leads between, so that no picture gets bands or clipped tones that
+ * nobody drew: F. N. Fritsch, R. E. Carlson 1980, Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17, 238, with the slopes
+ * of F. N. Fritsch, J. Butland 1984, SIAM J. Sci. Stat. Comput. 5, 300. SciPy's `PchipInterpolator` is the same.
+ */
+export type Curve = readonly number[];
+
+/** From what is below to itself. */
+export const DIAGONAL: Curve = [0, 0, 1, 1];
+
+export const MIN_CURVE_POINTS = 2;
+export const MAX_CURVE_POINTS = 8;
+
+/** What a curve takes in the program's slots. One of fewer points has its last point again at the end. */
+export const CURVE_NUMBERS = 2 * MAX_CURVE_POINTS;
+
+/** What `value` would have to be to be a curve, in words, or null where it is one. */
+export function curveMisfit(value: unknown): string | null {
+  const isList = Array.isArray(value) && value.length % 2 === 0 && value.every(Number.isFinite);
+  if (!isList || value.length < 2 * MIN_CURVE_POINTS || value.length > CURVE_NUMBERS)
+    return `a curve of ${MIN_CURVE_POINTS} to ${MAX_CURVE_POINTS} points, [x, y, x, y, …]`;
+  const numbers = value as Curve;
+  if (numbers.some((number) => number < 0 || number > 1)) return 'a curve whose points lie from 0 to 1';
+  for (let i = 2; i < numbers.length; i += 2)
+    if ((numbers[i] ?? 0) <= (numbers[i - 2] ?? 0)) return 'a curve with each point further right than the one before';
+  return null;
+}
+
+/** As many numbers as every curve takes; what is none stays as it is. */
+export function paddedCurve(curve: Curve): Curve {
+  const padded = [...curve];
+  while (padded.length > 1 && padded.length < CURVE_NUMBERS) padded.push(...curve.slice(-2));
+  return padded;
+}
+
+/** A curve belongs to one call. */
+const scratchSlopes = new Float64Array(MAX_CURVE_POINTS);
+
+/** Writes the curve's height at evenly spaced places, the first at 0 and the last at 1. */
+export function sampleCurve(curve: ArrayLike<number>, heights: Float32Array): void {
+  const count = findSlopes(curve, scratchSlopes);
+  const last = heights.length - 1;
+  for (let i = 0; i <= last; i++) heights[i] = heightAt(curve, count, scratchSlopes, i / last);
+}
+
+/** The curve's height at one place. */
+export function curveAt(curve: ArrayLike<number>, x: number): number {
+  return heightAt(curve, findSlopes(curve, scratchSlopes), scratchSlopes, x);
+}
+
+/** Writes the slope of the curve at each of its points, and gives their count. */
+export function findSlopes(curve: ArrayLike<number>, slopes: Float64Array): number {
+  const last = countPoints(curve) - 1;
+  for (let i = 0; i <= last; i++) {
+    if (last < 2) slopes[i] = last < 1 ? 0 : steepness(curve, 0);
+    else if (i === 0) slopes[i] = slopeAtEnd(width(curve, 0), width(curve, 1), steepness(curve, 0), steepness(curve, 1));
+    else if (i === last) slopes[i] = slopeAtEnd(width(curve, i - 1), width(curve, i - 2), steepness(curve, i - 1), steepness(curve, i - 2));
+    else slopes[i] = slopeBetween(width(curve, i - 1), width(curve, i), steepness(curve, i - 1), steepness(curve, i));
+  }
+  return last + 1;
+}
+
+/** A point that is not further right repeats the last one. */
+function countPoints(curve: ArrayLike<number>): number {
+  let count = 1;
+  while (2 * count < curve.length && width(curve, count - 1) > 0) count++;
+  return count;
+}
+
+/** From one point to the next. */
+function width(curve: ArrayLike<number>, i: number): number {
+  return (curve[2 * i + 2] ?? 0) - (curve[2 * i] ?? 0);
+}
+
+function steepness(curve: ArrayLike<number>, i: number): number {
+  return ((curve[2 * i + 3] ?? 0) - (curve[2 * i + 1] ?? 0)) / width(curve, i);
+}
+
+/** The harmonic mean of both sides, weighted by their widths; level at a peak, in a trough and beside a level part. */
+function slopeBetween(widthBefore: number, widthAfter: number, before: number, after: number): number {
+  if (before * after <= 0) return 0;
+  const a = 2 * widthAfter + widthBefore;
+  const b = widthAfter + 2 * widthBefore;
+  return (a + b) / (a / before + b / after);
+}
+
+/** That of the parabola through the three points at an end, as far as the curve does not overshoot with it. */
+function slopeAtEnd(widthHere: number, widthNext: number, here: number, next: number): number {
+  const slope = ((2 * widthHere + widthNext) * here - widthHere * next) / (widthHere + widthNext);
+  if (Math.sign(slope) !== Math.sign(here)) return 0;
+  return Math.sign(here) !== Math.sign(next) && Math.abs(slope) > 3 * Math.abs(here) ? 3 * here : slope;
+}
+
+/** Hermite's cubic between the points on either side. */
+function heightAt(curve: ArrayLike<number>, count: number, slopes: Float64Array, x: number): number {
+  let i = 0;
+  while (i < count && (curve[2 * i] ?? 0) <= x) i++;
+  if (i === 0 || i === count) return curve[2 * Math.max(i, 1) - 1] ?? 0;
+  const from = curve[2 * i - 1] ?? 0;
+  const to = curve[2 * i + 1] ?? 0;
+  const across = width(curve, i - 1);
+  const t = (x - (curve[2 * i - 2] ?? 0)) / across;
+  const rest = 1 - t;
+  return (
+    rest * rest * (1 + 2 * t) * from + t * t * (3 - 2 * t) * to + across * t * rest * (rest * (slopes[i - 1] ?? 0) - t * (slopes[i] ?? 0))
+  );
+}

@@ -1,0 +1,132 @@
+import { type PointerEvent, useEffect, useRef, useState } from 'react';
+import { type Curve, curveAt } from '../../nodes/kit/curve.ts';
+import { type CurvePoint, canLosePoint, curvePath, pointsOf, withoutPoint, withPoint, withPointAt } from './curve-points.ts';
+import { CurveDrawing, CurveHandle, pixelsFrom, placeIn, reachPx } from './curve-square.tsx';
+import { onEscape } from './escape.ts';
+import type { EditHandlers } from './number-field.tsx';
+
+interface CurveEditorProps extends EditHandlers<Curve> {
+  readonly label: string;
+  readonly value: Curve;
+  readonly chosen: number;
+  readonly onChoose: (index: number) => void;
+  readonly onRemove: (index: number) => void;
+}
+
+/** A point in hand: the curve as it was when it was taken, so that one that is dragged out and back in is the same point. */
+interface Drag {
+  readonly curve: Curve;
+  readonly index: number;
+  readonly by: CurvePoint;
+  changed: boolean;
+}
+
+/** This far outside, the pointer takes a point with it. */
+const OUT = 0.12;
+
+/** The square: press the line to add a point, drag points, double-click them or drag them out to take them away; Escape gives a drag up. */
+export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, onEnd, onCancel }: CurveEditorProps) {
+  const square = useRef<HTMLDivElement>(null);
+  const drag = useRef<Drag | null>(null);
+  /** Which of the last two presses made their point: a double-click takes away only what was there before it. */
+  const made = useRef<readonly boolean[]>([]);
+  const [ghost, setGhost] = useState<CurvePoint | null>(null);
+  const stopListening = useRef<(() => void) | null>(null);
+  useEffect(() => () => stopListening.current?.(), []);
+  const points = pointsOf(value);
+
+  const nearest = (event: PointerEvent<HTMLElement>): number => {
+    const far = points.map((point) => pixelsFrom(event.currentTarget, point, event));
+    const least = Math.min(...far);
+    return least <= reachPx(event) ? far.indexOf(least) : -1;
+  };
+  /** The place on the line above or below the pointer, where that is near. */
+  const onLine = (event: PointerEvent<HTMLElement>): CurvePoint | null => {
+    const { x } = placeIn(event.currentTarget, event);
+    const place = { x, y: curveAt(value, x) };
+    return pixelsFrom(event.currentTarget, place, event) <= reachPx(event) && withPoint(value, x) ? place : null;
+  };
+  const focus = (index: number) => {
+    onChoose(index);
+    // One that was just added is there when React has drawn it.
+    queueMicrotask(() => square.current?.querySelectorAll<HTMLElement>('.curve-handle')[index]?.focus());
+  };
+
+  const onPointerDown = (event: PointerEvent<HTMLElement>) => {
+    if (event.button !== 0) return;
+    // The focus goes to the point.
+    event.preventDefault();
+    const at = placeIn(event.currentTarget, event);
+    const index = nearest(event);
+    const added = index === -1 && onLine(event) ? withPoint(value, at.x) : null;
+    made.current = [...made.current.slice(-1), added !== null];
+    const taken = added ?? (index === -1 ? null : { curve: value, index });
+    if (!taken) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    const point = pointsOf(taken.curve)[taken.index] ?? at;
+    drag.current = { ...taken, by: { x: point.x - at.x, y: point.y - at.y }, changed: added !== null };
+    stopListening.current = onEscape(() => {
+      if (drag.current?.changed) onCancel?.();
+      drag.current = null;
+    });
+    if (added) onEdit(added.curve);
+    setGhost(null);
+    focus(taken.index);
+  };
+  const onPointerMove = (event: PointerEvent<HTMLElement>) => {
+    const held = drag.current;
+    if (!held) {
+      if (event.pointerType === 'mouse') setGhost(nearest(event) === -1 ? onLine(event) : null);
+      return;
+    }
+    const at = placeIn(event.currentTarget, event);
+    const out = Math.max(-at.x, at.x - 1, -at.y, at.y - 1) > OUT;
+    held.changed = true;
+    if (out && canLosePoint(held.curve)) {
+      onEdit(withoutPoint(held.curve, held.index));
+      onChoose(Math.max(0, held.index - 1));
+    } else {
+      onEdit(withPointAt(held.curve, held.index, { x: at.x + held.by.x, y: at.y + held.by.y }));
+      onChoose(held.index);
+    }
+  };
+  const onPointerUp = () => {
+    stopListening.current?.();
+    if (drag.current?.changed) onEnd();
+    drag.current = null;
+  };
+  const onDoubleClick = (event: { readonly clientX: number; readonly clientY: number; readonly currentTarget: HTMLElement }) => {
+    const index = points.findIndex((point) => pixelsFrom(event.currentTarget, point, event) <= 10);
+    if (index !== -1 && canLosePoint(value) && !made.current.includes(true)) onRemove(index);
+  };
+  return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: what the pointer does here, keys do at the points and their buttons.
+    <div
+      ref={square}
+      className="curve-square"
+      data-tip="Press the line to add a point, double-click a point to remove it"
+      onPointerDown={onPointerDown}
+      onPointerMove={onPointerMove}
+      onPointerUp={onPointerUp}
+      onPointerCancel={onPointerUp}
+      onPointerLeave={() => setGhost(null)}
+      onDoubleClick={onDoubleClick}
+    >
+      <CurveDrawing path={curvePath(value)} />
+      {ghost && <span className="curve-ghost" style={{ left: `${ghost.x * 100}%`, bottom: `${ghost.y * 100}%` }} />}
+      {Object.entries(points).map(([key, point]) => (
+        <CurveHandle
+          // A point keeps its place among the others while it is dragged.
+          key={key}
+          at={point}
+          label={`${label}, point ${Number(key) + 1} of ${points.length}`}
+          chosen={Number(key) === chosen}
+          onChoose={() => onChoose(Number(key))}
+          onMove={(to) => onEdit(withPointAt(value, Number(key), to))}
+          onEnd={onEnd}
+          onRemove={() => onRemove(Number(key))}
+        />
+      ))}
+    </div>
+  );
+}

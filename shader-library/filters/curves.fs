@@ -1,0 +1,29 @@
+/*{
+  "ISFVSN": "2",
+  "DESCRIPTION": "Draws tones anew by curves: a place across is a tone of the layer, the height there is what becomes of it. An S makes contrast, a bow brightens or darkens without touching black and white.",
+  "CREDIT": "Scrim. Order of the curves: Blender's RGB Curves. Between points: F. N. Fritsch, R. E. Carlson 1980, SIAM J. Numer. Anal. 17, 238",
+  "CATEGORIES": ["Colour", "Tone", "Levels", "Contrast", "Grading", "Gradation", "RGB curves"],
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to grade." },
+    { "NAME": "all", "TYPE": "curve", "LABEL": "All channels", "DOC": "For red, green and blue alike, before the curves below." },
+    { "NAME": "red", "TYPE": "curve", "LABEL": "Red", "DOC": "For red alone." },
+    { "NAME": "green", "TYPE": "curve", "LABEL": "Green", "DOC": "For green alone." },
+    { "NAME": "blue", "TYPE": "curve", "LABEL": "Blue", "DOC": "For blue alone." },
+    { "NAME": "luma", "TYPE": "curve", "LABEL": "Brightness", "DOC": "For how bright colours are, which keep their hue; after the curves above." },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the picture as it is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+  ]
+}*/
+
+const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
+
+void main() {
+  vec4 color = IMG_THIS_PIXEL(inputImage);
+  vec3 graded = color.rgb;
+  // Other hosts have no curves, and show the layer as it is.
+#ifdef SCRIM
+  graded = vec3(CURVE(red, CURVE(all, graded.r)), CURVE(green, CURVE(all, graded.g)), CURVE(blue, CURVE(all, graded.b)));
+  float bright = dot(graded, LUMA_709);
+  graded += CURVE(luma, bright) - bright;
+#endif
+  gl_FragColor = vec4(mix(color.rgb, graded, amount), color.a);
+}

@@ -1,0 +1,52 @@
+import { readFile } from 'node:fs/promises';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { collectErrors, useBrowser } from '../support/browser.ts';
+import { decodePicture, type Picture } from '../support/picture.ts';
+import { expectSamePixels } from '../support/pixels.ts';
+import type { ProjectText } from '../support/project-kit.ts';
+import { type ServedExport, serveProjectText } from '../support/project-page.ts';
+
+const chromium = useBrowser();
+
+/** A picture by curves. */
+function project(all: readonly number[]): ProjectText {
+  return {
+    title: 'Curves',
+    nodes: {
+      'picture-a1': ['source/image-file', { file: 'photo' }],
+      'curves-b2': ['filter/curves', { all }],
+      'screen-c3': 'output/screen',
+    },
+    wires: ['picture-a1.layer -> curves-b2.inputImage', 'curves-b2.layer -> screen-c3.layer'],
+    assets: { photo: { path: 'assets/photo.png', kind: 'image' } },
+  };
+}
+
+let pages: readonly ServedExport[] = [];
+beforeAll(async () => {
+  const files = { 'assets/photo.png': await readFile('tests/browser/expected/photograph.png') };
+  pages = [await serveProjectText(project([0, 0, 1, 1]), files), await serveProjectText(project([0, 1, 1, 0]), files)];
+});
+afterAll(async () => {
+  for (const page of pages) await page.close();
+});
+
+async function visit({ url }: ServedExport): Promise<Picture> {
+  const page = await chromium.browser.newPage({ viewport: { width: 640, height: 480 } });
+  const errors = collectErrors(page);
+  await page.goto(url);
+  await page.getByText('look around').waitFor();
+  // What the page says lies over the left of the picture.
+  const picture = decodePicture(await page.screenshot({ clip: { x: 340, y: 20, width: 280, height: 380 } }));
+  expect(errors).toEqual([]);
+  await page.close();
+  return picture;
+}
+
+test('an exported page draws tones by the curves of its project', async () => {
+  const [plain, negative] = [await visit(pages[0] as ServedExport), await visit(pages[1] as ServedExport)];
+  const expected = { ...plain, data: plain.data.map((value, i) => (i % 4 === 3 ? value : 255 - value)) };
+  await expectSamePixels('page-negative', negative, expected, { tolerance: 2 });
+  // Not all of one grey, which would be its own negative.
+  expect(new Set(plain.data).size).toBeGreaterThan(50);
+});
