@@ -1,0 +1,106 @@
+import { cp, mkdtemp, readdir, readFile, rm, stat, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { afterAll, beforeAll, expect, test } from '@jest/globals';
+import { ALL_FORMATS, BufferSource, Input } from 'mediabunny';
+import type { ElectronApplication, Page } from 'playwright-core';
+import { collectErrors } from '../support/browser.ts';
+import { EditorDriver } from '../support/editor-driver.ts';
+import { describeElectron, editorWindow, findElectron, playedTwiceAfterFault } from '../support/electron.ts';
+import { eventually } from '../support/patience.ts';
+import { decodePicture } from '../support/picture.ts';
+
+const ROOT = resolve(import.meta.dirname, '../..');
+
+const dialog = (page: Page) => page.getByRole('dialog', { name: 'Render frames' });
+
+/** Opens the dialog by the window's own menu, and fills it in. */
+async function ask(app: ElectronApplication, page: Page, fields: Readonly<Record<string, string>>): Promise<void> {
+  await eventually(() =>
+    app.evaluate(({ Menu }) => {
+      const item = Menu.getApplicationMenu()?.getMenuItemById('file.render');
+      if (!item?.enabled) throw new Error('Frames cannot be rendered yet.');
+      item.click();
+    }),
+  );
+  await dialog(page).waitFor();
+  for (const [name, text] of Object.entries({ Width: '160', Height: '120', ...fields })) {
+    await dialog(page).getByRole('textbox', { name, exact: true }).fill(text);
+  }
+}
+
+/** What the system's own dialogs, which no page reaches, would answer. */
+async function answerDialogs(app: ElectronApplication, folder: string, video: string): Promise<void> {
+  await app.evaluate(
+    ({ dialog, session }, [picked, saved]) => {
+      Object.assign(dialog, { showOpenDialog: async () => ({ canceled: false, filePaths: [picked] }) });
+      session.defaultSession.on('will-download', (_event, item) => item.setSavePath(saved));
+    },
+    [folder, video] as const,
+  );
+}
+
+describeElectron('rendering frames in Electron', await findElectron(), (launch) => {
+  let base = '';
+  beforeAll(async () => {
+    base = await mkdtemp(join(tmpdir(), 'scrim-frames-'));
+  });
+  afterAll(() => rm(base, { recursive: true, force: true }));
+
+  test('writes pictures into a folder that the system asked for, and a video; cancels; and says what cannot be written', async () => {
+    await playedTwiceAfterFault(launch, async (launchWatched) => {
+      const [project, frames, video] = [join(base, 'project'), join(base, 'frames'), join(base, 'film.video')];
+      for (const path of [project, frames, video]) await rm(path, { recursive: true, force: true });
+      await cp(join(ROOT, 'examples', 'first-light'), project, { recursive: true });
+      const app = await launchWatched([join(ROOT, 'dist', 'electron', 'main.cjs'), `--open=${project}`]);
+      const page = await editorWindow(app);
+      const errors = collectErrors(page);
+      await page.setViewportSize({ width: 1440, height: 900 });
+      await page.locator('.react-flow__node').first().waitFor();
+      await answerDialogs(app, frames, video);
+      await new EditorDriver(page).settled();
+
+      await ask(app, page, { 'First frame': '3', 'Last frame': '4' });
+      await dialog(page).getByRole('button', { name: 'Choose…' }).click();
+      await eventually(async () => expect(await dialog(page).getByRole('textbox', { name: 'Folder' }).inputValue()).toBe(frames));
+      await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
+      await page.getByText('Rendered 2 pictures to').waitFor();
+      expect((await readdir(frames)).sort()).toEqual(['000003.png', '000004.png', 'sequence.json']);
+      const { width, height, data } = decodePicture(await readFile(join(frames, '000003.png')));
+      expect([width, height]).toEqual([160, 120]);
+      // A room is in it, not one colour.
+      expect(new Set(data).size).toBeGreaterThan(100);
+
+      await ask(app, page, { 'First frame': '0', 'Last frame': '5' });
+      await dialog(page).getByRole('combobox', { name: 'As' }).selectOption('video');
+      await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
+      await page.getByText('is with your downloads.').waitFor();
+      await eventually(async () => expect((await stat(video)).size).toBeGreaterThan(0));
+      const input = new Input({ source: new BufferSource(await readFile(video)), formats: ALL_FORMATS });
+      const track = await input.getPrimaryVideoTrack();
+      expect([track?.displayWidth, track?.displayHeight]).toEqual([160, 120]);
+      expect(await input.computeDuration()).toBeCloseTo(0.6, 1);
+
+      // So many that nobody sees them end.
+      const cancelled = join(base, 'cancelled');
+      await ask(app, page, { 'First frame': '0', 'Last frame': '50000', Folder: cancelled });
+      await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
+      await page.getByText(/^Frame \d+ of 50001$/).waitFor();
+      await page.getByRole('button', { name: 'Cancel', exact: true }).click();
+      await page.getByText('Rendering was cancelled.').waitFor();
+      await eventually(async () => expect((await readdir(base)).filter((name) => name.includes('cancelled'))).toEqual([]));
+
+      // Also for those who may write everywhere, there is no folder in a file.
+      const file = join(base, 'file.txt');
+      await writeFile(file, 'mine');
+      await ask(app, page, { 'First frame': '0', 'Last frame': '0', Folder: join(file, 'frames') });
+      await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
+      await page
+        .getByRole('log')
+        .getByText(/file\.txt.*(cannot be written|is no folder)/)
+        .waitFor();
+      expect(await readFile(file, 'utf8')).toBe('mine');
+      expect(errors).toEqual([]);
+    });
+  });
+});
