@@ -17,6 +17,7 @@ import { EditorDriver } from '../support/editor-driver.ts';
 import { describeElectron, findElectron } from '../support/electron.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
 import { PATIENCE_MS } from '../support/patience.ts';
+import { countColours } from '../support/pixels.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const electron = await findElectron();
@@ -104,10 +105,7 @@ describeElectron('the packaged app', electron, () => {
     await page.locator('.react-flow__node').first().waitFor();
     await page.locator('.transport-time').filter({ hasText: /\d s/ }).waitFor();
     await editor.settled();
-    const { data } = await editor.rewind();
-    const colours = new Set<number>();
-    for (let i = 0; i < data.length; i += 4) colours.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
-    expect(colours.size).toBeGreaterThan(100);
+    expect(countColours(await editor.rewind())).toBeGreaterThan(100);
 
     const out = join(base, 'page');
     const exported = await page.evaluate(

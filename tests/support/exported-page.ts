@@ -4,6 +4,7 @@ import { expect } from '@jest/globals';
 import type { Browser } from 'playwright-core';
 import { collectErrors } from './browser.ts';
 import { decodePicture } from './picture.ts';
+import { countColours } from './pixels.ts';
 import { serveStatic } from './serve.ts';
 
 /** Opens an exported folder as a visitor does: it shows a picture, and nothing goes wrong. */
@@ -14,10 +15,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   try {
     await page.goto(host.origin);
     await page.getByText('look around').waitFor();
-    const { data } = decodePicture(await page.screenshot());
-    const colours = new Set<number>();
-    for (let i = 0; i < data.length; i += 4) colours.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
-    expect(colours.size).toBeGreaterThan(50);
+    expect(countColours(decodePicture(await page.screenshot()))).toBeGreaterThan(50);
     expect(errors).toEqual([]);
   } finally {
     await page.close();

@@ -49,6 +49,13 @@ export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonl
   return { pixels, largest };
 }
 
+/** How many colours there are, whatever their alpha: a picture of something has many. */
+export function countColours({ data }: Picture): number {
+  const seen = new Set<number>();
+  for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
+  return seen.size;
+}
+
 async function compare(name: string, actual: Picture, expected: Picture, options: PixelOptions, advice: string): Promise<void> {
   const { tolerance = 0, pixels = 0 } = options;
   const sameSize = actual.width === expected.width && actual.height === expected.height;
