@@ -1,7 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { addNodeFromPalette, connect, moveNodes, toggleMuted } from '../state/edit-graph.ts';
+import { addNodeFromPalette, connect, toggleMuted } from '../state/edit-graph.ts';
 import { editParam } from '../state/edit-params.ts';
+import { moveAll } from '../state/layout-items.ts';
 import { selectOnly } from '../state/selection.ts';
 import { sameForWires, sourcesFor } from './wire-sources.ts';
 
@@ -34,7 +35,7 @@ describe('what a port can be wired to', () => {
       return [before === state(), sameForWires(before, state())];
     };
     expect(keeps(() => editParam(editor, blur, 'radius', 3))).toEqual([false, true]);
-    expect(keeps(() => moveNodes(editor, { [blur]: { x: 8, y: 8 } }))).toEqual([false, true]);
+    expect(keeps(() => moveAll(editor, { [blur]: { x: 8, y: 8 } }))).toEqual([false, true]);
     expect(keeps(() => connect(editor, { node: video, port: 'layer' }, { node: blur, port: 'inputImage' }))).toEqual([false, false]);
     expect(keeps(() => void add('filter/sepia'))).toEqual([false, false]);
     selectOnly(editor.selection, [blur]);

@@ -3,9 +3,10 @@ import { setTitle } from '../../export/graph/commands/project-info.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { apply, undo } from './apply.ts';
 import { consequenceOf } from './changes.ts';
-import { addNodeFromPalette, moveNodes, toggleMuted } from './edit-graph.ts';
+import { addNodeFromPalette, toggleMuted } from './edit-graph.ts';
 import { editParam, setExposed } from './edit-params.ts';
 import type { Editor } from './editor.ts';
+import { moveAll } from './layout-items.ts';
 
 async function withNode(type: string): Promise<{ editor: Editor; id: string }> {
   const { editor } = await openTestEditor();
@@ -43,7 +44,7 @@ describe('what follows from a change', () => {
 
   test('moving changes nothing that plays', async () => {
     const { editor, id } = await withNode('filter/sepia');
-    expect(consequence(editor, () => moveNodes(editor, { [id]: { x: 80, y: 80 } }))).toEqual({ kind: 'nothing' });
+    expect(consequence(editor, () => moveAll(editor, { [id]: { x: 80, y: 80 } }))).toEqual({ kind: 'nothing' });
   });
 
   test.each([

@@ -1,6 +1,6 @@
 import { inTurn, unchanged } from '../../export/graph/commands/change.ts';
 import { changeType } from '../../export/graph/commands/change-type.ts';
-import { moveNodes as moveNodesCommand, setCollapsed } from '../../export/graph/commands/layout.ts';
+import { setCollapsed } from '../../export/graph/commands/layout.ts';
 import { addNode, removeNodes, setMuted } from '../../export/graph/commands/nodes.ts';
 import { setRoutes } from '../../export/graph/commands/routes.ts';
 import { connect as connectCommand, disconnect, reorderWires as reorderCommand } from '../../export/graph/commands/wires.ts';
@@ -92,11 +92,6 @@ export function removeWires(editor: Editor, ids: readonly string[]): boolean {
 export function reorderWires(editor: Editor, to: PortAddress, from: readonly PortAddress[]): boolean {
   const { project, graph } = editor.document.getState();
   return apply(editor, 'Reorder wires', reorderCommand(project, { graph, to, from }));
-}
-
-export function moveNodes(editor: Editor, positions: Readonly<Record<string, Place>>): boolean {
-  const { project, graph } = editor.document.getState();
-  return apply(editor, 'Move', moveNodesCommand(project, { graph, positions }), `move ${Object.keys(positions).sort().join(' ')}`);
 }
 
 /**

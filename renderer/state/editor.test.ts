@@ -4,10 +4,11 @@ import { endGesture, redo, undo } from './apply.ts';
 import type { WireInHand } from './canvas.ts';
 import { clipSelection, duplicateSelection, parseClipping, pasteClipping } from './clipboard.ts';
 import { graphOf, isDirty, layoutOf } from './document.ts';
-import { addNodeFromPalette, connect, deleteSelection, moveNodes, refusalOf, rewire, toggleMuted } from './edit-graph.ts';
+import { addNodeFromPalette, connect, deleteSelection, refusalOf, rewire, toggleMuted } from './edit-graph.ts';
 import { editParam, resetParam, setExposed } from './edit-params.ts';
 import type { Editor } from './editor.ts';
 import { filesOf, save } from './files.ts';
+import { moveAll } from './layout-items.ts';
 import { selectOnly } from './selection.ts';
 
 function add(editor: Editor, type: string, inHand: WireInHand | null = null, port: string | null = null): string {
@@ -85,7 +86,7 @@ describe('the editor', () => {
     const { editor } = await openTestEditor();
     const sepia = add(editor, 'filter/sepia');
     const steps = editor.document.getState().history.past.length;
-    for (const x of [16, 24, 32]) moveNodes(editor, { [sepia]: { x, y: 16 } });
+    for (const x of [16, 24, 32]) moveAll(editor, { [sepia]: { x, y: 16 } });
     expect(editor.document.getState().history.past.length).toBe(steps + 1);
   });
 

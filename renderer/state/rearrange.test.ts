@@ -7,12 +7,13 @@ import { apply, undo } from './apply.ts';
 import { align, distribute, selectedBoxes, tidy } from './arrange.ts';
 import { clipSelection, copySelection, duplicateSelection, parseClipping, pasteClipping, pasteText } from './clipboard.ts';
 import { graphOf, layoutOf } from './document.ts';
-import { addNodeFromPalette, connect, moveNodes, swapType, toggleCollapsed, toggleMuted } from './edit-graph.ts';
+import { addNodeFromPalette, connect, swapType, toggleCollapsed, toggleMuted } from './edit-graph.ts';
 import { editShader } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
 import { filesOf } from './files.ts';
 import { findNodes } from './find.ts';
 import { canInsert, dropOnWire } from './insert-on-wire.ts';
+import { moveAll } from './layout-items.ts';
 import { selectOnly } from './selection.ts';
 import { makeSubgraph } from './subgraphs.ts';
 
@@ -90,7 +91,7 @@ describe('nodes are arranged', () => {
 
   test('with equal gaps', async () => {
     const { editor, low, high, blend } = await over();
-    moveNodes(editor, { [low]: { x: 0, y: 0 }, [high]: { x: 210, y: 0 }, [blend]: { x: 1000, y: 0 } });
+    moveAll(editor, { [low]: { x: 0, y: 0 }, [high]: { x: 210, y: 0 }, [blend]: { x: 1000, y: 0 } });
     selectOnly(editor.selection, [low, high, blend]);
     distribute(editor, 'x');
     const [first, second, third] = [...selectedBoxes(editor)].sort((a, b) => a.x - b.x);
@@ -100,7 +101,7 @@ describe('nodes are arranged', () => {
 
   test('along their wires, without laying one over another, in one step', async () => {
     const { editor, low, high, blend } = await over();
-    moveNodes(editor, { [low]: { x: 500, y: 8 }, [high]: { x: 480, y: 0 }, [blend]: { x: 0, y: 0 } });
+    moveAll(editor, { [low]: { x: 500, y: 8 }, [high]: { x: 480, y: 0 }, [blend]: { x: 0, y: 0 } });
     const before = filesOf(editor);
     selectOnly(editor.selection, []);
     await tidy(editor);
