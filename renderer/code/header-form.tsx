@@ -1,5 +1,5 @@
 import { useMemo, useRef, useState } from 'react';
-import { type HeaderForm as Form, type HeaderFields, readHeaderForm } from '../../export/glsl/language/edit-header.ts';
+import { type HeaderForm as Form, type HeaderFields, type HeaderValue, readHeaderForm } from '../../export/glsl/language/edit-header.ts';
 import { isTechnique } from '../../export/glsl/technique/technique-shader.ts';
 import { useDocument, useEditor } from '../shell/editor-context.ts';
 import { editHeader } from '../state/edit-header.ts';
@@ -126,12 +126,12 @@ interface HeaderPassProps {
 
 function HeaderPass({ node, index, fields, technique, disabled }: HeaderPassProps) {
   const editor = useEditor();
-  const set = (key: string, value: Parameters<typeof editHeader>[3]) => void editHeader(editor, node, ['PASSES', index, key], value);
+  const set = (key: string, value: HeaderValue | undefined) => void editHeader(editor, node, ['PASSES', index, key], value);
   const text = (
     label: string,
     key: string,
     placeholder: string,
-    read = (typed: string) => typed.trim() || (undefined as Parameters<typeof editHeader>[3]),
+    read = (typed: string): HeaderValue | undefined => typed.trim() || undefined,
   ) => (
     <HeaderField
       label={label}
@@ -184,7 +184,7 @@ function HeaderPass({ node, index, fields, technique, disabled }: HeaderPassProp
 
 function About({ node, form, disabled }: PartProps) {
   const editor = useEditor();
-  const set = (key: string, value: Parameters<typeof editHeader>[3]) => void editHeader(editor, node, [key], value);
+  const set = (key: string, value: HeaderValue | undefined) => void editHeader(editor, node, [key], value);
   return (
     <>
       <h3>About</h3>

@@ -1,4 +1,4 @@
-import type { HeaderFields } from '../../export/glsl/language/edit-header.ts';
+import type { HeaderFields, HeaderValue } from '../../export/glsl/language/edit-header.ts';
 import { useEditor } from '../shell/editor-context.ts';
 import { endGesture } from '../state/apply.ts';
 import { editHeader, moveInput, renameInput } from '../state/edit-header.ts';
@@ -30,12 +30,15 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
   const editor = useEditor();
   const name = textOfField(fields, 'NAME');
   const type = textOfField(fields, 'TYPE');
-  const set = (key: string, value: Parameters<typeof editHeader>[3]) => void editHeader(editor, node, ['INPUTS', index, key], value);
-  const setNumbers = (key: string) => (text: string) => {
-    const value = numbersOf(text);
-    if (value === null) addToast(editor.ui, { tone: 'warning', text: `“${text}” is no number.`, detail: 'Several are parted by commas.' });
-    else set(key, value);
-  };
+  const set = (key: string, value: HeaderValue | undefined) => void editHeader(editor, node, ['INPUTS', index, key], value);
+  const setNumbers =
+    (key: string, asList = false) =>
+    (text: string) => {
+      const value = numbersOf(text);
+      if (value === null)
+        addToast(editor.ui, { tone: 'warning', text: `“${text}” is no number.`, detail: 'Several are parted by commas.' });
+      else set(key, asList && typeof value === 'number' ? [value] : value);
+    };
   const offered = types.includes(type) ? types : [type, ...types];
   return (
     <li className="header-input">
@@ -92,12 +95,7 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
           )}
           {type === 'long' && (
             <>
-              <HeaderField
-                label="Values"
-                value={textOfField(fields, 'VALUES')}
-                placeholder="0, 1, 2"
-                onSet={(text) => setList(text, numbersOf, set)}
-              />
+              <HeaderField label="Values" value={textOfField(fields, 'VALUES')} placeholder="0, 1, 2" onSet={setNumbers('VALUES', true)} />
               <HeaderField
                 label="Labels"
                 value={textOfField(fields, 'LABELS')}
@@ -142,11 +140,6 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
       )}
     </li>
   );
-}
-
-function setList(text: string, read: typeof numbersOf, set: (key: string, value: Parameters<typeof editHeader>[3]) => void): void {
-  const value = read(text);
-  if (value !== null) set('VALUES', typeof value === 'number' ? [value] : value);
 }
 
 function colourOf({ DEFAULT: list }: HeaderFields): readonly [number, number, number, number] {

@@ -39,6 +39,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     readonly widget: editor.IContentWidget;
     readonly root: Root;
     readonly node: HTMLElement;
+    readonly observer: MutationObserver;
     readonly isOurs: () => boolean;
   } | null = null;
 
@@ -73,8 +74,9 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
 
   function close(): void {
     if (!open) return;
-    const { widget, root } = open;
+    const { widget, root, observer } = open;
     open = null;
+    observer.disconnect();
     view.removeContentWidget(widget);
     // React may be in the middle of telling that it was closed.
     queueMicrotask(() => root.unmount());
@@ -114,7 +116,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     };
     root.render(render(target));
     view.addContentWidget(widget);
-    open = { widget, root, node, isOurs: target.isWriting };
+    open = { widget, root, node, observer, isOurs: target.isWriting };
   }
 
   function showNumber(literal: NumberLiteral, focus: boolean): void {

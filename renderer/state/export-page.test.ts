@@ -3,6 +3,7 @@ import { newProject } from '../../export/graph/new-project.ts';
 import { openTestEditor, type TestEditor } from '../../tests/support/test-editor.ts';
 import type { Editor } from './editor.ts';
 import { cancelExport, exportPage } from './export-page.ts';
+import { openPath } from './files.ts';
 import { createPictures } from './pictures.ts';
 import { followHost } from './start.ts';
 
@@ -41,6 +42,18 @@ describe('an export from the editor', () => {
     expect(sent).toEqual([{ kind: 'poster', widthPx: 12, heightPx: 6 }]);
     clock.pass(60_000);
     expect(await taken).toBeNull();
+  });
+
+  test('is cancelled by another project that is opened, and says no more than that', async () => {
+    const opened = await openTestEditor();
+    const { editor, host } = opened;
+    host.answer('export.run', async ({ out }) => {
+      await openPath(editor, '/other');
+      return { ok: false, out, diagnostics: [], bytes: 0 };
+    });
+    expect(await exportPage(editor, '/page')).toBe(false);
+    expect(texts(editor)).toEqual(['The export was cancelled.']);
+    expect(editor.ui.getState().bottom).toBeNull();
   });
 
   test('tells what it is at, of its own project alone, and can be cancelled', async () => {

@@ -20,8 +20,9 @@ export async function exportPage(editor: Editor, chosen?: string): Promise<boole
     const result = await editor.host.call('export.run', { handle: open.handle, files, out, poster });
     const diagnostics = result.diagnostics as readonly Diagnostic[];
     editor.ui.setState({ exportDiagnostics: diagnostics });
-    if (!result.ok && !hasErrors(diagnostics) && isCancelled(editor)) return tellCancelled(editor);
-    if (!result.ok || hasErrors(diagnostics)) return tellProblems(editor, diagnostics);
+    if (hasErrors(diagnostics)) return tellProblems(editor, diagnostics);
+    // By the person, or by the end of the project that it was of.
+    if (!result.ok) return tellCancelled(editor);
     addToast(editor.ui, { tone: 'success', text: `Exported to ${result.out}.`, detail: `${formatBytes(result.bytes)} in all.` });
     return true;
   } catch (error) {

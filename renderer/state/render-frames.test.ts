@@ -1,5 +1,10 @@
 import { describe, expect, test } from '@jest/globals';
-import { planFrames, rateOf } from './render-frames.ts';
+import { compileText } from '../../tests/support/compile-project.ts';
+import { projectText } from '../../tests/support/project-kit.ts';
+import { openTestEditor } from '../../tests/support/test-editor.ts';
+import type { FilmLink } from './editor.ts';
+import { openPath } from './files.ts';
+import { type FramesWish, planFrames, rateOf, renderFrames } from './render-frames.ts';
 
 /** Ten a second. */
 const FRAMES = { timesS: Array.from({ length: 36 }, (_, i) => i / 10), durationS: 3.6 };
@@ -37,5 +42,67 @@ describe('the frames to render', () => {
   test('have the rate that the recording has', () => {
     expect(rateOf(FRAMES)).toBe(10);
     expect(rateOf({ timesS: [0, 1 / 29.97], durationS: 2 / 29.97 })).toBe(29.97);
+  });
+});
+
+describe('rendering', () => {
+  const WISH: FramesWish = { what: 'pictures', range: RANGE, widthPx: 1, heightPx: 1, frameRateHz: null, out: '/frames' };
+
+  /** An editor over a recording, and a page that draws one white pixel after the other. */
+  async function overRecording() {
+    const { editor, host } = await openTestEditor();
+    const program = compileText(
+      projectText({
+        nodes: { 'video-0000': 'source/camera-video', 'screen-0000': 'output/screen' },
+        wires: ['video-0000.layer -> screen-0000.layer'],
+      }),
+    );
+    const link = { asked: [] as string[], closed: false };
+    const film: FilmLink = {
+      ask: async (message) => {
+        link.asked.push(message.kind);
+        const kept = message.kind === 'film-frame' && message.keep;
+        return { kind: 'filmed', frame: kept ? Uint8Array.of(255, 255, 255, 255) : null };
+      },
+      close: () => {
+        link.closed = true;
+      },
+    };
+    editor.film.open = () => film;
+    editor.compile.setState({ program, programRevision: editor.document.getState().revision });
+    editor.preview.setState({ frames: FRAMES, sources: [{ id: 'a', title: 'A', kind: 'recorded', url: 'http://127.0.0.1:1/a/' }] });
+    const methods = () => host.calls.flatMap(({ method }) => (method.startsWith('frames.') ? method : []));
+    return { editor, host, link, methods, texts: () => editor.ui.getState().toasts.map(({ text }) => text) };
+  }
+
+  test('writes each frame that was asked for, and puts them in their place at the end', async () => {
+    const { editor, link, methods, texts } = await overRecording();
+    expect(await renderFrames(editor, WISH)).toBe(true);
+    expect(methods()).toEqual(['frames.begin', 'frames.add', 'frames.add', 'frames.add', 'frames.finish']);
+    expect([link.asked[0], link.closed]).toEqual(['film', true]);
+    expect(texts()).toEqual(['Rendered one picture to /frames.']);
+  });
+
+  test('is cancelled by another project that is opened', async () => {
+    const { editor, host, link, methods, texts } = await overRecording();
+    host.answer('frames.add', async () => {
+      host.refuse('frames.add', 'SCR073', 'No frames of this project are being rendered.');
+      await openPath(editor, '/other');
+      return {};
+    });
+    expect(await renderFrames(editor, WISH)).toBe(false);
+    expect(texts()).toEqual(['Rendering was cancelled.']);
+    expect([methods().at(-1), link.closed, editor.ui.getState().exporting]).toEqual(['frames.cancel', true, null]);
+  });
+
+  test('says of what there is no frame by frame, and what has to be mended', async () => {
+    const { editor, link, texts } = await overRecording();
+    editor.preview.setState({ sourceId: 'orbit' });
+    expect(await renderFrames(editor, WISH)).toBe(false);
+    expect(texts()).toEqual(['Frames are rendered from recordings: choose one below the preview.']);
+    editor.preview.setState({ sourceId: null, shaderDiagnostics: [{ code: 'SCR042', severity: 'error', message: 'broken' }] });
+    expect(await renderFrames(editor, WISH)).toBe(false);
+    expect(texts().at(-1)).toBe('The project has problems that have to be mended first.');
+    expect(link.asked).toEqual([]);
   });
 });

@@ -133,6 +133,8 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
     addToast(editor.ui, { tone: 'success', text: `Rendered ${counted(written.pictures)} to ${written.out}.` });
     return true;
   } catch (error) {
+    // The host ends the work of a project that is closed.
+    if (editor.document.getState().open?.handle !== handle) return tellCancelled(editor);
     if (error instanceof FilmError) toastDiagnostic(editor.ui, error.diagnostic);
     else showRefusal(editor, error);
     return false;
