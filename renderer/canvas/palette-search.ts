@@ -15,14 +15,26 @@ export interface PaletteEntry {
 }
 
 /** Worth of a match; the best one of a word counts, and every word of the query must match somewhere. */
-const SCORES = { titleStart: 100, titleWord: 80, name: 70, keyword: 60, keywordPart: 45, titlePart: 40, category: 30, doc: 10, letters: 4 };
+const SCORES = {
+  titleStart: 100,
+  titleWord: 80,
+  name: 70,
+  keyword: 65,
+  keywordStart: 60,
+  category: 50,
+  keywordPart: 45,
+  titlePart: 40,
+  doc: 10,
+  letters: 4,
+  none: 0,
+};
 
 /**
  * Node types for the palette, best first: all of them by category and title for an empty query. With a wire in hand, only those
  * that have a port for it.
  */
 export function searchPalette(definitions: readonly NodeDefinition[], query: string, end: OpenEnd | null): PaletteEntry[] {
-  const words = query.toLowerCase().split(/\s+/).filter(Boolean);
+  const words = spelled(query).split(/\s+/).filter(Boolean);
   const found: { entry: PaletteEntry; score: number }[] = [];
   for (const definition of definitions) {
     const port = end === null ? null : fittingPort(definition, end);
@@ -78,29 +90,45 @@ function scoreOf(definition: NodeDefinition, words: readonly string[]): number {
 }
 
 function scoreOfWord(definition: NodeDefinition, word: string): number {
-  const title = definition.title.toLowerCase();
-  const keywords = (definition.keywords ?? []).map((keyword) => keyword.toLowerCase());
-  // Between equal matches the shorter title is the likelier one.
-  const brevity = 1 / (1 + title.length);
-  if (title.startsWith(word)) return SCORES.titleStart + brevity;
-  if (title.split(/[\s-]+/).some((part) => part.startsWith(word))) return SCORES.titleWord + brevity;
-  if (definition.type.split('/')[1]?.startsWith(word)) return SCORES.name + brevity;
-  if (keywords.some((keyword) => keyword.startsWith(word))) return SCORES.keyword + brevity;
-  if (keywords.some((keyword) => keyword.includes(word))) return SCORES.keywordPart + brevity;
-  if (title.includes(word)) return SCORES.titlePart + brevity;
-  if (categoryOf(definition).startsWith(word)) return SCORES.category + brevity;
-  if (word.length > 3 && definition.doc.toLowerCase().includes(word)) return SCORES.doc + brevity;
-  return word.length > 2 && hasLettersInOrder(title, word) ? SCORES.letters + brevity : 0;
+  const title = spelled(definition.title);
+  const keywords = (definition.keywords ?? []).map(spelled);
+  const match = matchOf(definition, title, keywords, word);
+  if (match === 'none') return 0;
+  // Between titles that begin so, the shorter is the likelier; else the node with fewer values to set is the more general one.
+  const size = match === 'titleStart' ? title.length : Object.keys(definition.params).length + title.length / 1000;
+  return SCORES[match] + 1 / (1 + size);
 }
 
-/** `gsb` finds "Gaussian blur". */
+function matchOf(definition: NodeDefinition, title: string, keywords: readonly string[], word: string): keyof typeof SCORES {
+  if (title.startsWith(word)) return 'titleStart';
+  if (hasWord(title, word)) return 'titleWord';
+  if (definition.type.split('/')[1]?.startsWith(word)) return 'name';
+  if (keywords.includes(word)) return 'keyword';
+  if (keywords.some((keyword) => hasWord(keyword, word))) return 'keywordStart';
+  if (categoryOf(definition).startsWith(word)) return 'category';
+  if (keywords.some((keyword) => keyword.includes(word))) return 'keywordPart';
+  if (title.includes(word)) return 'titlePart';
+  if (word.length > 3 && hasWord(spelled(definition.doc), word)) return 'doc';
+  return word.length > 2 && hasLettersInOrder(title, word) ? 'letters' : 'none';
+}
+
+/** People write English in several ways. */
+function spelled(text: string): string {
+  return text.toLowerCase().replaceAll('colour', 'color').replaceAll('grey', 'gray');
+}
+
+function hasWord(text: string, start: string): boolean {
+  return text.split(/[^\p{L}\p{N}]+/u).some((word) => word.startsWith(start));
+}
+
+/** `gsb` finds "Gaussian blur": the first letter is that of the title. */
 function hasLettersInOrder(text: string, letters: string): boolean {
   let at = 0;
   for (const letter of letters) {
     at = text.indexOf(letter, at) + 1;
     if (at === 0) return false;
   }
-  return true;
+  return text[0] === letters[0];
 }
 
 function compare(a: string, b: string): number {

@@ -1,8 +1,12 @@
+import { own } from '../../export/graph/own.ts';
+
 const MAC_SIGNS: Readonly<Record<string, string>> = { Mod: '⌘', Shift: '⇧', Alt: '⌥', Ctrl: '⌃', Delete: '⌫', Backspace: '⌫', Tab: '⇥' };
+
+const ARROWS: Readonly<Record<string, string>> = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓' };
 
 /** For menus and tooltips: `⇧⌘Z` or `Ctrl+Shift+Z`. */
 export function showChord(chord: string, mac: boolean): string {
-  const parts = chord.split('+');
+  const parts = chord.split('+').map((part) => own(ARROWS, part) ?? part);
   if (!mac) return parts.map((part) => (part === 'Mod' ? 'Ctrl' : part === 'Delete' ? 'Del' : part)).join('+');
   const order = ['Ctrl', 'Alt', 'Shift', 'Mod'];
   const modifiers = parts.slice(0, -1).sort((a, b) => order.indexOf(a) - order.indexOf(b));

@@ -13,7 +13,7 @@ export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
   const found = useMemo(() => {
     const words = query.toLowerCase().split(/\s+/).filter(Boolean);
     const matches = appCommandIds().filter((id) => id !== 'help.commands' && matchesAll(appCommand(id).label, words));
-    const rank = (id: AppCommandId) => (appCommand(id).enabled(editor) ? 0 : 1);
+    const rank = (id: AppCommandId) => (appCommand(id).enabled(editor) ? 0 : 10) + distance(appCommand(id).label, words);
     return [...matches].sort((a, b) => rank(a) - rank(b));
   }, [editor, query]);
   return (
@@ -43,6 +43,12 @@ export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
       )}
     </SearchDialog>
   );
+}
+
+/** 0 where the label begins with what was typed, 1 where a word of it does. */
+function distance(label: string, [first = '']: readonly string[]): number {
+  const text = label.toLowerCase();
+  return text.startsWith(first) ? 0 : text.includes(` ${first}`) ? 1 : 2;
 }
 
 function matchesAll(label: string, words: readonly string[]): boolean {

@@ -19,7 +19,7 @@ export function FindDialog({ onClose }: { readonly onClose: () => void }) {
       query={query}
       onQuery={setQuery}
       found={found}
-      keyOf={({ node }) => node}
+      keyOf={({ graph, node }) => `${graph}/${node}`}
       onPick={(target) => goToFound(editor, target)}
       onClose={onClose}
     >

@@ -4,8 +4,7 @@ import { valueText } from '../canvas/value-text.ts';
 import type { DocumentState } from './document.ts';
 import type { Editor } from './editor.ts';
 import { titleOfName } from './library.ts';
-import { selectOnly } from './selection.ts';
-import { revealNodes } from './ui.ts';
+import { goToNode, wayTo } from './way-to.ts';
 
 export interface Found {
   readonly graph: string;
@@ -35,21 +34,16 @@ export function findNodes({ project, library, graph }: DocumentState, query: str
       const inTitle = words.every((word) => title.toLowerCase().includes(word));
       const value = inTitle ? undefined : values.find((line) => words.some((word) => line.toLowerCase().includes(word)));
       found.push({ graph: name, node: id, title, detail: value ?? id });
-      if (found.length === MOST) return found;
     }
   }
-  return found;
+  const starts = ({ title }: Found) => (words[0] !== undefined && title.toLowerCase().startsWith(words[0]) ? 0 : 1);
+  return found.sort((a, b) => Number(a.graph !== graph) - Number(b.graph !== graph) || starts(a) - starts(b)).slice(0, MOST);
 }
 
 export function titleOfGraph(name: string): string {
   return name === MAIN_GRAPH ? 'Main graph' : titleOfName(name);
 }
 
-/** Opens the graph that it is in, selects it and shows it. */
 export function goToFound(editor: Editor, { graph, node }: Found): void {
-  const { graph: open } = editor.document.getState();
-  if (graph !== open) editor.document.setState({ graph, trail: graph === MAIN_GRAPH ? [] : [MAIN_GRAPH] });
-  selectOnly(editor.selection, [node]);
-  // The nodes of another graph have to be on the canvas before they can be shown.
-  editor.clock.nextFrame(() => revealNodes(editor.ui, [node], graph === open ? 'show' : 'fit'));
+  goToNode(editor, { graph, node, trail: wayTo(editor.document.getState().project, graph) });
 }

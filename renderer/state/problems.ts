@@ -1,11 +1,11 @@
 import { isChunkFile } from '../../export/graph/names.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeProblem } from '../canvas/project-canvas.ts';
-import { graphOf, nodeOf, type OpenGraph } from './document.ts';
+import { type DocumentState, graphOf, nodeOf, type OpenGraph } from './document.ts';
 import { shaderOf, vertexOf } from './edit-shader.ts';
 import type { Editor } from './editor.ts';
-import { selectOnly } from './selection.ts';
-import { revealCode, revealNodes } from './ui.ts';
+import { revealCode } from './ui.ts';
+import { goToNode, type NodePlace, placeOnPath, wayTo } from './way-to.ts';
 
 const RANK = { error: 0, warning: 1, info: 2 } as const;
 
@@ -55,14 +55,12 @@ export function countProblems(problems: readonly Diagnostic[]): Readonly<Record<
   return count;
 }
 
-/** Selects the node that a problem is about and shows it; opens its source at the line where the problem has one. */
+/** Selects the node that a problem is about and shows it, in whichever graph it is; opens its source at the line where the problem has one. */
 export function goToProblem(editor: Editor, problem: Diagnostic): void {
-  const state = editor.document.getState();
-  const node = nodeOfProblem(editor, problem);
-  if (node === null) return;
-  selectOnly(editor.selection, [node]);
-  revealNodes(editor.ui, [node]);
-  if (problem.line !== undefined && shaderOf(state, node) !== null)
+  const place = placeOfProblem(editor.document.getState(), problem);
+  if (place === null) return;
+  goToNode(editor, place);
+  if (problem.line !== undefined && shaderOf(editor.document.getState(), place.node) !== null)
     revealCode(editor.ui, problem.line, problem.column ?? 1, otherFileIn(problem));
 }
 
@@ -71,11 +69,17 @@ function nodeHere(state: OpenGraph, path: string): string | undefined {
   return path.split('/').find((id) => nodeOf(state, id) !== undefined);
 }
 
-/** The node it names, or the subgraph's node that holds it; else the first that uses the file it names. */
-function nodeOfProblem(editor: Editor, { nodeId, file }: Diagnostic): string | null {
-  const state = editor.document.getState();
-  const named = nodeId === undefined ? undefined : nodeHere(state, nodeId);
-  return named ?? Object.keys(graphOf(state).nodes).find((id) => isAboutFileOf(state, id, file)) ?? null;
+/** The node it names; else the first that uses the file it names, of the open graph before others. */
+function placeOfProblem(state: DocumentState, { nodeId, file }: Diagnostic): NodePlace | null {
+  const { project, graph, trail } = state;
+  const named = nodeId === undefined ? null : placeOnPath(project, nodeId);
+  if (named !== null) return named;
+  const isIt = (name: string, id: string) => (nodeId === undefined ? isAboutFileOf({ ...state, graph: name }, id, file) : id === nodeId);
+  for (const name of [graph, ...Object.keys(project.graphs)]) {
+    const node = Object.keys(graphOf({ project, graph: name }).nodes).find((id) => isIt(name, id));
+    if (node !== undefined) return { graph: name, trail: name === graph ? trail : wayTo(project, name), node };
+  }
+  return null;
 }
 
 /** The chunk or vertex shader that a problem is in, though it is told of the node whose shader needs it. */

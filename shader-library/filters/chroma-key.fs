@@ -2,7 +2,7 @@
   "ISFVSN": "2",
   "DESCRIPTION": "Makes one colour transparent, such as a green screen, whatever its brightness, and takes its reflection out of the rest.",
   "CREDIT": "Scrim. Colour differences: Rec. ITU-R BT.709",
-  "CATEGORIES": ["Key", "Green screen", "Blue screen", "Matte", "Cut out"],
+  "CATEGORIES": ["Key", "Green screen", "Greenscreen", "Blue screen", "Matte", "Cut out"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to cut out of its background." },
     { "NAME": "keyColor", "TYPE": "color", "LABEL": "Key colour", "DOC": "Colour of the background.", "DEFAULT": [0.0, 0.7, 0.2, 1.0] },

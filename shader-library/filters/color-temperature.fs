@@ -3,7 +3,7 @@
   "SCRIM_TITLE": "Colour temperature",
   "DESCRIPTION": "Shows the picture as if its light had another colour: warm like a candle or cool like the sky in the shade. The picture's own light is taken to be 6500 K, so 6500 K changes nothing; lower is warmer. White keeps its brightness.",
   "CREDIT": "Scrim. Planckian locus: Kang et al. 2002, J. Korean Physical Society 41, 865. Adaptation: Bradford, as in ICC.1:2022 annex E",
-  "CATEGORIES": ["Colour", "White balance", "Warm", "Cool"],
+  "CATEGORIES": ["Colour", "White balance", "Warm", "Cool", "Colour correction"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolour." },
     { "NAME": "temperature", "TYPE": "float", "LABEL": "Temperature", "DOC": "Colour temperature of the light: candle 1900 K, bulb 2700 K, noon 5500 K, shade 8000 K.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 6500.0, "IDENTITY": 6500.0, "STEP": 50.0, "UNIT": "K" }

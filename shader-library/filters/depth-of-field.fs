@@ -2,7 +2,7 @@
   "ISFVSN": "2",
   "DESCRIPTION": "Blurs what is nearer or farther than the focus, as a lens does, by the depth of the layer, or of the room where the layer has none. Lens and sensor are set in real units.",
   "CREDIT": "Scrim. Circle of confusion: thin lens, as in M. Potmesil and I. Chakravarty 1981, SIGGRAPH 15, 297. Gathering after D. Gustafsson 2018, Bokeh depth of field in a single pass",
-  "CATEGORIES": ["Depth", "Blur", "Lens", "Bokeh", "Focus"],
+  "CATEGORIES": ["Depth", "Blur", "Lens", "Bokeh", "Focus", "Defocus", "DoF"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "INPUTS": [

@@ -2,7 +2,7 @@
   "ISFVSN": "2",
   "DESCRIPTION": "Changes how bright the picture is and how much dark and light differ, and leaves its colour differences alone.",
   "CREDIT": "Scrim. Luma: Rec. ITU-R BT.709. Effect named in the mixed-reality rendering framework with osgART, figure 14",
-  "CATEGORIES": ["Colour", "Light", "Brightness", "Contrast", "Gamma"],
+  "CATEGORIES": ["Colour", "Light", "Brightness", "Contrast", "Gamma", "Colour correction"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to change." },
     { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Added to the luma: -1 makes everything black, 1 makes it white.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },

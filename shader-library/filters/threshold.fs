@@ -2,7 +2,7 @@
   "ISFVSN": "2",
   "DESCRIPTION": "Turns the picture into two colours: one for what is darker than the level, one for what is lighter.",
   "CREDIT": "Scrim",
-  "CATEGORIES": ["Colour", "Style", "Black and white"],
+  "CATEGORIES": ["Colour", "Style", "Black and white", "Binary", "BW"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to divide." },
     { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Brightness at which dark becomes light, as Rec. 709 luma from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },

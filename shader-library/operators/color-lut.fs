@@ -3,7 +3,7 @@
   "SCRIM_TITLE": "Colour table",
   "DESCRIPTION": "Grades a layer by a colour table (LUT). Drop a .cube file on the canvas to get its table as a picture; pictures of tables from other programs fit too: one row of squares, or eight rows of eight.",
   "CREDIT": "Scrim. Tables: Adobe, Cube LUT Specification 1.0",
-  "CATEGORIES": ["Colour", "Grading", "LUT", "Look", "Film", "Cube"],
+  "CATEGORIES": ["Colour", "Grading", "Colour correction", "LUT", "Look", "Film", "Cube"],
   "SCRIM_FIT": "stretch",
   "SCRIM_DEPTH": "same",
   "INPUTS": [

@@ -34,15 +34,15 @@ function checkBinding(check: GraphCheck, nodeId: string, port: string, param: Pa
   if (expression?.ok === false) {
     const { message, column } = expression;
     const severity = check.live.has(nodeId) ? 'error' : 'warning';
-    const words = `The expression of “${param.label}” of ${nodeId} cannot be read: ${message} (character ${column}).${inGraph(check)}`;
-    check.report({ code: 'SCR022', severity, ...place, column, message: words });
+    const words = `The expression of “${param.label}” of ${nodeId} cannot be read: ${message} (character ${column}).`;
+    check.report({ code: 'SCR022', severity, ...place, column, message: inGraph(check, words) });
   }
   if (value === undefined) return;
   if (param.type === 'asset') checkAsset(check, nodeId, port, param, String(value));
   const range = outOfRange(param, value);
   if (range === null) return;
-  const message = `“${param.label}” of ${nodeId} is ${JSON.stringify(value)}, but goes ${range}: the nearest value is used.${inGraph(check)}`;
-  check.report({ code: 'SCR018', severity: 'warning', ...place, message });
+  const message = `“${param.label}” of ${nodeId} is ${JSON.stringify(value)}, but goes ${range}: the nearest value is used.`;
+  check.report({ code: 'SCR018', severity: 'warning', ...place, message: inGraph(check, message) });
 }
 
 function checkAsset(check: GraphCheck, nodeId: string, port: string, param: ParamDefinition & { type: 'asset' }, id: string): void {
@@ -85,6 +85,6 @@ function checkChosen(
   if ((binding && boundValue(binding)) || !check.live.has(nodeId)) return;
   const exposed = check.graph.exposed.inputs.some((e) => e.node === nodeId && e.port === port);
   if (exposed) return;
-  const message = `${nodeId} has no “${param.label}” yet: nothing is shown of it.${inGraph(check)}`;
-  check.report({ code: 'SCR030', severity: 'warning', nodeId, port, message, fix: 'Choose one.' });
+  const message = `${nodeId} has no “${param.label}” yet: nothing is shown of it.`;
+  check.report({ code: 'SCR030', severity: 'warning', nodeId, port, message: inGraph(check, message), fix: 'Choose one.' });
 }

@@ -10,7 +10,7 @@ export interface GraphCheck {
   readonly faceOf: FaceLookup;
   readonly name: string;
   readonly graph: Graph;
-  /** Nodes on which the screen, or what a subgraph gives, depends. */
+  /** Nodes on which the screen depends; none where it does not depend on the graph. */
   readonly live: ReadonlySet<string>;
   report(diagnostic: Diagnostic): void;
 }
@@ -22,7 +22,7 @@ export function reportError(
   message: string,
   fix?: string,
 ): void {
-  check.report({ code, severity: 'error', ...place, message: message + inGraph(check), ...(fix === undefined ? {} : { fix }) });
+  check.report({ code, severity: 'error', ...place, message: inGraph(check, message), ...(fix === undefined ? {} : { fix }) });
 }
 
 /**
@@ -37,9 +37,10 @@ export function reportUnfinished(
   fix: string,
 ): void {
   const severity = check.live.has(place.nodeId) ? 'error' : 'warning';
-  check.report({ code, severity, ...place, message: message + inGraph(check), fix });
+  check.report({ code, severity, ...place, message: inGraph(check, message), fix });
 }
 
-export function inGraph({ name }: Pick<GraphCheck, 'name'>): string {
-  return name === MAIN_GRAPH ? '' : ` (in the subgraph “${name}”)`;
+/** A sentence that says which subgraph it is about. */
+export function inGraph({ name }: Pick<GraphCheck, 'name'>, sentence: string): string {
+  return name === MAIN_GRAPH ? sentence : `${sentence.replace(/\.$/, '')} (in the subgraph “${name}”).`;
 }

@@ -237,7 +237,27 @@ describe('validateProject', () => {
 
   test('a mistake in a subgraph names the subgraph', () => {
     const [diagnostic] = validate(projectOf(VIDEO_TO_SCREEN, { subgraphs: { look: { nodes: { 'x-aaaa': 'filter/nothing' } } } }));
-    expect(diagnostic?.message).toContain('in the subgraph “look”');
+    expect(diagnostic?.message).toMatch(/[^.] \(in the subgraph “look”\)\.$/);
+  });
+
+  test('what is unfinished in a subgraph is an error only where the screen depends on that', () => {
+    const look: Sketch = {
+      nodes: { 'sepia-aaaa': 'filter/sepia' },
+      exposed: { inputs: [], outputs: [{ name: 'layer', node: 'sepia-aaaa', port: 'layer' }] },
+    };
+    const outer: Sketch = {
+      nodes: { 'look-aaaa': 'graph/look' },
+      exposed: { inputs: [], outputs: [{ name: 'layer', node: 'look-aaaa', port: 'layer' }] },
+    };
+    const aside = { ...VIDEO_TO_SCREEN, nodes: { ...VIDEO_TO_SCREEN.nodes, 'outer-aaaa': 'graph/outer' } };
+    const unfinished = 'SCR015 sepia-aaaa inputImage';
+    expect(codes(projectOf(aside, { subgraphs: { look, outer } }))).toEqual([`warning ${unfinished}`]);
+    expect(codes(projectOf(VIDEO_TO_SCREEN, { subgraphs: { look } }))).toEqual([`warning ${unfinished}`]);
+    const shown: Sketch = {
+      nodes: { 'outer-aaaa': 'graph/outer', 'screen-aaaa': 'output/screen' },
+      wires: ['outer-aaaa.layer -> screen-aaaa.layer'],
+    };
+    expect(codes(projectOf(shown, { subgraphs: { look, outer } }))).toEqual([`error ${unfinished}`]);
   });
 
   test('a required input that a subgraph shows is required of the node that stands for it', () => {

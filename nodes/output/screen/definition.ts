@@ -5,7 +5,7 @@ export const definition = defineNode({
   version: 1,
   title: 'Screen',
   doc: 'What the visitor sees. Every project has one. Where the layer is transparent, the background shows.',
-  keywords: ['output', 'display', 'present', 'result', 'final', 'view'],
+  keywords: ['output', 'display', 'present', 'result', 'final', 'view', 'viewer'],
   inputs: { layer: { type: 'layer', label: 'Layer', doc: 'The finished picture.', required: true } },
   outputs: {},
   params: {

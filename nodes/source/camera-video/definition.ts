@@ -5,7 +5,7 @@ export const definition = defineNode({
   version: 1,
   title: 'Camera video',
   doc: 'What the camera sees. As the background alone it asks for nothing, because the device shows the world by itself; only where a filter reads the picture is the visitor asked for the camera.',
-  keywords: ['video', 'camera', 'passthrough', 'world', 'background', 'real'],
+  keywords: ['video', 'camera', 'webcam', 'passthrough', 'world', 'background', 'real'],
   inputs: {},
   outputs: {
     layer: { type: 'layer', label: 'Layer', doc: 'The camera picture, as wide as the view.', domain: 'view', depth: false },

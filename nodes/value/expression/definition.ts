@@ -5,7 +5,7 @@ export const definition = defineNode({
   version: 1,
   title: 'Expression',
   doc: 'Computes a number from up to four others by a formula. Write numbers, + − * / % ^, brackets, comparisons (< <= > >= == !=), && || !, a choice as in “a > 1 ? b : c”, the names a b c d, time (seconds since the session began), frame, pi and tau, and the functions sin cos tan asin acos atan atan2 sqrt pow exp log abs sign floor ceil round fract mod min max clamp mix step smoothstep. Angles are in radians, a comparison gives 1 or 0, and % is mod, which has the sign of the divisor. Where the result is no number, as in 1 / 0, it is 0. The same can be written straight into a param.',
-  keywords: ['formula', 'math', 'calculate', 'script', 'code', 'sine', 'wave', 'function', 'equation'],
+  keywords: ['formula', 'math', 'calculate', 'script', 'code', 'sine', 'wave', 'function', 'equation', 'lfo', 'oscillator'],
   inputs: {},
   outputs: { result: { type: 'number', label: 'Result', doc: 'The computed number.' } },
   params: {
