@@ -8,6 +8,7 @@ import { cancelDrag } from '../state/gizmo.ts';
 import { gripOf } from '../state/grip.ts';
 import { soleNode } from '../state/selection.ts';
 import { addToast } from '../state/ui.ts';
+import { onEscape } from '../ui/escape.ts';
 import { Icon, type IconName } from '../ui/icon.tsx';
 import './gizmo-bar.css';
 
@@ -21,7 +22,7 @@ const MODES: readonly { readonly mode: GizmoMode; readonly label: string; readon
 export function GizmoBar() {
   const { selection } = useEditor();
   const selected = useStore(selection, soleNode);
-  useEscape();
+  useGiveUp();
   return selected === null ? null : <Tools selected={selected} />;
 }
 
@@ -92,18 +93,11 @@ function Tool({ label, icon, command, pressed, reason }: ToolProps) {
 }
 
 /** Lets go of what is dragged, wherever the focus is. */
-function useEscape(): void {
+function useGiveUp(): void {
   const editor = useEditor();
   const dragging = useStore(editor.gizmo, (state) => state.drag !== null);
   useEffect(() => {
     if (!dragging) return;
-    const onKeyDown = (event: KeyboardEvent) => {
-      if (event.key !== 'Escape') return;
-      event.preventDefault();
-      event.stopPropagation();
-      cancelDrag(editor);
-    };
-    window.addEventListener('keydown', onKeyDown, true);
-    return () => window.removeEventListener('keydown', onKeyDown, true);
+    return onEscape(() => cancelDrag(editor));
   }, [dragging, editor]);
 }

@@ -1,8 +1,8 @@
-import { type PointerEvent, useEffect, useRef, useState } from 'react';
+import { type PointerEvent, useRef, useState } from 'react';
 import { type Curve, curveAt } from '../../nodes/kit/curve.ts';
 import { type CurvePoint, canLosePoint, curvePath, pointsOf, withoutPoint, withPoint, withPointAt } from './curve-points.ts';
 import { CurveDrawing, CurveHandle, pixelsFrom, placeIn, reachPx } from './curve-square.tsx';
-import { onEscape } from './escape.ts';
+import { useEscape } from './escape.ts';
 import type { EditHandlers } from './number-field.tsx';
 
 interface CurveEditorProps extends EditHandlers<Curve> {
@@ -31,8 +31,7 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
   /** Which of the last two presses made their point: a double-click takes away only what was there before it. */
   const made = useRef<readonly boolean[]>([]);
   const [ghost, setGhost] = useState<CurvePoint | null>(null);
-  const stopListening = useRef<(() => void) | null>(null);
-  useEffect(() => () => stopListening.current?.(), []);
+  const givingUp = useEscape();
   const points = pointsOf(value);
 
   const nearest = (event: PointerEvent<HTMLElement>): number => {
@@ -65,7 +64,7 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
     event.currentTarget.setPointerCapture(event.pointerId);
     const point = pointsOf(taken.curve)[taken.index] ?? at;
     drag.current = { ...taken, by: { x: point.x - at.x, y: point.y - at.y }, changed: added !== null };
-    stopListening.current = onEscape(() => {
+    givingUp.listen(() => {
       if (drag.current?.changed) onCancel?.();
       drag.current = null;
     });
@@ -91,7 +90,7 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
     }
   };
   const onPointerUp = () => {
-    stopListening.current?.();
+    givingUp.stop();
     if (drag.current?.changed) onEnd();
     drag.current = null;
   };

@@ -1,5 +1,5 @@
-import { type KeyboardEvent, type PointerEvent, useEffect, useRef, useState } from 'react';
-import { onEscape } from './escape.ts';
+import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
+import { useEscape } from './escape.ts';
 import './fields.css';
 
 /** How edits are told apart: those of one gesture become one undo step, which `end` closes. */
@@ -35,8 +35,7 @@ export function NumberField(props: NumberFieldProps) {
   const field = useRef<HTMLInputElement>(null);
   const scrub = useRef<{ x: number; value: number; moving: boolean } | null>(null);
   const edited = useRef(false);
-  const stopListening = useRef<(() => void) | null>(null);
-  useEffect(() => () => stopListening.current?.(), []);
+  const givingUp = useEscape();
 
   /** What cannot be read stays to be mended, until the field is left. */
   const finish = (leaving: boolean) => {
@@ -80,7 +79,7 @@ export function NumberField(props: NumberFieldProps) {
     event.preventDefault();
     event.currentTarget.setPointerCapture(event.pointerId);
     scrub.current = { x: event.clientX, value, moving: false };
-    if (onCancel) stopListening.current = onEscape(() => giveUp(onCancel));
+    if (onCancel) givingUp.listen(() => giveUp(onCancel));
   };
   const giveUp = (cancel: () => void) => {
     if (scrub.current?.moving) cancel();
@@ -96,14 +95,14 @@ export function NumberField(props: NumberFieldProps) {
   };
   /** The browser took the finger for something else. */
   const onPointerCancel = () => {
-    stopListening.current?.();
+    givingUp.stop();
     if (scrub.current?.moving) onEnd();
     scrub.current = null;
   };
   const onPointerUp = () => {
     const from = scrub.current;
     scrub.current = null;
-    stopListening.current?.();
+    givingUp.stop();
     if (from?.moving) onEnd();
     else if (from) field.current?.focus();
   };

@@ -1,5 +1,5 @@
-import { useEffect, useRef } from 'react';
-import { onEscape } from './escape.ts';
+import { useRef } from 'react';
+import { useEscape } from './escape.ts';
 import './fields.css';
 import type { EditHandlers } from './number-field.tsx';
 
@@ -17,18 +17,17 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
   const filled = max > min ? Math.min(Math.max((value - min) / (max - min), 0), 1) : 0;
   /** The browser goes on dragging until the pointer is let go. */
   const givenUp = useRef(false);
-  const stopListening = useRef<(() => void) | null>(null);
-  useEffect(() => () => stopListening.current?.(), []);
+  const givingUp = useEscape();
   const begin = () => {
     givenUp.current = false;
     if (!onCancel) return;
-    stopListening.current = onEscape(() => {
+    givingUp.listen(() => {
       givenUp.current = true;
       onCancel();
     });
   };
   const end = () => {
-    stopListening.current?.();
+    givingUp.stop();
     givenUp.current = false;
     onEnd();
   };
@@ -48,6 +47,8 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
       }}
       onPointerDown={begin}
       onPointerUp={end}
+      // The browser moves it for a finger, of which no more is heard.
+      onPointerCancel={givingUp.stop}
       onKeyUp={onEnd}
       onBlur={end}
     />
