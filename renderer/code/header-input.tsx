@@ -1,4 +1,5 @@
 import type { HeaderFields, HeaderValue } from '../../export/glsl/language/edit-header.ts';
+import { Pipette } from '../inspector/pipette.tsx';
 import { useEditor } from '../shell/editor-context.ts';
 import { endGesture } from '../state/apply.ts';
 import { editHeader, moveInput, renameInput } from '../state/edit-header.ts';
@@ -39,6 +40,11 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
         addToast(editor.ui, { tone: 'warning', text: `“${text}” is no number.`, detail: 'Several are parted by commas.' });
       else set(key, asList && typeof value === 'number' ? [value] : value);
     };
+  const takeDefault = ([red, green, blue]: readonly [number, number, number]) => {
+    const [, , , alpha] = colourOf(fields);
+    set('DEFAULT', rounded([red, green, blue, alpha]));
+    endGesture(editor);
+  };
   const offered = types.includes(type) ? types : [type, ...types];
   return (
     <li className="header-input">
@@ -125,6 +131,7 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
               <ColorField
                 label={`Default of ${name}`}
                 value={colourOf(fields)}
+                pipette={<Pipette label={`Default of ${name}`} onTake={takeDefault} />}
                 onEdit={(colour) => set('DEFAULT', rounded(colour))}
                 onEnd={() => endGesture(editor)}
               />

@@ -58,7 +58,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
   return (
     <fieldset
       ref={row}
-      className={`param-row${isVector ? ' param-row-vector' : param.type === 'curve' ? ' param-row-curve' : ''}`}
+      className={`param-row${isVector || param.type === 'color' ? ' param-row-wide' : param.type === 'curve' ? ' param-row-curve' : ''}`}
       aria-label={param.label}
       data-param={name}
       onContextMenu={openMenu}

@@ -1,18 +1,32 @@
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 
-/** What the camera sees, with a tint of a colour that is half see-through. */
+const SHADER = `/*{
+  "ISFVSN": "2",
+  "INPUTS": [
+    { "NAME": "inputImage", "TYPE": "image" },
+    { "NAME": "tint", "TYPE": "color", "DEFAULT": [1, 0, 0, 0.5] }
+  ]
+}*/
+void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) * tint; }
+`;
+
+/** What the camera sees, with a tint of a colour that is half see-through, and a shader that has one, too. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
     'color-aaaa': { type: 'value/color', params: { value: [1, 0, 0, 0.5] } },
     'screen-aaaa': { type: 'output/screen' },
+    'own-aaaa': { type: 'filter/own' },
   },
   wires: ['video-aaaa.layer -> screen-aaaa.layer'],
-  places: { 'video-aaaa': [0, 0], 'color-aaaa': [0, 200], 'screen-aaaa': [300, 0] },
+  places: { 'video-aaaa': [0, 0], 'color-aaaa': [0, 200], 'screen-aaaa': [300, 0], 'own-aaaa': [300, 200] },
+  shaders: { 'own.fs': SHADER },
 };
 
 let picture: Picture;
@@ -113,4 +127,27 @@ test('pressed again it ends, and so it does when another node is selected', asyn
   await eyedropper().waitFor();
   await editor.node('video').locator('.node-title').click();
   await eyedropper().waitFor({ state: 'detached' });
+});
+
+test('a colour of a shader’s header takes one, too, as one step', async () => {
+  const { page, editor, project } = open;
+  await editor.openCode('own');
+  await editor.press('Header form');
+  const form = page.getByRole('region', { name: 'Header' });
+  await form.getByRole('button', { name: /^tint/ }).click();
+  await form.getByRole('button', { name: 'Default of tint: take it from the preview' }).click();
+  const frame = await page.locator('iframe[title="Preview"]').boundingBox();
+  if (!frame) throw new Error('There is no preview.');
+  const { x, y } = await edgePoint();
+  const [r = 0, g = 0, b = 0] = colorAt(x, y).map((part) => Number((part / 255).toFixed(4)));
+  await page.mouse.click(frame.x + x + 0.5, frame.y + y + 0.5);
+  await eyedropper().waitFor({ state: 'detached' });
+  const shader = async () => {
+    await saveGraphs(open);
+    return readFile(join(project, 'shaders/own.fs'), 'utf8');
+  };
+  expect(await shader()).toContain(`"DEFAULT": [${r}, ${g}, ${b}, 0.5]`);
+  await editor.node('own').locator('.node-title').click();
+  await page.keyboard.press('Control+z');
+  expect(await shader()).toBe(SHADER);
 });

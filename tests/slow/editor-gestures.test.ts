@@ -165,4 +165,14 @@ test('the numbers of a vector can be read in a narrow window; units are typed, a
   await page.keyboard.press('Escape');
   expect(await y.inputValue()).toBe('1.2');
   expect(await y.getAttribute('aria-invalid')).toBe('false');
+  // Nor do the parts of a colour stand on one another.
+  await title('threshold').click();
+  const row = open.editor.inspector.getByRole('group', { name: 'Dark', exact: true });
+  const boxes = await row
+    .locator('.color-field > *, .param-actions > *')
+    .evaluateAll((all) => all.map((element) => element.getBoundingClientRect()));
+  const overlapping = boxes.filter((a, i) =>
+    boxes.slice(i + 1).some((b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom),
+  );
+  expect(overlapping).toEqual([]);
 });
