@@ -1,16 +1,34 @@
 import { own } from '../../export/graph/own.ts';
 
-const MAC_SIGNS: Readonly<Record<string, string>> = { Mod: '⌘', Shift: '⇧', Alt: '⌥', Ctrl: '⌃', Delete: '⌫', Backspace: '⌫', Tab: '⇥' };
-
-const ARROWS: Readonly<Record<string, string>> = { ArrowLeft: '←', ArrowRight: '→', ArrowUp: '↑', ArrowDown: '↓' };
+const NAMES: Readonly<Record<string, string>> = {
+  ArrowLeft: 'Left',
+  ArrowRight: 'Right',
+  ArrowUp: 'Up',
+  ArrowDown: 'Down',
+  Mod: 'Ctrl',
+  Delete: 'Del',
+};
+const MAC_SIGNS: Readonly<Record<string, string>> = {
+  ArrowLeft: '←',
+  ArrowRight: '→',
+  ArrowUp: '↑',
+  ArrowDown: '↓',
+  Mod: '⌘',
+  Shift: '⇧',
+  Alt: '⌥',
+  Ctrl: '⌃',
+  Delete: '⌫',
+  Backspace: '⌫',
+  Tab: '⇥',
+};
 
 /** For menus and tooltips: `⇧⌘Z` or `Ctrl+Shift+Z`. */
 export function showChord(chord: string, mac: boolean): string {
-  const parts = chord.split('+').map((part) => own(ARROWS, part) ?? part);
-  if (!mac) return parts.map((part) => (part === 'Mod' ? 'Ctrl' : part === 'Delete' ? 'Del' : part)).join('+');
+  const parts = chord.split('+');
+  if (!mac) return parts.map((part) => own(NAMES, part) ?? part).join('+');
   const order = ['Ctrl', 'Alt', 'Shift', 'Mod'];
   const modifiers = parts.slice(0, -1).sort((a, b) => order.indexOf(a) - order.indexOf(b));
-  return [...modifiers, parts.at(-1) ?? ''].map((part) => MAC_SIGNS[part] ?? part).join('');
+  return [...modifiers, parts.at(-1) ?? ''].map((part) => own(MAC_SIGNS, part) ?? part).join('');
 }
 
 /** Text fields, and what says of itself that it is one, keep the keys that edit text. */

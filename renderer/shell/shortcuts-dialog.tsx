@@ -1,6 +1,6 @@
 import { useStore } from 'zustand';
-import { appCommandIds } from '../state/app-commands.ts';
 import { resetChords } from '../state/chords.ts';
+import { MENUS } from '../state/menus.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { useEditor } from './editor-context.ts';
@@ -35,19 +35,25 @@ export function ShortcutsDialog({ onClose }: { readonly onClose: () => void }) {
         {changed && <Button onPress={() => resetChords(editor)}>All keys as they were</Button>}
       </p>
       <div className="shortcuts">
-        <dl>
-          {appCommandIds().map((id) => (
-            <ShortcutRow key={id} id={id} />
-          ))}
-        </dl>
-        <dl>
-          {POINTER.map(([what, how]) => (
-            <div key={what}>
-              <dt>{what}</dt>
-              <dd>{how}</dd>
-            </div>
-          ))}
-        </dl>
+        {MENUS.map(({ label, entries }) => (
+          <section key={label}>
+            <h3>{label}</h3>
+            <dl>{entries.map((id) => id !== 'line' && <ShortcutRow key={id} id={id} />)}</dl>
+          </section>
+        ))}
+      </div>
+      <div className="shortcuts shortcuts-pointer">
+        <section>
+          <h3>Pointer and fingers</h3>
+          <dl>
+            {POINTER.map(([what, how]) => (
+              <div key={what}>
+                <dt>{what}</dt>
+                <dd>{how}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
       </div>
     </Dialog>
   );

@@ -253,7 +253,8 @@ const COMMANDS = {
   'play.loop': { label: 'Loop', chords: ['Shift+L'], enabled: hasFrames, run: toggleLoop, where: 'time' },
   'help.commands': {
     label: 'All commands…',
-    chords: ['Mod+K'],
+    // The second as in text editors.
+    chords: ['Mod+K', 'Mod+Shift+P'],
     enabled: always,
     run: ({ ui }) => ui.setState({ dialog: { kind: 'commands' } }),
     whileTyping: true,
