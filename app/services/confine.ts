@@ -34,8 +34,11 @@ export async function resolveInside(root: string, path: string): Promise<string>
   return join(root, ...parts);
 }
 
-/** `:` would name a drive or a stream on Windows; a percent-encoded dot or slash has no honest use in a file name. */
-function isPlainName(part: string): boolean {
+/**
+ * Whether `resolveInside` takes it as a part of a path. `:` would name a drive or a stream on Windows; a percent-encoded dot or
+ * slash has no honest use in a file name.
+ */
+export function isPlainName(part: string): boolean {
   return part !== '' && part !== '.' && part !== '..' && !/[\\:\0]|%(2e|2f|5c|00)/i.test(part);
 }
 

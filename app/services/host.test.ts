@@ -1,6 +1,6 @@
-import { mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdir, mkdtemp, readdir, readFile, rename, rm, symlink, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { basename, dirname, join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, test } from '@jest/globals';
 import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
@@ -50,10 +50,20 @@ describe('what a page may not ask of the host', () => {
   });
 
   test('a project that cannot be opened to the end, which nobody shows then', async () => {
-    const window = openWindow(startHost(), 'a');
-    await mkdir(join(project, 'assets', 'a:b'), { recursive: true });
+    const own = join(project, '.scrim');
+    const moved = join(base, 'moved');
+    const files: FileLayer = {
+      ...NODE_FILES,
+      writeNew: async (path, bytes) => {
+        await NODE_FILES.writeNew(path, bytes);
+        if (!basename(path).startsWith('window-')) return;
+        await rename(own, moved);
+        await symlink(moved, own);
+      },
+    };
+    const window = openWindow(startHost(files), 'a');
     await expect(window.call('project.open', { path: project })).rejects.toMatchObject({ diagnostic: { code: 'SCR031' } });
-    expect((await readdir(join(project, '.scrim'))).filter((name) => name.startsWith('window-'))).toEqual([]);
+    expect((await readdir(moved)).filter((name) => name.startsWith('window-'))).toEqual([]);
   });
 
   test('a template that is none, or leads elsewhere', async () => {
@@ -64,6 +74,18 @@ describe('what a page may not ask of the host', () => {
     }
     expect(await readdir(base)).toEqual(['project']);
   });
+});
+
+test('files in `assets/` that could not be read by their names, which are left out', async () => {
+  const window = openWindow(startHost(), 'a');
+  for (const path of ['a:b/cup.glb', 'fine/a:b.glb', 'fine/%2e.glb', 'fine/cup.glb']) {
+    await mkdir(join(project, 'assets', dirname(path)), { recursive: true });
+    await writeFile(join(project, 'assets', path), 'glTF');
+  }
+  const { handle, files, assetFiles } = await window.call('project.open', { path: project });
+  expect(assetFiles).toEqual([{ path: 'assets/fine/cup.glb', bytes: 4 }]);
+  const { displayPath } = await window.call('project.save-as', { handle, path: join(base, 'second'), files });
+  expect(await readdir(join(displayPath, 'assets'), { recursive: true })).toEqual(['fine', join('fine', 'cup.glb')]);
 });
 
 describe('a new project', () => {

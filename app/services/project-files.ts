@@ -4,7 +4,7 @@ import { lstat, open, readdir } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
 import { isShaderFile } from '../../export/graph/names.ts';
 import type { OpenProject, ProjectFiles } from '../contract/contract.ts';
-import { realFolder, resolveInside } from './confine.ts';
+import { isPlainName, realFolder, resolveInside } from './confine.ts';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';
 
 export const PROJECT_FILE = 'project.scrim.json';
@@ -73,12 +73,12 @@ function texts({ project, layout, sources }: ProjectFiles): Map<string, string> 
   return all;
 }
 
-/** Files below `assets/`, sorted; links and hidden files are left out. */
+/** Files below `assets/`, sorted; links, hidden files, and names that `resolveInside` refuses are left out. */
 export async function listAssets(root: string): Promise<OpenProject['assetFiles']> {
   const found: OpenProject['assetFiles'] = [];
   const walk = async (folder: string) => {
     for (const entry of await readdir(await resolveInside(root, folder), { withFileTypes: true })) {
-      if (entry.name.startsWith('.')) continue;
+      if (entry.name.startsWith('.') || !isPlainName(entry.name)) continue;
       const path = `${folder}/${entry.name}`;
       if (entry.isDirectory()) await walk(path);
       else if (entry.isFile()) found.push({ path, bytes: (await lstat(join(root, path))).size });
