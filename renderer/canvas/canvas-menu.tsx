@@ -5,6 +5,7 @@ import type { AppCommandId } from '../state/app-commands.ts';
 import type { Place } from '../state/canvas.ts';
 import type { Editor } from '../state/editor.ts';
 import { itemOf } from '../state/item-ids.ts';
+import { compareLayer, layerAt, layerTitle, pinLayer } from '../state/looks.ts';
 import { addReroute, wiresOfStretch } from '../state/reroutes.ts';
 import { selectOnly } from '../state/selection.ts';
 import { selectedSubgraph } from '../state/subgraphs.ts';
@@ -20,11 +21,14 @@ interface OpenMenu {
   readonly commands: readonly (AppCommandId | 'line')[];
   /** Where on what is drawn of which wire. */
   readonly wire?: { readonly stretch: string; readonly place: Place };
+  /** The layer at the port that was pressed. */
+  readonly layer?: string;
 }
 
 interface PointerPlace {
   readonly clientX: number;
   readonly clientY: number;
+  readonly target: EventTarget | null;
   preventDefault(): void;
 }
 
@@ -64,9 +68,9 @@ const ON_PANE = [
 export function useCanvasMenu(toCanvas: ToCanvas) {
   const editor = useEditor();
   const [open, setOpen] = useState<OpenMenu | null>(null);
-  const show = useCallback((event: PointerPlace, commands: OpenMenu['commands'], wire?: OpenMenu['wire']) => {
+  const show = useCallback((event: PointerPlace, commands: OpenMenu['commands'], on: Pick<OpenMenu, 'wire' | 'layer'> = {}) => {
     event.preventDefault();
-    setOpen({ x: event.clientX, y: event.clientY, commands, ...(wire && { wire }) });
+    setOpen({ x: event.clientX, y: event.clientY, commands, ...on });
   }, []);
   return useMemo(
     () => ({
@@ -79,17 +83,33 @@ export function useCanvasMenu(toCanvas: ToCanvas) {
           return;
         }
         if (!editor.selection.getState().nodes.has(node.id)) selectOnly(editor.selection, [node.id]);
-        show(event, selectedSubgraph(editor) === null ? ON_NODE : ON_SUBGRAPH);
+        const layer = layerPressed(editor, event.target);
+        show(event, selectedSubgraph(editor) === null ? ON_NODE : ON_SUBGRAPH, layer === null ? {} : { layer });
       },
       onWire: (event: PointerPlace, wire: CanvasWire) => {
         selectOnly(editor.selection, [], wiresOfStretch(editor.document.getState(), wire.id));
-        show(event, ON_WIRE_OR_ITEM.wire, { stretch: wire.id, place: toCanvas({ x: event.clientX, y: event.clientY }, WHERE_IT_IS) });
+        const place = toCanvas({ x: event.clientX, y: event.clientY }, WHERE_IT_IS);
+        show(event, ON_WIRE_OR_ITEM.wire, { wire: { stretch: wire.id, place } });
       },
       onPane: (event: PointerPlace | MouseEvent) => show(event, ON_PANE),
     }),
     [editor, open, show, toCanvas],
   );
 }
+
+/** The layer at the port under the pointer; null elsewhere on a node. */
+function layerPressed({ document }: Editor, target: EventTarget | null): string | null {
+  const handle = target instanceof Element ? target.closest<HTMLElement>('.react-flow__handle') : null;
+  const { nodeid: node, handleid: port } = handle?.dataset ?? {};
+  if (!handle || node === undefined || port === undefined) return null;
+  return layerAt(document.getState(), { node, port }, handle.classList.contains('source') ? 'output' : 'input');
+}
+
+/** What is said and done where a port was pressed: it, and not the first layer of the node, is meant. */
+const ON_PORT: Partial<Record<AppCommandId, { readonly label: (layer: string) => string; readonly run: typeof pinLayer }>> = {
+  'view.pin': { label: (layer) => `Show “${layer}” in the preview`, run: pinLayer },
+  'view.compare': { label: (layer) => `Compare “${layer}” in the preview`, run: compareLayer },
+};
 
 /** What happens there where the wire was pressed. */
 const ON_WIRE: Partial<Record<AppCommandId, (editor: Editor, menu: OpenMenu) => void>> = {
@@ -105,6 +125,12 @@ export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; 
   const items = menu.commands.map((id): MenuItem => {
     if (id === 'line') return { kind: 'line' };
     const item = commandItem(editor, id);
+    const onPort = ON_PORT[id];
+    const { layer } = menu;
+    if (onPort && layer !== undefined) {
+      const label = onPort.label(layerTitle(editor.document.getState(), layer));
+      return { ...item, label, disabled: false, run: () => onPort.run(editor.look, layer) };
+    }
     const onWire = menu.wire && ON_WIRE[id];
     return onWire ? { ...item, disabled: false, run: () => onWire(editor, menu) } : item;
   });

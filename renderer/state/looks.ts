@@ -1,7 +1,8 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import { subgraphType } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import { MAIN_GRAPH } from '../../export/graph/project.ts';
+import { MAIN_GRAPH, type PortAddress } from '../../export/graph/project.ts';
+import { sameAddress } from '../../export/graph/wires.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { PreviewProbe } from '../preview-protocol.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
@@ -121,15 +122,26 @@ export function probedLayer({ look, document }: Pick<Editor, 'look' | 'document'
   return look.getState().left ?? screenLayer(document.getState());
 }
 
-/** As people call a layer: by its node's title. */
+/** As people call a layer: by its node's title, and the port where the node gives several. */
 export function layerTitle(state: DocumentState, layer: string | null): string {
   if (layer === null) return 'Screen';
   const id = layer.slice(layer.lastIndexOf('/') + 1, layer.lastIndexOf('.'));
+  const port = layer.slice(layer.lastIndexOf('.') + 1);
   for (const graph of Object.values(state.project.graphs)) {
     const node = own(graph.nodes, id);
-    if (node) return state.library.definition(node.type)?.title ?? id;
+    if (!node) continue;
+    const { title = id, outputs = {} } = state.library.definition(node.type) ?? {};
+    const several = Object.values(outputs).filter(({ type }) => type === 'layer').length > 1;
+    return several ? `${title} · ${own(outputs, port)?.label ?? port}` : title;
   }
   return id;
+}
+
+/** The layer at a port: the one that an output gives, or that is wired to an input; null where there is none. */
+export function layerAt(state: DocumentState, { node, port }: PortAddress, side: 'input' | 'output'): string | null {
+  const from = side === 'output' ? { node, port } : graphOf(state).wires.find(({ to }) => sameAddress(to, { node, port }))?.from;
+  const definition = from && state.library.definition(nodeOf(state, from.node)?.type ?? '');
+  return from && own(definition?.outputs ?? {}, from.port)?.type === 'layer' ? layerName(state, from.node, from.port) : null;
 }
 
 function selectedLayer({ document, selection }: Editor): string | null {
@@ -142,19 +154,24 @@ function selectedLayer({ document, selection }: Editor): string | null {
 /** Shows the selected node's layer in the whole preview, or the screen again where it is shown already. */
 export function pinSelected(editor: Editor): void {
   const layer = selectedLayer(editor);
-  if (layer === null) {
-    addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer: the preview can show it.' });
-    return;
-  }
-  if (editor.look.getState().left === layer) lookAtNothing(editor.look);
-  else editor.look.setState({ left: layer, right: null, split: null });
+  if (layer !== null) pinLayer(editor.look, layer);
+  else addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer: the preview can show it.' });
+}
+
+export function pinLayer(look: LookStore, layer: string): void {
+  if (look.getState().left === layer) lookAtNothing(look);
+  else look.setState({ left: layer, right: null, split: null });
 }
 
 /** Puts the selected node's layer beside what the preview shows, with a wipe between both. */
 export function compareSelected(editor: Editor): void {
   const layer = selectedLayer(editor);
-  const { left } = editor.look.getState();
-  if (layer === null) addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer to compare it.' });
-  else if (left === null || left === layer) editor.look.setState({ left: layer, right: null, split: 0.5 });
-  else editor.look.setState({ right: layer, split: 0.5 });
+  if (layer !== null) compareLayer(editor.look, layer);
+  else addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer to compare it.' });
+}
+
+export function compareLayer(look: LookStore, layer: string): void {
+  const { left } = look.getState();
+  if (left === null || left === layer) look.setState({ left: layer, right: null, split: 0.5 });
+  else look.setState({ right: layer, split: 0.5 });
 }

@@ -3,6 +3,7 @@ import { centreOf } from '../../tools/lib/centre-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
 
 /** The camera's picture through two filters; another one has no input. */
@@ -89,6 +90,38 @@ test('the preview shows any layer, and wipes between two', async () => {
 
   await page.getByRole('button', { name: 'Show the screen again' }).click();
   await editor.pictureSameAs(screen, 'screen-again');
+});
+
+test('a port’s menu shows the layer at it: what an output gives, and what comes in at an input', async () => {
+  const { page, editor } = open;
+  const label = page.locator('.look-pinned');
+  await editor.port('threshold-aaaa', 'inputImage', 'target').click({ button: 'right' });
+  await page.getByRole('menuitem', { name: 'Show “Sepia” in the preview' }).click();
+  await label.getByText('Sepia', { exact: true }).waitFor();
+  // Two layers of one node, which is a subgraph: the port that is pressed is meant.
+  await editor.node('video').locator('.node-title').click();
+  await editor
+    .node('sepia')
+    .locator('.node-title')
+    .click({ modifiers: ['Shift'] });
+  await editor.wire(['video-aaaa', 'layer'], ['sobel-aaaa', 'inputImage']);
+  await page.keyboard.press('Control+g');
+  const subgraph = await editor.nodeId('subgraph');
+  const outputs = page.locator(`.react-flow__handle.source[data-nodeid="${subgraph}"]`);
+  await eventually(async () => expect(await outputs.count()).toBe(2));
+  const shown: Picture[] = [];
+  for (const output of await outputs.all()) {
+    await output.click({ button: 'right' });
+    await page.getByRole('menuitem', { name: /^Show “Subgraph · .*” in the preview/ }).click();
+    await label.getByText(/^Subgraph · /).waitFor();
+    await editor.settled();
+    shown.push(await editor.restingPicture());
+  }
+  const warm = shown.map((picture) => tints(picture).warm > 0.8);
+  expect(warm.filter(Boolean)).toHaveLength(1);
+  await page.getByRole('button', { name: 'Show the screen again' }).click();
+  for (let step = 0; step < 2; step++) await page.keyboard.press('Control+z');
+  await editor.node('video').waitFor();
 });
 
 test('the probe tells colour, distance and place of what is under the pointer', async () => {
