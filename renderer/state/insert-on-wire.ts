@@ -17,6 +17,7 @@ import { apply } from './apply.ts';
 import type { Place, WireInHand } from './canvas.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
+import { makeRoom } from './make-room.ts';
 import { stretchCalled } from './reroutes.ts';
 import { selectOnly } from './selection.ts';
 
@@ -110,13 +111,15 @@ export function replaceSource(editor: Editor, wire: Wire, led: Led): (project: P
   };
 }
 
-/** A node dragged onto a wire: its new place and both wires are one step. */
+/** A node dragged onto a wire: its new place, the room that is made for it, and both wires are one step. */
 export function dropOnWire(editor: Editor, node: string, place: Place, stretch: string): boolean {
-  const { project, graph } = editor.document.getState();
-  const move = (before: Project) => moveNodes(before, { graph, positions: { [node]: place } });
-  const change = inTurn(project, move, leadThrough(editor, node, stretch));
-  if (hasErrors(change.diagnostics)) return apply(editor, 'Move', move(project));
-  return apply(editor, `Insert ${titleOf(editor.document.getState(), node)}`, change);
+  const state = editor.document.getState();
+  const { project, graph } = state;
+  const at = stretchCalled(state, stretch);
+  const positions = at ? makeRoom(state, node, place, at) : { [node]: place };
+  const change = inTurn(project, (before) => moveNodes(before, { graph, positions }), leadThrough(editor, node, stretch));
+  if (hasErrors(change.diagnostics)) return apply(editor, 'Move', moveNodes(project, { graph, positions: { [node]: place } }));
+  return apply(editor, `Insert ${titleOf(state, node)}`, change);
 }
 
 const OVER = 'operator/over';

@@ -52,6 +52,25 @@ describe('a node goes into a wire', () => {
     expect(filesOf(editor)).toEqual(before);
   });
 
+  test('and those after it make room for it, in the same step', async () => {
+    const { editor } = await openTestEditor();
+    const [video, blur] = [add(editor, 'source/camera-video'), add(editor, 'filter/gaussian-blur', 240, 0)];
+    const [above, after] = [add(editor, 'filter/grey', 240, -400), add(editor, 'filter/threshold', 480, 16)];
+    connect(editor, { node: video, port: 'layer' }, { node: blur, port: 'inputImage' });
+    connect(editor, { node: video, port: 'layer' }, { node: above, port: 'inputImage' });
+    connect(editor, { node: blur, port: 'layer' }, { node: after, port: 'inputImage' });
+    const sepia = add(editor, 'filter/sepia', 0, 400);
+    const before = filesOf(editor);
+    dropOnWire(editor, sepia, { x: 120, y: 8 }, `${video}.layer -> ${blur}.inputImage`);
+    expect(placeOf(editor, video)).toEqual({ x: 0, y: 0 });
+    expect(placeOf(editor, sepia)).toEqual({ x: 224, y: 8 });
+    expect(placeOf(editor, blur)).toEqual({ x: 448, y: 0 });
+    expect(placeOf(editor, after)).toEqual({ x: 688, y: 16 });
+    expect(placeOf(editor, above)).toEqual({ x: 240, y: -400 });
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
   test('that the palette was asked for at', async () => {
     const { editor, high, wire } = await over();
     const sepia = add(editor, 'filter/sepia', 0, 0, wire);
