@@ -19,6 +19,7 @@ import { keepSizes, loadSizes } from './state/sizes.ts';
 import { autosave, followHost, hasUnsavedWork, openFirst, start } from './state/start.ts';
 import { followAppearance } from './ui/appearance.ts';
 import './ui/theme.css';
+import './ui/scale.css';
 
 async function main(): Promise<void> {
   const element = document.getElementById('root');

@@ -1,5 +1,6 @@
 import { Panel, useReactFlow, useStore } from '@xyflow/react';
 import { useKeys } from '../shell/use-keys.ts';
+import { uiScale } from '../ui/appearance.ts';
 import { IconButton } from '../ui/button.tsx';
 
 /** Zoom, with its figure, and everything in view. */
@@ -18,7 +19,12 @@ export function CanvasControls() {
       <button type="button" className="zoom-step" aria-label="Zoom in" onClick={() => void zoomIn()}>
         +
       </button>
-      <IconButton icon="fit" label="Show the whole graph" keys={fitKeys} onPress={() => void fitView({ padding: 0.15, maxZoom: 1 })} />
+      <IconButton
+        icon="fit"
+        label="Show the whole graph"
+        keys={fitKeys}
+        onPress={() => void fitView({ padding: 0.15, maxZoom: uiScale() })}
+      />
     </Panel>
   );
 }

@@ -9,8 +9,9 @@ import {
   useReactFlow,
 } from '@xyflow/react';
 import '@xyflow/react/dist/base.css';
-import { useMemo, useRef } from 'react';
+import { useMemo, useRef, useState } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
+import { uiScale } from '../ui/appearance.ts';
 import { Breadcrumb } from './breadcrumb.tsx';
 import { CanvasControls } from './canvas-controls.tsx';
 import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
@@ -31,6 +32,7 @@ import { useGestures } from './use-gestures.ts';
 import { useLongPress } from './use-long-press.ts';
 import { useMiddle } from './use-middle.ts';
 import { useReveal } from './use-reveal.ts';
+import { useScale } from './use-scale.ts';
 import { useWheel } from './use-wheel.ts';
 import { useWireTarget } from './use-wire-target.ts';
 import { WireInHand, WireView } from './wire-view.tsx';
@@ -65,6 +67,8 @@ function CanvasInside() {
   const drop = useFileDrop(flow.screenToFlowPosition);
   const handlers = useGestures(flow.screenToFlowPosition, flow.flowToScreenPosition);
   useReveal();
+  useScale();
+  const [fit] = useState(() => ({ padding: 0.15, maxZoom: uiScale() }));
   useLongPress(root);
   useWireTarget();
   useMiddle(root, flow.screenToFlowPosition);
@@ -107,7 +111,7 @@ function CanvasInside() {
             minZoom={0.1}
             maxZoom={2.5}
             fitView
-            fitViewOptions={{ padding: 0.15, maxZoom: 1 }}
+            fitViewOptions={fit}
             panOnDrag={[1]}
             panOnScroll={panOnScroll}
             zoomOnScroll={!panOnScroll}

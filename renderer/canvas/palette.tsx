@@ -1,6 +1,7 @@
 import { type KeyboardEvent, useEffect, useId, useMemo, useRef, useState } from 'react';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
+import { uiScale } from '../ui/appearance.ts';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import './palette.css';
@@ -32,9 +33,10 @@ export function Palette({ definitions, end, at, purpose = null, onChoose, onClos
   const listId = useId();
   const entries = useMemo(() => searchPalette(definitions, query, end), [definitions, query, end]);
   const current = entries[Math.min(chosen, entries.length - 1)];
+  const scale = uiScale();
   const place = {
-    left: Math.max(EDGE_PX, Math.min(at.x, window.innerWidth - WIDTH_PX - EDGE_PX)),
-    top: Math.max(EDGE_PX, Math.min(at.y, window.innerHeight - HEIGHT_PX - EDGE_PX)),
+    left: Math.max(EDGE_PX, Math.min(at.x, window.innerWidth - WIDTH_PX * scale - EDGE_PX)) / scale,
+    top: Math.max(EDGE_PX, Math.min(at.y, window.innerHeight - HEIGHT_PX * scale - EDGE_PX)) / scale,
   };
 
   useEffect(() => {

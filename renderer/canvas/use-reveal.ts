@@ -3,7 +3,7 @@ import { useEffect } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../shell/editor-context.ts';
 import type { Reveal } from '../state/ui.ts';
-import { isStill } from '../ui/appearance.ts';
+import { isStill, uiScale } from '../ui/appearance.ts';
 
 const DURATION_MS = 260;
 
@@ -17,7 +17,7 @@ export function useReveal(): void {
     if (reveal === null) return;
     const duration = isStill() ? 0 : DURATION_MS;
     if (reveal.how === 'fit') {
-      void fitView({ ...nodesOf(reveal), padding: 0.15, maxZoom: 1, duration });
+      void fitView({ ...nodesOf(reveal), padding: 0.15, maxZoom: uiScale(), duration });
       return;
     }
     const bounds = getNodesBounds([...reveal.nodes]);

@@ -38,7 +38,7 @@ import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
 import { forgetModels, neighbourFileOf, type ShaderTexts, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
-import { optionsFor, readOnlyOptions } from './view-options.ts';
+import { optionsFor, readOnlyOptions, sizesFor } from './view-options.ts';
 
 export interface ShownText {
   /** Names the text for as long as it lives, with its caret and its undo. */
@@ -60,6 +60,8 @@ export interface ShaderEditor {
   mark(diagnostics: readonly Diagnostic[]): void;
   goTo(line: number, column: number): void;
   focus(): void;
+  /** How large text is, 1 as it is made. */
+  setScale(scale: number): void;
   /** Texts outlive their view, with their undo; this ends those whose names are not to be kept. */
   forget(keep: (name: string) => boolean): void;
   dispose(): void;
@@ -165,6 +167,7 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
   ];
 
   return {
+    setScale: (scale) => view.updateOptions(sizesFor(scale)),
     show: ({ name, file, text, readOnly }) => {
       const model = shaderModel(name, file, text);
       listen(model);

@@ -57,6 +57,9 @@ export function ShaderView({ node }: { readonly node: string }) {
     if (!tools.typing.isAhead(shown)) tools.view.show({ name: `${handle}/${shown}`, file: shownFile, text: shownText, readOnly });
   }, [tools, handle, shown, shownFile, shownText, readOnly]);
 
+  const scale = useStore(editor.preferences, (state) => state.scale);
+  useEffect(() => tools?.view.setScale(scale), [tools, scale]);
+
   useEffect(() => tools?.view.forget((kept) => kept.startsWith(`${handle}/`)), [tools, handle]);
 
   useEffect(() => tools?.view.compare(comparing ? original : null), [tools, comparing, original]);

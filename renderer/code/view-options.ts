@@ -1,12 +1,17 @@
 import type { editor } from 'monaco-editor/editor';
+import { uiScale } from '../ui/appearance.ts';
+
+/** Its letters are as large as the person wants text. */
+export function sizesFor(scale: number): editor.IEditorOptions {
+  return { fontSize: 12.5 * scale, lineHeight: Math.round(19 * scale) };
+}
 
 /** What every view of a shader's text looks like. */
 export function optionsFor(parent: HTMLElement): editor.IEditorOptions & editor.IGlobalEditorOptions {
   return {
     automaticLayout: true,
     fontFamily: getComputedStyle(parent).getPropertyValue('--mono'),
-    fontSize: 12.5,
-    lineHeight: 19,
+    ...sizesFor(uiScale()),
     minimap: { enabled: false },
     scrollBeyondLastLine: false,
     renderLineHighlight: 'line',

@@ -109,9 +109,17 @@ function Side({ previewUrl }: { readonly previewUrl: string }) {
   );
 }
 
-/** Two panes whose handle moves a size that is kept. What is in them is not drawn anew by it: whoever made them is not. */
+/** Two panes whose handle moves a size that is kept, as it is where text and controls are as they are made. What is in them is not drawn anew by it: whoever made them is not. */
 function Panes({ size, ...panes }: Omit<SplitProps, 'sizePx' | 'onResize'> & { readonly size: keyof PanelSizes }) {
-  const { ui } = useEditor();
+  const { ui, preferences } = useEditor();
   const sizePx = useStore(ui, (state) => state.sizes[size]);
-  return <Split {...panes} sizePx={sizePx} onResize={(px) => ui.setState(({ sizes }) => ({ sizes: { ...sizes, [size]: px } }))} />;
+  const scale = useStore(preferences, (state) => state.scale);
+  return (
+    <Split
+      {...panes}
+      minPx={panes.minPx * scale}
+      sizePx={Math.round(sizePx * scale)}
+      onResize={(px) => ui.setState(({ sizes }) => ({ sizes: { ...sizes, [size]: px / scale } }))}
+    />
+  );
 }

@@ -1,6 +1,7 @@
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react';
 import { useStore } from 'zustand';
 import { endTour, goOnTour, TOUR, type TourStep } from '../state/tour.ts';
+import { uiScale } from '../ui/appearance.ts';
 import { Button } from '../ui/button.tsx';
 import { useEditor } from './editor-context.ts';
 import './tour-card.css';
@@ -30,7 +31,8 @@ function TourCard({ step, number }: { readonly step: TourStep; readonly number: 
   useEffect(() => {
     const element = card.current;
     if (!element) return;
-    setSize({ width: element.offsetWidth, height: element.offsetHeight });
+    const { width, height } = element.getBoundingClientRect();
+    setSize({ width, height });
     element.querySelector<HTMLElement>('[data-autofocus]')?.focus();
   }, []);
   const onKeyDown = (event: KeyboardEvent) => {
@@ -50,7 +52,7 @@ function TourCard({ step, number }: { readonly step: TourStep; readonly number: 
         className="tour-card"
         role="dialog"
         aria-labelledby={titleId}
-        style={about ? placeBeside(about, size) : { left: 24, top: 80 }}
+        style={about ? inOwnPx(placeBeside(about, size)) : { left: 24, top: 80 }}
         onKeyDown={onKeyDown}
       >
         <p className="tour-count">
@@ -92,6 +94,12 @@ function useBox(selector: string): Box | null {
     return () => watch.disconnect();
   }, [selector]);
   return box;
+}
+
+/** Client pixels as the card, which is scaled, counts. */
+function inOwnPx({ left, top }: { readonly left: number; readonly top: number }) {
+  const scale = uiScale();
+  return { left: left / scale, top: top / scale };
 }
 
 const GAP_PX = 14;

@@ -12,6 +12,7 @@ import { idsOfKind } from './item-ids.ts';
 import { addFrame, addNote } from './layout-items.ts';
 import { compareSelected, lookAtNothing, pinSelected } from './looks.ts';
 import { clearRange, goToFrame, goToStart, lastFrame, playedRange, setIn, setOut, stepFrames, toggleLoop, togglePlay } from './playing.ts';
+import { SCALES } from './preferences.ts';
 import { frameOf } from './preview.ts';
 import { askForFrames } from './render-frames.ts';
 import { addRerouteToSelected, soleWire } from './reroutes.ts';
@@ -203,6 +204,25 @@ const COMMANDS = {
     whileTyping: true,
   },
   'view.theme': { label: 'Light or dark', chords: [], enabled: always, run: switchTheme },
+  // Without keys: Ctrl and plus are the browser's and the window's own, which make everything larger.
+  'view.larger': {
+    label: 'Larger text and controls',
+    chords: [],
+    enabled: (editor) => nextScale(editor, 1) !== undefined,
+    run: (editor) => setScale(editor, nextScale(editor, 1)),
+  },
+  'view.smaller': {
+    label: 'Smaller text and controls',
+    chords: [],
+    enabled: (editor) => nextScale(editor, -1) !== undefined,
+    run: (editor) => setScale(editor, nextScale(editor, -1)),
+  },
+  'view.usual-size': {
+    label: 'Text and controls as large as usual',
+    chords: [],
+    enabled: ({ preferences }) => preferences.getState().scale !== 1,
+    run: (editor) => setScale(editor, 1),
+  },
   'view.motion': { label: 'Less motion', chords: [], enabled: always, run: switchMotion },
   'play.toggle': { label: 'Play or pause', chords: ['Space'], enabled: isOpen, run: togglePlay, where: 'time' },
   'play.next': { label: 'One frame on', chords: ['ArrowRight'], enabled: isOpen, run: (editor) => stepFrames(editor, 1), where: 'time' },
@@ -312,6 +332,16 @@ function switchTheme({ preferences, ui }: Editor): void {
   const theme = next[preferences.getState().theme];
   preferences.setState({ theme });
   addToast(ui, { tone: 'info', text: theme === 'system' ? 'Light or dark, as the system has it.' : `The ${theme} theme.` });
+}
+
+function nextScale({ preferences }: Editor, by: 1 | -1): number | undefined {
+  const scales: readonly number[] = SCALES;
+  return scales[scales.indexOf(preferences.getState().scale) + by];
+}
+
+function setScale({ preferences, ui }: Editor, scale = 1): void {
+  preferences.setState({ scale });
+  addToast(ui, { tone: 'info', text: `Text and controls at ${Math.round(scale * 100)} %.` });
 }
 
 function switchMotion({ preferences, ui }: Editor): void {

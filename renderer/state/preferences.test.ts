@@ -20,17 +20,17 @@ describe('preferences', () => {
     const storage = memory();
     const { editor } = await openTestEditor();
     keepPreferences(editor, storage);
-    editor.preferences.setState({ theme: 'light', motion: 'reduced' });
+    editor.preferences.setState({ theme: 'light', motion: 'reduced', scale: 1.25 });
     bindChord(editor, 'graph.note', 'Mod+Alt+J');
     expect(loadPreferences(storage)).toEqual({ ...editor.preferences.getState(), theme: 'light' });
     expect(loadPreferences(storage).chords['graph.note']).toEqual(['Mod+Alt+J']);
   });
 
-  test.each([null, 'nonsense', '[]', 'null', '{"theme":7,"motion":{},"chords":["x"],"recent":[{"path":1}]}'])(
+  test.each([null, 'nonsense', '[]', 'null', '{"theme":7,"motion":{},"scale":9,"chords":["x"],"recent":[{"path":1}]}'])(
     'of %s are the defaults',
     (text) => {
       const { chords, ...others } = loadPreferences(memory(text));
-      expect(others).toEqual({ theme: 'system', motion: 'system', recent: [] });
+      expect(others).toEqual({ theme: 'system', motion: 'system', scale: 1, recent: [] });
       expect(appCommandIds().some((id) => Object.hasOwn(chords, id))).toBe(false);
     },
   );

@@ -4,6 +4,9 @@ import type { Editor } from './editor.ts';
 export type Theme = 'system' | 'light' | 'dark';
 export type Motion = 'system' | 'reduced';
 
+/** How large text and controls are, 1 as they are made; from step to step. */
+export const SCALES = [0.8, 0.9, 1, 1.1, 1.25, 1.5] as const;
+
 export interface RecentProject {
   readonly path: string;
   readonly title: string;
@@ -13,6 +16,8 @@ export interface RecentProject {
 export interface Preferences {
   readonly theme: Theme;
   readonly motion: Motion;
+  /** Of `SCALES`. */
+  readonly scale: number;
   /** Keys that differ from the table of commands, by command; none for a command without keys. */
   readonly chords: Readonly<Record<string, readonly string[]>>;
   /** Newest first. */
@@ -21,7 +26,7 @@ export interface Preferences {
 
 export type PreferencesStore = StoreApi<Preferences>;
 
-export const DEFAULT_PREFERENCES: Preferences = { theme: 'system', motion: 'system', chords: {}, recent: [] };
+export const DEFAULT_PREFERENCES: Preferences = { theme: 'system', motion: 'system', scale: 1, chords: {}, recent: [] };
 
 const KEY = 'scrim-preferences';
 const MAX_RECENT = 8;
@@ -41,6 +46,7 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
   return {
     theme: saved.theme === 'light' || saved.theme === 'dark' ? saved.theme : 'system',
     motion: saved.motion === 'reduced' ? 'reduced' : 'system',
+    scale: SCALES.find((scale) => scale === saved.scale) ?? 1,
     chords: readChords(saved.chords),
     recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
   };

@@ -3,7 +3,10 @@ import type { Preferences, PreferencesStore } from '../state/preferences.ts';
 const LIGHT = '(prefers-color-scheme: light)';
 const STILL = '(prefers-reduced-motion: reduce)';
 
-/** Puts theme and motion, chosen or the system's, onto the page, and keeps them there. Styles and scripts read them as `data-theme` and `data-motion`. */
+/**
+ * Puts theme and motion, chosen or the system's, and the chosen scale onto the page, and keeps them there. Styles and scripts read them
+ * as `data-theme`, `data-motion` and `--ui-scale`.
+ */
 export function followAppearance(preferences: PreferencesStore, page: Window): () => void {
   const light = page.matchMedia(LIGHT);
   const still = page.matchMedia(STILL);
@@ -17,8 +20,9 @@ export function followAppearance(preferences: PreferencesStore, page: Window): (
   };
 }
 
-function show(root: HTMLElement, { theme, motion }: Preferences, light: boolean, still: boolean): void {
+function show(root: HTMLElement, { theme, motion, scale }: Preferences, light: boolean, still: boolean): void {
   root.dataset.theme = theme === 'system' ? (light ? 'light' : 'dark') : theme;
+  root.style.setProperty('--ui-scale', String(scale));
   root.dataset.motion = motion === 'reduced' || still ? 'reduced' : 'full';
 }
 
@@ -28,4 +32,13 @@ export function isLight(root: HTMLElement = document.documentElement): boolean {
 
 export function isStill(root: HTMLElement = document.documentElement): boolean {
   return root.dataset.motion === 'reduced';
+}
+
+/** How many client pixels one CSS pixel of an element is, whose `zoom` and that of what it is in are counted (css-viewport-1, §9). */
+export function zoomOf(element: Element): number {
+  return element.currentCSSZoom || 1;
+}
+
+export function uiScale(root: HTMLElement = document.documentElement): number {
+  return Number(root.style.getPropertyValue('--ui-scale')) || 1;
 }

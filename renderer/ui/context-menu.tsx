@@ -1,4 +1,5 @@
 import { useLayoutEffect, useRef, useState } from 'react';
+import { zoomOf } from './appearance.ts';
 import { Menu, type MenuItem } from './menu.tsx';
 import './menu.css';
 
@@ -18,10 +19,11 @@ export function ContextMenu({ label, at, items, onClose }: ContextMenuProps) {
   const [place, setPlace] = useState({ left: at.x, top: at.y });
   useLayoutEffect(() => {
     const box = element.current?.querySelector('.menu')?.getBoundingClientRect();
-    if (!box) return;
+    if (!box || !element.current) return;
+    const zoom = zoomOf(element.current);
     setPlace({
-      left: Math.max(EDGE_PX, Math.min(at.x, window.innerWidth - box.width - EDGE_PX)),
-      top: Math.max(EDGE_PX, Math.min(at.y, window.innerHeight - box.height - EDGE_PX)),
+      left: Math.max(EDGE_PX, Math.min(at.x, window.innerWidth - box.width - EDGE_PX)) / zoom,
+      top: Math.max(EDGE_PX, Math.min(at.y, window.innerHeight - box.height - EDGE_PX)) / zoom,
     });
   }, [at]);
   return (

@@ -1,4 +1,5 @@
 import { type ReactNode, type RefObject, useEffect, useLayoutEffect, useRef, useState } from 'react';
+import { zoomOf } from './appearance.ts';
 import './popover.css';
 
 interface PopoverProps {
@@ -19,11 +20,13 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
   useLayoutEffect(() => {
     const box = element.current?.getBoundingClientRect();
     const button = from.current?.getBoundingClientRect();
-    if (!box || !button) return;
+    if (!box || !button || !element.current) return;
+    const zoom = zoomOf(element.current);
     const left = Math.min(button.left + button.width / 2 - box.width / 2, window.innerWidth - box.width - EDGE_PX);
     const below = button.bottom + GAP_PX;
     const fits = below + box.height < window.innerHeight - EDGE_PX;
-    setPlace({ left: Math.max(EDGE_PX, left), top: fits ? below : Math.max(EDGE_PX, button.top - box.height - GAP_PX) });
+    const top = fits ? below : Math.max(EDGE_PX, button.top - box.height - GAP_PX);
+    setPlace({ left: Math.max(EDGE_PX, left) / zoom, top: top / zoom });
     element.current?.querySelector('input')?.focus();
   }, [from]);
   useEffect(() => {

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from 'react';
 import type { EditorClock } from '../clock.ts';
+import { zoomOf } from './appearance.ts';
 import './tooltip.css';
 
 /** Long enough that crossing a toolbar stays quiet. */
@@ -62,13 +63,14 @@ function Bubble({ tip }: { readonly tip: Tip }) {
 
   useEffect(() => {
     const box = element.current?.getBoundingClientRect();
-    if (!box) return;
+    if (!box || !element.current) return;
+    const zoom = zoomOf(element.current);
     const { anchor } = tip;
     const below = anchor.bottom + GAP_PX + box.height < window.innerHeight;
     const centred = anchor.left + anchor.width / 2 - box.width / 2;
     setPlace({
-      left: Math.min(Math.max(centred, EDGE_PX), window.innerWidth - box.width - EDGE_PX),
-      top: below ? anchor.bottom + GAP_PX : anchor.top - GAP_PX - box.height,
+      left: Math.min(Math.max(centred, EDGE_PX), window.innerWidth - box.width - EDGE_PX) / zoom,
+      top: (below ? anchor.bottom + GAP_PX : anchor.top - GAP_PX - box.height) / zoom,
     });
   }, [tip]);
 
