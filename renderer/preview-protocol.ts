@@ -34,9 +34,9 @@ export type ToPreview =
   | { readonly kind: 'look'; readonly left: string | null; readonly right: string | null; readonly split: number }
   /** The whole picture, all views, as PNG: the answer comes with the next frame. */
   | { readonly kind: 'screenshot' }
-  /** Draw frames of a recording one by one from now on, as `filmed` says when it can begin; a page does nothing else then. */
+  /** Draw frames of a recording or an emulated room one by one from now on, as `filmed` says when it can begin; a page does nothing else then. */
   | { readonly kind: 'film'; readonly request: FilmRequest }
-  /** The frame of a moment, seconds since the recording began; unless kept, it is drawn for those who remember it. */
+  /** The frame of a moment, seconds since the recording began; rooms go on by one frame. Unless kept, it is drawn for those who remember it. */
   | { readonly kind: 'film-frame'; readonly timeS: number; readonly keep: boolean }
   | { readonly kind: 'film-end' }
   /** Record the picture as a video until told to stop; the answer comes then. */
@@ -57,10 +57,24 @@ export type ToPreview =
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
+/** Where the frames of a film come from. */
+export type FilmSource =
+  | { readonly kind: 'recorded'; readonly url: string }
+  /** As a phone sees it. `captureUrl`, `tier`: as of the preview's. `worldFromHead`: where it is; null: where the walk begins. */
+  | {
+      readonly kind: 'room';
+      readonly captureUrl: string | null;
+      readonly tier: PreviewTier;
+      readonly frameRateHz: number;
+      readonly lightDirectionWorld: readonly [number, number, number] | null;
+      readonly worldFromHead: readonly number[] | null;
+    };
+
+type PreviewTier = Extract<PreviewSource, { kind: 'room' }>['tier'];
+
 export interface FilmRequest {
   readonly program: Program;
-  /** Of the recording. */
-  readonly url: string;
+  readonly source: FilmSource;
   readonly assetBaseUrl: string;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -193,4 +207,6 @@ export interface PreviewStatus {
   readonly frameMs: number;
   readonly widthPx: number;
   readonly heightPx: number;
+  /** Of the first view, column-major; null before the first frame. */
+  readonly worldFromView: readonly number[] | null;
 }

@@ -1,20 +1,18 @@
 import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
 import { createRenderClock } from '../../export/runtime/clock.ts';
-import { createPlayer, type Player } from '../../export/runtime/player.ts';
-import { readScreen } from '../../export/runtime/readback.ts';
+import { createPlayer } from '../../export/runtime/player.ts';
 import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
 import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
 import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
-import { createRecordedSession, type RecordedSession } from '../../export/runtime/sessions/recorded/recorded-session.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FilmRequest, FromPreview, ToPreview } from '../preview-protocol.ts';
 import { previewDecoderFile } from './decoder-files.ts';
 import { createFilmEncoder, type FilmEncoder } from './film-encoder.ts';
+import { type FilmReel, openFilmReel } from './film-source.ts';
 import { pageFetch } from './network.ts';
 
-/** Draws frames of a recording one by one, as `scrim render` does: the same pixels each time. A page films one, and is then left. */
+/** Draws frames of a recording or an emulated room one by one, as `scrim render` does: the same pixels each time. A page films one, and is then left. */
 export interface Film {
   /** False where the message is not for it. */
   take(message: ToPreview): boolean;
@@ -26,9 +24,10 @@ const SEED = 1;
 /** What a film is made with. */
 interface FilmSet {
   readonly gl: WebGL2RenderingContext;
-  readonly session: RecordedSession;
+  readonly reel: FilmReel;
   readonly encoder: FilmEncoder | null;
-  readonly drawn: () => Promise<void>;
+  /** What the encoder films. */
+  readonly screen: HTMLCanvasElement;
 }
 
 export function createFilm(send: (message: FromPreview, transfer?: Transferable[]) => void): Film {
@@ -48,7 +47,6 @@ export function createFilm(send: (message: FromPreview, transfer?: Transferable[
     if (!gl || gl.drawingBufferWidth !== widthPx || gl.drawingBufferHeight !== heightPx) {
       throw new Error(`this computer draws no pictures of ${widthPx} × ${heightPx}.`);
     }
-    const encoder = video === null ? null : await createFilmEncoder({ canvas, widthPx, heightPx, frameRateHz: video.frameRateHz });
     const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, readRadiance });
     const player = createPlayer({
       gl,
@@ -65,21 +63,24 @@ export function createFilm(send: (message: FromPreview, transfer?: Transferable[
       },
     });
     await player.ready;
-    const session = createRecordedSession({ gl, files: createFetchAssetSource(request.url, pageFetch), mode: { kind: 'manual' } });
-    const { output, diagnostics } = await session.ready;
+    const { output: reel, diagnostics } = await openFilmReel(request.source, gl, program, player);
     const [broken] = [...diagnostics, ...problems].filter(({ severity }) => severity === 'error');
     if (broken) return send({ kind: 'film-failed', diagnostic: broken });
-    if (output === null) throw new Error('the recording cannot be read.');
-    set = { gl, session, encoder, drawn: startDrawing(player, session) };
+    if (reel === null) throw new Error('what it is drawn over cannot be read.');
+    const screen = reel.onCanvas ? canvas : copyOf(canvas);
+    const encoder = video === null ? null : await createFilmEncoder({ canvas: screen, widthPx, heightPx, frameRateHz: video.frameRateHz });
+    set = { gl, reel, encoder, screen };
     send({ kind: 'filmed', frame: null });
   };
-  const draw = async ({ gl, session, encoder, drawn }: FilmSet, timeS: number, keep: boolean) => {
-    if (!(await session.stepTo(timeS))) throw new Error('a picture of the recording is broken.');
-    await drawn();
+  const draw = async ({ gl, reel, encoder, screen }: FilmSet, timeS: number, keep: boolean) => {
+    if (!(await reel.draw(timeS))) throw new Error('a picture of the recording is broken.');
     if (gl.isContextLost()) throw new Error('the graphics device was lost.');
-    if (keep && encoder) await encoder.add();
+    if (keep && encoder) {
+      if (!reel.onCanvas) show(screen, reel.read());
+      await encoder.add();
+    }
     if (!keep || encoder) return send({ kind: 'filmed', frame: null });
-    const { pixels } = readScreen(gl);
+    const pixels = reel.read();
     send({ kind: 'filmed', frame: pixels }, [pixels.buffer]);
   };
   const end = async ({ encoder }: FilmSet) => send({ kind: 'film-over', file: (await encoder?.finish()) ?? null });
@@ -102,13 +103,15 @@ export function createFilm(send: (message: FromPreview, transfer?: Transferable[
   };
 }
 
-/** The returned function resolves when everything of the frame that was stepped to is drawn. */
-function startDrawing(player: Player, session: RecordedSession): () => Promise<void> {
-  let drawing: Promise<void> = Promise.resolve();
-  const onFrame = (frame: SessionFrame) => {
-    drawing = player.drawSettled(frame);
-  };
-  player.setSession(session);
-  session.start(onFrame, () => {});
-  return () => drawing;
+/** A canvas of the same size, to show pictures on that were read. */
+function copyOf({ width, height, ownerDocument }: HTMLCanvasElement): HTMLCanvasElement {
+  const copy = ownerDocument.createElement('canvas');
+  copy.width = width;
+  copy.height = height;
+  return copy;
+}
+
+function show(screen: HTMLCanvasElement, pixels: Uint8Array<ArrayBuffer>): void {
+  const image = new ImageData(new Uint8ClampedArray(pixels.buffer), screen.width, screen.height);
+  screen.getContext('2d')?.putImageData(image, 0, 0);
 }

@@ -178,7 +178,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   };
 }
 
-async function loadRoom(captureUrl: string | null): Promise<NonNullable<EmulatorOptions['room']> | null> {
+export async function loadRoom(captureUrl: string | null): Promise<NonNullable<EmulatorOptions['room']> | null> {
   if (captureUrl === null) return 'studio';
   const response = await pageFetch(captureUrl).catch(() => null);
   if (!response?.ok) return null;

@@ -34,9 +34,11 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   let originS: number | null = null;
   let lastS = 0;
   let frames: FrameTimes | null = null;
+  let seen: SessionFrame | null = null;
   const tell = () => {
     sentS = clock.nowS();
-    send({ kind: 'status', status: { ...status } });
+    const [view] = seen?.views ?? [];
+    send({ kind: 'status', status: { ...status, worldFromView: view ? [...view.worldFromView] : null } });
   };
   return {
     setState: (state) => {
@@ -62,6 +64,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
       // A recording says its own time; others begin when they are begun.
       originS ??= frames ? 0 : frame.timeS;
       lastS = frame.timeS;
+      seen = frame;
       status.timeS = frame.timeS - originS;
       if (frames) status.frame = frameAtTime(frames, status.timeS);
       status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;

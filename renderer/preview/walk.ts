@@ -1,4 +1,4 @@
-import type { Emulator } from '../../export/emulator/emulator.ts';
+import type { Emulator, HeadPose } from '../../export/emulator/emulator.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 
 /** Moves the emulated head: dragging looks around, W A S D and the arrow keys walk. */
@@ -10,6 +10,11 @@ export interface Walk {
 
 /** Standing at the edge of a play area of 2 m, looking into the room. */
 const START = { x: 0, y: 1.5, z: 1, yawRad: 0, pitchRad: -0.15 };
+/** The same as the emulator takes it. */
+export const START_POSE: HeadPose = {
+  position: [START.x, START.y, START.z],
+  quaternion: [Math.sin(START.pitchRad / 2), 0, 0, Math.cos(START.pitchRad / 2)],
+};
 const RAD_PER_PX = 0.004;
 const MAX_PITCH_RAD = 1.4;
 const SPEED_M_PER_S = 1.2;

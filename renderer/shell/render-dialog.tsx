@@ -2,7 +2,7 @@ import { type ReactNode, useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { lastFrame, playedRange } from '../state/playing.ts';
-import { type FramesWish, planFrames, rateOf, renderFrames } from '../state/render-frames.ts';
+import { type FramesWish, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
@@ -11,6 +11,8 @@ import './render-dialog.css';
 const RATES_HZ = [24, 25, 30, 50, 60];
 const MOST_PX = 8192;
 const MOST_FRAMES = 100_000;
+/** Three seconds. */
+const ROOM_RANGE = { from: 0, to: 3 * ROOM_RATE_HZ - 1 };
 
 /** What frames to render, and as what. */
 export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
@@ -19,11 +21,11 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const frames = useStore(preview, (state) => state.frames);
   const id = useId();
   const [what, setWhat] = useState<FramesWish['what']>('pictures');
-  const [range, setRange] = useState(() => asTexts(playedRange(preview.getState())));
+  const inRoom = frames === null;
+  const [range, setRange] = useState(() => asTexts(inRoom ? ROOM_RANGE : playedRange(preview.getState())));
   const [size, setSize] = useState(() => sizeOf(preview.getState().status));
-  const [rate, setRate] = useState('own');
+  const [rate, setRate] = useState(inRoom ? String(ROOM_RATE_HZ) : 'own');
   const [out, setOut] = useState('');
-  if (frames === null) return null;
 
   const from = wholeIn(range.from, 0, MOST_FRAMES);
   const to = wholeIn(range.to, from ?? 0, MOST_FRAMES);
@@ -51,7 +53,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
         <Whole label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
         <Whole label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
         <Choice label="Frames a second" value={rate} onChange={setRate}>
-          <option value="own">The recording’s ({rateOf(frames)})</option>
+          {frames && <option value="own">The recording’s ({rateOf(frames)})</option>}
           {RATES_HZ.map((hz) => (
             <option key={hz} value={hz}>
               {hz}
@@ -68,7 +70,8 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
       )}
       <p className="dialog-note" role="status">
         {wish ? `${lengthWords(frames, wish)}. ` : 'Numbers are missing, or out of range. '}
-        {to !== null && to > lastFrame({ frames }) && 'Behind its end the recording begins anew. '}
+        {inRoom && 'The room is seen from where the preview stands now, as on a phone. '}
+        {frames && to !== null && to > lastFrame({ frames }) && 'Behind its end the recording begins anew. '}
         {what === 'video'
           ? 'The video comes with your downloads, without sound.'
           : 'The folder must be new, empty, or hold frames of before.'}
@@ -120,9 +123,14 @@ function Whole({ label, text, wrong, onChange }: WholeProps) {
   );
 }
 
-function lengthWords(frames: FrameTimes, { range, frameRateHz }: FramesWish): string {
+function lengthWords(frames: FrameTimes | null, { range, frameRateHz }: FramesWish): string {
+  if (frames === null) return countWords(range.to - range.from + 1, (range.to - range.from + 1) / (frameRateHz ?? ROOM_RATE_HZ));
   const count = planFrames(frames, range, frameRateHz, false).filter(({ keep }) => keep).length;
   const lengthS = timeOfFrame(frames, range.to + 1) - timeOfFrame(frames, range.from);
+  return countWords(count, lengthS);
+}
+
+function countWords(count: number, lengthS: number): string {
   return `${count} ${count === 1 ? 'frame' : 'frames'}, ${lengthS.toFixed(2)} s`;
 }
 

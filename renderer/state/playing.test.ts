@@ -23,7 +23,10 @@ beforeEach(async () => {
 });
 
 function status(frame: number, state: PreviewStatus['state'] = 'paused', late = false): void {
-  feed.receive({ kind: 'status', status: { state, request: 0, frame, late, timeS: frame / 10, frameMs: 1, widthPx: 4, heightPx: 3 } });
+  feed.receive({
+    kind: 'status',
+    status: { state, request: 0, frame, late, timeS: frame / 10, frameMs: 1, widthPx: 4, heightPx: 3, worldFromView: null },
+  });
 }
 
 const shown = () => frameOf(editor.preview.getState());

@@ -4,7 +4,7 @@ import { projectText } from '../../tests/support/project-kit.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import type { FilmLink } from './editor.ts';
 import { openPath } from './files.ts';
-import { type FramesWish, planFrames, rateOf, renderFrames } from './render-frames.ts';
+import { type FramesWish, planFrames, planRoomFrames, rateOf, renderFrames } from './render-frames.ts';
 
 /** Ten a second. */
 const FRAMES = { timesS: Array.from({ length: 36 }, (_, i) => i / 10), durationS: 3.6 };
@@ -37,6 +37,14 @@ describe('the frames to render', () => {
     expect(earlier(twice)).toEqual([expect.closeTo(0.45, 9)]);
     expect(kept(planFrames(FRAMES, { from: 0, to: 35 }, 24, false))).toHaveLength(87);
     expect(kept(planFrames(FRAMES, { from: 3, to: 3 }, 1, false))).toHaveLength(1);
+  });
+
+  test('of a room are all from the first on, of which those asked for are kept', () => {
+    expect(planRoomFrames({ from: 1, to: 2 }, 20)).toEqual([
+      { timeS: 0, number: 0, keep: false },
+      { timeS: 0.05, number: 1, keep: true },
+      { timeS: 0.1, number: 2, keep: true },
+    ]);
   });
 
   test('have the rate that the recording has', () => {
@@ -83,6 +91,14 @@ describe('rendering', () => {
     expect(texts()).toEqual(['Rendered one picture to /frames.']);
   });
 
+  test('of an emulated room begins at its first frame, and keeps those asked for', async () => {
+    const { editor, link, methods } = await overRecording();
+    editor.preview.setState({ frames: null, sources: [{ id: 'room/a', title: 'A', kind: 'room', url: null }], sourceId: 'room/a' });
+    expect(await renderFrames(editor, WISH)).toBe(true);
+    expect(link.asked.filter((kind) => kind === 'film-frame')).toHaveLength(RANGE.to + 1);
+    expect(methods().filter((method) => method === 'frames.add')).toHaveLength(3);
+  });
+
   test('is cancelled by another project that is opened', async () => {
     const { editor, host, link, methods, texts } = await overRecording();
     host.answer('frames.add', async () => {
@@ -99,7 +115,7 @@ describe('rendering', () => {
     const { editor, link, texts } = await overRecording();
     editor.preview.setState({ sourceId: 'orbit' });
     expect(await renderFrames(editor, WISH)).toBe(false);
-    expect(texts()).toEqual(['Frames are rendered from recordings: choose one below the preview.']);
+    expect(texts()).toEqual(['Frames are rendered over recordings and emulated rooms: choose one below the preview.']);
     editor.preview.setState({ sourceId: null, shaderDiagnostics: [{ code: 'SCR042', severity: 'error', message: 'broken' }] });
     expect(await renderFrames(editor, WISH)).toBe(false);
     expect(texts().at(-1)).toBe('The project has problems that have to be mended first.');

@@ -1,10 +1,10 @@
 import { remembersFrames } from '../../export/program/remembers.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
-import type { FilmRequest } from '../preview-protocol.ts';
+import type { FilmRequest, FilmSource, PreviewSource } from '../preview-protocol.ts';
 import type { Editor, FilmLink } from './editor.ts';
 import { showRefusal } from './files.ts';
-import type { FrameRange } from './preview.ts';
+import { chosenSource, type FrameRange, towardsLight } from './preview.ts';
 import { previewSource } from './preview-source.ts';
 import { addToast, toastDiagnostic } from './ui.ts';
 
@@ -14,7 +14,7 @@ export interface FramesWish {
   readonly range: FrameRange;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Null: the recording's own frames. */
+  /** Null: the recording's own frames; rooms have none. */
   readonly frameRateHz: number | null;
   /** Folder for pictures; videos go where downloads do. */
   readonly out: string;
@@ -27,6 +27,9 @@ interface PlannedFrame {
   /** Those before the range are played for those who remember them. */
   readonly keep: boolean;
 }
+
+/** Of an emulated room, where nothing else is asked for. */
+export const ROOM_RATE_HZ = 30;
 
 const ROUNDING_S = 1e-6;
 
@@ -50,6 +53,16 @@ export function planFrames(frames: FrameTimes, range: FrameRange, frameRateHz: n
   });
 }
 
+/** Of an emulated room, which has no time of its own: all that come before are played, from the first one on. */
+export function planRoomFrames({ from, to }: FrameRange, frameRateHz: number): readonly PlannedFrame[] {
+  return Array.from({ length: to + 1 }, (_, number) => ({ timeS: number / frameRateHz, number, keep: number >= from }));
+}
+
+/** Whether the preview shows an emulated room. */
+function isInRoom({ preview }: Pick<Editor, 'preview'>): boolean {
+  return chosenSource(preview.getState())?.kind === 'room';
+}
+
 /** Frames a second of a recording, as videos of its own frames have them. */
 export function rateOf({ timesS, durationS }: FrameTimes): number {
   return Math.round((timesS.length / durationS) * 1000) / 1000;
@@ -57,15 +70,15 @@ export function rateOf({ timesS, durationS }: FrameTimes): number {
 
 /** Asks what to render; says so where there is nothing to go through frame by frame. */
 export function askForFrames(editor: Editor): void {
-  if (editor.preview.getState().frames !== null) editor.ui.setState({ dialog: { kind: 'render' } });
-  else tellOfRecordings(editor);
+  if (editor.preview.getState().frames !== null || isInRoom(editor)) editor.ui.setState({ dialog: { kind: 'render' } });
+  else tellOfSources(editor);
 }
 
-function tellOfRecordings({ ui }: Editor): void {
+function tellOfSources({ ui }: Editor): void {
   addToast(ui, {
     tone: 'info',
-    text: 'Frames are rendered from recordings: choose one below the preview.',
-    detail: 'Of emulated rooms, “scrim render” makes them.',
+    text: 'Frames are rendered over recordings and emulated rooms: choose one below the preview.',
+    detail: 'What a camera sees comes once, and not frame by frame. The preview’s menu records it as a video.',
   });
 }
 
@@ -74,10 +87,11 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
   const { open } = editor.document.getState();
   const { frames, shaderDiagnostics } = editor.preview.getState();
   const { program, programRevision, diagnostics } = editor.compile.getState();
-  if (open === null || frames === null || editor.ui.getState().exporting !== null) return false;
+  if (open === null || editor.ui.getState().exporting !== null) return false;
   const source = previewSource(editor);
-  if (source?.kind !== 'recorded') {
-    tellOfRecordings(editor);
+  const over = source && filmSource(editor, source, wish.frameRateHz);
+  if (!over || (frames === null && over.kind === 'recorded')) {
+    tellOfSources(editor);
     return false;
   }
   if (programRevision !== editor.document.getState().revision && editor.compile.getState().busy) {
@@ -97,9 +111,13 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
   if (!link) return false;
   const { handle } = open;
   const { what, widthPx, heightPx, frameRateHz, out } = wish;
-  const video = what === 'video' ? { frameRateHz: frameRateHz ?? rateOf(frames) } : null;
-  const request: FilmRequest = { program, url: source.url, assetBaseUrl: source.assetBaseUrl, widthPx, heightPx, video };
-  const plan = planFrames(frames, wish.range, frameRateHz, remembersFrames(program));
+  const rateHz = over.kind === 'room' ? over.frameRateHz : (frameRateHz ?? (frames ? rateOf(frames) : 0));
+  const video = what === 'video' ? { frameRateHz: rateHz } : null;
+  const request: FilmRequest = { program, source: over, assetBaseUrl: open.assetBaseUrl, widthPx, heightPx, video };
+  const plan =
+    over.kind === 'room' || frames === null
+      ? planRoomFrames(wish.range, rateHz)
+      : planFrames(frames, wish.range, frameRateHz, remembersFrames(program));
   editor.ui.setState({ exporting: { handle, text: 'Setting the scene…', cancelled: false, frames: true }, dialog: null });
   let begun = false;
   const stopped = cancellation(editor);
@@ -129,7 +147,7 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
     }
     begun = false;
     const { title } = editor.document.getState().project;
-    const written = await editor.host.call('frames.finish', { handle, title, frameRateHz: frameRateHz ?? rateOf(frames) });
+    const written = await editor.host.call('frames.finish', { handle, title, frameRateHz: rateHz });
     addToast(editor.ui, { tone: 'success', text: `Rendered ${counted(written.pictures)} to ${written.out}.` });
     return true;
   } catch (error) {
@@ -144,6 +162,21 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
     editor.ui.setState({ exporting: null });
     if (begun) await editor.host.call('frames.cancel', { handle }).catch((error: unknown) => showRefusal(editor, error));
   }
+}
+
+/** What the preview shows, as a film is drawn over it; a room from where the walk stands, in the light that it has now. */
+function filmSource({ preview }: Editor, source: PreviewSource, frameRateHz: number | null): FilmSource | null {
+  if (source.kind === 'recorded') return { kind: 'recorded', url: source.url };
+  if (source.kind !== 'room') return null;
+  const { roomLight, status } = preview.getState();
+  return {
+    kind: 'room',
+    captureUrl: source.captureUrl,
+    tier: source.tier,
+    frameRateHz: frameRateHz ?? ROOM_RATE_HZ,
+    lightDirectionWorld: roomLight && towardsLight(roomLight),
+    worldFromHead: status?.worldFromView ?? null,
+  };
 }
 
 /** What stopped the page that draws. */

@@ -54,7 +54,7 @@ afterAll(async () => {
   // The browser itself says so of every call that is refused.
   expect(open.errors.filter((error) => !error.includes('422'))).toEqual([]);
   await open.close();
-  for (const kind of ['frames', 'frames-cli', 'video', 'foreign', 'cancelled'])
+  for (const kind of ['frames', 'frames-cli', 'video', 'foreign', 'cancelled', 'room', 'room-cli', 'room-turned'])
     await rm(`${open.project}-${kind}`, { recursive: true, force: true });
 });
 
@@ -159,6 +159,45 @@ test('a folder that holds other things is left alone; a cancelled rendering leav
     release();
     await page.unroute('**/api/call/frames.add');
   }
+});
+
+test('an emulated room is rendered from where the preview stands: at first, where the command line stands, too', async () => {
+  const { page, editor, project } = open;
+  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await editor.settled();
+  const [out, turned, mine] = [`${project}-room`, `${project}-room-turned`, `${project}-room-cli`];
+  const fields = { 'First frame': '1', 'Last frame': '2', Width: '160', Height: '120' };
+  await ask({ ...fields, Folder: out });
+  await dialog().getByRole('combobox', { name: 'Frames a second' }).selectOption('60');
+  expect(await dialog().getByRole('status').textContent()).toContain(
+    '2 frames, 0.03 s. The room is seen from where the preview stands now',
+  );
+  await page.keyboard.press('Enter');
+  await page.getByText(`Rendered 2 pictures to ${out}`).waitFor();
+  expect((await readdir(out)).sort()).toEqual(['000001.png', '000002.png', 'sequence.json']);
+  await succeed('render', project, '--out', mine, '--frames', '1..2', '--size', '160x120', '--session', 'room:studio');
+  const [first, same] = [await read(join(out, '000002.png')), await read(join(mine, '000002.png'))];
+  // Where one stands has gone through 32-bit numbers.
+  expect(countDifferent(first, same, 8).pixels).toBeLessThan(40);
+
+  const frame = await page.locator('iframe[title="Preview"]').boundingBox();
+  if (!frame) throw new Error('There is no preview.');
+  const middle = { x: frame.x + frame.width / 2, y: frame.y + frame.height / 2 };
+  await editor.press('Play');
+  await editor.drag(middle, { x: middle.x + 120, y: middle.y });
+  await editor.hold();
+  await ask({ ...fields, Folder: turned });
+  await page.keyboard.press('Enter');
+  await page.getByText(`Rendered 2 pictures to ${turned}`).waitFor();
+  expect(countDifferent(first, await read(join(turned, '000002.png')), 8).pixels).toBeGreaterThan(5000);
+
+  await ask(fields, 'video');
+  const waiting = page.waitForEvent('download');
+  await page.keyboard.press('Enter');
+  const input = new Input({ source: new BufferSource(await readFile(await (await waiting).path())), formats: ALL_FORMATS });
+  const track = await input.getPrimaryVideoTrack();
+  expect([track?.displayWidth, track?.displayHeight]).toEqual([160, 120]);
+  expect(await input.computeDuration()).toBeCloseTo(2 / 30, 2);
 });
 
 /** Of a folder, or of what was being made for it. */
