@@ -42,7 +42,7 @@ export function KeyMark({ node, param, index, timeS, lengthS, chosen, onChoose }
     from.moving = true;
     moveKey(editor, node, param, index, from.timeS + byPx * from.secondsPerPx);
   };
-  const onPointerUp = () => {
+  const onRelease = () => {
     if (drag.current?.moving) endGesture(editor);
     drag.current = null;
   };
@@ -66,7 +66,7 @@ export function KeyMark({ node, param, index, timeS, lengthS, chosen, onChoose }
       style={{ left: percentOf(timeS, lengthS) }}
       onPointerDown={onPointerDown}
       onPointerMove={onPointerMove}
-      onPointerUp={onPointerUp}
+      onLostPointerCapture={onRelease}
       onKeyDown={onKeyDown}
       onKeyUp={() => endGesture(editor)}
     />

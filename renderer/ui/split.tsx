@@ -77,7 +77,7 @@ export function Split(props: SplitProps) {
         aria-valuemin={minPx}
         onPointerDown={onPointerDown}
         onPointerMove={onPointerMove}
-        onPointerUp={() => {
+        onLostPointerCapture={() => {
           drag.current = null;
         }}
         onKeyDown={onKeyDown}

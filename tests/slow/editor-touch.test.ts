@@ -123,3 +123,31 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   expect(main?.wires).toContain('video-aaaa.layer -> gaussian-blur-aaaa.inputImage');
   expect(main?.nodes['gaussian-blur-aaaa']).toMatchObject({ muted: true });
 });
+
+test('what the browser takes the finger away from stays where it is', async () => {
+  const key = (timeS: number, value: number) => ({ timeS, value, easing: 'linear' as const });
+  const blur = { type: 'filter/gaussian-blur', params: { radius: { track: { repeat: 'once' as const, keys: [key(0, 1), key(1, 4)] } } } };
+  const nodes = { ...GRAPH.nodes, 'gaussian-blur-aaaa': blur };
+  const { page, editor } = await openEditor({ ...GRAPH, nodes }, { size: { width: 1440, height: 900 }, hasTouch: true });
+  const hand = await Hand.on(page);
+  /** Drags it by 40 px, loses the finger, and points at it with a mouse that no button is pressed of. */
+  const drop = async (handle: Locator): Promise<[dropped: Point, after: Point]> => {
+    const from = await centreOf(handle);
+    await hand.put(from);
+    for (let step = 1; step <= STEPS; step++) await hand.slide({ x: from.x - 5 * step, y: from.y });
+    await eventually(async () => expect((await centreOf(handle)).x).toBeLessThan(from.x - 20));
+    await hand.lose();
+    const dropped = await centreOf(handle);
+    await page.mouse.move(dropped.x, dropped.y);
+    for (let step = 1; step <= STEPS; step++) await page.mouse.move(dropped.x + step, dropped.y);
+    return [dropped, await centreOf(handle)];
+  };
+
+  const [border, borderAfter] = await drop(page.getByRole('separator', { name: 'Width of preview and inspector' }));
+  expect(borderAfter).toEqual(border);
+
+  await page.touchscreen.tap(...(await spot(editor.node('gaussian-blur').locator('.node-title'))));
+  await page.keyboard.press('Shift+T');
+  const [dropped, after] = await drop(page.getByRole('button', { name: /^Keyframe 2, / }));
+  expect(after).toEqual(dropped);
+});

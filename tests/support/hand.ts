@@ -27,13 +27,18 @@ export class Hand {
     await this.send('touchEnd', []);
   }
 
+  /** The browser takes the touch away: a call comes in, or a system gesture begins. */
+  async lose(): Promise<void> {
+    await this.send('touchCancel', []);
+  }
+
   async drag(from: Point, to: Point): Promise<void> {
     await this.put(from);
     for (let step = 1; step <= STEPS; step++) await this.slide(between(from, to, step / STEPS));
     await this.lift();
   }
 
-  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd', points: readonly Point[]): Promise<void> {
+  private async send(type: 'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel', points: readonly Point[]): Promise<void> {
     const touchPoints = points.map(({ x, y }, id) => ({ x, y, id }));
     await this.session.send('Input.dispatchTouchEvent', { type, touchPoints });
   }
