@@ -46,7 +46,8 @@ const CANONICAL = `{
               "track": {
                 "keys": [
                   { "timeS": 0, "value": 0 },
-                  { "timeS": 1.5, "value": 1, "easing": "ease-in-out" }
+                  { "timeS": 1.5, "value": 1, "easing": "ease-in-out" },
+                  { "timeS": 2, "value": 0.5, "easing": [0.34, 1.56, 0.64, 1] }
                 ],
                 "repeat": "loop"
               }

@@ -1,3 +1,5 @@
+import type { Easing } from '../../nodes/kit/ease.ts';
+
 /**
  * A project in memory (design §4): immutable values, changed only through commands. `load.ts` and `save.ts` turn it into the
  * files of a project folder and back, byte for byte.
@@ -75,8 +77,8 @@ export interface Keyframe {
   /** Since the session began. */
   readonly timeS: number;
   readonly value: number | readonly number[];
-  /** On the way to the next key: curves as CSS has them; `step` waits until the next key. */
-  readonly easing: 'linear' | 'step' | 'ease-in' | 'ease-out' | 'ease-in-out';
+  /** On the way to the next key. */
+  readonly easing: Easing;
 }
 
 /** Saved as `"video-a1b2.layer -> sepia-k7q2.inputImage"`. */

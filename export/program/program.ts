@@ -191,7 +191,8 @@ interface OperationBase {
  * Played by the node type's `runtime.ts`. Two types are no nodes but what params are bound to, and write the param's slot:
  * `binding/expression` (config `postfix`, as `nodes/kit/expression.ts` says, and the numbers used `otherwise`, where a result is not
  * finite), and `binding/track` (config `times` in seconds, ascending; `values`, all numbers of the first key first; `easings`, one
- * word per key for the way to the next; `repeat`).
+ * word per key for the way to the next, or handles parted by commas; `limits` where these overshoot, a lowest and a highest value for
+ * each number; `repeat`).
  */
 export interface NodeOperation extends OperationBase {
   readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw' | 'cpu';

@@ -1,17 +1,55 @@
-export type Easing = 'linear' | 'step' | 'ease-in' | 'ease-out' | 'ease-in-out';
+/** Words of a project's file for how a value goes on to the next key: curves as CSS has them; `step` waits until the next key. */
+export const NAMED_EASINGS = ['linear', 'step', 'ease-in', 'ease-out', 'ease-in-out'] as const;
 
-/** Horizontal places of the two inner control points; the vertical ones are 0 and 1. css-easing-1, section 2.2. */
-const CURVES = { 'ease-in': [0.42, 1], 'ease-out': [0, 0.58], 'ease-in-out': [0.42, 0.58] } as const;
+/**
+ * A curve of its own: the two inner points of a cubic Bézier curve from (0, 0) to (1, 1), `[x1, y1, x2, y2]` as in CSS
+ * `cubic-bezier()` (css-easing-1, section 2.2). Across is time, from 0 to 1; up is how far it has gone, which may be beyond both ends.
+ */
+export type Handles = readonly [x1: number, y1: number, x2: number, y2: number];
 
-/** How far from one key to the next, for `x` from 0 to 1 of the time between them: from 0 to 1. `step` stays until the next key. */
+export type Easing = (typeof NAMED_EASINGS)[number] | Handles;
+
+/** How far beyond both ends handles may lead: what other programs call “back” needs 0.56. */
+export const OVERSHOOT = 0.6;
+
+const HANDLES: Readonly<Record<Exclude<(typeof NAMED_EASINGS)[number], 'step'>, Handles>> = {
+  linear: [1 / 3, 1 / 3, 2 / 3, 2 / 3],
+  'ease-in': [0.42, 0, 1, 1],
+  'ease-out': [0, 0, 0.58, 1],
+  'ease-in-out': [0.42, 0, 0.58, 1],
+};
+
+/** Those that an easing has or could be drawn with; null for a step. */
+export function handlesOf(easing: Easing): Handles | null {
+  if (typeof easing !== 'string') return easing;
+  return easing === 'step' ? null : HANDLES[easing];
+}
+
+export function isEasing(value: unknown): value is Easing {
+  if (!Array.isArray(value)) return NAMED_EASINGS.some((name) => name === value);
+  const isIn = (number: unknown, beyond: number) => typeof number === 'number' && number >= -beyond && number <= 1 + beyond;
+  return value.length === 4 && value.every((number, i) => isIn(number, i % 2 === 0 ? 0 : OVERSHOOT));
+}
+
+/** Whether values may go beyond those of the keys on the way. */
+export function overshoots(easing: Easing): boolean {
+  return typeof easing !== 'string' && [easing[1], easing[3]].some((y) => y < 0 || y > 1);
+}
+
+/** How far from one key to the next, for `x` from 0 to 1 of the time between them; at 0 and 1 exactly there. */
 export function ease(easing: Easing, x: number): number {
   if (x >= 1) return 1;
   if (easing === 'step' || x <= 0) return 0;
   if (easing === 'linear') return x;
-  const [x1, x2] = CURVES[easing];
-  const t = parameterAt(x, x1, x2);
-  // A cubic Bézier curve from 0 over 0 and 1 to 1.
-  return t * t * (3 - 2 * t);
+  const handles = typeof easing === 'string' ? HANDLES[easing] : easing;
+  const t = parameterAt(x, handles[0], handles[2]);
+  return bezier(t, handles[1], handles[3]);
+}
+
+/** One coordinate of a cubic Bézier curve from 0 over two others to 1. */
+function bezier(t: number, first: number, second: number): number {
+  const rest = 1 - t;
+  return 3 * rest * rest * t * first + 3 * rest * t * t * second + t * t * t;
 }
 
 /** Enough halvings for every bit of the answer, should Newton's steps ever lead out of the range. */
@@ -25,7 +63,7 @@ function parameterAt(x: number, x1: number, x2: number): number {
   let t = x;
   for (let i = 0; i < MOST_STEPS; i++) {
     const rest = 1 - t;
-    const error = 3 * rest * rest * t * x1 + 3 * rest * t * t * x2 + t * t * t - x;
+    const error = bezier(t, x1, x2) - x;
     if (Math.abs(error) < CLOSE) break;
     if (error > 0) high = t;
     else low = t;

@@ -5,7 +5,7 @@ import { endGesture, takeBack } from '../state/apply.ts';
 import type { EditHandlers } from '../ui/number-field.tsx';
 
 /** Makes one step of the history of one gesture on a control, and none of one that is given up. */
-export function useGesture(edit: (value: ParamValue) => void): Required<EditHandlers<ParamValue>> {
+export function useGesture<T = ParamValue>(edit: (value: T) => void): Required<EditHandlers<T>> {
   const editor = useEditor();
   /** The state of the history before it. */
   const began = useRef<number | null>(null);

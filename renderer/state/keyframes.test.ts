@@ -78,6 +78,16 @@ describe('keyframes', () => {
     expect(trackOf(editor)).toEqual({ repeat: 'mirror', keys: [{ timeS: 0, value: 9, easing: 'step' }] });
   });
 
+  test('have handles that are dragged in one step', async () => {
+    const { editor, id } = await blur();
+    toggleKey(editor, id, 'radius', 0);
+    for (const x of [0.2, 0.3, 0.4]) setEasing(editor, id, 'radius', 0, [x, 0, 0.5, 1.5]);
+    endGesture(editor);
+    expect(trackOf(editor).keys[0]?.easing).toEqual([0.4, 0, 0.5, 1.5]);
+    undo(editor);
+    expect(trackOf(editor).keys[0]?.easing).toBe('ease-in-out');
+  });
+
   test('stand only where there is something between two values', async () => {
     const { editor } = await openTestEditor();
     const params = (type: string) => editor.document.getState().library.definition(type)?.params ?? {};
@@ -86,6 +96,9 @@ describe('keyframes', () => {
     expect([positionM, ambient, shadows].map((param) => param && isAnimatable(param))).toEqual([true, true, false]);
   });
 });
+
+const NUMBER = { type: 'number', stage: 'uniform', label: 'N', doc: '', default: 0 } as const;
+const VECTOR = { type: 'vector3', stage: 'uniform', label: 'V', doc: '', default: [0, 0, 0] } as const;
 
 describe('the value at a time', () => {
   const track = (more: Partial<Track> = {}): Track => ({
@@ -99,12 +112,23 @@ describe('the value at a time', () => {
   });
 
   test('goes from key to key and rests at both ends', () => {
-    expect([0, 1, 2, 3, 3.5, 4, 99].map((timeS) => valueAt(track(), timeS))).toEqual([10, 10, 15, 20, 10, 0, 0]);
+    expect([0, 1, 2, 3, 3.5, 4, 99].map((timeS) => valueAt(NUMBER, track(), timeS))).toEqual([10, 10, 15, 20, 10, 0, 0]);
   });
 
   test('begins anew, or turns round', () => {
-    expect(valueAt(track({ repeat: 'loop' }), 5)).toBe(15);
-    expect(valueAt(track({ repeat: 'mirror' }), 6)).toBe(15);
+    expect(valueAt(NUMBER, track({ repeat: 'loop' }), 5)).toBe(15);
+    expect(valueAt(NUMBER, track({ repeat: 'mirror' }), 6)).toBe(15);
+  });
+
+  test('goes by handles beyond the keys, but never beyond what the param allows', () => {
+    const back = track({
+      keys: [
+        { timeS: 0, value: 0, easing: [0.34, 1.56, 0.64, 1] },
+        { timeS: 1, value: 10, easing: 'linear' },
+      ],
+    });
+    expect(Number(valueAt(NUMBER, back, 0.5))).toBeGreaterThan(10.5);
+    expect(valueAt({ ...NUMBER, max: 10 }, back, 0.5)).toBe(10);
   });
 
   test('of a vector is that of its parts', () => {
@@ -112,7 +136,7 @@ describe('the value at a time', () => {
       { timeS: 0, value: [0, 2, 4], easing: 'linear' as const },
       { timeS: 2, value: [2, 2, 0], easing: 'linear' as const },
     ];
-    expect(valueAt(track({ keys }), 1)).toEqual([1, 2, 2]);
+    expect(valueAt(VECTOR, track({ keys }), 1)).toEqual([1, 2, 2]);
     expect(keyAt(track({ keys }), 2.004)).toBe(1);
     expect(keyAt(track({ keys }), 1)).toBe(-1);
   });

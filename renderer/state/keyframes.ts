@@ -1,8 +1,9 @@
 import { bindParam } from '../../export/graph/commands/params.ts';
+import { clampToRange } from '../../export/graph/library/param-value.ts';
 import { own } from '../../export/graph/own.ts';
 import type { Binding, Keyframe, ParamValue, Track } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
-import { ease } from '../../nodes/kit/ease.ts';
+import { type Easing, ease } from '../../nodes/kit/ease.ts';
 import { timeInTrack } from '../../nodes/kit/track-time.ts';
 import { boundValue } from '../canvas/value-text.ts';
 import { apply } from './apply.ts';
@@ -38,8 +39,12 @@ export function animatedParams(state: DocumentState): readonly AnimatedParam[] {
   );
 }
 
-/** As the page plays it (`nodes/binding/track`). */
-export function valueAt({ keys, repeat }: Track, timeS: number): ParamValue {
+/** As the page plays it (`nodes/binding/track`): within the param's limits, whatever the easing does. */
+export function valueAt(param: ParamDefinition, track: Track, timeS: number): ParamValue {
+  return clampToRange(param, valueBetweenKeys(track, timeS));
+}
+
+function valueBetweenKeys({ keys, repeat }: Track, timeS: number): ParamValue {
   const times = Float64Array.from(keys, (key) => key.timeS);
   const within = timeInTrack(timeS, times, repeat);
   const after = keys.findIndex((key) => key.timeS > within);
@@ -67,7 +72,7 @@ export function toggleKey(editor: Editor, node: string, param: string, timeS: nu
   const track = trackOf(binding);
   const at = track === null ? -1 : keyAt(track, timeS);
   if (track !== null && at !== -1) return removeKey(editor, node, param, at);
-  const value = track === null ? boundValue(definition, binding) : valueAt(track, timeS);
+  const value = track === null ? boundValue(definition, binding) : valueAt(definition, track, timeS);
   return bind(editor, `Set a keyframe of ${definition.label}`, node, param, { track: withKey(track, timeS, value) });
 }
 
@@ -97,8 +102,10 @@ export function moveKey(editor: Editor, node: string, param: string, index: numb
   );
 }
 
-export function setEasing(editor: Editor, node: string, param: string, index: number, easing: Keyframe['easing']): boolean {
-  return changeKey(editor, node, param, index, 'Change the easing', (key) => ({ ...key, easing }));
+/** Part of a gesture. */
+export function setEasing(editor: Editor, node: string, param: string, index: number, easing: Easing): boolean {
+  const gesture = `easing ${node} ${param} ${index}`;
+  return changeKey(editor, node, param, index, 'Change the easing', (key) => ({ ...key, easing }), gesture);
 }
 
 export function setRepeat(editor: Editor, node: string, param: string, repeat: Track['repeat']): boolean {

@@ -25,6 +25,7 @@ import { filesOf } from './files.ts';
 import { dropOnWire } from './insert-on-wire.ts';
 import { itemId, itemIds } from './item-ids.ts';
 import { joinEnds, refusalOfEnds } from './join-ends.ts';
+import { animatedParams, setEasing, toggleKey } from './keyframes.ts';
 import { addFrame, addNote, contentOf, editItemText, moveAll, resizeItem } from './layout-items.ts';
 import { addReroute, addRerouteToSelected } from './reroutes.ts';
 import { selectOnly } from './selection.ts';
@@ -122,6 +123,18 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
     const node = hand.node();
     editParam(hand.editor, node, portOf(hand, node, 'params'), hand.of([0, 0.5, -0, true, 'add', [1, 0, 0, 1], 1e9]) ?? 0);
     endGesture(hand.editor);
+  },
+  key: (hand) => {
+    // Few params are numbers.
+    for (let tries = 0; tries < TRIES; tries++) {
+      const node = hand.node();
+      if (toggleKey(hand.editor, node, portOf(hand, node, 'params'), hand.of([0, 0.5, 2]) ?? 0)) return;
+    }
+  },
+  ease: ({ editor, of }) => {
+    const { node, param } = of(animatedParams(editor.document.getState())) ?? { node: '', param: '' };
+    for (const y of [0.2, of([1.5, -0.4]) ?? 0]) setEasing(editor, node, param, 0, [0.3, y, 0.6, 1]);
+    endGesture(editor);
   },
   /** A point is added and dragged, as one gesture. */
   draw: (hand) => {

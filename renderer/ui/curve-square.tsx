@@ -1,4 +1,4 @@
-import type { PointerEvent, ReactNode, RefObject } from 'react';
+import type { PointerEvent, ReactNode } from 'react';
 import './curve.css';
 import type { CurvePoint } from './curve-points.ts';
 
@@ -48,14 +48,17 @@ export function reachPx({ pointerType }: PointerEvent): number {
 interface CurveHandleProps {
   readonly at: CurvePoint;
   readonly label: string;
-  readonly chosen: boolean;
-  readonly onChoose: () => void;
+  /** How far below 0 and above 1 it may be. */
+  readonly beyond?: number;
+  readonly chosen?: boolean;
+  /** Has the keyboard first, where it is in a popover. */
+  readonly first?: boolean;
+  readonly onChoose?: () => void;
   /** By arrow keys; to a place that may be outside. */
   readonly onMove: (to: CurvePoint) => void;
   readonly onEnd: () => void;
   /** By Delete. */
   readonly onRemove?: () => void;
-  readonly handle?: RefObject<HTMLDivElement | null>;
 }
 
 const ARROWS: Readonly<Record<string, CurvePoint>> = {
@@ -66,19 +69,19 @@ const ARROWS: Readonly<Record<string, CurvePoint>> = {
 };
 
 /** What is taken hold of in a square. The square looks after the pointer, this after the keys. */
-export function CurveHandle({ at, label, chosen, onChoose, onMove, onEnd, onRemove, handle }: CurveHandleProps) {
+export function CurveHandle({ at, label, beyond = 0, chosen = true, first = false, onChoose, onMove, onEnd, onRemove }: CurveHandleProps) {
   return (
     <div
-      ref={handle}
       className="curve-handle"
       role="slider"
       tabIndex={0}
       aria-label={label}
-      aria-valuemin={0}
-      aria-valuemax={1}
+      aria-valuemin={-beyond}
+      aria-valuemax={1 + beyond}
       aria-valuenow={at.y}
       aria-valuetext={`${at.x} across, ${at.y} up`}
       data-chosen={chosen}
+      data-autofocus={first ? '' : undefined}
       style={{ left: `${at.x * 100}%`, bottom: `${at.y * 100}%` }}
       onFocus={onChoose}
       onKeyDown={(event) => {

@@ -27,8 +27,12 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
     const fits = below + box.height < window.innerHeight - EDGE_PX;
     const top = fits ? below : Math.max(EDGE_PX, button.top - box.height - GAP_PX);
     setPlace({ left: Math.max(EDGE_PX, left) / zoom, top: top / zoom });
-    element.current?.querySelector('input')?.focus();
   }, [from]);
+  const placed = place !== null;
+  useLayoutEffect(() => {
+    // What is hidden takes no focus.
+    if (placed) element.current?.querySelector<HTMLElement>('[data-autofocus], input')?.focus();
+  }, [placed]);
   useEffect(() => {
     const onDown = (event: PointerEvent) => {
       const target = event.target as Node;
@@ -58,7 +62,10 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
       role="dialog"
       aria-label={label}
       style={place ?? { visibility: 'hidden' }}
-      onKeyDown={(event) => event.stopPropagation()}
+      // Chords are the window's all the same: what is done in here can be undone from here.
+      onKeyDown={(event) => {
+        if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
+      }}
     >
       {children}
     </div>

@@ -34,13 +34,14 @@ export async function play(program: Program, timeS: number, camera: number[]): P
 }
 
 /** How far an animation of the browser's own is, and how far a track, at the same times. */
-export function easings(names: readonly Easing[], times: readonly number[]): { readonly css: number; readonly track: number }[] {
-  return names.flatMap((name) => {
-    const animation = document.body.animate({ opacity: [0, 1] }, { duration: 1000, easing: name, fill: 'both' });
+export function easings(list: readonly Easing[], times: readonly number[]): { readonly css: number; readonly track: number }[] {
+  return list.flatMap((easing) => {
+    const css = typeof easing === 'string' ? easing : `cubic-bezier(${easing.join(', ')})`;
+    const animation = document.body.animate({ opacity: [0, 1] }, { duration: 1000, easing: css, fill: 'both' });
     animation.pause();
     const both = times.map((time) => {
       animation.currentTime = time * 1000;
-      return { css: animation.effect?.getComputedTiming().progress ?? -1, track: ease(name, time) };
+      return { css: animation.effect?.getComputedTiming().progress ?? -1, track: ease(easing, time) };
     });
     animation.cancel();
     return both;

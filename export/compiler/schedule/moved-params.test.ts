@@ -141,6 +141,22 @@ describe('a param bound to a track', () => {
     });
   });
 
+  test('that overshoots has the limits of the param with it', () => {
+    const keys = [
+      { timeS: 0, value: 0, easing: [0.3, 0, 0.2, 1] as const },
+      { timeS: 1, value: 1, easing: [0.34, 1.56, 0.64, 1] as const },
+    ];
+    const config = (binding: Binding) => operation(program(sepia(binding)), 'sepia-a.amount.track') as { config?: object };
+    expect(config({ track: { keys, repeat: 'once' } }).config).toEqual({
+      times: [0, 1],
+      values: [0, 1],
+      easings: '0.3,0,0.2,1 0.34,1.56,0.64,1',
+      limits: [0, 1],
+      repeat: 'once',
+    });
+    expect(config({ track: { keys: keys.slice(0, 1), repeat: 'once' } }).config).not.toHaveProperty('limits');
+  });
+
   test('holds all numbers of a vector', () => {
     const keys = [
       { timeS: 0, value: [0, 0, 0], easing: 'linear' as const },

@@ -2,6 +2,7 @@ import { readdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
+import type { Easing } from '../../../nodes/kit/ease.ts';
 import { TEST_LIBRARY as base, readShader, TEST_SHADERS } from '../../../tests/support/test-library.ts';
 import { createFaceLookup } from '../library/faces.ts';
 import { projectLibrary } from '../library/project-library.ts';
@@ -164,7 +165,8 @@ const LOGIC_COMMANDS: Readonly<Record<string, Command>> = {
     const graph = anyGraph(p, pick);
     const { node, port: param } = anyPort(p, graph, 'inputs', pick);
     const value = pick.of(VALUES) ?? 0;
-    const track = { keys: [{ timeS: 0, value: 1, easing: 'step' as const }], repeat: 'mirror' as const };
+    const easing = pick.of<Easing>(['step', [0.3, -0.5, 0.1, 1.6]]) ?? 'linear';
+    const track = { keys: [{ timeS: 0, value: 1, easing }], repeat: 'mirror' as const };
     const binding = pick.of([{ value }, { port: value }, { track }, { expression: 'time' }, { expression: '1 +' }]) ?? { value };
     return bindParam(p, { library: library(p), graph, node, param, binding });
   },

@@ -1,10 +1,10 @@
+import { NAMED_EASINGS } from '../../../nodes/kit/ease.ts';
 import type { JsonPath } from '../json/positions.ts';
 import { isObject, type ShapeReader } from '../json/shape-reader.ts';
 import { own } from '../own.ts';
 import type { Binding, Keyframe, ParamValue, Track } from '../project.ts';
 
 const REPEATS = ['once', 'loop', 'mirror'] as const satisfies readonly Track['repeat'][];
-const EASINGS = ['linear', 'step', 'ease-in', 'ease-out', 'ease-in-out'] as const satisfies readonly Keyframe['easing'][];
 
 /** A bare value stands for itself; what else a param may be bound to is an object with one key that says so. */
 export function readBinding(reader: ShapeReader, json: unknown, path: JsonPath): Binding {
@@ -42,6 +42,14 @@ function readKeyframe(reader: ShapeReader, json: unknown, path: JsonPath): Keyfr
   return {
     timeS: reader.number(fields('timeS'), [...path, 'timeS']),
     value: Array.isArray(value) ? readNumbers(reader, value, valuePath) : reader.number(value, valuePath),
-    easing: easing === undefined ? 'linear' : reader.oneOf(easing, [...path, 'easing'], EASINGS),
+    easing: easing === undefined ? 'linear' : readEasing(reader, easing, [...path, 'easing']),
   };
+}
+
+function readEasing(reader: ShapeReader, json: unknown, path: JsonPath): Keyframe['easing'] {
+  if (!Array.isArray(json)) return reader.oneOf(json, path, NAMED_EASINGS);
+  if (json.length !== 4) reader.problem(path, 'the handles of an easing are four numbers: [x1, y1, x2, y2].');
+  const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = readNumbers(reader, json, path);
+  // Where they may lie is for the checks, which know the node.
+  return [x1, y1, x2, y2];
 }

@@ -1,4 +1,5 @@
 import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
+import { isEasing, OVERSHOOT } from '../../../nodes/kit/ease.ts';
 import type { Binding, Track } from '../project.ts';
 import { misfit } from './param-value.ts';
 
@@ -38,9 +39,13 @@ function trackMisfit(param: ParamDefinition, { keys }: Track): BindingMisfit | n
     return { code: 'SCR019', message: 'cannot follow keyframes: there is nothing between two of its values.' };
   }
   if (keys.length === 0) return { code: 'SCR019', message: 'is bound to a track without keyframes.' };
-  for (const [i, { timeS, value }] of keys.entries()) {
+  for (const [i, { timeS, value, easing }] of keys.entries()) {
     const wanted = misfit(param, value);
     if (wanted !== null) return { code: 'SCR018', message: `must be ${wanted} in keyframe ${i + 1}.` };
+    if (!isEasing(easing)) {
+      const message = `has an easing in keyframe ${i + 1} that is none: handles [x1, y1, x2, y2] lie from 0 to 1 across, and from ${-OVERSHOOT} to ${1 + OVERSHOOT} up.`;
+      return { code: 'SCR019', message };
+    }
     const before = keys[i - 1];
     if (before && before.timeS >= timeS) return { code: 'SCR019', message: `has keyframe ${i + 1} at or before the one before it.` };
   }

@@ -163,6 +163,15 @@ describe('validateProject', () => {
       ['error SCR019 node-aaaa value'],
     ],
     [
+      'handles of an easing that go back in time',
+      projectOf(
+        withParams('value/number', {
+          value: { track: { repeat: 'once', keys: [{ timeS: 1, value: 0, easing: [-0.2, 0, 0.5, 1] }] } },
+        }),
+      ),
+      ['error SCR019 node-aaaa value'],
+    ],
+    [
       'an asset that is not there',
       projectOf(withParams('source/model', { model: { value: 'fox-aaaa' } })),
       ['error SCR030 node-aaaa model'],

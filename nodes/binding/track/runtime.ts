@@ -1,5 +1,5 @@
 import { type BindingContext, type BoundValue, createWriter } from '../../kit/binding.ts';
-import { type Easing, ease } from '../../kit/ease.ts';
+import { type Easing, ease, type Handles } from '../../kit/ease.ts';
 import type { NodeRuntime } from '../../kit/runtime.ts';
 import { type Repeat, timeInTrack } from '../../kit/track-time.ts';
 
@@ -8,8 +8,10 @@ interface Config {
   readonly times: readonly number[];
   /** All numbers of the first key, then those of the second. */
   readonly values: readonly number[];
-  /** One word per key, for the way to the next one. */
+  /** One word per key, for the way to the next one: a name, or handles parted by commas. */
   readonly easings: string;
+  /** Where easings overshoot: lowest and highest of each number. */
+  readonly limits?: readonly number[];
   readonly repeat: Repeat;
 }
 
@@ -19,8 +21,9 @@ export function create({ outputs, config: made, clock }: BindingContext): NodeRu
   const bound = outputs.value as BoundValue;
   const times = Float64Array.from(config.times);
   const values = Float64Array.from(config.values);
-  const easings = config.easings.split(' ') as Easing[];
+  const easings = config.easings.split(' ').map(readEasing);
   const size = values.length / times.length;
+  const limits = config.limits && Float64Array.from(config.limits);
   const now = new Float64Array(size);
   const write = createWriter(bound, now);
   const last = times.length - 1;
@@ -37,11 +40,16 @@ export function create({ outputs, config: made, clock }: BindingContext): NodeRu
         const to = values[next * size + i] ?? 0;
         // Exact at both ends, so that a track rests at what its keys say.
         now[i] = progress === 1 ? to : from + (to - from) * progress;
+        if (limits) now[i] = Math.min(Math.max(now[i] ?? 0, limits[2 * i] ?? 0), limits[2 * i + 1] ?? 0);
       }
       write();
     },
     dispose: () => {},
   };
+}
+
+function readEasing(word: string): Easing {
+  return word.includes(',') ? (word.split(',').map(Number) as unknown as Handles) : (word as Easing);
 }
 
 /** The last key at or before a time; the first where there is none. By halves, because a track may have thousands. */

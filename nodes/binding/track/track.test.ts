@@ -11,13 +11,20 @@ interface Key {
 }
 
 /** What a param bound to the track has at a time. */
-function play(keys: readonly Key[], repeat: Repeat, timesS: readonly number[], size = 1): (number | number[])[] {
+function play(
+  keys: readonly Key[],
+  repeat: Repeat,
+  timesS: readonly number[],
+  size = 1,
+  limits?: readonly number[],
+): (number | number[])[] {
   const clock = { timeS: 0, frame: 0 };
   const value: { value: number | Float64Array } = { value: size === 1 ? 0 : new Float64Array(size) };
   const config = {
     times: keys.map(({ timeS }) => timeS),
     values: keys.flatMap((key) => key.value),
     easings: keys.map(({ easing = 'linear' }) => easing).join(' '),
+    ...(limits ? { limits } : {}),
     repeat,
   };
   const { update } = create({ outputs: { value }, config, clock });
@@ -68,6 +75,18 @@ describe('a track', () => {
     expect(play(keys, 'once', [0.999, 1, 1.5, 2, 5])).toEqual([0, 1, 2, 3, 3]);
   });
 
+  test('goes by handles beyond its keys, as far as the limits of its param', () => {
+    const keys: Key[] = [
+      { timeS: 0, value: [0, 0], easing: [0.34, 1.56, 0.64, 1] },
+      { timeS: 1, value: [1, -1] },
+    ];
+    const free = play(keys, 'once', [0.5, 1], 2) as number[][];
+    expect(free[0]?.[0]).toBeGreaterThan(1.05);
+    expect(free[0]?.[1]).toBe(-(free[0]?.[0] ?? 0));
+    expect(free[1]).toEqual([1, -1]);
+    expect(play(keys, 'once', [0.5], 2, [0, 1, -Number.MAX_VALUE, Number.MAX_VALUE])).toEqual([[1, free[0]?.[1]]]);
+  });
+
   test('of one key stands still', () => {
     for (const repeat of ['once', 'loop', 'mirror'] as const)
       expect(play([{ timeS: 1, value: [7] }], repeat, [0, 1, 2])).toEqual([7, 7, 7]);
@@ -82,7 +101,7 @@ describe('a track', () => {
           fc.array(
             fc.tuple(
               fc.double({ min: -5, max: 5, noNaN: true }),
-              fc.constantFrom<Easing>('linear', 'step', 'ease-in', 'ease-out', 'ease-in-out'),
+              fc.constantFrom<Easing>('linear', 'step', 'ease-in', 'ease-out', 'ease-in-out', [0.9, 0, 0.1, 1], [0, 1, 1, 0]),
             ),
             {
               minLength: times.length,

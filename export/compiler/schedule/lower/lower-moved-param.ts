@@ -1,4 +1,5 @@
 import { type ParamDefinition, paramWireType } from '../../../../nodes/kit/definition.ts';
+import { overshoots } from '../../../../nodes/kit/ease.ts';
 import { parseBinding } from '../../../graph/expression/param-expression.ts';
 import { clampToRange } from '../../../graph/library/param-value.ts';
 import type { Track } from '../../../graph/project.ts';
@@ -65,11 +66,20 @@ function limitsOf(definition: ParamDefinition, part: number): readonly [low: num
 function trackConfig(definition: ParamDefinition, { keys, repeat }: Track): NodeOperation['config'] {
   return {
     times: keys.map(({ timeS }) => timeS),
-    // Between two keys a track never leaves what lies between their values.
     values: keys.flatMap(({ value }) => numbersIn(definition, value)),
     easings: keys.map(({ easing }) => easing).join(' '),
+    // Else a track never leaves what lies between the values of two keys.
+    ...(keys.some(({ easing }) => overshoots(easing)) ? { limits: limitsOfTrack(definition, keys[0]?.value) } : {}),
     repeat,
   };
+}
+
+/** Lowest and highest of each number; the largest that there are stand for none. */
+function limitsOfTrack(definition: ParamDefinition, value: Track['keys'][number]['value'] = 0): readonly number[] {
+  return numbersIn(definition, value).flatMap((_, i) => {
+    const [low = -Number.MAX_VALUE, high = Number.MAX_VALUE] = limitsOf(definition, i);
+    return [low, high];
+  });
 }
 
 function numbersIn(definition: ParamDefinition, value: ParamDefinition['default'] | Track['keys'][number]['value']): readonly number[] {

@@ -1,0 +1,172 @@
+import { expect, test } from '@jest/globals';
+import type { Locator } from 'playwright-core';
+import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { axeFindings } from '../support/axe.ts';
+import { Hand } from '../support/hand.ts';
+import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
+import { eventually } from '../support/patience.ts';
+
+/** What the camera sees, browner and browner for as long as the recording lasts. */
+const GRAPH: GraphText = {
+  nodes: {
+    'video-aaaa': { type: 'source/camera-video' },
+    'sepia-aaaa': {
+      type: 'filter/sepia',
+      params: {
+        amount: {
+          track: {
+            keys: [
+              { timeS: 0, value: 0.2 },
+              { timeS: 3, value: 0.4 },
+            ],
+          },
+        },
+      },
+    },
+    'screen-aaaa': { type: 'output/screen' },
+  },
+  wires: ['video-aaaa.layer -> sepia-aaaa.inputImage', 'sepia-aaaa.layer -> screen-aaaa.layer'],
+  places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [260, 0], 'screen-aaaa': [520, 0] },
+};
+const HALFWAY_FRAME = 15;
+
+const open = useOneEditor(GRAPH, { colorScheme: 'dark', hasTouch: true }, async () => {
+  const { page, editor } = open;
+  await editor.settled();
+  await editor.hold();
+  await editor.press('Back to the first frame');
+  await editor.node('sepia').locator('.node-title').click();
+  await page.keyboard.press('Shift+T');
+  await page.getByRole('slider', { name: 'Playhead' }).focus();
+  for (let i = 0; i < HALFWAY_FRAME; i++) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((f) => document.querySelector('.transport-time span')?.textContent === String(f), HALFWAY_FRAME);
+  await page.getByRole('button', { name: 'Keyframe 1, 0.00 s' }).click();
+});
+
+const choice = (): Locator => open.page.getByRole('combobox', { name: 'To the next key' });
+const button = (): Locator => open.page.getByRole('button', { name: 'Handles of the easing' });
+const dialog = (): Locator => open.page.getByRole('dialog', { name: 'Easing to the next key' });
+const handle = (side: 'Out of this key' | 'Into the next key'): Locator => dialog().getByRole('slider', { name: side });
+
+/** In the square of the easing, from (0, 0) at the bottom left to (1, 1). */
+async function place(x: number, y: number): Promise<Point> {
+  const box = await dialog().locator('.curve-square').boundingBox();
+  if (!box) throw new Error('The easing is not open.');
+  return { x: box.x + x * box.width, y: box.y + (1 - y) * box.height };
+}
+
+async function saved(): Promise<unknown> {
+  const graphs = await saveGraphs(open);
+  const amount = graphs.main?.nodes['sepia-aaaa']?.params?.amount as { track: { keys: { easing?: unknown }[] } };
+  return amount.track.keys[0]?.easing;
+}
+
+/** To twentieths: a pixel is about a hundredth. */
+async function savedRoughly(): Promise<unknown> {
+  return ((await saved()) as readonly number[]).map((number) => Math.round(number * 20) / 20);
+}
+
+/** The amount that the inspector shows now. */
+async function amount(): Promise<number> {
+  return Number(await open.editor.inspector.getByRole('textbox', { name: 'Amount', exact: true }).inputValue());
+}
+
+/** What an animation of the browser's own makes of the saved easing at that moment. */
+async function amountByBrowser(): Promise<number> {
+  const progress = await open.page.evaluate(
+    ({ handles, part }) => {
+      const animation = document.body.animate(
+        { opacity: [1, 1] },
+        { duration: 1000, easing: `cubic-bezier(${handles.join(', ')})`, fill: 'both' },
+      );
+      animation.pause();
+      animation.currentTime = 1000 * part;
+      const computed = animation.effect?.getComputedTiming().progress ?? Number.NaN;
+      animation.cancel();
+      return computed;
+    },
+    { handles: (await saved()) as readonly number[], part: HALFWAY_FRAME / 30 },
+  );
+  return 0.2 + 0.2 * progress;
+}
+
+test('a named easing is gone on from by handles, which are dragged; the value follows as the browser would have it', async () => {
+  const { page, editor } = open;
+  const before = await editor.restingPicture();
+  expect(await amount()).toBeCloseTo(0.3, 6);
+  await choice().selectOption('By handles');
+  expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
+  await button().click();
+  const [from, to] = [await centreOf(handle('Out of this key')), await place(0.3, 1.4)];
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y);
+  // Not let go yet.
+  await eventually(async () => expect(await amount()).toBeGreaterThan(0.35));
+  await editor.pictureOtherThan(before);
+  await page.mouse.up();
+  expect(await savedRoughly()).toEqual([0.3, 1.4, 0.65, 0.65]);
+  expect(await amount()).toBeCloseTo(await amountByBrowser(), 2);
+  // One step, which is undone from within.
+  await page.keyboard.press('Control+z');
+  expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
+  await editor.pictureSameAs(before, 'undone');
+});
+
+test('Escape gives a drag up, and closes only when nothing is dragged', async () => {
+  const { page } = open;
+  const [from, to] = [await centreOf(handle('Into the next key')), await place(0.1, 0.1)];
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(to.x, to.y);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
+  await handle('Out of this key').press('Escape');
+  await dialog().waitFor({ state: 'detached' });
+});
+
+test('by keys and numbers, as far as handles may go', async () => {
+  const { page } = open;
+  await button().press('Enter');
+  await eventually(async () =>
+    expect(await handle('Out of this key').evaluate((element) => element === document.activeElement)).toBe(true),
+  );
+  for (const key of ['Shift+ArrowUp', 'ArrowUp', 'ArrowLeft']) await page.keyboard.press(key);
+  expect(await saved()).toEqual([0.323, 0.443, 2 / 3, 2 / 3]);
+  await dialog().getByRole('textbox', { name: 'Out of this key, up' }).fill('9');
+  await page.keyboard.press('Enter');
+  await dialog().getByRole('textbox', { name: 'Into the next key, across' }).fill('-1');
+  await page.keyboard.press('Enter');
+  expect(await saved()).toEqual([0.323, 1.6, 0, 0.667]);
+  expect(await amount()).toBeCloseTo(await amountByBrowser(), 2);
+});
+
+test('by a finger', async () => {
+  const hand = await Hand.on(open.page);
+  await hand.drag(await centreOf(handle('Out of this key')), await place(0.8, 0.2));
+  expect(await savedRoughly()).toEqual([0.8, 0.2, 0, 0.65]);
+});
+
+test.each([
+  ['dark', 1440, 900],
+  ['light', 1024, 768],
+] as const)('in the %s theme at %d × %d, axe finds nothing', async (colorScheme, width, height) => {
+  const { page, editor } = open;
+  await page.setViewportSize({ width, height });
+  await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+  await editor.settled();
+  expect(await axeFindings(page)).toEqual([]);
+});
+
+test('a named easing has the handles that it is drawn with, and a step has none', async () => {
+  const { page } = open;
+  await page.keyboard.press('Escape');
+  await choice().selectOption('In a step');
+  expect(await button().isDisabled()).toBe(true);
+  await choice().selectOption('Slow at first');
+  await button().click();
+  await handle('Into the next key').press('ArrowDown');
+  expect(await saved()).toEqual([0.42, 0, 1, 0.99]);
+  expect(await choice().evaluate((select) => (select as HTMLSelectElement).selectedOptions[0]?.textContent)).toBe('By handles');
+});
