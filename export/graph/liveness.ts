@@ -18,7 +18,10 @@ export function nodesBehind(graph: Graph, roots: Iterable<string>): ReadonlySet<
 }
 
 /** Nodes that show the visitor something: they lower to what is on screen. */
-export function screensOf(graph: Graph, library: { definition(type: string): { lowering: { kind: string } } | undefined }): string[] {
+export function screensOf(
+  graph: Pick<Graph, 'nodes'>,
+  library: { definition(type: string): { lowering: { kind: string } } | undefined },
+): string[] {
   return Object.keys(graph.nodes)
     .filter((id) => library.definition(graph.nodes[id]?.type ?? '')?.lowering.kind === 'present')
     .sort();

@@ -5,9 +5,10 @@ import { addNode, removeNodes, setMuted } from '../../export/graph/commands/node
 import { bindParam } from '../../export/graph/commands/params.ts';
 import { putReroute, setRoutes } from '../../export/graph/commands/routes.ts';
 import { connect } from '../../export/graph/commands/wires.ts';
+import { screensOf } from '../../export/graph/liveness.ts';
 import { makeLayoutId, makeNodeId } from '../../export/graph/names.ts';
 import { own } from '../../export/graph/own.ts';
-import type { GraphLayout, GraphNode, NodeLayout, Project, Wire } from '../../export/graph/project.ts';
+import { type GraphLayout, type GraphNode, MAIN_GRAPH, type NodeLayout, type Project, type Wire } from '../../export/graph/project.ts';
 import { settleRoutes } from '../../export/graph/routes.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import { apply } from './apply.ts';
@@ -96,7 +97,8 @@ function isPlace(value: unknown): boolean {
 }
 
 /**
- * Adds copies under new ids, wired as the originals are among themselves, and selects them. One step.
+ * Adds copies under new ids, wired as the originals are among themselves, and selects them. One step. A project shows one screen:
+ * another stays out, and that is said.
  */
 export function pasteClipping(
   editor: Editor,
@@ -106,7 +108,8 @@ export function pasteClipping(
   { entering = [], paths }: PasteOptions = {},
 ): boolean {
   const { project, graph } = editor.document.getState();
-  const { nodes: copied, wires, ways = { reroutes: {}, routes: {} }, brought } = clipping;
+  const { nodes: copied, wires, ways = { reroutes: {}, routes: {} }, brought } = withoutScreens(editor, clipping);
+  if (Object.keys(copied).length === 0) return false;
   const { routes } = layoutOf(editor.document.getState());
   const reroutes = new Map<string, string>();
   const lead = (before: Project, wire: Wire, route: readonly string[] = []) =>
@@ -180,6 +183,16 @@ export function pasteClipping(
     led.map((id) => itemId('reroute', id)),
   );
   return true;
+}
+
+/** The clipping without what the open graph cannot take or has already; says so where that leaves something out. */
+function withoutScreens(editor: Editor, clipping: Clipping): Clipping {
+  const state = editor.document.getState();
+  const screens = screensOf(clipping, state.library);
+  const isTaken = state.graph !== MAIN_GRAPH || screensOf(graphOf(state), state.library).length > 0;
+  if (screens.length === 0 || !isTaken) return clipping;
+  addToast(editor.ui, { tone: 'info', text: 'Without the screen: a project has one, which is there already.' });
+  return { ...clipping, nodes: Object.fromEntries(Object.entries(clipping.nodes).filter(([id]) => !screens.includes(id))) };
 }
 
 /** `wired`: what comes into the originals from other nodes comes into the copies, too. */

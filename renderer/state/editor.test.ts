@@ -130,6 +130,28 @@ describe('the editor', () => {
     for (const none of ['', 'hello', '[]', '{"format":"scrim-nodes"}', 'null']) expect(parseClipping(none)).toBeNull();
   });
 
+  test('a project that has a screen takes copies without another, and says so', async () => {
+    const { editor } = await openTestEditor();
+    const ids = [add(editor, 'filter/sepia'), add(editor, 'output/screen')];
+    selectOnly(editor.selection, ids);
+    const types = () =>
+      Object.values(graphOf(editor.document.getState()).nodes)
+        .map(({ type }) => type)
+        .sort();
+    const clipping = clipSelection(editor);
+    duplicateSelection(editor);
+    expect(types()).toEqual(['filter/sepia', 'filter/sepia', 'output/screen']);
+    expect(editor.ui.getState().toasts.at(-1)?.text).toContain('Without the screen');
+    selectOnly(editor.selection, ids.slice(1));
+    expect(duplicateSelection(editor)).toBe(false);
+    expect(types()).toHaveLength(3);
+
+    // Where there is none, it comes along.
+    const other = (await openTestEditor()).editor;
+    if (clipping) pasteClipping(other, clipping, 'Paste', { x: 0, y: 0 });
+    expect(Object.values(graphOf(other.document.getState()).nodes)).toHaveLength(2);
+  });
+
   test('mute, delete and their way back', async () => {
     const { editor } = await openTestEditor();
     const sepia = add(editor, 'filter/sepia');
