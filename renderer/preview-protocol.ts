@@ -25,8 +25,8 @@ export type ToPreview =
   | { readonly kind: 'session'; readonly source: PreviewSource; readonly request: number }
   /** The strongest light of an emulated room comes from there, a unit vector towards it in world space; null: from where the room has it. */
   | { readonly kind: 'room-light'; readonly directionWorld: readonly [number, number, number] | null }
-  /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. */
-  | { readonly kind: 'poster'; readonly widthPx: number; readonly heightPx: number }
+  /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. `request` counts: the answer has it. */
+  | { readonly kind: 'poster'; readonly request: number; readonly widthPx: number; readonly heightPx: number }
   /**
    * Show tapped layers instead of the screen: one left of `split`, in parts of each view's width, and one right of it. Null, and
    * layers that are not tapped: the screen.
@@ -161,7 +161,7 @@ export type FromPreview =
   /** Twice a second while asked for. */
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
   /** Null where nothing is shown. */
-  | { readonly kind: 'poster'; readonly bytes: Uint8Array<ArrayBuffer> | null };
+  | { readonly kind: 'poster'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer> | null };
 
 /** Of one operation of the program, in one frame, all views together. */
 export interface OperationCost {

@@ -77,11 +77,15 @@ function texts({ project, layout, sources }: ProjectFiles): Map<string, string> 
 export async function listAssets(root: string): Promise<OpenProject['assetFiles']> {
   const found: OpenProject['assetFiles'] = [];
   const walk = async (folder: string) => {
-    for (const entry of await readdir(await resolveInside(root, folder), { withFileTypes: true })) {
+    // What cannot be read, or goes while the others are read, is missing: whatever names it is told so.
+    for (const entry of await readdir(await resolveInside(root, folder), { withFileTypes: true }).catch(() => [])) {
       if (entry.name.startsWith('.') || !isPlainName(entry.name)) continue;
       const path = `${folder}/${entry.name}`;
       if (entry.isDirectory()) await walk(path);
-      else if (entry.isFile()) found.push({ path, bytes: (await lstat(join(root, path))).size });
+      else if (entry.isFile()) {
+        const file = await lstat(join(root, path)).catch(() => null);
+        if (file) found.push({ path, bytes: file.size });
+      }
     }
   };
   // A folder that is missing, or a link, has no assets; the project opens, and whatever names them is told so.

@@ -129,7 +129,7 @@ function Facts({ definition: { needs = [], credit, licence } }: { readonly defin
       {needs.length > 0 && <h3>Needs</h3>}
       {needs.map((need) => (
         <p key={need.capability} className="inspector-note">
-          <strong>{need.capability.replace('-', ' ')}</strong> {need.why}. Without it: {need.without}
+          <strong>{need.capability.replaceAll('-', ' ')}</strong> {need.why}. Without it: {need.without}
         </p>
       ))}
       {credit !== undefined && <h3>Credit</h3>}

@@ -5,6 +5,11 @@ export interface PosterSize {
   readonly heightPx: number;
 }
 
+export interface PosterRequest extends PosterSize {
+  /** Comes with the answer. */
+  readonly request: number;
+}
+
 /** What a poster is taken from. */
 export interface PosterPlace {
   readonly canvas: HTMLCanvasElement;
@@ -19,9 +24,9 @@ export interface PosterPlace {
 /** Pictures of what plays, for those who link to the page that it becomes. */
 export interface Posters {
   /** Takes the next frame, which is drawn in that size; a wish that is not fulfilled yet gives way. */
-  want(size: PosterSize, place: PosterPlace): void;
+  want(asked: PosterRequest, place: PosterPlace): void;
   /** There is none to be had. */
-  refuse(): void;
+  refuse(asked: PosterRequest): void;
   /** Whether a frame is being drawn for a poster. */
   readonly busy: boolean;
   beforeFrame(): void;
@@ -29,7 +34,7 @@ export interface Posters {
 }
 
 interface Wish {
-  readonly size: PosterSize;
+  readonly asked: PosterRequest;
   readonly place: PosterPlace;
   state: 'new' | 'sized' | 'drawn';
 }
@@ -42,12 +47,13 @@ const GROUND = '#14161a';
 /** `wake` asks for another frame, also of a preview that is held. */
 export function createPosters(send: (message: FromPreview, transfer?: Transferable[]) => void, wake: () => void): Posters {
   let wish: Wish | null = null;
-  const answer = (bytes: Uint8Array<ArrayBuffer> | null) => send({ kind: 'poster', bytes }, bytes ? [bytes.buffer] : []);
-  const take = ({ size, place }: Wish) => {
-    const picture = cover(place, size);
+  const answer = ({ request }: PosterRequest, bytes: Uint8Array<ArrayBuffer> | null) =>
+    send({ kind: 'poster', request, bytes }, bytes ? [bytes.buffer] : []);
+  const take = ({ asked, place }: Wish) => {
+    const picture = cover(place, asked);
     void picture.convertToBlob({ type: 'image/jpeg', quality: QUALITY }).then(
-      async (blob) => answer(new Uint8Array(await blob.arrayBuffer())),
-      () => answer(null),
+      async (blob) => answer(asked, new Uint8Array(await blob.arrayBuffer())),
+      () => answer(asked, null),
     );
   };
   const drop = () => {
@@ -55,14 +61,14 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
     wish = null;
   };
   return {
-    want: (size, place) => {
+    want: (asked, place) => {
       drop();
-      wish = { size, place, state: 'new' };
+      wish = { asked, place, state: 'new' };
       wake();
     },
-    refuse: () => {
+    refuse: (asked) => {
       drop();
-      answer(null);
+      answer(asked, null);
     },
     get busy() {
       return wish !== null && wish.state !== 'new';
@@ -73,7 +79,7 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
         drop();
       }
       if (wish?.state !== 'new') return;
-      wish.place.resize(wish.size);
+      wish.place.resize(wish.asked);
       wish.state = 'sized';
     },
     afterFrame: () => {

@@ -11,7 +11,7 @@ import { createGizmo } from './gizmo/gizmo.ts';
 import { createHouse, type House } from './house.ts';
 import { createKeys } from './keys.ts';
 import { type OpenSession, openSession } from './open-session.ts';
-import { createPosters, type PosterPlace, type PosterSize } from './posters.ts';
+import { createPosters, type PosterPlace, type PosterRequest } from './posters.ts';
 import { createProbes } from './probes.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
@@ -223,10 +223,10 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     const { resize } = open;
     return canvas && { canvas, views, shows: 'after it', resize: (size) => resize(size && [size.widthPx * views, size.heightPx]) };
   };
-  const takePoster = (size: PosterSize) => {
+  const takePoster = (asked: PosterRequest) => {
     const place = posterPlace();
-    if (place) posters.want(size, place);
-    else posters.refuse();
+    if (place) posters.want(asked, place);
+    else posters.refuse(asked);
   };
 
   return {

@@ -80,7 +80,7 @@ export function LibraryRemoveDialog({ name, onClose }: { readonly name: string; 
         </>
       }
     >
-      It is used by {uses}. What is in it takes their place, so that the picture stays as it is.
+      {uses === null ? 'Nothing uses it.' : `It is used by ${uses}. What is in it takes their place, so that the picture stays as it is.`}
     </Dialog>
   );
 }

@@ -1,32 +1,12 @@
-import { bindParam } from '../../export/graph/commands/params.ts';
 import { parseBinding } from '../../export/graph/expression/param-expression.ts';
 import { bindingMisfit } from '../../export/graph/library/binding.ts';
 import { outOfRange } from '../../export/graph/library/param-value.ts';
-import { own } from '../../export/graph/own.ts';
 import type { Binding, ParamValue } from '../../export/graph/project.ts';
 import type { ParamDefinition } from '../../nodes/kit/definition.ts';
 import { boundValue } from '../canvas/value-text.ts';
-import { apply } from './apply.ts';
-import { nodeOf } from './document.ts';
+import { bind, findParam } from './bound-param.ts';
 import type { Editor } from './editor.ts';
 import { addToast } from './ui.ts';
-
-interface Param {
-  readonly definition: ParamDefinition;
-  readonly binding: Binding | undefined;
-}
-
-function findParam(editor: Editor, node: string, param: string): Param | null {
-  const state = editor.document.getState();
-  const found = nodeOf(state, node);
-  const definition = found && own(state.library.definition(found.type)?.params ?? {}, param);
-  return definition ? { definition, binding: own(found.params, param) } : null;
-}
-
-function bind(editor: Editor, label: string, node: string, param: string, binding: Binding): boolean {
-  const { project, library, graph } = editor.document.getState();
-  return apply(editor, label, bindParam(project, { library, graph, node, param, binding }));
-}
 
 /** Lets a param follow an expression. One that cannot be read is refused, with the reason. */
 export function bindExpression(editor: Editor, node: string, param: string, expression: string): boolean {

@@ -39,9 +39,15 @@ describe('an export from the editor', () => {
     const sent: unknown[] = [];
     const pictures = createPictures(editor, (message) => void sent.push(message));
     const taken = pictures.take({ widthPx: 12, heightPx: 6 });
-    expect(sent).toEqual([{ kind: 'poster', widthPx: 12, heightPx: 6 }]);
+    expect(sent).toEqual([{ kind: 'poster', request: 1, widthPx: 12, heightPx: 6 }]);
     clock.pass(60_000);
     expect(await taken).toBeNull();
+
+    // It answers late, when another is waited for.
+    const next = pictures.take({ widthPx: 24, heightPx: 12 });
+    pictures.deliver(1, new Uint8Array(1));
+    pictures.deliver(2, JPEG);
+    expect(await next).toBe(JPEG);
   });
 
   test('is cancelled by another project that is opened, and says no more than that', async () => {

@@ -147,7 +147,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
         editor.preview.setState({ frames: message.frames, asked: null });
         return;
       case 'poster':
-        pictures.answer(message.bytes);
+        pictures.deliver(message.request, message.bytes);
         return;
       case 'thumbnail':
         editor.pictures.layers.deliver(message.port, message.image);
@@ -182,7 +182,7 @@ export function createFeed(editor: Editor, worker: CompilerWorker): Feed {
         if (send !== to) return;
         send = null;
         editor.pictures.take = null;
-        pictures.answer(null);
+        pictures.stop();
         editor.preview.setState({ ready: false, playing: null, status: null });
       };
     },

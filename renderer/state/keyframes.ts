@@ -1,13 +1,11 @@
-import { bindParam } from '../../export/graph/commands/params.ts';
 import { clampToRange } from '../../export/graph/library/param-value.ts';
-import { own } from '../../export/graph/own.ts';
 import type { Binding, Keyframe, ParamValue, Track } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
 import { type Easing, ease } from '../../nodes/kit/ease.ts';
 import { timeInTrack } from '../../nodes/kit/track-time.ts';
 import { boundValue } from '../canvas/value-text.ts';
-import { apply } from './apply.ts';
-import { type DocumentState, graphOf, nodeOf, titleOf } from './document.ts';
+import { type BoundParam, bind, findParam } from './bound-param.ts';
+import { type DocumentState, graphOf, titleOf } from './document.ts';
 import type { Editor } from './editor.ts';
 
 /** Times are kept to the millisecond; two keys of a param are at least a frame apart. */
@@ -66,7 +64,7 @@ export function keyAt({ keys }: Track, timeS: number): number {
 
 /** Sets a key with the value that the param has then, or takes away the one that is there; with the last one goes the track. */
 export function toggleKey(editor: Editor, node: string, param: string, timeS: number): boolean {
-  const found = findParam(editor, node, param);
+  const found = findAnimatable(editor, node, param);
   if (!found) return false;
   const { definition, binding } = found;
   const track = trackOf(binding);
@@ -78,7 +76,7 @@ export function toggleKey(editor: Editor, node: string, param: string, timeS: nu
 
 /** An edit of a param that has a track: of the key at that time, or a new one. Part of a gesture, which `endGesture` ends. */
 export function editAt(editor: Editor, node: string, param: string, timeS: number, value: ParamValue): boolean {
-  const found = findParam(editor, node, param);
+  const found = findAnimatable(editor, node, param);
   const track = trackOf(found?.binding);
   if (!found || track === null) return false;
   const binding = { track: withKey(track, timeS, value) };
@@ -109,13 +107,13 @@ export function setEasing(editor: Editor, node: string, param: string, index: nu
 }
 
 export function setRepeat(editor: Editor, node: string, param: string, repeat: Track['repeat']): boolean {
-  const track = trackOf(findParam(editor, node, param)?.binding);
+  const track = trackOf(findAnimatable(editor, node, param)?.binding);
   return track !== null && bind(editor, 'Change how keyframes repeat', node, param, { track: { ...track, repeat } });
 }
 
 /** With the last key goes the track, and its value stays. */
 export function removeKey(editor: Editor, node: string, param: string, index: number): boolean {
-  const track = trackOf(findParam(editor, node, param)?.binding);
+  const track = trackOf(findAnimatable(editor, node, param)?.binding);
   const key = track?.keys[index];
   if (!track || !key) return false;
   const keys = track.keys.filter((other) => other !== key);
@@ -131,7 +129,7 @@ function changeKey(
   next: (key: Keyframe, keys: readonly Keyframe[]) => Keyframe,
   gesture?: string,
 ): boolean {
-  const track = trackOf(findParam(editor, node, param)?.binding);
+  const track = trackOf(findAnimatable(editor, node, param)?.binding);
   const key = track?.keys[index];
   if (!track || !key) return false;
   const keys = track.keys.map((other) => (other === key ? next(key, track.keys) : other));
@@ -158,14 +156,7 @@ function trackOf(binding: Binding | undefined): Track | null {
   return binding !== undefined && 'track' in binding ? binding.track : null;
 }
 
-function findParam(editor: Editor, node: string, param: string) {
-  const state = editor.document.getState();
-  const found = nodeOf(state, node);
-  const definition = found && own(state.library.definition(found.type)?.params ?? {}, param);
-  return definition && isAnimatable(definition) ? { definition, binding: own(found.params, param) } : null;
-}
-
-function bind(editor: Editor, label: string, node: string, param: string, binding: Binding, key?: string): boolean {
-  const { project, library, graph } = editor.document.getState();
-  return apply(editor, label, bindParam(project, { library, graph, node, param, binding }), key);
+function findAnimatable(editor: Editor, node: string, param: string): BoundParam | null {
+  const found = findParam(editor, node, param);
+  return found && isAnimatable(found.definition) ? found : null;
 }

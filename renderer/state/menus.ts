@@ -140,7 +140,10 @@ export function followMenus(editor: Editor): () => void {
     const text = JSON.stringify(menus);
     if (text === shown) return;
     shown = text;
-    void editor.host.call('menu.show', { menus });
+    editor.host.call('menu.show', { menus }).catch(() => {
+      // The window's menu is as it was; the next change tries again.
+      shown = '';
+    });
   };
   const soon = () => {
     waiting ??= editor.clock.after(REST_MS, show);

@@ -7,13 +7,18 @@ const PATIENCE_MS = 60_000;
 /** Asks the preview for pictures, and waits for them. */
 export function createPictures({ clock, preview }: Pick<Editor, 'clock' | 'preview'>, post: (message: ToPreview) => void) {
   let waiting: ((bytes: Uint8Array<ArrayBuffer> | null) => void) | null = null;
+  let newest = 0;
   const answer = (bytes: Uint8Array<ArrayBuffer> | null) => {
     waiting?.(bytes);
     waiting = null;
   };
   return {
-    /** Also ends the wait where there is nothing to wait for any more. */
-    answer,
+    /** What the preview answered; of a picture that nobody waits for any more, nothing. */
+    deliver: (request: number, bytes: Uint8Array<ArrayBuffer> | null) => {
+      if (request === newest) answer(bytes);
+    },
+    /** There is nothing to wait for any more. */
+    stop: () => answer(null),
     take: ({ widthPx, heightPx }: PictureSize): Promise<Uint8Array<ArrayBuffer> | null> => {
       answer(null);
       if (!preview.getState().ready) return Promise.resolve(null);
@@ -23,7 +28,8 @@ export function createPictures({ clock, preview }: Pick<Editor, 'clock' | 'previ
           stop();
           resolve(bytes);
         };
-        post({ kind: 'poster', widthPx, heightPx });
+        newest++;
+        post({ kind: 'poster', request: newest, widthPx, heightPx });
       });
     },
   };
