@@ -30,3 +30,24 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
   thumbnails.anew();
   expect(thumbnails.afterFrame(player)).toBe(true);
 });
+
+test('what has not been seen yet is read sooner', () => {
+  Object.assign(globalThis, { ImageData: class {}, createImageBitmap: () => new Promise(() => {}) });
+  let nowS = 0;
+  const read: number[] = [];
+  const thumbnails = createThumbnails(
+    { nowS: () => nowS },
+    () => {},
+    () => {
+      read.push(nowS);
+      nowS += 0.3;
+      return { widthPx: 1, heightPx: 1, pixels: new Uint8Array(4) };
+    },
+  );
+  thumbnails.want(['a', 'b', 'c'], 96);
+  for (; read.length < 5; nowS += 1 / 60) thumbnails.afterFrame({ inspect: () => null });
+  const [a = 0, b = 0, c = 0, again = 0, later = 0] = read;
+  // Each as long as reading takes apart; then in a tenth of the time.
+  expect([b - a, c - b, again - c].map((apartS) => Math.round(apartS * 10))).toEqual([6, 6, 6]);
+  expect(later - again).toBeGreaterThanOrEqual(3);
+});

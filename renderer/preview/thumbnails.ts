@@ -14,11 +14,15 @@ export interface Thumbnails {
 
 /** Reading pixels back waits for the GPU: at most this part of the time goes into it. */
 const SHARE = 0.1;
+/** The same while a layer is looked at for the first time: an empty node says nothing. */
+const FIRST_SHARE = 0.5;
 
 type Send = (message: FromPreview, transfer: Transferable[]) => void;
 
-export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send): Thumbnails {
+export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, read = readColor): Thumbnails {
   let ports: readonly string[] = [];
+  /** Of these, the ones that were seen since they are wanted. */
+  let seen = new Set<string>();
   let heightPx = 0;
   let next = 0;
   let restUntilS = Number.NEGATIVE_INFINITY;
@@ -26,6 +30,7 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send): T
   return {
     want: (wanted, height) => {
       ports = wanted;
+      seen = new Set(wanted.filter((port) => seen.has(port)));
       heightPx = height;
       left = ports.length;
     },
@@ -39,14 +44,16 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send): T
       next = (next + 1) % ports.length;
       left = Math.max(0, left - 1);
       const port = ports[next];
-      const layer = port === undefined ? null : readColor(player.inspect(port), 0, heightPx);
+      const layer = port === undefined ? null : read(player.inspect(port), 0, heightPx);
       if (port !== undefined && layer !== null) {
         // Pixels of `ImageData` are straight, those of a layer premultiplied.
         const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);
         void createImageBitmap(image).then((bitmap) => send({ kind: 'thumbnail', port, image: bitmap }, [bitmap]));
       }
+      const isFirst = port !== undefined && layer !== null && !seen.has(port);
+      if (isFirst) seen.add(port);
       const nowS = clock.nowS();
-      restUntilS = nowS + (nowS - beganS) * (1 / SHARE - 1);
+      restUntilS = nowS + (nowS - beganS) * (1 / (isFirst ? FIRST_SHARE : SHARE) - 1);
       return left > 0;
     },
   };
