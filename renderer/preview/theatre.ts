@@ -141,7 +141,9 @@ export function createTheatre({ parent, screen, clock: base, send }: TheatreOpti
     });
     house = made;
     made.meter.setOn(metering);
-    void made.player.ready.then((result) => report(revision, result));
+    void made.player.ready.then((result) => {
+      if (house === made) report(revision, result);
+    });
   };
   const begin = async (place: House, { program }: Wanted, from: PreviewSource, key: string) => {
     await endSession();
