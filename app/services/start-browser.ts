@@ -11,18 +11,27 @@ export const NO_BROWSER: Diagnostic = {
   fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
 };
 
+/** Chromium that ends itself while it starts, which it does on a busy machine once in some thousand times, is started once more. */
+const STARTS = 2;
+
 /** A headless browser. `more`: switches of Chromium beside those that it needs. Throws SCR071 where it does not start. */
 export async function startBrowser(found: Chromium, more: readonly string[] = []): Promise<Browser> {
   // Loaded here, because whatever needs no browser starts faster without it.
   const { chromium } = await import('playwright-core');
-  try {
-    return await chromium.launch({
-      executablePath: found.executablePath,
-      args: [...found.args, ...more],
-      env: { ...process.env, ...found.env } as Record<string, string>,
-    });
-  } catch (error) {
-    const [reason = ''] = (error instanceof Error ? error.message : String(error)).replace(/^browserType\.launch: /, '').split('\n');
-    throw new HostError({ ...NO_BROWSER, message: `The browser ${found.executablePath} does not start: ${reason}` });
+  for (let start = 1; ; start++) {
+    try {
+      return await chromium.launch({
+        executablePath: found.executablePath,
+        args: [...found.args, ...more],
+        env: { ...process.env, ...found.env } as Record<string, string>,
+      });
+    } catch (error) {
+      const told = error instanceof Error ? error.message : String(error);
+      if (start < STARTS && /has been closed/.test(told)) continue;
+      const [reason = ''] = told.replace(/^browserType\.launch: /, '').split('\n');
+      const ended = /<process did exit: ([^>]*)>/.exec(told)?.[1];
+      const message = `The browser ${found.executablePath} does not start: ${reason}${ended === undefined ? '' : ` (${ended})`}`;
+      throw new HostError({ ...NO_BROWSER, message });
+    }
   }
 }
