@@ -11,7 +11,7 @@ export const NO_BROWSER: Diagnostic = {
   fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
 };
 
-/** Chromium that ends itself while it starts, which it does on a busy machine once in some thousand times, is started once more. */
+/** Chromium has been seen to end while it started, for a reason that is not known: it is started once more. */
 const STARTS = 2;
 
 /** A headless browser. `more`: switches of Chromium beside those that it needs. Throws SCR071 where it does not start. */

@@ -26,7 +26,7 @@ const OUT = 0.12;
 
 /** The square: press the line to add a point, drag points, double-click them or drag them out to take them away; Escape gives a drag up. */
 export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, onEnd, onCancel }: CurveEditorProps) {
-  const square = useRef<HTMLDivElement>(null);
+  const square = useRef<HTMLFieldSetElement>(null);
   const drag = useRef<Drag | null>(null);
   /** Which of the last two presses made their point: a double-click takes away only what was there before it. */
   const made = useRef<readonly boolean[]>([]);
@@ -99,10 +99,10 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
     if (index !== -1 && canLosePoint(value) && !made.current.includes(true)) onRemove(index);
   };
   return (
-    // biome-ignore lint/a11y/noStaticElementInteractions: what the pointer does here, keys do at the points and their buttons.
-    <div
+    <fieldset
       ref={square}
       className="curve-square"
+      aria-label={`Points of ${label}`}
       data-tip="Press the line to add a point, double-click a point to remove it"
       onPointerDown={onPointerDown}
       onPointerMove={onPointerMove}
@@ -126,6 +126,6 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
           onRemove={() => onRemove(Number(key))}
         />
       ))}
-    </div>
+    </fieldset>
   );
 }

@@ -1,25 +1,13 @@
 import { expect, test } from '@jest/globals';
 import { axeFindings } from '../support/axe.ts';
+import { keyframedSepia } from '../support/keyframed-sepia.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 
 /** A box that a gizmo moves, in a picture that keyframes change, and a colour. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
-    'sepia-aaaa': {
-      type: 'filter/sepia',
-      params: {
-        amount: {
-          track: {
-            repeat: 'once',
-            keys: [
-              { timeS: 0, value: 0, easing: 'linear' },
-              { timeS: 2, value: 1, easing: 'ease-in-out' },
-            ],
-          },
-        },
-      },
-    },
+    'sepia-aaaa': keyframedSepia({ timeS: 0, value: 0, easing: 'linear' }, { timeS: 2, value: 1, easing: 'ease-in-out' }),
     'box-aaaa': { type: 'objects/primitive' },
     'transform-aaaa': { type: 'objects/transform', params: { positionM: [0, 0.5, 0] } },
     'scene-aaaa': { type: 'layer/scene' },

@@ -1,7 +1,7 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
-import { axeFindings } from '../support/axe.ts';
+import { testThemes } from '../support/axe-themes.ts';
 import { Hand } from '../support/hand.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import type { Picture } from '../support/picture.ts';
@@ -196,13 +196,4 @@ test('a finger adds points and drags them, and needs not be exact', async () => 
   expect(await saved()).toBeUndefined();
 });
 
-test.each([
-  ['dark', 1440, 900],
-  ['light', 1024, 768],
-] as const)('in the %s theme at %d × %d, axe finds nothing', async (colorScheme, width, height) => {
-  const { page, editor } = open;
-  await page.setViewportSize({ width, height });
-  await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
-  await editor.settled();
-  expect(await axeFindings(page)).toEqual([]);
-});
+testThemes(open);

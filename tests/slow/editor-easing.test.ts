@@ -1,8 +1,9 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
 import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
-import { axeFindings } from '../support/axe.ts';
+import { testThemes } from '../support/axe-themes.ts';
 import { Hand } from '../support/hand.ts';
+import { keyframedSepia } from '../support/keyframed-sepia.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
@@ -10,19 +11,7 @@ import { eventually } from '../support/patience.ts';
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
-    'sepia-aaaa': {
-      type: 'filter/sepia',
-      params: {
-        amount: {
-          track: {
-            keys: [
-              { timeS: 0, value: 0.2 },
-              { timeS: 3, value: 0.4 },
-            ],
-          },
-        },
-      },
-    },
+    'sepia-aaaa': keyframedSepia({ timeS: 0, value: 0.2 }, { timeS: 3, value: 0.4 }),
     'screen-aaaa': { type: 'output/screen' },
   },
   wires: ['video-aaaa.layer -> sepia-aaaa.inputImage', 'sepia-aaaa.layer -> screen-aaaa.layer'],
@@ -148,16 +137,7 @@ test('by a finger', async () => {
   expect(await savedRoughly()).toEqual([0.8, 0.2, 0, 0.65]);
 });
 
-test.each([
-  ['dark', 1440, 900],
-  ['light', 1024, 768],
-] as const)('in the %s theme at %d × %d, axe finds nothing', async (colorScheme, width, height) => {
-  const { page, editor } = open;
-  await page.setViewportSize({ width, height });
-  await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
-  await editor.settled();
-  expect(await axeFindings(page)).toEqual([]);
-});
+testThemes(open);
 
 test('a named easing has the handles that it is drawn with, and a step has none', async () => {
   const { page } = open;

@@ -4,6 +4,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import { ALL_FORMATS, BufferSource, type EncodedPacket, EncodedPacketSink, Input } from 'mediabunny';
 import { useBrowser } from '../support/browser.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
+import { keyframedSepia } from '../support/keyframed-sepia.ts';
 import { type GraphText, type OpenEditor, openEditor } from '../support/open-editor.ts';
 import { decodePicture, type Picture } from '../support/picture.ts';
 import { countDifferent } from '../support/pixels.ts';
@@ -13,20 +14,7 @@ import { succeed } from '../support/scrim.ts';
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
-    'sepia-aaaa': {
-      type: 'filter/sepia',
-      params: {
-        amount: {
-          track: {
-            repeat: 'once',
-            keys: [
-              { timeS: 0, value: 0, easing: 'linear' },
-              { timeS: 3, value: 1, easing: 'linear' },
-            ],
-          },
-        },
-      },
-    },
+    'sepia-aaaa': keyframedSepia({ timeS: 0, value: 0, easing: 'linear' }, { timeS: 3, value: 1, easing: 'linear' }),
     'sand-aaaa': { type: 'filter/sand' },
     'screen-aaaa': { type: 'output/screen' },
   },

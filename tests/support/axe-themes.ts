@@ -1,0 +1,17 @@
+import { expect, test } from '@jest/globals';
+import { axeFindings } from './axe.ts';
+import type { OpenEditor } from './open-editor.ts';
+
+/** Tests of the editor as the tests before have left it: in each theme, in a large window and in a small one. */
+export function testThemes(open: Pick<OpenEditor, 'page' | 'editor'>): void {
+  test.each([
+    ['dark', 1440, 900],
+    ['light', 1024, 768],
+  ] as const)('in the %s theme at %d × %d, axe finds nothing', async (colorScheme, width, height) => {
+    const { page, editor } = open;
+    await page.setViewportSize({ width, height });
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await editor.settled();
+    expect(await axeFindings(page)).toEqual([]);
+  });
+}
