@@ -6,6 +6,7 @@ import type { ElectronApplication, Page } from 'playwright-core';
 import type { Answer } from '../../app/contract/host-error.ts';
 import type { HostBridge } from '../../app/contract/ipc-client.ts';
 import { describeElectron, editorWindow, findElectron } from '../support/electron.ts';
+import { eventually } from '../support/patience.ts';
 
 /** The shell as it is built, with pages of the test's own: what they may do is what is asked here. */
 const SHELL = resolve(import.meta.dirname, '../../dist/electron');
@@ -60,8 +61,13 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     );
     expect(imported).toEqual({ output: { path: 'assets/a.png' } });
     expect([...(await readFile(join(project, 'assets', 'a.png')))]).toEqual([0, 200]);
-    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
-    expect(await preview?.evaluate(async (url) => (await fetch(url)).text(), `${assetBaseUrl}assets/cup.glb`)).toBe('glTF');
+    // The frame is on its way to its page for a while.
+    const preview = await eventually(() => {
+      const found = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+      if (!found) throw new Error('The preview has no frame.');
+      return found;
+    });
+    expect(await preview.evaluate(async (url) => (await fetch(url)).text(), `${assetBaseUrl}assets/cup.glb`)).toBe('glTF');
   });
 
   test('refuses what the contract does not know', async () => {
