@@ -25,6 +25,6 @@ export default {
     project('browser', ['tests/browser/**/*.test.ts']),
     project('xr', ['tests/xr/**/*.test.ts']),
     project('electron', ['tests/electron/**/*.test.ts']),
-    project('slow', ['tests/slow/**/*.test.ts'], { setupFilesAfterEnv: ['<rootDir>/tests/support/slow-timeout.mjs'] }),
+    project('slow', ['tests/{slow,hostile}/**/*.test.ts'], { setupFilesAfterEnv: ['<rootDir>/tests/support/slow-timeout.mjs'] }),
   ],
 };

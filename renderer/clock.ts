@@ -28,20 +28,28 @@ export interface Debounced {
   cancel(): void;
 }
 
-export function debounce(clock: Pick<EditorClock, 'after'>, ms: number, run: () => void): Debounced {
+/**
+ * Runs `run` once after a rest of `ms`, which a function may decide at each trigger. `atMostMs` limits the whole wait from the first
+ * trigger on, however often more follow; without it there is no limit.
+ */
+export function debounce(clock: Pick<EditorClock, 'after'>, ms: number | (() => number), run: () => void, atMostMs?: number): Debounced {
   let stop: (() => void) | null = null;
+  let stopLast: (() => void) | null = null;
   const cancel = () => {
     stop?.();
+    stopLast?.();
     stop = null;
+    stopLast = null;
   };
   const fire = () => {
-    stop = null;
+    cancel();
     run();
   };
   return {
     trigger: () => {
-      cancel();
-      stop = clock.after(ms, fire);
+      stop?.();
+      stop = clock.after(typeof ms === 'number' ? ms : ms(), fire);
+      if (atMostMs !== undefined) stopLast ??= clock.after(atMostMs, fire);
     },
     flush: () => {
       if (stop === null) return;

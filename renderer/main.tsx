@@ -2,20 +2,21 @@ import { StrictMode } from 'react';
 import { createRoot } from 'react-dom/client';
 import { connectHost } from '../app/contract/connect-host.ts';
 import { DEFINITIONS, SHADERS } from '../nodes/generated/definitions.gen.ts';
-import { createPageClipboard } from './clipboard.ts';
 import { pageClock } from './clock.ts';
 import { downloadFile } from './download.ts';
+import { createPageClipboard } from './page-clipboard.ts';
+import { guardPreviewInPage } from './preview-guard.ts';
+import { openRenderPage } from './preview-panel/render-page.ts';
 import { pageRandom } from './random.ts';
 import { App } from './shell/app.tsx';
 import { runFromMenu } from './shell/menu-command.ts';
 import { NoHost } from './shell/no-host.tsx';
-import { openFilmFrame } from './stage/film-frame.ts';
-import { createEditor } from './state/editor.ts';
-import { createFeed } from './state/feed.ts';
-import { keepRanges } from './state/kept-ranges.ts';
-import { followMenus } from './state/menus.ts';
-import { createPreferences, keepPreferences, loadPreferences } from './state/preferences.ts';
-import { keepSizes, loadSizes } from './state/sizes.ts';
+import { followMenus } from './state/commands/menus.ts';
+import { createEditor } from './state/editor/editor.ts';
+import { createPreferences, keepPreferences, loadPreferences } from './state/editor/preferences.ts';
+import { keepSizes, loadSizes } from './state/preferences/panel-sizes.ts';
+import { keepRanges } from './state/preview/kept-ranges.ts';
+import { createPreviewSync } from './state/preview-sync/preview-sync.ts';
 import { autosave, followHost, hasUnsavedWork, openFirst, start } from './state/start.ts';
 import { followAppearance } from './ui/appearance.ts';
 import './ui/theme.css';
@@ -25,12 +26,13 @@ async function main(): Promise<void> {
   const element = document.getElementById('root');
   if (!element) throw new Error('The page has no #root.');
   const root = createRoot(element);
-  const host = connectHost(window);
-  if (host === null) {
+  const connection = await connectHost(window);
+  if ('why' in connection) {
     followAppearance(createPreferences(loadPreferences(localStorage)), window);
-    root.render(<NoHost />);
+    root.render(<NoHost why={connection.why} />);
     return;
   }
+  const { host } = connection;
   const editor = createEditor({
     host,
     clock: pageClock,
@@ -44,10 +46,11 @@ async function main(): Promise<void> {
   });
   followAppearance(editor.preferences, window);
   keepPreferences(editor, localStorage);
-  const worker = new Worker(new URL('./compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
-  const feed = createFeed(editor, worker);
+  const worker = new Worker(new URL('./state/compile/compile.worker.ts', import.meta.url), { type: 'module', name: 'compiler' });
+  const previewSync = createPreviewSync(editor, worker);
+  guardPreviewInPage(editor);
   const { previewUrl, hasMenu } = await start(editor);
-  editor.film.open = () => openFilmFrame(document, previewUrl);
+  editor.renderPage.open = () => openRenderPage(document, previewUrl);
   followHost(editor, (id) => runFromMenu(editor, id));
   if (hasMenu) followMenus(editor);
   autosave(editor);
@@ -58,7 +61,7 @@ async function main(): Promise<void> {
   });
   root.render(
     <StrictMode>
-      <App editor={editor} feed={feed} previewUrl={previewUrl} />
+      <App editor={editor} previewSync={previewSync} previewUrl={previewUrl} />
     </StrictMode>,
   );
   await openFirst(editor);

@@ -31,14 +31,14 @@ export type ToPreview =
    * Show tapped layers instead of the screen: one left of `split`, in parts of each view's width, and one right of it. Null, and
    * layers that are not tapped: the screen.
    */
-  | { readonly kind: 'look'; readonly left: string | null; readonly right: string | null; readonly split: number }
+  | { readonly kind: 'viewer'; readonly left: string | null; readonly right: string | null; readonly split: number }
   /** The whole picture, all views, as PNG: the answer comes with the next frame. */
   | { readonly kind: 'screenshot' }
   /** Draw frames of a recording or an emulated room one by one from now on, as `filmed` says when it can begin; a page does nothing else then. */
-  | { readonly kind: 'film'; readonly request: FilmRequest }
+  | { readonly kind: 'render-begin'; readonly request: FrameRenderRequest }
   /** The frame of a moment, seconds since the recording began; rooms go on by one frame. Unless kept, it is drawn for those who remember it. */
-  | { readonly kind: 'film-frame'; readonly timeS: number; readonly keep: boolean }
-  | { readonly kind: 'film-end' }
+  | { readonly kind: 'render-frame'; readonly timeS: number; readonly keep: boolean }
+  | { readonly kind: 'render-end' }
   /** Record the picture as a video until told to stop; the answer comes then. */
   | { readonly kind: 'record'; readonly on: boolean }
   /**
@@ -46,19 +46,19 @@ export type ToPreview =
    * how many pixels on each side to tell of, too.
    */
   | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null; readonly aroundPx?: number }
-  /** What to take hold of in the picture; null: nothing. Taken away in the middle of a drag, that is over without a word. */
+  /** The gizmo to show in the preview; null: none. Removing it during a drag ends the drag without a message. */
   | { readonly kind: 'gizmo'; readonly gizmo: PreviewGizmo | null }
   /** Whether a click says what it hit. */
   | { readonly kind: 'picking'; readonly on: boolean }
-  /** Which keys the editor has a use for, as `chordOf` writes them: they go to it where the preview has none of its own. */
-  | { readonly kind: 'keys'; readonly chords: readonly string[]; readonly mac: boolean }
+  /** Which keys the editor has a use for, as `keybindingOf` writes them: they go to it where the preview has none of its own. */
+  | { readonly kind: 'keys'; readonly keybindings: readonly string[]; readonly mac: boolean }
   /** Whether to tell what operations cost. */
   | { readonly kind: 'cost'; readonly on: boolean }
   /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
 /** Where the frames of a film come from. */
-export type FilmSource =
+export type FrameRenderSource =
   | { readonly kind: 'recorded'; readonly url: string }
   /** As a phone sees it. `captureUrl`, `tier`: as of the preview's. `worldFromHead`: where it is; null: where the walk begins. */
   | {
@@ -72,9 +72,15 @@ export type FilmSource =
 
 type PreviewTier = Extract<PreviewSource, { kind: 'room' }>['tier'];
 
-export interface FilmRequest {
+export interface FrameRenderRequest {
   readonly program: Program;
-  readonly source: FilmSource;
+  /** Params that were set after the program was compiled. */
+  readonly values: readonly {
+    readonly node: string;
+    readonly param: string;
+    readonly value: number | boolean | string | readonly number[];
+  }[];
+  readonly source: FrameRenderSource;
   readonly assetBaseUrl: string;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -97,7 +103,7 @@ export interface PreviewGizmo {
   readonly mode: GizmoMode;
   /** Along the axes of the world or of what is taken hold of. */
   readonly space: 'local' | 'world';
-  /** To tenths of a metre, 15° and tenths of a factor. Ctrl does the opposite while it is held. */
+  /** To tenths of a meter, 15° and tenths of a factor. Ctrl does the opposite while it is held. */
   readonly snap: boolean;
   /** Which of the node's params says what. */
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
@@ -133,9 +139,9 @@ export type FromPreview =
   /** The program of this revision is now the one on screen. */
   | { readonly kind: 'playing'; readonly revision: number }
   /** Premultiplied RGBA, rows from the top; null where nothing was asked for but to go on. */
-  | { readonly kind: 'filmed'; readonly frame: Uint8Array<ArrayBuffer> | null }
-  | { readonly kind: 'film-over'; readonly file: Blob | null }
-  | { readonly kind: 'film-failed'; readonly diagnostic: Diagnostic }
+  | { readonly kind: 'frame-rendered'; readonly frame: Uint8Array<ArrayBuffer> | null }
+  | { readonly kind: 'render-finished'; readonly file: Blob | null }
+  | { readonly kind: 'render-failed'; readonly diagnostic: Diagnostic }
   /** A session began; null where it is no recording, and no moment can be gone to. */
   | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
   /** Everything wrong with the running program, or with the one of `revision` that could not be taken over. */
@@ -155,7 +161,7 @@ export type FromPreview =
   /** A click hit an object, which went through these nodes of the program, from the one that made it to the one that drew it. */
   | { readonly kind: 'picked'; readonly way: readonly string[]; readonly phantom: boolean }
   /** A key that the editor asked for was pressed while the preview had the focus. */
-  | { readonly kind: 'key'; readonly chord: string }
+  | { readonly kind: 'key'; readonly keybinding: string }
   /** A screenshot or a video. Null where nothing is shown, or the browser cannot record. */
   | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
   /** Twice a second while asked for. */
@@ -182,7 +188,7 @@ export interface PreviewProbe {
   /** Nearest of what has depth there; null where nothing has. */
   readonly depth: {
     readonly of: 'layer' | 'room';
-    readonly metres: number;
+    readonly meters: number;
     readonly positionWorld: readonly [number, number, number];
   } | null;
 }

@@ -16,15 +16,13 @@ const SKIPPED_NAMES = new Set(['node_modules', '.git', 'dist']);
  * @param {string} root
  * @param {string} stampFile
  * @param {readonly string[]} sources Files and folders, relative to `root`; tests in them do not count.
- * @param {string} [ignored] Beginning of the paths that do not count either.
  * @returns {{ fresh: boolean, stamp: Stamp }} The stamp to write after building.
  */
-export function checkStamp(root, stampFile, sources, ignored) {
+export function checkStamp(root, stampFile, sources) {
   const old = readStamp(stampFile);
   const stamp = {};
   let fresh = true;
-  const paths = sources.flatMap((source) => listFiles(root, source)).filter((path) => ignored === undefined || !path.startsWith(ignored));
-  for (const path of paths) {
+  for (const path of sources.flatMap((source) => listFiles(root, source))) {
     const { size, mtimeMs } = statSync(join(root, path));
     const before = old[path];
     const same = before !== undefined && before[0] === size && before[1] === mtimeMs;

@@ -30,8 +30,8 @@ const NODE_BUILD = {
 export const TARGETS = {
   registry: {
     sources: ['nodes', 'shader-library', 'export/glsl', 'tools/gen', 'tools/gen.mjs', 'tools/lib'],
-    // The registry is a source of all others, but none of its own.
-    ignored: 'nodes/generated/',
+    // What was made counts as well: `npm run gen` on another branch makes another registry, and this stamp does not hear of it.
+    made: 'nodes/generated',
     output: 'nodes/generated/definitions.gen.ts',
     build: async () => {
       const { status } = spawnSync(process.execPath, [join(root, 'tools', 'gen.mjs')], { stdio: ['ignore', 2, 2] });
@@ -86,14 +86,20 @@ export async function buildTargets(names, say) {
   for (const [name, target] of Object.entries(TARGETS)) {
     if (!names.includes(name)) continue;
     const stampFile = join(root, 'dist', `${name}.stamp.json`);
-    const { fresh, stamp } = checkStamp(root, stampFile, [...target.sources, ...ALWAYS], target.ignored);
+    const { fresh, stamp } = checkStamp(root, stampFile, [...target.sources, ...ALWAYS]);
     if (fresh && existsSync(join(root, target.output))) continue;
     say(`Building ${name}…`);
     await target.build();
-    writeStamp(stampFile, stamp);
+    writeStamp(stampFile, target.made === undefined ? stamp : withMade(stampFile, stamp, target.made));
     built++;
   }
   return built;
+}
+
+/** A stamp with the files of the folder as they are after the build. */
+function withMade(stampFile, stamp, folder) {
+  const others = Object.entries(stamp).filter(([path]) => !path.startsWith(`${folder}/`));
+  return { ...Object.fromEntries(others), ...checkStamp(root, stampFile, [folder]).stamp };
 }
 
 /** Through a rename each, because another Scrim may be starting from the same files. */

@@ -2,8 +2,10 @@
 //
 // npm leaves out the optional packages of other platforms when the registry it asks does not offer them (mirrors often carry
 // one platform), and then refuses its own file: `npm ci` ends with "Missing: … from lock file", and elsewhere the binary for
-// that platform would not be installed. The entries need no more than what their parent and their name say. They have no
-// checksum, because nobody here has seen the package.
+// that platform would not be installed. What an entry says of its platform follows from its parent and its name; where its
+// archive is, and the checksum that `npm ci` compares it with, the registry is asked for. One that does not carry the package knows
+// neither: the entry stays without, and the tool says so and fails, because it would be installed unseen.
+import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 
@@ -20,11 +22,41 @@ for (const [parentPath, parent] of Object.entries(lock.packages)) {
     added++;
   }
 }
-if (added > 0) {
+const isUnchecked = ([path, { link, integrity }]) => path !== '' && !link && integrity === undefined;
+const asked = Object.entries(lock.packages).filter(isUnchecked);
+for (const [path, { version, ...rest }] of asked) lock.packages[path] = { version, ...archiveOf(nameOf(path), version), ...rest };
+if (added + asked.length > 0) {
   lock.packages = Object.fromEntries(Object.entries(lock.packages).sort(([a], [b]) => a.localeCompare(b, 'en')));
   writeFileSync(file, `${JSON.stringify(lock, null, 2)}\n`);
 }
-console.log(added === 0 ? 'The lock file is complete.' : `Added ${added} packages of other platforms to the lock file.`);
+const unchecked = Object.entries(lock.packages).filter(isUnchecked);
+if (added + asked.length === 0) console.log('The lock file is complete.');
+else console.log(`Added ${added} packages of other platforms to the lock file, and ${asked.length - unchecked.length} checksums.`);
+if (unchecked.length > 0) {
+  console.error(`${unchecked.length} packages have no checksum; ask a registry that carries every platform (npm run lock --registry=URL):`);
+  for (const [path, { version }] of unchecked) console.error(`  ${nameOf(path)}@${version}`);
+  process.exitCode = 1;
+}
+
+function nameOf(path) {
+  return path.slice(path.lastIndexOf('node_modules/') + 'node_modules/'.length);
+}
+
+/** Address and checksum, as npm's own client knows them; nothing where the registry has no such package. */
+function archiveOf(name, version) {
+  let text = '';
+  try {
+    text = execFileSync('npm', ['view', `${name}@${version}`, 'dist', '--json'], {
+      encoding: 'utf8',
+      shell: process.platform === 'win32',
+      stdio: ['ignore', 'pipe', 'ignore'],
+    });
+  } catch {
+    return {};
+  }
+  const { tarball, integrity } = text.trim() === '' ? {} : JSON.parse(text);
+  return typeof integrity === 'string' ? { resolved: tarball, integrity } : {};
+}
 
 /** As Node looks a package up: beside the one that asks, then in each folder above. */
 function isThere(from, name) {

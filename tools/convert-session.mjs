@@ -1,3 +1,3 @@
 import { runTool } from './run.mjs';
 
-await runTool('sessions/convert-open3d.ts');
+await runTool('sessions/convert-session.ts');

@@ -1,6 +1,6 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { Installation } from '../services/installation.ts';
-import type { Paint } from './paint.ts';
+import type { Paint } from './terminal-colors.ts';
 
 /** One subcommand, as data for the parser and for `--help`. */
 export interface Command {
@@ -48,9 +48,9 @@ export interface Call {
 
 export interface Context {
   readonly installation: Installation;
-  /** For progress: shown at once until the next, and only where a person looks on. */
+  /** Shows a progress text until the next one, in an interactive terminal only. */
   say(text: string): void;
-  /** The person has had enough: what is not finished leaves nothing behind. */
+  /** Aborts on Ctrl-C. An unfinished command leaves nothing behind. */
   readonly interrupted: AbortSignal;
   /** For diagnostics that are the answer, on standard output. */
   readonly paint: Paint;

@@ -4,7 +4,7 @@ import type { ProjectFiles } from '../contract/contract.ts';
 import { type CompiledProject, compileProject } from '../services/compile-project.ts';
 import { NODE_FILES } from '../services/file-layer.ts';
 import { findProject } from '../services/project-files.ts';
-import { readSettled } from '../services/settle.ts';
+import { readConsistentFiles } from '../services/recover-folder.ts';
 
 export interface CompiledFolder extends CompiledProject {
   readonly root: string;
@@ -14,6 +14,6 @@ export interface CompiledFolder extends CompiledProject {
 /** Reads and compiles the project that a command line names. Throws SCR004 and SCR005. */
 export async function compileFolder(path: string, optionsOf?: (project: Project) => CompileOptions): Promise<CompiledFolder> {
   const root = await findProject(path);
-  const files = await readSettled(root, NODE_FILES);
+  const files = await readConsistentFiles(root, NODE_FILES);
   return { root, files, ...(await compileProject(root, files, optionsOf)) };
 }

@@ -29,7 +29,7 @@ Exit status:
 ${EXIT_LINES.map(([status, says]) => `  ${String(status).padStart(3)}  ${says}`).join('\n')}
 
 Environment:
-  NO_COLOR                      Write without colour; so does a pipe.
+  NO_COLOR                      Write without color; so does a pipe.
   SCRIM_CHROMIUM                The browser program that renders, draws posters and compiles shaders.
   ELECTRON_OVERRIDE_DIST_PATH   Folder with the Electron that scrim open uses.`;
 }
@@ -38,7 +38,7 @@ const EXIT_LINES: readonly (readonly [number, string])[] = [
   [EXIT.done, 'done; warnings, if any, are printed'],
   [EXIT.problems, 'something is wrong with the project, or on this machine; each problem is printed'],
   [EXIT.notUnderstood, 'the command line is not understood'],
-  [EXIT.ownFault, 'Scrim made a mistake of its own'],
+  [EXIT.ownFault, 'Scrim has an internal error'],
   [EXIT.interrupted, 'ended by Ctrl-C; nothing half-done is left behind'],
   [EXIT.terminated, 'ended by another program (SIGTERM), in the same way'],
 ];

@@ -24,7 +24,7 @@ export async function main(args: readonly string[], root: string): Promise<numbe
     // Ctrl-C is how the served editor is meant to end.
     return ended === null || args[0] === 'open' ? status : ended;
   } catch (error) {
-    terminal.err(`Scrim made a mistake of its own: ${error instanceof Error ? (error.stack ?? error.message) : String(error)}`);
+    terminal.err(`Scrim has an internal error: ${error instanceof Error ? (error.stack ?? error.message) : String(error)}`);
     return EXIT.ownFault;
   }
 }
@@ -34,7 +34,7 @@ const SIGNALS = [
   ['SIGTERM', EXIT.terminated],
 ] as const;
 
-/** `scrim plan … | head`: whoever read has read enough. */
+/** Exits quietly when the reader of a pipe closes it, as in `scrim plan … | head`. */
 function leaveWithReader(): void {
   process.stdout.on('error', (error: NodeJS.ErrnoException) => {
     if (error.code === 'EPIPE') process.exit(EXIT.done);

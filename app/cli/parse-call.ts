@@ -9,7 +9,7 @@ const PROJECT: NonNullable<Command['operand']> = { word: 'PROJECT', doc: 'a fold
 export function parseCall(command: Command, args: readonly string[]): Call {
   const { values, positionals } = parse(command, args);
   const { word, doc, many = false } = command.operand ?? PROJECT;
-  if (positionals.length > 1 && !many) throw new UsageError(`One ${word} at a time: ${positionals.slice(1).join(' ')} is too much.`);
+  if (positionals.length > 1 && !many) throw new UsageError(`Too many arguments: ${positionals.slice(1).join(' ')}. Name one ${word}.`);
   const [project = ''] = positionals;
   // `--help` needs no project.
   if (project === '' && command.project === 'required' && values.help !== true) {
@@ -51,7 +51,7 @@ function parse(command: Command, args: readonly string[]) {
     const unknown = /^Unknown option '(--?[^']*)'/.exec(message)?.[1];
     if (unknown !== undefined) {
       const names = Object.keys(known).map((name) => `--${name}`);
-      throw new UsageError(`There is no option ${unknown}.${didYouMean(unknown, names)}`);
+      throw new UsageError(`Unknown option ${unknown}.${didYouMean(unknown, names)}`);
     }
     throw new UsageError(message.replace(/^Option '([^']*?) <value>' /, "Option '$1' "));
   }

@@ -11,9 +11,9 @@ import { renderCommand } from './commands/render.ts';
 import { shaderCheckCommand } from './commands/shader-check.ts';
 import { shaderImportCommand } from './commands/shader-import.ts';
 import { commandHelp, overviewHelp } from './help.ts';
-import { createPaint } from './paint.ts';
 import { parseCall } from './parse-call.ts';
 import { didYouMean } from './suggest.ts';
+import { createPaint } from './terminal-colors.ts';
 
 export const COMMANDS: readonly Command[] = [
   newCommand,
@@ -85,9 +85,10 @@ function help(asError: boolean, named: readonly string[], streams: CliStreams): 
 
 function noCommand([name = '']: readonly string[]): string {
   const group = COMMANDS.filter((command) => command.name.startsWith(`${name} `));
-  if (group.length > 0) return `${name} is one word of a command: ${group.map((command) => `scrim ${command.name}`).join(', ')}.`;
+  if (group.length > 0)
+    return `${name} is the first word of several commands: ${group.map((command) => `scrim ${command.name}`).join(', ')}.`;
   const names = COMMANDS.map((command) => command.name);
-  return `There is no command ${JSON.stringify(name)}.${didYouMean(name, names)}`;
+  return `Unknown command ${JSON.stringify(name)}.${didYouMean(name, names)}`;
 }
 
 async function runCommand(
@@ -110,7 +111,7 @@ async function runCommand(
   } catch (error) {
     if (interrupted.aborted && error === interrupted.reason) {
       show(null);
-      streams.err('Interrupted: nothing was written.');
+      streams.err('Interrupted. Nothing was written.');
       return EXIT.interrupted;
     }
     if (error instanceof UsageError) return refuse(streams, json ? ['--json'] : [], `scrim ${command.name} --help`, error.message);

@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { createPaint, wantsColor } from './paint.ts';
 import { createTerminal } from './terminal.ts';
+import { createPaint, wantsColor } from './terminal-colors.ts';
 
 function stream(isTTY: boolean, columns = 80) {
   const written: string[] = [];
@@ -48,7 +48,7 @@ describe('the terminal', () => {
   });
 });
 
-describe('colour', () => {
+describe('color', () => {
   const warning: Diagnostic = { code: 'SCR017', severity: 'warning', nodeId: 'a-b', message: 'error SCR001 is not what it is about.' };
 
   test('marks what kind of problem it is, and no more', () => {

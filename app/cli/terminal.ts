@@ -1,5 +1,5 @@
-import { wantsColor } from './paint.ts';
 import type { CliStreams } from './run-cli.ts';
+import { wantsColor } from './terminal-colors.ts';
 
 /** As much of a stream of Node's as is written to. */
 export interface TextStream {

@@ -20,7 +20,7 @@ const diagnostic = z.object({
   fix: z.string().optional(),
 });
 
-/** Names one open project for as long as it is open; never a path. */
+/** Id of an open project, valid while it is open. Never a path. */
 const handle = z.string().regex(/^[a-z0-9]{16,64}$/);
 
 /** Relative to the project folder, `/` between parts; the host refuses what leaves the folder. */
@@ -99,7 +99,7 @@ const platformMenu = z.object({
         z.object({
           command: menuCommand,
           label: z.string().max(128),
-          /** As `renderer/key-chord.ts` writes them; null where there is none. */
+          /** As `renderer/keybinding.ts` writes them; null where there is none. */
           chord: z.string().max(64).nullable(),
           enabled: z.boolean(),
         }),
@@ -137,11 +137,17 @@ export const HOST_CONTRACT = {
   'project.open': { input: z.object({ path: z.string().min(1).max(4096) }), output: openProject },
   /** A project made from a template, in an empty or new folder whose name becomes its title; it is open then. */
   'project.create': { input: z.object({ path: z.string().min(1).max(4096), template: z.string().min(1).max(64) }), output: openProject },
-  /** Atomic: all files or none. Rejects with SCR063 when the files changed since `revision`, unless `overwrite`. */
+  /**
+   * Atomic: all files or none. Rejects with SCR063 when the files changed since `revision`, unless `overwrite`: then `kept` is the
+   * project path of the folder with what was written over, null where nothing was. Shaders that were never loaded here stay.
+   * Rejects with SCR066 while another process holds the project's lock, and with SCR067 when the folder is gone.
+   */
   'project.save': {
     input: z.object({ handle, files: projectFiles, revision: z.string(), overwrite: z.boolean() }),
-    output: z.object({ revision: z.string() }),
+    output: z.object({ revision: z.string(), kept: projectPath.nullable() }),
   },
+  /** Takes away the lock of another process, which finds out before it writes. For a person who knows that nobody saves. */
+  'project.break-lock': { input: z.object({ handle }), output: z.object({}) },
   /** A copy, assets included, in an empty or new folder; it becomes an open project of its own. */
   'project.save-as': { input: z.object({ handle, path: z.string().min(1).max(4096), files: projectFiles }), output: openProject },
   /** Keeps unsaved work for recovery; null forgets it. */

@@ -3,6 +3,10 @@ import { type Answer, HostError, outputOf } from './host-error.ts';
 import { encodeMessage, MESSAGE_TYPE } from './message.ts';
 
 export const TOKEN_HEADER = 'x-scrim-token';
+/** Carries the code of an address that opens once. */
+export const CODE_HEADER = 'x-scrim-code';
+/** `POST` exchanges a code for the token; `GET` says whether a token is still good. */
+export const SESSION_PATH = '/api/session';
 /** Tells the tabs of one browser apart. */
 export const CLIENT_HEADER = 'x-scrim-client';
 
@@ -44,7 +48,7 @@ async function call<M extends HostMethod>(options: HttpHostOptions, method: M, i
     throw new HostError({
       code: 'SCR072',
       severity: 'error',
-      message: 'Scrim does not answer. It was probably stopped in the terminal; start it again and reload this page.',
+      message: 'Scrim is not responding. Start it again in the terminal, then reload this page.',
     });
   }
   return outputOf((await response.json()) as Answer<HostOutput<M>>);

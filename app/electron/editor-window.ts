@@ -54,7 +54,7 @@ export function openEditorWindow(host: HostService): EditorWindow {
   });
   window.webContents.on('render-process-gone', (_event, { reason }) => {
     listening = false;
-    dialog.showErrorBox('Scrim', `The editor’s page stopped (${reason}). Unsaved work is found again when the project is opened.`);
+    dialog.showErrorBox('Scrim', `The editor stopped (${reason}). Your unsaved work is kept; open the project to recover it.`);
     closeNow();
   });
   let asking = false;
@@ -76,8 +76,8 @@ async function askWhetherToWait(window: BrowserWindow, reacts: AbortSignal, clos
   const { response } = await dialog.showMessageBox(window, {
     signal: reacts,
     type: 'warning',
-    message: 'Scrim does not react.',
-    detail: 'Unsaved work is kept and found again when the project is opened.',
+    message: 'Scrim is not responding.',
+    detail: 'Your unsaved work is kept; open the project again to recover it.',
     buttons: ['Wait', 'Close'],
     defaultId: 0,
     cancelId: 0,

@@ -14,7 +14,7 @@ export function connectEditor(ipc: IpcMain, page: WebContents, host: HostService
   const client = () => `window-${loads}`;
   const call = async (event: IpcMainInvokeEvent, method: unknown, input: unknown): Promise<Answer<unknown>> => {
     if (!isEditor(event, page) || typeof method !== 'string') {
-      return { diagnostic: { code: 'SCR073', severity: 'error', message: 'Only the editor’s own page may ask this.' } };
+      return { diagnostic: { code: 'SCR073', severity: 'error', message: 'Only the editor’s own page may call this.' } };
     }
     return host.dispatch(method, input, client());
   };

@@ -17,7 +17,7 @@ const MENUS: readonly PlatformMenu[] = [
   {
     label: 'View',
     entries: [
-      { command: 'view.fit', label: 'Show the whole graph', chord: 'F', enabled: true },
+      { command: 'view.fit', label: 'Fit graph to view', chord: 'F', enabled: true },
       { command: 'view.help', label: 'Help for the node', chord: 'F1', enabled: true },
       { command: 'view.odd', label: 'Odd', chord: 'Mod+Ä', enabled: true },
     ],

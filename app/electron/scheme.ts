@@ -1,6 +1,6 @@
 import { Readable } from 'node:stream';
 import type { Protocol } from 'electron';
-import type { Content } from '../services/content.ts';
+import { type Content, type ContentAnswer, plain } from '../services/content.ts';
 import type { Origins } from '../services/content-policy.ts';
 
 const SCHEME = 'scrim';
@@ -28,7 +28,9 @@ export function serveScheme(protocol: Protocol, content: Content): void {
   });
 }
 
-function answer(content: Content, method: string, url: string) {
-  const [, host = '', path = '/'] = /^[^:]+:\/\/([^/?#]*)([^?#]*)/.exec(url) ?? [];
-  return content.answer(host === 'preview' ? 'preview' : 'editor', method, path === '' ? '/' : path);
+/** `scrim://HOST/PATH`: two hosts have pages, and an address of any other names nothing. */
+export function answer(content: Content, method: string, url: string): Promise<ContentAnswer> {
+  const [, origin = '', path = ''] = /^([^:]+:\/\/[^/?#]*)([^?#]*)/.exec(url) ?? [];
+  const name = (['editor', 'preview'] as const).find((key) => ORIGINS[key] === origin);
+  return name === undefined ? Promise.resolve(plain(404, 'There is nothing here.')) : content.answer(name, method, path || '/');
 }

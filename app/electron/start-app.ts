@@ -11,7 +11,7 @@ import { ORIGINS, registerScheme, serveScheme } from './scheme.ts';
 const OPEN_SWITCH = '--open=';
 
 const PICK_TITLES = {
-  new: 'Folder of the New Project',
+  new: 'Folder for the New Project',
   open: 'Open Project',
   'save-as': 'Save Project As',
   export: 'Export Page',

@@ -1,10 +1,11 @@
 import type { IncomingMessage, ServerResponse } from 'node:http';
 import type { HostDiagnostic } from '../contract/contract.ts';
-import { CLIENT_HEADER } from '../contract/http-client.ts';
+import { CLIENT_HEADER, CODE_HEADER, SESSION_PATH, TOKEN_HEADER } from '../contract/http-client.ts';
 import { decodeMessage, MESSAGE_TYPE } from '../contract/message.ts';
 import type { HostService } from '../services/host.ts';
-import { apiRefusal } from './checks.ts';
+import type { Session } from './access-session.ts';
 import { readBody } from './read-body.ts';
+import { originRefusal, singleHeader } from './request-checks.ts';
 
 export interface Api {
   answer(request: IncomingMessage, response: ServerResponse): Promise<void>;
@@ -14,7 +15,7 @@ export interface Api {
 
 export interface ApiOptions {
   readonly host: HostService;
-  readonly token: string;
+  readonly session: Session;
   /** The editor's, the only one that may call. */
   readonly origin: string;
   readonly maxMessageBytes: number;
@@ -25,8 +26,8 @@ const SIGN_OF_LIFE_MS = 15_000;
 
 const CALL = '/api/call/';
 
-/** `POST /api/call/METHOD` and `GET /api/events`, as `app/contract/http-client.ts` asks. */
-export function createApi({ host, token, origin, maxMessageBytes }: ApiOptions): Api {
+/** `POST /api/call/METHOD`, `GET /api/events` and `/api/session`, as `app/contract/http-client.ts` asks. */
+export function createApi({ host, session, origin, maxMessageBytes }: ApiOptions): Api {
   const streams = new Set<ServerResponse>();
 
   const call = async (method: string, request: IncomingMessage, response: ServerResponse) => {
@@ -62,20 +63,29 @@ export function createApi({ host, token, origin, maxMessageBytes }: ApiOptions):
     });
   };
 
+  const endStreams = () => {
+    for (const response of streams) response.end();
+  };
+  session.ended.addEventListener('abort', endStreams);
+
   return {
     answer: async (request, response) => {
-      const refusal = apiRefusal(request, origin, token);
-      if (refusal !== null) return refuse(response, 403, refusal);
       const path = request.url ?? '';
+      const isRedeeming = path === SESSION_PATH && request.method === 'POST';
+      const refusal = originRefusal(request, origin) ?? (isRedeeming ? null : session.refusalOf(singleHeader(request, TOKEN_HEADER)));
+      if (refusal !== null) return refuse(response, 403, refusal);
+      if (isRedeeming) {
+        const redeemed = session.redeem(singleHeader(request, CODE_HEADER));
+        return 'refusal' in redeemed ? refuse(response, 403, redeemed.refusal) : send(response, 200, redeemed);
+      }
+      if (request.method === 'GET' && path === SESSION_PATH) return send(response, 200, {});
       if (request.method === 'GET' && path === '/api/events') return stream(request, response);
       if (request.method === 'POST' && path.startsWith(CALL)) {
         return call(path.slice(CALL.length), request, response).catch(() => void response.destroy());
       }
       return refuse(response, 404, 'There is nothing here.');
     },
-    dispose: () => {
-      for (const response of streams) response.end();
-    },
+    dispose: endStreams,
   };
 }
 

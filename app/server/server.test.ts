@@ -126,7 +126,7 @@ describe('who may call', () => {
   });
 
   test('the server listens on loopback alone', () => {
-    expect(new URL(server.url).hostname).toBe('127.0.0.1');
+    expect(new URL(server.invite()).hostname).toBe('127.0.0.1');
   });
 });
 

@@ -1,15 +1,17 @@
-import { constants } from 'node:fs';
-import { open } from 'node:fs/promises';
+import type { FileHandle } from 'node:fs/promises';
 import type { Asset } from '../../export/graph/project.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { HostError } from '../contract/host-error.ts';
+import { exrFault, imageFileFault, radianceFault } from './check-image-files.ts';
+import { mp4Fault, webmFault } from './check-video-files.ts';
 import { resolveInside } from './confine.ts';
 import { errorCode } from './file-errors.ts';
+import { NotAFileError, openFile } from './read-file.ts';
 
 /**
- * What can be said of a project's asset files without decoding them: missing (SCR030), outside (SCR031), cut off or not what
- * they claim to be (SCR032). What `used` names is an error, everything else a warning, because nothing on screen needs it. Videos and
+ * What can be said of a project's asset files without decoding them: missing (SCR030), outside (SCR031), cut off, of no size or one
+ * that no device shows, or not what they claim to be (SCR032). What `used` names is an error, everything else a warning, because nothing on screen needs it. Videos and
  * panoramas that visitors would wait long for are warned of (SCR034); what is large about a model is told when it is read.
  */
 export async function checkAssets(
@@ -33,12 +35,12 @@ const HEAD_BYTES = 16;
 
 async function problemOf(root: string, { path, kind }: Asset): Promise<Problem | null> {
   try {
-    const file = await open(await resolveInside(root, path), constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
+    const file = await openFile(await resolveInside(root, path));
     try {
       const { size } = await file.stat();
       const head = Buffer.alloc(HEAD_BYTES);
       await file.read(head, 0, HEAD_BYTES, 0);
-      const wrong = WRONG[kind](head, size);
+      const wrong = WRONG[kind](head, size) ?? (await contentFault(file, kind, head, size));
       if (wrong !== null) return { code: 'SCR032', message: `${path} ${wrong}`, fix: 'Export it again, or choose another file.' };
       return tooLarge(path, kind, size);
     } finally {
@@ -46,6 +48,9 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
     }
   } catch (error) {
     if (error instanceof HostError) return { code: 'SCR031', message: error.diagnostic.message };
+    if (error instanceof NotAFileError) {
+      return { code: 'SCR030', message: `${path} is ${error.what}, not a file.`, fix: 'Put a file in its place, or choose another one.' };
+    }
     if (errorCode(error) === 'ENOENT') {
       return { code: 'SCR030', message: `${path} is missing from the project folder.`, fix: 'Put the file back, or choose another one.' };
     }
@@ -53,9 +58,25 @@ async function problemOf(root: string, { path, kind }: Asset): Promise<Problem |
   }
 }
 
+/** What is found behind the head, which is right; a model is judged when its program is known (`check-models.ts`). */
+async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, size: number): Promise<string | null> {
+  switch (kind) {
+    case 'image':
+      return imageFileFault(file, size);
+    case 'environment':
+      if (isRadiance(head)) return radianceFault(file, size);
+      return isExr(head) ? exrFault(file, size) : imageFileFault(file, size);
+    case 'video':
+      return isEbml(head) ? webmFault(file, size) : mp4Fault(file, size);
+    case 'audio':
+    case 'model':
+      return null;
+  }
+}
+
 /** glTF 2.0 §4.4: magic, version, and the length of the whole file. JSON begins with a brace and is judged when it is loaded. */
 function wrongModel(head: Buffer, size: number): string | null {
-  if (head.toString('latin1', 0, 4) !== 'glTF') return /^\s*\{/.test(head.toString('latin1')) ? null : 'is no glTF model.';
+  if (head.toString('latin1', 0, 4) !== 'glTF') return /^\s*\{/.test(head.toString('latin1')) ? null : 'is not a glTF model.';
   if (size < 20) return 'is cut off: it has no more than a header.';
   const version = head.readUInt32LE(4);
   if (version !== 2) return `is glTF version ${version}; only version 2 can be read.`;
@@ -65,15 +86,15 @@ function wrongModel(head: Buffer, size: number): string | null {
 
 /** What visitors load before they see it, bytes; a video is loaded whole, so that it can be sought and needs no network later. */
 const LARGE = {
-  video: { bytes: 40 * 2 ** 20, fix: 'Make it shorter or smaller, or save it with a lower bit rate.' },
-  environment: { bytes: 16 * 2 ** 20, fix: 'Make it smaller: 2048 × 1024 is enough to light with, 4096 × 2048 to look at.' },
+  video: { bytes: 40 * 2 ** 20, fix: 'Shorten it, reduce its size, or lower its bit rate.' },
+  environment: { bytes: 16 * 2 ** 20, fix: 'Reduce its size: 2048 × 1024 is enough for light, 4096 × 2048 for a visible background.' },
 } as const;
 
 function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
   if (kind !== 'video' && kind !== 'environment') return null;
   const { bytes, fix } = LARGE[kind];
   if (size <= bytes) return null;
-  const message = `${path} is a file of ${Math.round(size / 2 ** 20)} MB; above ${bytes / 2 ** 20} MB visitors wait long.`;
+  const message = `${path} has ${Math.round(size / 2 ** 20)} MB; above ${bytes / 2 ** 20} MB visitors wait long.`;
   return { code: 'SCR034', severity: 'warning', message, fix };
 }
 
@@ -82,9 +103,9 @@ function wrongVideo(head: Buffer, size: number): string | null {
   if (size === 0) return 'is empty.';
   if (head.toString('latin1', 4, 8) === 'ftyp') {
     // What QuickTime alone understands is found when it is played; that it is no video at all is found here.
-    return /^(avif|avis|mif1|heic|heix)$/.test(head.toString('latin1', 8, 12)) ? 'is a picture, no video.' : null;
+    return /^(avif|avis|mif1|heic|heix)$/.test(head.toString('latin1', 8, 12)) ? 'is an image, not a video.' : null;
   }
-  return head.readUInt32BE(0) === 0x1a45dfa3 ? null : 'is no video that browsers can play: use MP4 or WebM.';
+  return isEbml(head) ? null : 'is not a video that browsers can play. Use MP4 or WebM.';
 }
 
 /** WAVE, MPEG audio with or without a tag, Ogg, FLAC, MP4 and WebM: what browsers decode by their first bytes. */
@@ -93,25 +114,36 @@ function wrongSound(head: Buffer, size: number): string | null {
   const text = head.toString('latin1');
   const isMpeg = text.startsWith('ID3') || (head.readUInt16BE(0) & 0xffe0) === 0xffe0;
   const isWave = text.startsWith('RIFF') && text.slice(8, 12) === 'WAVE';
-  const isOther = text.startsWith('OggS') || text.startsWith('fLaC') || text.slice(4, 8) === 'ftyp' || head.readUInt32BE(0) === 0x1a45dfa3;
-  return isMpeg || isWave || isOther ? null : 'is no sound that browsers can play: use MP3, M4A, WAV, OGG or FLAC.';
+  const isOther = text.startsWith('OggS') || text.startsWith('fLaC') || text.slice(4, 8) === 'ftyp' || isEbml(head);
+  return isMpeg || isWave || isOther ? null : 'is not audio that browsers can play. Use MP3, M4A, WAV, OGG or FLAC.';
 }
 
 function wrongPanorama(head: Buffer, size: number): string | null {
-  const isRadiance = head.toString('latin1', 0, 2) === '#?' || head.readUInt32LE(0) === 20000630;
-  if (isRadiance || wrongPicture(head, size) === null) return null;
-  return size === 0 ? 'is empty.' : 'is no panorama: use Radiance HDR, OpenEXR, JPEG, PNG or WebP.';
+  if (isRadiance(head) || isExr(head) || wrongImage(head, size) === null) return null;
+  return size === 0 ? 'is empty.' : 'is not a panorama. Use Radiance HDR, OpenEXR, JPEG, PNG or WebP.';
+}
+
+function isRadiance(head: Buffer): boolean {
+  return head.toString('latin1', 0, 2) === '#?';
+}
+
+function isExr(head: Buffer): boolean {
+  return head.readUInt32LE(0) === 20000630;
+}
+
+function isEbml(head: Buffer): boolean {
+  return head.readUInt32BE(0) === 0x1a45dfa3;
 }
 
 const WRONG: Readonly<Record<AssetKind, (head: Buffer, size: number) => string | null>> = {
-  image: wrongPicture,
+  image: wrongImage,
   model: wrongModel,
   video: wrongVideo,
   audio: wrongSound,
   environment: wrongPanorama,
 };
 
-const PICTURES: readonly ((head: Buffer) => boolean)[] = [
+const IMAGES: readonly ((head: Buffer) => boolean)[] = [
   (head) => head.toString('latin1', 0, 8) === '\x89PNG\r\n\x1a\n',
   (head) => head.readUInt16BE(0) === 0xffd8,
   (head) => head.toString('latin1', 0, 4) === 'RIFF' && head.toString('latin1', 8, 12) === 'WEBP',
@@ -120,7 +152,7 @@ const PICTURES: readonly ((head: Buffer) => boolean)[] = [
   (head) => head.toString('latin1', 0, 2) === 'BM',
 ];
 
-function wrongPicture(head: Buffer, size: number): string | null {
+function wrongImage(head: Buffer, size: number): string | null {
   if (size === 0) return 'is empty.';
-  return PICTURES.some((is) => is(head)) ? null : 'is no picture that browsers can show: use PNG, JPEG, WebP, AVIF or GIF.';
+  return IMAGES.some((is) => is(head)) ? null : 'is not an image that browsers can show. Use PNG, JPEG, WebP, AVIF or GIF.';
 }

@@ -63,7 +63,7 @@ describe('models in scrim check', () => {
     const sheet = await glb(new PlaneGeometry(1, 1, 2, 2));
     expect(await check('sheet.glb', sheet)).toEqual([]);
     expect(await check('sheet.glb', sheet, true)).toEqual([
-      'warning SCR035 The model "sheet.glb" stands for a real thing, but is no closed surface: it has 8 edges at holes or rims.',
+      'warning SCR035 The model "sheet.glb" stands for a real thing, but its surface is not closed: it has 8 edges at holes or rims.',
     ]);
   });
 

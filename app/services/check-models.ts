@@ -1,14 +1,10 @@
-import { constants } from 'node:fs';
-import { open } from 'node:fs/promises';
 import { ModelError } from '../../export/gltf/document.ts';
 import { findingsOf } from '../../export/gltf/findings.ts';
 import { readWholeModel } from '../../export/gltf/whole-model.ts';
 import { phantomNodes } from '../../export/program/phantom-nodes.ts';
 import type { Program } from '../../export/program/program.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { HostError } from '../contract/host-error.ts';
-import { resolveInside } from './confine.ts';
-import { errorCode } from './file-errors.ts';
+import { readAssetFile } from './read-asset.ts';
 
 /**
  * What is wrong inside a program's models (SCR032), and what to know of those that are fine: too large for phones (SCR034), or standing
@@ -28,25 +24,10 @@ export async function checkModels(root: string, program: Program, except: Readon
 
 async function checkModel(root: string, path: string, standsForReal: boolean): Promise<Diagnostic[]> {
   try {
-    const { gltf, bytes } = await readWholeModel(await readConfined(root, path), path, (file) => readConfined(root, file));
+    const { gltf, bytes } = await readWholeModel(await readAssetFile(root, path), path, (file) => readAssetFile(root, file));
     return findingsOf(gltf, path, bytes.length, standsForReal).map((finding) => ({ ...finding, file: path }));
   } catch (error) {
     if (!(error instanceof ModelError)) throw error;
     return [{ code: 'SCR032', severity: 'error', message: `${path} cannot be decoded: ${error.message}`, file: path }];
-  }
-}
-
-/** Rejects with an `Error` in plain words. */
-async function readConfined(root: string, path: string): Promise<Uint8Array<ArrayBuffer>> {
-  try {
-    const file = await open(await resolveInside(root, path), constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
-    try {
-      return new Uint8Array(await file.readFile());
-    } finally {
-      await file.close();
-    }
-  } catch (error) {
-    if (error instanceof HostError) throw new Error(error.diagnostic.message);
-    throw new Error(errorCode(error) === 'ENOENT' ? 'there is no such file' : (errorCode(error) ?? String(error)));
   }
 }

@@ -1,3 +1,4 @@
+import { compileApart } from '../../export/bundle/compile/compile-apart.ts';
 import { type CompileOptions, compile } from '../../export/compiler/compile.ts';
 import { isImported } from '../../export/compiler/imported-assets.ts';
 import { loadProject } from '../../export/graph/load.ts';
@@ -18,16 +19,37 @@ export interface CompiledProject {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** Where large projects are compiled beside the program that asks, which goes on meanwhile. */
+export interface Apart {
+  /** Absolute folder with Scrim's sources. */
+  readonly root: string;
+  readonly interrupted?: AbortSignal | undefined;
+}
+
+/** Fewer nodes than this compile in less time than a thread takes to start. */
+const LARGE = 1000;
+
+/** By what is written down; subgraphs may make any number of nodes of it. */
+function isLarge({ graphs }: Project): boolean {
+  const count = Object.values(graphs).reduce((sum, { nodes }) => sum + Object.keys(nodes).length, 0);
+  return count > LARGE || Object.keys(graphs).length > 1;
+}
+
 /** A project's files as a program, or what is wrong with them: documents, graph, shaders, and the asset files in `root`. */
 export async function compileProject(
   root: string,
   files: ProjectFiles,
   optionsOf: (project: Project) => CompileOptions = () => ({}),
+  apart: Apart | null = null,
 ): Promise<CompiledProject> {
   const loaded = loadProject(files);
   const project = loaded.output;
   if (project === null) return { project, program: null, diagnostics: loaded.diagnostics };
-  const compiled = compile({ project, library: LIBRARY, options: optionsOf(project) });
+  const options = optionsOf(project);
+  const compiled =
+    apart !== null && isLarge(project)
+      ? await compileApart(apart.root, { project, definitions: DEFINITIONS, shaders: SHADERS, options }, apart.interrupted)
+      : compile({ project, library: LIBRARY, options });
   const played = compiled.output?.assets ?? [];
   const used = new Set(compiled.output ? played.map(({ id }) => id) : Object.keys(project.assets));
   // Pictures that shaders import stand in no table of the project's.

@@ -45,7 +45,7 @@ export function isPlainName(part: string): boolean {
 function outside(path: string) {
   return refusal(
     'SCR031',
-    `${JSON.stringify(path)} leads out of the project folder.`,
+    `${JSON.stringify(path)} is outside the project folder.`,
     'Copy the file into the project; links and ".." are not followed.',
   );
 }

@@ -4,6 +4,9 @@ export interface Origins {
   readonly preview: string;
 }
 
+/** Where the built pages have their scripts; projects and recordings are never mounted there. */
+export const SCRIPTS_FOLDER = 'assets';
+
 /**
  * Headers of everything that the content server answers.
  *
@@ -11,14 +14,15 @@ export interface Origins {
  * own. Neither page may speak to any other address.
  */
 export function editorHeaders(origins: Origins): Record<string, string> {
+  const ownScripts = `${origins.editor}/${SCRIPTS_FOLDER}/`;
   return headers([
     "default-src 'none'",
-    "script-src 'self'",
+    `script-src ${ownScripts}`,
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' blob: data:",
     "font-src 'self' data:",
     "connect-src 'self'",
-    "worker-src 'self' blob:",
+    `worker-src ${ownScripts} blob:`,
     `frame-src ${origins.preview}`,
     "base-uri 'none'",
     "form-action 'none'",
@@ -27,16 +31,18 @@ export function editorHeaders(origins: Origins): Record<string, string> {
 }
 
 export function previewHeaders(origins: Origins): Record<string, string> {
+  // The path as well: projects and recordings are on this origin, and nothing of them is a script, whatever its name and type.
+  const ownScripts = `${origins.preview}/${SCRIPTS_FOLDER}/`;
   return headers([
     "default-src 'none'",
     // Decoders of models are WebAssembly; scripts from texts stay forbidden.
-    "script-src 'self' 'wasm-unsafe-eval'",
+    `script-src ${ownScripts} 'wasm-unsafe-eval'`,
     "style-src 'self' 'unsafe-inline'",
     "img-src 'self' blob: data:",
     // Videos are played from memory.
     'media-src blob:',
     "connect-src 'self'",
-    "worker-src 'self' blob:",
+    `worker-src ${ownScripts} blob:`,
     "base-uri 'none'",
     "form-action 'none'",
     `frame-ancestors ${origins.editor}`,

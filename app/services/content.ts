@@ -1,10 +1,9 @@
-import { constants } from 'node:fs';
-import { open } from 'node:fs/promises';
 import { join } from 'node:path';
 import { Readable } from 'node:stream';
 import { realFolder, resolveInside } from './confine.ts';
-import { dataHeaders, editorHeaders, type Origins, previewHeaders } from './content-policy.ts';
+import { dataHeaders, editorHeaders, type Origins, previewHeaders, SCRIPTS_FOLDER } from './content-policy.ts';
 import { mediaTypeOf, passiveMediaTypeOf } from './media-types.ts';
+import { openFile } from './read-file.ts';
 
 export interface ContentAnswer {
   readonly status: number;
@@ -51,7 +50,7 @@ export function createContent({ origins, pages }: ContentOptions): Content {
       root: pages[origin],
       path: path === '' ? 'index.html' : path,
       type: mediaTypeOf,
-      headers: { ...policy, 'cache-control': parts[0] === 'assets' ? FOR_EVER : 'no-cache' },
+      headers: { ...policy, 'cache-control': parts[0] === SCRIPTS_FOLDER ? FOR_EVER : 'no-cache' },
     };
   };
 
@@ -69,7 +68,7 @@ export function createContent({ origins, pages }: ContentOptions): Content {
   };
 }
 
-/** `/a/b%20c?d` → `['a', 'b c']`; null where the encoding is broken. Nothing is normalised: `..` stays and is refused later. */
+/** `/a/b%20c?d` → `['a', 'b c']`; null where the encoding is broken. Nothing is normalized: `..` stays and is refused later. */
 function decodeParts(path: string): string[] | null {
   const bare = path.replace(/[?#].*$/s, '');
   try {
@@ -88,13 +87,9 @@ function mountOf(shown: ReadonlyMap<string, string>, parts: readonly string[]): 
 async function readFound({ root, path, type, headers }: Found, headOnly: boolean): Promise<ContentAnswer> {
   try {
     const absolute = await resolveInside(await realFolder(root), path);
-    const file = await open(absolute, constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
-    const stat = await file.stat();
-    if (!stat.isFile()) {
-      await file.close();
-      return plain(404, 'There is nothing here.');
-    }
-    const answer = { ...headers, 'content-type': type(path), 'content-length': String(stat.size) };
+    const file = await openFile(absolute);
+    const { size } = await file.stat();
+    const answer = { ...headers, 'content-type': type(path), 'content-length': String(size) };
     if (!headOnly) return { status: 200, headers: answer, body: file.createReadStream() };
     await file.close();
     return { status: 200, headers: answer, body: Readable.from([]) };

@@ -1,14 +1,14 @@
-import { readFile } from 'node:fs/promises';
-import { dirname, join } from 'node:path';
+import { dirname } from 'node:path';
 import { resolveInside } from './confine.ts';
 import type { FileLayer } from './file-layer.ts';
 import { listAssets } from './project-files.ts';
+import { readAssetFile } from './read-asset.ts';
 
 /** Copies `assets/` of one project into another that has none. */
 export async function copyAssets(from: string, to: string, files: FileLayer): Promise<void> {
   for (const { path } of await listAssets(from)) {
     const target = await resolveInside(to, path);
     await files.makeFolder(dirname(target));
-    await files.writeNew(target, await readFile(join(from, path)));
+    await files.writeNew(target, await readAssetFile(from, path));
   }
 }

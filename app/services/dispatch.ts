@@ -14,12 +14,12 @@ export async function dispatch(
   log: (message: string) => void,
 ): Promise<Answer<unknown>> {
   try {
-    if (!isMethod(method)) throw refusal('SCR073', `There is no method ${JSON.stringify(method)}.`);
+    if (!isMethod(method)) throw refusal('SCR073', `Unknown method ${JSON.stringify(method)}.`);
     return { output: await call(handlers, method, input, client) };
   } catch (error) {
     if (error instanceof HostError) return { diagnostic: error.diagnostic };
     log(error instanceof Error ? (error.stack ?? error.message) : String(error));
-    const message = `Scrim made a mistake of its own in ${method}: ${error instanceof Error ? error.message : String(error)}`;
+    const message = `Scrim has an internal error in ${method}: ${error instanceof Error ? error.message : String(error)}`;
     return { diagnostic: { code: 'SCR074', severity: 'error', message } };
   }
 }
@@ -32,7 +32,7 @@ function call<M extends HostMethod>(handlers: Handlers, method: M, input: unknow
   const checked = HOST_CONTRACT[method].input.safeParse(input);
   if (!checked.success) {
     const [issue] = checked.error.issues;
-    throw refusal('SCR073', `${method} was called wrongly: ${issue?.path.join('.') || 'the input'}: ${issue?.message ?? 'not understood'}`);
+    throw refusal('SCR073', `Invalid call of ${method}: ${issue?.path.join('.') || 'the input'}: ${issue?.message ?? 'not understood'}`);
   }
   return handlers[method](checked.data as HostInput<M>, client);
 }

@@ -3,20 +3,20 @@ import { type ExportJob, exportProject } from './export-project.ts';
 
 /** The exports under way, one for each open project. */
 export interface ExportJobs {
-  /** Ends the one before of the same project, whose window was reloaded meanwhile. */
-  run(handle: string, job: Omit<ExportJob, 'interrupted'>): Promise<HostOutput<'export.run'>>;
-  /** What is written by then is taken back, and `run` answers. */
-  cancel(handle: string): void;
+  /** Cancels an earlier export of the same project, whose window was reloaded. */
+  run(projectId: string, job: Omit<ExportJob, 'interrupted'>): Promise<HostOutput<'export.run'>>;
+  /** Removes what was written; `run` then resolves. */
+  cancel(projectId: string): void;
   dispose(): void;
 }
 
 export function createExportJobs(): ExportJobs {
   const running = new Map<string, AbortController>();
   return {
-    run: async (handle, job) => {
-      running.get(handle)?.abort();
+    run: async (projectId, job) => {
+      running.get(projectId)?.abort();
       const mine = new AbortController();
-      running.set(handle, mine);
+      running.set(projectId, mine);
       try {
         const { report, diagnostics } = await exportProject({ ...job, interrupted: mine.signal });
         return { ok: report !== null, out: job.out, diagnostics: [...diagnostics], bytes: report?.bytes.raw ?? 0 };
@@ -24,10 +24,10 @@ export function createExportJobs(): ExportJobs {
         if (error !== mine.signal.reason || !mine.signal.aborted) throw error;
         return { ok: false, out: job.out, diagnostics: [], bytes: 0 };
       } finally {
-        if (running.get(handle) === mine) running.delete(handle);
+        if (running.get(projectId) === mine) running.delete(projectId);
       }
     },
-    cancel: (handle) => running.get(handle)?.abort(),
+    cancel: (projectId) => running.get(projectId)?.abort(),
     dispose: () => {
       for (const job of running.values()) job.abort();
     },

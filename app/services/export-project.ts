@@ -1,4 +1,3 @@
-import { readFile } from 'node:fs/promises';
 import { bundlePage } from '../../export/bundle/bundle-page.ts';
 import type { PosterPicture } from '../../export/bundle/poster.ts';
 import type { ExportReport } from '../../export/bundle/report.ts';
@@ -6,12 +5,12 @@ import type { Program } from '../../export/program/program.ts';
 import { type Diagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { HostError } from '../contract/host-error.ts';
-import { createAssetCache } from './asset-cache.ts';
+import { createAssetCache } from './asset-cache-folder.ts';
 import { compileProject } from './compile-project.ts';
-import { resolveInside } from './confine.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { Installation } from './installation.ts';
 import { writePageFolder } from './page-folder.ts';
+import { readAssetFile } from './read-asset.ts';
 import { watchedFiles } from './watched-files.ts';
 
 export interface ExportJob {
@@ -24,16 +23,16 @@ export interface ExportJob {
   readonly files?: FileLayer;
   /** False leaves models as they are; true unless given. */
   readonly compress?: boolean;
-  /** The person has had enough: what is there by then is taken back, and the export rejects with the signal's reason. */
+  /** Cancels the export: removes what was written and rejects with the signal's reason. */
   readonly interrupted?: AbortSignal;
-  /** Hears what takes its time. */
+  /** Receives progress texts. */
   readonly say?: (text: string) => void;
   /** Everything in one file, which opens from a disk. */
   readonly singleFile?: boolean;
   /** Where the page will be published, ending in `/`. */
   readonly address?: string | null;
   /**
-   * A picture of the page, by whoever can draw one; where none is drawn a neutral one takes its place, and a warning says so
+   * Renders the poster. If it returns null, the page gets a neutral poster and a warning
    * (SCR065). SCR042 ends the export: no page draws what does not compile.
    */
   readonly drawPoster?: (program: Program) => Promise<PosterPicture | null>;
@@ -45,7 +44,7 @@ export interface ExportOutcome {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Compiles, bundles, and puts the page into `out` in one step. Never rejects for what a user can mend, but when interrupted. */
+/** Compiles, bundles, and puts the page into `out` in one step. User mistakes are diagnostics; rejects only if interrupted. */
 export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   const { root, projectFiles, out, installation, compress = true, interrupted } = job;
   const say = (text: string) => {
@@ -56,7 +55,10 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
   const files = watchedFiles(job.files ?? NODE_FILES, interrupted, (count) => say(`Writing file ${count}…`));
   const { singleFile = false, address = null, drawPoster } = job;
   say('Compiling…');
-  const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false }));
+  const { project, program, diagnostics } = await compileProject(root, projectFiles, () => ({ sourceMaps: false }), {
+    root: installation.root,
+    interrupted,
+  });
   if (project === null || program === null || hasErrors(diagnostics)) return { report: null, diagnostics };
   const all = [...diagnostics];
   try {
@@ -69,7 +71,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
         page: project.page,
         generator: `Scrim ${installation.version}`,
         root: installation.root,
-        readAsset: async (path) => readFile(await resolveInside(root, path)),
+        readAsset: (path) => readAssetFile(root, path),
         sink,
         compress,
         // Not through `files`: what a cache cannot keep is no reason to stop.
@@ -92,7 +94,7 @@ export async function exportProject(job: ExportJob): Promise<ExportOutcome> {
 const NO_POSTER: Diagnostic = {
   code: 'SCR065',
   severity: 'warning',
-  message: 'No picture of the page could be drawn: those who link to it see a neutral one.',
+  message: 'The poster of the page could not be rendered. Link previews show a neutral one.',
 };
 
 async function posterOf(program: Program, { drawPoster, interrupted }: ExportJob): Promise<PosterPicture | null> {

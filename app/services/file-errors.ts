@@ -1,10 +1,15 @@
 import { HostError } from '../contract/host-error.ts';
+import { NotAFileError, TooLargeError } from './read-file.ts';
 
 /** The refusal for an error of the file system while `path` was read. */
 export function readRefusal(error: unknown, path: string): HostError {
+  if (error instanceof NotAFileError) {
+    return refusal('SCR004', `${path} is ${error.what}, not a file.`, 'Replace it with a file.');
+  }
+  if (error instanceof TooLargeError) return refusal('SCR005', error.message);
   const code = errorCode(error);
   if (code === 'ENOENT' || code === 'ENOTDIR') return refusal('SCR004', `${path} does not exist.`);
-  if (code === 'EACCES' || code === 'EPERM') return refusal('SCR004', `${path} cannot be read: the system does not allow it.`);
+  if (code === 'EACCES' || code === 'EPERM') return refusal('SCR004', `${path} cannot be read: permission denied.`);
   return refusal('SCR004', `${path} cannot be read: ${messageOf(error)}`);
 }
 
@@ -15,7 +20,7 @@ export function writeRefusal(error: unknown, path: string): HostError {
   if (error instanceof HostError) return error;
   const code = errorCode(error);
   if (code === 'ENOSPC' || code === 'EDQUOT') {
-    return refusal('SCR062', `There is no space left for ${path}. Nothing was changed.`, 'Free some space and try again.');
+    return refusal('SCR062', `No space is left for ${path}. Nothing was changed.`, 'Free some space and try again.');
   }
   if (code !== undefined && UNWRITABLE.has(code)) {
     return refusal('SCR060', `${path} cannot be written. Nothing was changed.`, 'Choose a folder that you may write to.');

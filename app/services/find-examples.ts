@@ -1,6 +1,7 @@
-import { readdir, readFile } from 'node:fs/promises';
+import { readdir } from 'node:fs/promises';
 import { basename, join } from 'node:path';
-import { PROJECT_FILE } from './project-files.ts';
+import { MAX_DOCUMENT_BYTES, PROJECT_FILE } from './project-files.ts';
+import { readBytes, readText } from './read-file.ts';
 
 export interface Example {
   readonly title: string;
@@ -13,6 +14,7 @@ export interface Example {
 
 /** Beside the examples: what each shows, as `NAME.jpg`, and what a template does, as `template-NAME.jpg`. */
 const PICTURES = 'pictures';
+const MAX_PICTURE_BYTES = 4 * 2 ** 20;
 
 /** The projects directly below a folder, by name. */
 export async function findExamples(examplesDir: string): Promise<Example[]> {
@@ -26,8 +28,8 @@ export async function findExamples(examplesDir: string): Promise<Example[]> {
 
 /** Pictures are small, and crossing with the list saves a way of their own to the editor's origin. */
 export async function withPicture<T extends object>(item: T, examplesDir: string, name: string): Promise<T & { picture?: string }> {
-  const bytes = await readFile(pictureOf(examplesDir, name)).catch(() => null);
-  return bytes === null ? item : { ...item, picture: `data:image/jpeg;base64,${bytes.toString('base64')}` };
+  const bytes = await readBytes(pictureOf(examplesDir, name), MAX_PICTURE_BYTES).catch(() => null);
+  return bytes === null ? item : { ...item, picture: `data:image/jpeg;base64,${Buffer.from(bytes).toString('base64')}` };
 }
 
 export function pictureOf(examplesDir: string, name: string): string {
@@ -35,7 +37,7 @@ export function pictureOf(examplesDir: string, name: string): string {
 }
 
 async function readExample(path: string): Promise<Example | null> {
-  const text = await readFile(join(path, PROJECT_FILE), 'utf8').catch(() => null);
+  const text = await readText(join(path, PROJECT_FILE), MAX_DOCUMENT_BYTES).catch(() => null);
   if (text === null) return null;
   try {
     const { title, graphs } = JSON.parse(text) as { title?: unknown; graphs?: unknown };

@@ -94,6 +94,10 @@ export function createHost({ shell, installation, startPath, files = NODE_FILES,
       return projects.open(root, client);
     },
     'project.save': (input) => projects.save(input.handle, input.files, input.revision, input.overwrite),
+    'project.break-lock': async ({ handle }) => {
+      await projects.breakLock(handle);
+      return {};
+    },
     'project.save-as': (input, client) => projects.saveAs(input.handle, wholePath(input.path, 'SCR060'), input.files, client),
     'project.autosave': async (input) => {
       await projects.autosave(input.handle, input.files);

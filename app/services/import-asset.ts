@@ -1,9 +1,9 @@
-import { readFile } from 'node:fs/promises';
 import { extname } from 'node:path';
 import { resolveInside } from './confine.ts';
 import { errorCode, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { ASSETS_FOLDER } from './project-files.ts';
+import { readBytes } from './read-file.ts';
 import { ensureScrimFolder, temporaryIn } from './scrim-folder.ts';
 
 const MAX_STEM = 80;
@@ -46,7 +46,7 @@ async function place(temporary: string, target: string, bytes: Uint8Array, files
     return true;
   } catch (error) {
     if (errorCode(error) !== 'EEXIST') throw error;
-    return Buffer.from(bytes).equals(await readFile(target).catch(() => Buffer.alloc(0)));
+    return Buffer.from(bytes).equals(await readBytes(target, bytes.length).catch(() => Buffer.alloc(0)));
   }
 }
 

@@ -11,7 +11,7 @@ export async function makeFolders(path: string): Promise<string | undefined> {
   const missing: string[] = [];
   for (let folder = path; (await find(folder)) === null && dirname(folder) !== folder; folder = dirname(folder)) missing.unshift(folder);
   let firstMade: string | undefined;
-  // What is there already must be a folder: this tells, as each missing one is told of.
+  // Where nothing is missing, `path` is tried as well: the system reports it if it is not a folder.
   for (const folder of missing.length === 0 ? [path] : missing) {
     const made = await makeFolder(folder);
     if (made) firstMade ??= folder;

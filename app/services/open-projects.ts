@@ -8,25 +8,28 @@ import type { FileLayer } from './file-layer.ts';
 import { outsideChange } from './outside-change.ts';
 import { isShownByOthers, leaveSign, takeSignAway } from './presence.ts';
 import { changesBetween, findProject, listAssets, readProjectFiles, revisionOf } from './project-files.ts';
-import { withLock } from './project-lock.ts';
+import { breakLock } from './project-lock.ts';
+import { readConsistentFiles } from './recover-folder.ts';
 import { keepUnsaved, takeOverUnsaved } from './recovery.ts';
-import { readSettled } from './settle.ts';
-import { finishInterrupted, writeAll } from './transaction.ts';
+import { saveOver } from './save-over.ts';
+import { writeAll } from './transaction.ts';
 import { watchProject } from './watch-project.ts';
 
-/** The projects that the editor has open, by handle. `client` is the window or tab that asks. */
+/** The projects that the editor has open, by project id. `client` is the window or tab that asks. */
 export interface OpenProjects {
   open(path: string, client: string): Promise<OpenProject>;
-  save(handle: string, files: ProjectFiles, revision: string, overwrite: boolean): Promise<{ revision: string }>;
-  saveAs(handle: string, path: string, files: ProjectFiles, client: string): Promise<OpenProject>;
-  autosave(handle: string, files: ProjectFiles | null): Promise<void>;
-  close(handle: string): void;
+  save(projectId: string, files: ProjectFiles, revision: string, overwrite: boolean): Promise<{ revision: string; kept: string | null }>;
+  /** Takes away the lock that another process holds on the project, or has left. */
+  breakLock(projectId: string): Promise<void>;
+  saveAs(projectId: string, path: string, files: ProjectFiles, client: string): Promise<OpenProject>;
+  autosave(projectId: string, files: ProjectFiles | null): Promise<void>;
+  close(projectId: string): void;
   /** The window or tab is gone, and has closed nothing. */
   left(client: string): void;
   /** The real folder of an open project. Throws SCR073. */
-  rootOf(handle: string): string;
+  rootOf(projectId: string): string;
   /** Where the preview reads the project's files; ends in `/`. */
-  baseUrlOf(handle: string): string;
+  baseUrlOf(projectId: string): string;
   dispose(): void;
 }
 
@@ -49,6 +52,8 @@ interface Entry {
   /** What the editor knows to be on the disk, and its revision. */
   files: ProjectFiles;
   known: string;
+  /** Shaders that the window has loaded or written: what it may remove. Names below `shaders/`. */
+  readonly loaded: Set<string>;
   readonly close: () => void;
 }
 
@@ -57,9 +62,9 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
   /** Folder → what is being written there at this moment; changes seen meanwhile are our own. */
   const writing = new Map<string, Promise<unknown>>();
 
-  const entryOf = (handle: string): Entry => {
-    const entry = entries.get(handle);
-    if (!entry) throw refusal('SCR073', 'The project is not open any more.', 'Open it again.');
+  const entryOf = (projectId: string): Entry => {
+    const entry = entries.get(projectId);
+    if (!entry) throw refusal('SCR073', 'The project is no longer open.', 'Open it again.');
     return entry;
   };
 
@@ -75,16 +80,16 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     return result;
   };
 
-  const close = (handle: string): void => {
-    entryOf(handle).close();
-    entries.delete(handle);
+  const close = (projectId: string): void => {
+    entryOf(projectId).close();
+    entries.delete(projectId);
   };
 
   const openAt = async (root: string, displayPath: string, client: string): Promise<OpenProject> => {
-    const handle = randomBytes(16).toString('hex');
+    const projectId = randomBytes(16).toString('hex');
     // Watched before it is read: what changes in between is noticed.
-    const watcher = watchProject(root, (revision) => void noticed(handle, revision));
-    const projectFiles = await readSettled(root, files).catch((error: unknown) => {
+    const watcher = watchProject(root, files, (revision) => void noticed(projectId, revision));
+    const projectFiles = await readConsistentFiles(root, files).catch((error: unknown) => {
       watcher.dispose();
       throw error;
     });
@@ -96,18 +101,19 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     const release = () => {
       watcher.dispose();
       hide();
-      takeSignAway(root, handle);
+      takeSignAway(root, projectId);
     };
-    entries.set(handle, { root, baseUrl, client, files: projectFiles, known: revision, close: release });
+    const loaded = new Set(Object.keys(projectFiles.sources));
+    entries.set(projectId, { root, baseUrl, client, files: projectFiles, known: revision, loaded, close: release });
     try {
-      await leaveSign(root, handle, files);
-      const recovery = await takeOverUnsaved(root, handle, projectFiles, isMinded, files);
+      await leaveSign(root, projectId, files);
+      const recovery = await takeOverUnsaved(root, projectId, projectFiles, isMinded, files);
       const assetFiles = await listAssets(root);
       const openElsewhere = isShownBeside(root, client) || (await isShownByOthers(root));
-      return { handle, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
+      return { handle: projectId, displayPath, files: projectFiles, revision, assetBaseUrl: baseUrl, assetFiles, recovery, openElsewhere };
     } catch (error) {
-      // Nobody hears of the handle, so nobody would close it.
-      close(handle);
+      // Nobody hears of the projectId, so nobody would close it.
+      close(projectId);
       throw error;
     }
   };
@@ -120,8 +126,8 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     if (closed !== undefined) close(closed);
   };
 
-  const isMinded = (handle: string): boolean => {
-    const entry = entries.get(handle);
+  const isMinded = (projectId: string): boolean => {
+    const entry = entries.get(projectId);
     return entry !== undefined && isThere(entry.client);
   };
 
@@ -129,80 +135,72 @@ export function createOpenProjects({ content, previewOrigin, files, emit, isTher
     [...entries.values()].some((entry) => entry.root === root && entry.client !== client && isThere(entry.client));
 
   /** Tells of a change once per revision; a save that is under way ends first, so that it is not taken for someone else's. */
-  const noticed = async (handle: string, revision: string) => {
-    const entry = entries.get(handle);
+  const noticed = async (projectId: string, revision: string) => {
+    const entry = entries.get(projectId);
     if (!entry) return;
     await writing.get(entry.root);
-    if (entry.known === revision || !entries.has(handle)) return;
+    if (entry.known === revision || !entries.has(projectId)) return;
     const now = await readProjectFiles(entry.root).catch(() => null);
     if (now === null || revisionOf(now) !== revision || entry.known === revision) return;
-    const event = outsideChange(handle, entry.files, now);
+    const event = outsideChange(projectId, entry.files, now);
     entry.known = revision;
     entry.files = now;
+    // The window takes these over; of any other change it asks first, or opens the project anew.
+    if (event.kind === 'shaders-changed-outside') for (const { file } of event.shaders) entry.loaded.add(file);
     emit(event);
   };
 
   return {
     open: async (path, client) => openAt(await findProject(path), path, client),
-    save: (handle, next, revision, overwrite) => {
-      const entry = entryOf(handle);
+    save: (projectId, next, revision, overwrite) => {
+      const entry = entryOf(projectId);
       return inTurn(entry, async () => {
-        await saveOver(entry.root, next, overwrite ? null : revision, files);
-        entry.known = revisionOf(next);
-        entry.files = next;
+        const { saved, kept } = await saveOver({
+          root: entry.root,
+          next,
+          loaded: entry.loaded,
+          revision: overwrite ? null : revision,
+          files,
+        });
+        entry.known = revisionOf(saved);
+        entry.files = saved;
+        for (const name of Object.keys(next.sources)) entry.loaded.add(name);
         // It is saved: what could not be forgotten is found to be no news at the next opening.
-        await keepUnsaved(entry.root, handle, null, files).catch(() => {});
-        return { revision: entry.known };
+        await keepUnsaved(entry.root, projectId, null, files).catch(() => {});
+        return { revision: entry.known, kept };
       });
     },
-    saveAs: async (handle, path, next, client) => {
-      const from = entryOf(handle).root;
+    breakLock: async (projectId) => {
+      const { root } = entryOf(projectId);
+      await breakLock(root, files).catch((error: unknown) => {
+        throw writeRefusal(error, root);
+      });
+    },
+    saveAs: async (projectId, path, next, client) => {
+      const from = entryOf(projectId).root;
       const root = await fillEmptyFolder(path, files, async (folder) => {
         await copyAssets(from, folder, files);
         await writeAll(folder, changesBetween(null, next), files);
       });
       return openAt(root, path, client);
     },
-    autosave: (handle, work) => {
-      const entry = entryOf(handle);
+    autosave: (projectId, work) => {
+      const entry = entryOf(projectId);
       return inTurn(entry, () =>
-        keepUnsaved(entry.root, handle, work, files).catch((error: unknown) => {
+        keepUnsaved(entry.root, projectId, work, files).catch((error: unknown) => {
           throw writeRefusal(error, entry.root);
         }),
       );
     },
     close,
     left: (client) => {
-      for (const [handle, entry] of entries) if (entry.client === client) takeSignAway(entry.root, handle);
+      for (const [projectId, entry] of entries) if (entry.client === client) takeSignAway(entry.root, projectId);
     },
-    rootOf: (handle) => entryOf(handle).root,
-    baseUrlOf: (handle) => entryOf(handle).baseUrl,
+    rootOf: (projectId) => entryOf(projectId).root,
+    baseUrlOf: (projectId) => entryOf(projectId).baseUrl,
     dispose: () => {
       for (const entry of entries.values()) entry.close();
       entries.clear();
     },
   };
-}
-
-/**
- * Writes `next` where the folder still holds `revision`; null writes it over whatever is there. The look and the write are one
- * step for every other window and process. Throws SCR060, SCR062 and SCR063.
- */
-async function saveOver(root: string, next: ProjectFiles, revision: string | null, files: FileLayer): Promise<void> {
-  try {
-    await withLock(root, files, async () => {
-      await finishInterrupted(root, files);
-      const current = await readProjectFiles(root).catch(() => null);
-      if (revision !== null && (current === null || revisionOf(current) !== revision)) {
-        throw refusal(
-          'SCR063',
-          'The project was changed on the disk since it was opened here. Nothing was saved.',
-          'Reload it to take that version, or save over it.',
-        );
-      }
-      await writeAll(root, changesBetween(current, next), files);
-    });
-  } catch (error) {
-    throw writeRefusal(error, root);
-  }
 }

@@ -1,11 +1,12 @@
 import { randomBytes } from 'node:crypto';
-import { lstat, readdir, readFile, realpath, rm } from 'node:fs/promises';
+import { lstat, readdir, realpath, rm } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
 import type { FileSink } from '../../export/bundle/file-sink.ts';
 import { REPORT_FILE } from '../../export/bundle/report.ts';
 import { errorCode, refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { makeFolders } from './make-folders.ts';
+import { readText } from './read-file.ts';
 
 /** What is known to be ours: a list of files in a folder's own description. */
 export interface FolderMark {
@@ -88,10 +89,12 @@ async function listAll(folder: string): Promise<string[]> {
   return paths.sort();
 }
 
+const MAX_REPORT_BYTES = 64 * 2 ** 20;
+
 /** What an earlier export says that it wrote. */
 async function filesOfReport(target: string, { file, format }: FolderMark): Promise<ReadonlySet<string>> {
   try {
-    const report = JSON.parse(await readFile(join(target, file), 'utf8')) as { format?: unknown; files?: { path: string }[] };
+    const report = JSON.parse(await readText(join(target, file), MAX_REPORT_BYTES)) as { format?: unknown; files?: { path: string }[] };
     if (report.format !== format || !report.files) return new Set();
     return new Set([file, ...report.files.map(({ path }) => path)]);
   } catch {

@@ -12,19 +12,19 @@ import { ensureScrimFolder, listScrimFolder, SCRIM_FOLDER } from './scrim-folder
 
 const SIGN = new RegExp(`^window-(${OWNER_PATTERN})-[0-9a-f]+$`);
 
-export async function leaveSign(root: string, handle: string, files: FileLayer): Promise<void> {
+export async function leaveSign(root: string, projectId: string, files: FileLayer): Promise<void> {
   try {
     await ensureScrimFolder(root, files);
-    await files.writeNew(signOf(root, handle), new Uint8Array());
+    await files.writeNew(signOf(root, projectId), new Uint8Array());
   } catch {
     // Read-only, full, or gone.
   }
 }
 
 /** At once, because a process that ends waits for nothing. */
-export function takeSignAway(root: string, handle: string): void {
+export function takeSignAway(root: string, projectId: string): void {
   try {
-    rmSync(signOf(root, handle), { force: true });
+    rmSync(signOf(root, projectId), { force: true });
   } catch {
     // It is swept up when its process is gone.
   }
@@ -41,6 +41,6 @@ export async function isShownByOthers(root: string): Promise<boolean> {
   return false;
 }
 
-function signOf(root: string, handle: string): string {
-  return join(root, SCRIM_FOLDER, `window-${OWNER}-${handle}`);
+function signOf(root: string, projectId: string): string {
+  return join(root, SCRIM_FOLDER, `window-${OWNER}-${projectId}`);
 }

@@ -1,11 +1,11 @@
 import { createHash } from 'node:crypto';
-import { constants } from 'node:fs';
-import { lstat, open, readdir } from 'node:fs/promises';
+import { lstat, readdir } from 'node:fs/promises';
 import { dirname, join, resolve } from 'node:path';
-import { isShaderFile } from '../../export/graph/names.ts';
+import { isChunkFile, isShaderFile } from '../../export/graph/document-names.ts';
 import type { OpenProject, ProjectFiles } from '../contract/contract.ts';
 import { isPlainName, realFolder, resolveInside } from './confine.ts';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';
+import { readText } from './read-file.ts';
 
 export const PROJECT_FILE = 'project.scrim.json';
 export const LAYOUT_FILE = 'project.layout.json';
@@ -15,8 +15,14 @@ export const CHUNKS_FOLDER = `${SHADERS_FOLDER}/chunks`;
 export const ASSETS_FOLDER = 'assets';
 
 /** What the contract lets cross. */
-const MAX_DOCUMENT_BYTES = 64 * 2 ** 20;
-const MAX_SHADER_BYTES = 4 * 2 ** 20;
+export const MAX_DOCUMENT_BYTES = 64 * 2 ** 20;
+export const MAX_SHADER_BYTES = 4 * 2 ** 20;
+
+/** Of all shaders together. They cross as one message and are held in memory, several times over. */
+const MAX_SHADERS_BYTES = 64 * 2 ** 20;
+
+/** What the contract lets cross as a project path: also what ends the walk through folders that nest without end. */
+const MAX_PATH_LENGTH = 512;
 
 /** The folder that `path` means, which may name the folder or the project file in it. Throws SCR004. */
 export async function findProject(path: string): Promise<string> {
@@ -27,22 +33,41 @@ export async function findProject(path: string): Promise<string> {
   const root = await realFolder(found.isFile() ? dirname(absolute) : absolute);
   const project = await lstat(join(root, PROJECT_FILE)).catch(() => null);
   if (project) return root;
-  throw refusal('SCR004', `${path} is no Scrim project: it has no ${PROJECT_FILE}.`, 'Choose the folder that holds it.');
+  throw refusal('SCR004', `${path} is not a Scrim project: it has no ${PROJECT_FILE}.`, 'Choose the folder that holds it.');
 }
 
 /** Texts as they stand. Throws SCR004 and SCR005. */
 export async function readProjectFiles(root: string): Promise<ProjectFiles> {
-  const project = await readText(root, PROJECT_FILE, MAX_DOCUMENT_BYTES);
-  if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is gone from ${root}.`);
+  const project = await readProjectText(root, PROJECT_FILE, MAX_DOCUMENT_BYTES);
+  if (project === null) throw refusal('SCR004', `${PROJECT_FILE} is missing from ${root}.`);
+  const sources = await readShaders(root);
+  return { project, layout: await readProjectText(root, LAYOUT_FILE, MAX_DOCUMENT_BYTES), sources };
+}
+
+/** Few enough that their sum is known before memory runs out, enough to keep the disk busy. */
+const SHADERS_AT_ONCE = 16;
+
+async function readShaders(root: string): Promise<Record<string, string>> {
+  const folders = [SHADERS_FOLDER, ...(await listChunkFolders(root))];
+  const listed = await Promise.all(folders.map(async (folder) => (await listNames(root, folder)).map((name) => `${folder}/${name}`)));
+  const names = listed.flat().map((path) => path.slice(SHADERS_FOLDER.length + 1));
+  const wanted = names.filter(isShaderFile);
   const sources: Record<string, string> = {};
-  const chunks = (await listChunkFolders(root)).map(async (folder) => (await listNames(root, folder)).map((name) => `${folder}/${name}`));
-  const inChunks = (await Promise.all(chunks)).flat().map((path) => path.slice(SHADERS_FOLDER.length + 1));
-  for (const name of [...(await listNames(root, SHADERS_FOLDER)), ...inChunks]) {
-    if (!isShaderFile(name)) continue;
-    const text = await readText(root, `${SHADERS_FOLDER}/${name}`, MAX_SHADER_BYTES);
-    if (text !== null) sources[name] = text;
+  let length = 0;
+  for (let start = 0; start < wanted.length; start += SHADERS_AT_ONCE) {
+    const batch = wanted.slice(start, start + SHADERS_AT_ONCE);
+    const texts = await Promise.all(batch.map((name) => readProjectText(root, `${SHADERS_FOLDER}/${name}`, MAX_SHADER_BYTES)));
+    for (const [i, text] of texts.entries()) {
+      const name = batch[i];
+      if (text === null || name === undefined) continue;
+      sources[name] = text;
+      length += text.length;
+    }
+    if (length > MAX_SHADERS_BYTES) {
+      throw refusal('SCR005', `The files in ${join(root, SHADERS_FOLDER)} have more than ${MAX_SHADERS_BYTES / 2 ** 20} MB in total.`);
+    }
   }
-  return { project, layout: await readText(root, LAYOUT_FILE, MAX_DOCUMENT_BYTES), sources };
+  return sources;
 }
 
 /** Equal exactly when all texts are equal. */
@@ -67,7 +92,7 @@ function texts({ project, layout, sources }: ProjectFiles): Map<string, string> 
   const all = new Map([[PROJECT_FILE, project]]);
   if (layout !== null) all.set(LAYOUT_FILE, layout);
   for (const [name, text] of Object.entries(sources)) {
-    if (!isShaderFile(name)) throw refusal('SCR031', `${JSON.stringify(name)} is no name for a shader file.`);
+    if (!isShaderFile(name)) throw refusal('SCR031', `${JSON.stringify(name)} is not a valid name for a shader file.`);
     all.set(`${SHADERS_FOLDER}/${name}`, text);
   }
   return all;
@@ -81,6 +106,7 @@ export async function listAssets(root: string): Promise<OpenProject['assetFiles'
     for (const entry of await readdir(await resolveInside(root, folder), { withFileTypes: true }).catch(() => [])) {
       if (entry.name.startsWith('.') || !isPlainName(entry.name)) continue;
       const path = `${folder}/${entry.name}`;
+      if (path.length > MAX_PATH_LENGTH) continue;
       if (entry.isDirectory()) await walk(path);
       else if (entry.isFile()) {
         const file = await lstat(join(root, path)).catch(() => null);
@@ -100,7 +126,9 @@ export async function listChunkFolders(root: string): Promise<string[]> {
   // The list grows while it is walked.
   for (const folder of folders) {
     const entries = await readdir(await resolveInside(root, folder), { withFileTypes: true }).catch(() => []);
-    folders.push(...entries.filter((entry) => entry.isDirectory()).map(({ name }) => `${folder}/${name}`));
+    const inside = entries.filter((entry) => entry.isDirectory()).map(({ name }) => `${folder}/${name}`);
+    // What can hold no chunk is passed over: with it, folders that nest without end.
+    folders.push(...inside.filter((path) => isChunkFile(`${path.slice(SHADERS_FOLDER.length + 1)}/a.glsl`)));
   }
   return folders;
 }
@@ -122,21 +150,11 @@ async function listNames(root: string, folder: string): Promise<string[]> {
   }
 }
 
-/** Null where there is no such file. The size is asked before a byte is read. */
-async function readText(root: string, path: string, maxBytes: number): Promise<string | null> {
+/** Null where there is no such file. */
+async function readProjectText(root: string, path: string, maxBytes: number): Promise<string | null> {
   const absolute = await resolveInside(root, path);
-  try {
-    const file = await open(absolute, constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0));
-    try {
-      const { size } = await file.stat();
-      if (size > maxBytes)
-        throw refusal('SCR005', `${path} has ${Math.round(size / 2 ** 20)} MB; at most ${maxBytes / 2 ** 20} MB can be read.`);
-      return await file.readFile('utf8');
-    } finally {
-      await file.close();
-    }
-  } catch (error) {
+  return readText(absolute, maxBytes).catch((error: unknown) => {
     if (errorCode(error) === 'ENOENT') return null;
     throw errorCode(error) === undefined ? error : readRefusal(error, absolute);
-  }
+  });
 }

@@ -1,18 +1,32 @@
-import { readFile, stat } from 'node:fs/promises';
-import { MAX_COPIED_BYTES } from '../contract/contract.ts';
+import { MAX_ASSET_BYTES, MAX_COPIED_BYTES } from '../contract/contract.ts';
+import { HostError } from '../contract/host-error.ts';
 import { resolveInside } from './confine.ts';
 import { errorCode, readRefusal, refusal } from './file-errors.ts';
 import { ASSETS_FOLDER } from './project-files.ts';
+import { NotAFileError, readBytes, TooLargeError } from './read-file.ts';
+
+/**
+ * The bytes of a file that a program uses. Rejects with an `Error` in plain words, which name no folder of this machine.
+ */
+export async function readAssetFile(root: string, path: string): Promise<Uint8Array<ArrayBuffer>> {
+  try {
+    return await readBytes(await resolveInside(root, path), MAX_ASSET_BYTES);
+  } catch (error) {
+    if (error instanceof HostError) throw new Error(error.diagnostic.message);
+    if (error instanceof NotAFileError) throw new Error(`it is ${error.what}, not a file`);
+    if (error instanceof TooLargeError) throw new Error(`it has more than ${MAX_ASSET_BYTES / 2 ** 20} MB`);
+    throw new Error(errorCode(error) === 'ENOENT' ? 'there is no such file' : (errorCode(error) ?? String(error)));
+  }
+}
 
 /** The bytes of a file below `assets/`. Throws SCR031 for anything else and SCR005 for what is too large to be copied as text. */
 export async function readAsset(root: string, path: string): Promise<Uint8Array> {
-  if (!path.startsWith(`${ASSETS_FOLDER}/`)) throw refusal('SCR031', `${path} is no asset of the project.`);
+  if (!path.startsWith(`${ASSETS_FOLDER}/`)) throw refusal('SCR031', `${path} is not an asset of the project.`);
   const file = await resolveInside(root, path);
   try {
-    const { size } = await stat(file);
-    if (size > MAX_COPIED_BYTES) throw refusal('SCR005', `${path} is too large to be copied to another project.`);
-    return await readFile(file);
+    return await readBytes(file, MAX_COPIED_BYTES);
   } catch (error) {
+    if (error instanceof TooLargeError) throw refusal('SCR005', `${path} is too large to be copied to another project.`);
     throw errorCode(error) === undefined ? error : readRefusal(error, path);
   }
 }

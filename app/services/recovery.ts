@@ -1,18 +1,22 @@
-import { lstat, readFile } from 'node:fs/promises';
+import { lstat } from 'node:fs/promises';
 import { join } from 'node:path';
 import type { ProjectFiles } from '../contract/contract.ts';
 import { resolveInside } from './confine.ts';
 import type { FileLayer } from './file-layer.ts';
 import { isGone, OWNER, OWNER_PATTERN } from './owner.ts';
 import { revisionOf } from './project-files.ts';
+import { readText } from './read-file.ts';
 import { ensureScrimFolder, listScrimFolder, SCRIM_FOLDER, temporaryIn } from './scrim-folder.ts';
 
 /** Each window keeps its own, so that two on one project never take each other's away. */
 const UNSAVED = new RegExp(`^unsaved-(${OWNER_PATTERN})-([0-9a-f]+)\\.json$`);
 
+/** What a message can hold at most. */
+const MAX_UNSAVED_BYTES = 512 * 2 ** 20;
+
 /** Keeps unsaved work beside the project, where it survives a crash; null forgets it. */
-export async function keepUnsaved(root: string, handle: string, work: ProjectFiles | null, files: FileLayer): Promise<void> {
-  const target = await resolveInside(root, pathOf(handle));
+export async function keepUnsaved(root: string, projectId: string, work: ProjectFiles | null, files: FileLayer): Promise<void> {
+  const target = await resolveInside(root, pathOf(projectId));
   if (work === null) {
     await files.remove(target);
     return;
@@ -30,45 +34,45 @@ export async function keepUnsaved(root: string, handle: string, work: ProjectFil
 
 /**
  * The newest unsaved work that no living window minds and that differs from what is saved, or null. It is taken over: from now
- * on it is what the window `handle` has unsaved. `isMinded` tells of windows of this process. Older work stays for the next time.
+ * on it is what the window `projectId` has unsaved. `isMinded` tells of windows of this process. Older work stays for the next time.
  */
 export async function takeOverUnsaved(
   root: string,
-  handle: string,
+  projectId: string,
   saved: ProjectFiles,
-  isMinded: (handle: string) => boolean,
+  isMinded: (projectId: string) => boolean,
   files: FileLayer,
 ): Promise<ProjectFiles | null> {
   for (const name of await abandoned(root, isMinded)) {
     const path = join(root, SCRIM_FOLDER, name);
-    const work = parse(await readFile(await resolveInside(root, `${SCRIM_FOLDER}/${name}`), 'utf8').catch(() => ''));
+    const work = parse(await readText(await resolveInside(root, `${SCRIM_FOLDER}/${name}`), MAX_UNSAVED_BYTES).catch(() => ''));
     if (work === null) continue;
     if (revisionOf(work) === revisionOf(saved)) {
       await files.remove(path).catch(() => {});
       continue;
     }
-    await files.rename(path, join(root, pathOf(handle))).catch(() => {});
+    await files.rename(path, join(root, pathOf(projectId))).catch(() => {});
     return work;
   }
   return null;
 }
 
 /** Names of files that no living window minds, newest first. */
-async function abandoned(root: string, isMinded: (handle: string) => boolean): Promise<readonly string[]> {
+async function abandoned(root: string, isMinded: (projectId: string) => boolean): Promise<readonly string[]> {
   const found: { readonly name: string; readonly touchedMs: number }[] = [];
   for (const name of await listScrimFolder(root)) {
-    const [, owner, handle] = UNSAVED.exec(name) ?? [];
-    if (owner === undefined || handle === undefined) continue;
+    const [, owner, projectId] = UNSAVED.exec(name) ?? [];
+    if (owner === undefined || projectId === undefined) continue;
     const entry = await lstat(join(root, SCRIM_FOLDER, name)).catch(() => null);
     if (!entry?.isFile()) continue;
-    const minded = owner === OWNER ? isMinded(handle) : !isGone(owner, entry.mtimeMs);
+    const minded = owner === OWNER ? isMinded(projectId) : !isGone(owner, entry.mtimeMs);
     if (!minded) found.push({ name, touchedMs: entry.mtimeMs });
   }
   return found.sort((a, b) => b.touchedMs - a.touchedMs).map(({ name }) => name);
 }
 
-function pathOf(handle: string): string {
-  return `${SCRIM_FOLDER}/unsaved-${OWNER}-${handle}.json`;
+function pathOf(projectId: string): string {
+  return `${SCRIM_FOLDER}/unsaved-${OWNER}-${projectId}.json`;
 }
 
 /** The file is written whole or not at all, but people's tools may have touched it. */

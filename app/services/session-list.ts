@@ -1,6 +1,10 @@
-import { readdir, readFile } from 'node:fs/promises';
+import { readdir } from 'node:fs/promises';
 import { join } from 'node:path';
 import { resolveInside } from './confine.ts';
+import { readText } from './read-file.ts';
+
+/** Sessions that are recorded have some hundred kilobytes of poses for each minute. */
+export const MAX_SESSION_BYTES = 64 * 2 ** 20;
 
 /** A recorded session: a folder with `session.json`. */
 export interface RecordedSession {
@@ -19,7 +23,7 @@ export async function findSessions(parent: string): Promise<RecordedSession[]> {
 }
 
 async function readSession(parent: string, name: string): Promise<RecordedSession | null> {
-  const text = await readFile(await resolveInside(parent, `${name}/session.json`), 'utf8').catch(() => null);
+  const text = await readText(await resolveInside(parent, `${name}/session.json`), MAX_SESSION_BYTES).catch(() => null);
   return text === null ? null : { name, title: titleOf(text) ?? name, folder: join(parent, name) };
 }
 

@@ -3,12 +3,13 @@ import type { Browser } from 'playwright-core';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import { HostError } from '../contract/host-error.ts';
 import type { Chromium } from './chromium.ts';
+import { endWithProcess } from './end-with-process.ts';
 
 export const NO_BROWSER: Diagnostic = {
   code: 'SCR071',
   severity: 'error',
   message: 'No browser was found to render with.',
-  fix: 'Install Chromium or Chrome, or name its program in SCRIM_CHROMIUM.',
+  fix: 'Install Chromium or Chrome, or set SCRIM_CHROMIUM to the path of a browser.',
 };
 
 /** Chromium has been seen to end while it started, for a reason that is not known: it is started once more. */
@@ -20,11 +21,13 @@ export async function startBrowser(found: Chromium, more: readonly string[] = []
   const { chromium } = await import('playwright-core');
   for (let start = 1; ; start++) {
     try {
-      return await chromium.launch({
+      const browser = await chromium.launch({
         executablePath: found.executablePath,
         args: [...found.args, ...more],
         env: { ...process.env, ...found.env } as Record<string, string>,
       });
+      await endWithProcess(browser);
+      return browser;
     } catch (error) {
       const told = error instanceof Error ? error.message : String(error);
       if (start < STARTS && /has been closed/.test(told)) continue;

@@ -47,7 +47,7 @@ export interface NewProjectJob {
 export async function createProject({ templatesDir, template, path, files }: NewProjectJob): Promise<string> {
   const known = await findTemplates(templatesDir);
   if (!known.some(({ name }) => name === template)) {
-    throw refusal('SCR073', `There is no template ${JSON.stringify(template)}.`, `There are ${known.map(({ name }) => name).join(', ')}.`);
+    throw refusal('SCR073', `Unknown template ${JSON.stringify(template)}.`, `Choose one of ${known.map(({ name }) => name).join(', ')}.`);
   }
   const project: Project = { ...(await readTemplate(templatesDir, template)), title: titleFor(path) };
   return fillEmptyFolder(path, files, async (root) => {

@@ -145,7 +145,7 @@ describe('a save of several files', () => {
     await mkdir(join(root, '.scrim'));
     const journal = { direction: 'forward', staging: '.scrim/save-0123456789ab', changes: [{ path: '../x', action: 'remove', had: true }] };
     await writeFile(join(root, '.scrim', 'save.json'), JSON.stringify(journal));
-    await expect(finishInterrupted(root, NODE_FILES)).rejects.toThrow(/out of the project/);
+    await expect(finishInterrupted(root, NODE_FILES)).rejects.toThrow(/outside the project folder/);
   });
 });
 

@@ -1,8 +1,11 @@
 import { randomBytes } from 'node:crypto';
-import { lstat, readFile } from 'node:fs/promises';
+import { lstat } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
+import { MAX_ASSET_BYTES } from '../contract/contract.ts';
 import { resolveInside } from './confine.ts';
+import { errorCode } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
+import { readBytes, readText } from './read-file.ts';
 import { ensureScrimFolder, SCRIM_FOLDER } from './scrim-folder.ts';
 
 /** Project path → its new bytes, or null to remove it. */
@@ -25,28 +28,38 @@ interface Change {
 export const JOURNAL_NAME = 'save.json';
 const JOURNAL = `${SCRIM_FOLDER}/${JOURNAL_NAME}`;
 
+/** It names some hundred files. */
+const MAX_JOURNAL_BYTES = 16 * 2 ** 20;
+
 /**
- * Writes several files of a project as one: all of them or none, whether an operation fails or the process dies. Whoever calls
- * holds the project's lock, or has just made its folder.
+ * Writes several files of a project as one: all of them or none, whether an operation fails or the process dies. The caller
+ * holds the project's lock, or has just made its folder. `stillMine` rejects where that lock has been broken: nothing is written then.
  *
  * 1. New bytes go to a staging folder inside `.scrim` and onto the disk; the old files get a second name there.
  * 2. The journal is renamed into place. Before that moment nothing has happened; after it the save will be finished, by
  *    `finishInterrupted` at the next opening if need be.
  * 3. Each new file is renamed over the old one. An error here turns the journal round, and puts the old ones back.
  */
-export async function writeAll(root: string, changes: Changes, files: FileLayer): Promise<void> {
+export async function writeAll(root: string, changes: Changes, files: FileLayer, stillMine = async () => {}): Promise<void> {
   if (changes.size === 0) return;
   for (const path of changes.keys()) await resolveInside(root, path);
   await ensureScrimFolder(root, files);
   const staging = `${SCRIM_FOLDER}/save-${randomBytes(6).toString('hex')}`;
   let journal: Journal | null = null;
   try {
-    journal = { direction: 'forward', staging, changes: await stage(root, staging, changes, files) };
-    await writeJournal(root, journal, files);
+    const forward: Journal = { direction: 'forward', staging, changes: await stage(root, staging, changes, files) };
+    const draft = await draftJournal(root, forward, files);
+    await stillMine();
+    journal = forward;
+    await placeJournal(root, draft, files);
     await finish(root, journal, files);
   } catch (error) {
-    if (journal) await takeBack(root, journal, files);
-    await forget(root, staging, files);
+    if (journal) {
+      await takeBack(root, journal, files);
+      await forget(root, staging, files);
+    }
+    // A journal that is there now is somebody else's.
+    else await files.remove(join(root, staging));
     throw error;
   }
   // All is written: what cannot be tidied away now is no failed save.
@@ -56,13 +69,16 @@ export async function writeAll(root: string, changes: Changes, files: FileLayer)
 /** Where even this fails, the journal stays and the next opening goes on. */
 async function takeBack(root: string, journal: Journal, files: FileLayer): Promise<void> {
   const back: Journal = { ...journal, direction: 'back' };
-  await writeJournal(root, back, files);
+  await placeJournal(root, await draftJournal(root, back, files), files);
   await finish(root, back, files);
 }
 
-/** Ends a save that the process did not live to end. Whoever calls holds the project's lock. */
+/** Ends a save that the process did not live to end. The caller holds the project's lock. */
 export async function finishInterrupted(root: string, files: FileLayer): Promise<void> {
-  const text = await readFile(await resolveInside(root, JOURNAL), 'utf8').catch(() => null);
+  const text = await readText(await resolveInside(root, JOURNAL), MAX_JOURNAL_BYTES).catch((error: unknown) =>
+    // What is no file was put there by no save: it is taken away like a journal that says nothing.
+    errorCode(error) === 'ENOENT' ? null : '',
+  );
   if (text === null) return;
   const journal = parseJournal(text);
   if (journal) {
@@ -91,20 +107,25 @@ async function stage(root: string, staging: string, changes: Changes, files: Fil
 }
 
 /** A second name where the file system has links (FAT has none), else a copy. */
-async function keepOld(target: string, kept: string, files: FileLayer): Promise<void> {
+export async function keepOld(target: string, kept: string, files: FileLayer): Promise<void> {
   try {
     await files.link(target, kept);
   } catch {
-    await files.writeNew(kept, await readFile(target));
+    await files.writeNew(kept, await readBytes(target, MAX_ASSET_BYTES));
   }
 }
 
 let journalCount = 0;
 
-async function writeJournal(root: string, journal: Journal, files: FileLayer): Promise<void> {
-  const temporary = join(root, journal.staging, `journal-${journalCount++}`);
-  await files.writeNew(temporary, new TextEncoder().encode(JSON.stringify(journal)));
-  await files.rename(temporary, join(root, JOURNAL));
+/** Answers with where it lies until it is in force. */
+async function draftJournal(root: string, journal: Journal, files: FileLayer): Promise<string> {
+  const draft = join(root, journal.staging, `journal-${journalCount++}`);
+  await files.writeNew(draft, new TextEncoder().encode(JSON.stringify(journal)));
+  return draft;
+}
+
+async function placeJournal(root: string, draft: string, files: FileLayer): Promise<void> {
+  await files.rename(draft, join(root, JOURNAL));
   await files.syncFolder(join(root, SCRIM_FOLDER));
 }
 

@@ -1,6 +1,7 @@
 import { type FSWatcher, watch } from 'node:fs';
 import { join } from 'node:path';
 import type { ProjectFiles } from '../contract/contract.ts';
+import type { FileLayer } from './file-layer.ts';
 import {
   CHUNKS_FOLDER,
   LAYOUT_FILE,
@@ -30,7 +31,7 @@ export interface ProjectWatch {
  * compares with the revision it wrote itself. A folder in the middle of a change (a file gone for a moment, or empty) is left
  * for the next event.
  */
-export function watchProject(root: string, onRevision: (revision: string) => void): ProjectWatch {
+export function watchProject(root: string, files: FileLayer, onRevision: (revision: string) => void): ProjectWatch {
   let timer: NodeJS.Timeout | undefined;
   let disposed = false;
   /** Files that were empty when the folder was last told of. */
@@ -49,27 +50,27 @@ export function watchProject(root: string, onRevision: (revision: string) => voi
     follow(SHADERS_FOLDER, touchShader);
     const folders = await listChunkFolders(root).catch((): string[] => []);
     for (const folder of folders) follow(folder, touchShader);
-    // A folder that is made anew under the same name is another one.
+    // A watcher does not follow a folder that is deleted and created again, so watchers of missing folders are closed.
     for (const [path, watcher] of watchers) if (path.startsWith(CHUNKS_FOLDER) && !folders.includes(path)) watcher.close();
   };
 
   const read = async () => {
     // Another process is in the middle of a save: half of it would be taken for a change of its own.
-    if (await isLocked(root)) {
+    if (await isLocked(root, files)) {
       if (!disposed) touch();
       return;
     }
     await followShaders();
-    const files = await readProjectFiles(root).catch(() => null);
-    if (!files || disposed) return;
-    const emptyNow = emptyFiles(files);
+    const texts = await readProjectFiles(root).catch(() => null);
+    if (!texts || disposed) return;
+    const emptyNow = emptyFiles(texts);
     if (emptyNow.some((path) => !empty.includes(path)) && looks++ < LOOKS_AT_EMPTY) {
       touch();
       return;
     }
     looks = 0;
     empty = emptyNow;
-    onRevision(revisionOf(files));
+    onRevision(revisionOf(texts));
   };
   const readAfter = (ms: number) => {
     clearTimeout(timer);

@@ -10,5 +10,5 @@ export function wholePath(path: string, code: 'SCR004' | 'SCR060'): string {
   const typed = path.trim();
   const whole = typed === '~' || /^~[/\\]/.test(typed) ? join(homedir(), typed.slice(1)) : typed;
   if (isAbsolute(whole)) return whole;
-  throw refusal(code, `${path} is not a whole path.`, `Begin with ${join(homedir(), path)}, or with ~/.`);
+  throw refusal(code, `${path} is not a full path.`, `Enter a full path, such as ${join(homedir(), path)}.`);
 }

@@ -9,7 +9,7 @@ import { openWindow, startHost, stopHosts } from '../../tests/support/host-kit.t
 import type { HostEvent, HostOutput } from '../contract/contract.ts';
 import { type FileLayer, NODE_FILES } from './file-layer.ts';
 import type { HostService } from './host.ts';
-import { OWNER } from './owner.ts';
+import { OWNER, ownerOf } from './owner.ts';
 
 let base = '';
 let project = '';
@@ -107,7 +107,7 @@ test('what reloaded pages left open makes room, what a window shows stays open',
 });
 
 describe('two processes on one project', () => {
-  test('saves take turns: of many at once each is whole, and the later ones are told of the earlier', async () => {
+  test('saves take turns: each of many at once is complete, and the later ones report the earlier', async () => {
     const windows = Array.from({ length: 6 }, (_, i) => openWindow(startHost(), `w${i}`));
     const opened = await Promise.all(windows.map((window) => window.call('project.open', { path: project })));
     const outcomes = await Promise.all(
@@ -137,7 +137,7 @@ describe('two processes on one project', () => {
   test('what a living process has unsaved, or shows, is its own; what a dead one left is not', async () => {
     const { NODE_OPTIONS: _, ...env } = process.env;
     const child = spawn(process.execPath, ['-e', 'setInterval(() => {}, 1000)'], { env, stdio: 'ignore' });
-    const owner = OWNER.replace(/-\d+-/, `-${child.pid}-`);
+    const owner = ownerOf(child.pid ?? 0);
     const work = { project: '{"title":"Unsaved"}\n', layout: null, sources: {} };
     await mkdir(join(project, '.scrim'));
     const unsaved = join(project, '.scrim', `unsaved-${owner}-${'a'.repeat(32)}.json`);
@@ -159,7 +159,7 @@ describe('two processes on one project', () => {
     const lock = join(project, '.scrim', 'lock');
     await writeFile(lock, OWNER.replace(/-\d+-/, '-999999999-'));
     const { revision: next } = await window.call('project.save', { handle, files: retitled(files, 'Two'), revision, overwrite: false });
-    await writeFile(lock, OWNER.replace(/-\d+-/, `-${process.ppid}-`));
+    await writeFile(lock, ownerOf(process.ppid));
     let saved = false;
     const save = window.call('project.save', { handle, files: retitled(files, 'Three'), revision: next, overwrite: false });
     void save.then(() => {
@@ -171,6 +171,84 @@ describe('two processes on one project', () => {
     await save;
     expect(await readFile(join(project, 'project.scrim.json'), 'utf8')).toBe('{"title":"Three"}\n');
   });
+});
+
+describe('a lock that was left', () => {
+  const AHEAD_MS = 24 * 3600 * 1000;
+  const elsewhere = OWNER.replace(/^[0-9a-f]{8}/, '00000000');
+  const reused = OWNER.replace(/-\d+-\d+$/, `-${process.ppid}-1`);
+  const running = () => ownerOf(process.ppid);
+
+  test.each([
+    ['of another machine', () => elsewhere, -61_000],
+    ['of another machine, dated in the future', () => elsewhere, AHEAD_MS],
+    ['of a process that runs, and does not touch it', running, -61_000],
+    ['of a process whose number another one has now', () => reused, 0],
+    ['with nothing in it', () => '', -61_000],
+  ])('is broken by the next save, and opens before: %s', async (_name, owner, ageMs) => {
+    const window = openWindow(startHost(), 'a');
+    await mkdir(join(project, '.scrim'));
+    const lock = join(project, '.scrim', 'lock');
+    await writeFile(lock, owner());
+    const date = new Date(Date.now() + ageMs);
+    await utimes(lock, date, date);
+    const { handle, files, revision } = await window.call('project.open', { path: project });
+    await writeFile(lock, owner());
+    await utimes(lock, date, date);
+    await window.call('project.save', { handle, files: retitled(files, 'Two'), revision, overwrite: false });
+    expect(await readFile(join(project, 'project.scrim.json'), 'utf8')).toBe('{"title":"Two"}\n');
+    expect((await readdir(join(project, '.scrim'))).filter((name) => /^(?:lock|save|temp)/.test(name))).toEqual([]);
+  });
+
+  test('and broken while a save is under way: that save writes nothing, and leaves the lock to its new holder', async () => {
+    const lock = join(project, '.scrim', 'lock');
+    const breaking: FileLayer = {
+      ...NODE_FILES,
+      writeNew: async (path, bytes) => {
+        await NODE_FILES.writeNew(path, bytes);
+        if (/save-[0-9a-f]+.journal/.test(path)) await writeFile(lock, elsewhere);
+      },
+    };
+    const window = openWindow(startHost(breaking), 'a');
+    const { handle, files, revision } = await window.call('project.open', { path: project });
+    const save = window.call('project.save', { handle, files: retitled(files, 'Two'), revision, overwrite: false });
+    await expect(save).rejects.toMatchObject({ diagnostic: { code: 'SCR066' } });
+    expect(await readFile(join(project, 'project.scrim.json'), 'utf8')).toBe('{"title":"First"}\n');
+    expect(await readFile(lock, 'utf8')).toBe(elsewhere);
+    expect((await readdir(join(project, '.scrim'))).filter((name) => /^(?:save|temp)/.test(name))).toEqual([]);
+  });
+});
+
+test('saving over a folder removes nothing that somebody else added, and keeps what it replaced', async () => {
+  await writeFile(join(project, 'shaders', 'mine.fs'), 'mine');
+  const window = openWindow(startHost(), 'a');
+  const { handle, files, revision } = await window.call('project.open', { path: project });
+  await writeFile(join(project, 'shaders', 'theirs.fs'), 'theirs');
+  await writeFile(join(project, 'project.scrim.json'), '{"title":"Theirs"}\n');
+  const next = { ...retitled(files, 'Mine'), sources: {} };
+  const saved = await window.call('project.save', { handle, files: next, revision, overwrite: true });
+  expect(await readdir(join(project, 'shaders'))).toEqual(['theirs.fs']);
+  expect(saved.kept).toMatch(/^\.scrim\/replaced-/);
+  const kept = join(project, saved.kept ?? '');
+  expect(await readFile(join(kept, 'project.scrim.json'), 'utf8')).toBe('{"title":"Theirs"}\n');
+  expect(await readFile(join(kept, 'shaders', 'mine.fs'), 'utf8')).toBe('mine');
+  // The next save, which nobody has asked to write over anything, leaves it alone as well.
+  await window.call('project.save', { handle, files: retitled(next, 'Again'), revision: saved.revision, overwrite: false });
+  expect(await readdir(join(project, 'shaders'))).toEqual(['theirs.fs']);
+});
+
+test('a project folder that is gone is reported as missing, and not created again', async () => {
+  const window = openWindow(startHost(), 'a');
+  const { handle, files, revision } = await window.call('project.open', { path: project });
+  await rm(project, { recursive: true });
+  const gone = { diagnostic: { code: 'SCR067', message: expect.stringContaining(`${project} is missing`) } };
+  for (const overwrite of [false, true]) {
+    await expect(window.call('project.save', { handle, files, revision, overwrite })).rejects.toMatchObject(gone);
+  }
+  await expect(window.call('project.autosave', { handle, files })).rejects.toMatchObject(gone);
+  expect(await readdir(base)).toEqual([]);
+  await window.call('project.save-as', { handle, path: join(base, 'again'), files });
+  expect(await readFile(join(base, 'again', 'project.scrim.json'), 'utf8')).toBe(files.project);
 });
 
 describe('changes from outside', () => {

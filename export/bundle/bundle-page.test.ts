@@ -3,7 +3,7 @@ import { resolve } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
 import { packGlb } from '../gltf/pack-glb.ts';
 import { PROGRAM_VERSION, type Program } from '../program/program.ts';
-import { sessionInit } from '../runtime/sessions/webxr/features.ts';
+import { sessionInit } from '../runtime/sessions/webxr/session-init.ts';
 import { type BundleInput, bundlePage } from './bundle-page.ts';
 import type { ExportReport } from './report.ts';
 
@@ -234,7 +234,7 @@ describe('a bundled page', () => {
     ];
     expect(page.output?.credits).toEqual(credits);
     const text = page.text(/^LICENSES\.txt$/);
-    for (const word of ['Waves\n  Credit: Ada\n  Licence: CC BY-NC-SA 3.0', 'my picture.png\n  Credit: Bob', 'unused.glb\n  Credit: © Cy'])
+    for (const word of ['Waves\n  Credit: Ada\n  License: CC BY-NC-SA 3.0', 'my picture.png\n  Credit: Bob', 'unused.glb\n  Credit: © Cy'])
       expect(text).toContain(word);
     expect(page.text(/^program-.*\.json$/)).not.toContain('Ada');
     expect(page.diagnostics).toMatchObject([{ code: 'SCR046', severity: 'warning', nodeId: 'waves-a' }]);

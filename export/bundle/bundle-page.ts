@@ -1,22 +1,22 @@
 import type { Result } from '../../nodes/kit/diagnostics.ts';
 import { asksOf } from '../page/needs-text.ts';
 import type { Program } from '../program/program.ts';
-import type { AssetCache } from './assets/asset-cache.ts';
+import { webXrFeatures } from '../program/webxr-features.ts';
+import type { AssetCache } from './assets/model-cache.ts';
 import { type PreparedAsset, type PreparedAssets, prepareAssets } from './assets/prepare-assets.ts';
-import { bundleScript, bundleStyle, type Script } from './bundle-script.ts';
-import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './credits.ts';
+import { bundleScript, bundleStyle, type Script } from './bundle-page-script.ts';
 import type { FileSink } from './file-sink.ts';
 import { hashedName } from './hashed-name.ts';
+import { LICENCES_FILE, licencesText, licenceWarnings, type PageCredit, pageCredits } from './page-credits.ts';
 import { layOutFiles, layOutSingleFile, type PageFile, toBytes } from './page-layout.ts';
 import { neutralPoster, type PosterPicture } from './poster.ts';
 import { programUse } from './program-use.ts';
 import { type ExportReport, makeReport, REPORT_FILE, type ReportedFile, sizesOf } from './report.ts';
-import { webXrFeatures } from './webxr-features.ts';
 
 export interface BundleInput {
   readonly program: Program;
   readonly page: { readonly description: string; readonly language: string };
-  /** Names and versions whoever made the page: `Scrim 0.1.0`. */
+  /** Name and version of the program that made the page: `Scrim 0.1.0`. */
   readonly generator: string;
   /** Absolute folder with Scrim's sources and `node_modules`. */
   readonly root: string;
@@ -27,7 +27,7 @@ export interface BundleInput {
   readonly compress?: boolean;
   /** Keeps compressed models between exports. */
   readonly cache?: AssetCache;
-  /** Hears what takes its time. */
+  /** Receives progress texts. */
   readonly say?: (text: string) => void;
   /** A picture of the project, `POSTER_SIZE`; a neutral one takes its place. */
   readonly poster?: PosterPicture | null;

@@ -40,8 +40,8 @@ export function neutralPoster(): PosterPicture {
       const cloth = (0.25 + 0.75 * fold) * (0.35 + 0.65 * glow * glowY);
       const light = glow * glowY * (0.15 + 0.27 * fold);
       for (const [dark, pale, warm] of CHANNELS) {
-        const grey = dark + (pale - dark) * cloth;
-        data[at++] = Math.round(grey + (warm - grey) * light);
+        const gray = dark + (pale - dark) * cloth;
+        data[at++] = Math.round(gray + (warm - gray) * light);
       }
     }
   }

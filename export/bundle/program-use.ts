@@ -2,7 +2,7 @@ import type { Program, ProgramAsset } from '../program/program.ts';
 
 /** What of Scrim a program needs beside it. */
 export interface ProgramUse {
-  /** Node types whose behaviour is played, sorted. */
+  /** Node types whose behavior is played, sorted. */
   readonly nodeTypes: readonly string[];
   /** Whether three.js is needed. */
   readonly scenes: boolean;

@@ -1,8 +1,8 @@
 import { gzipSync } from 'node:zlib';
 import type { Program, ProgramAsset, ProgramNeed, Tier } from '../program/program.ts';
+import type { WebXrFeatures } from '../program/webxr-features.ts';
 import type { ReportedAsset } from './assets/prepare-assets.ts';
-import type { PageCredit } from './credits.ts';
-import type { WebXrFeatures } from './webxr-features.ts';
+import type { PageCredit } from './page-credits.ts';
 
 export type FileKind = 'page' | 'script' | 'style' | 'offline' | 'poster' | 'program' | 'decoder' | 'licences' | ProgramAsset['kind'];
 

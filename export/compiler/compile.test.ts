@@ -250,6 +250,6 @@ describe('what cannot be compiled', () => {
       .add('video-a', 'source/camera-video')
       .add('screen-a', 'output/screen')
       .wire('video-a.layer -> screen-a.layer');
-    expect(problems(bomb)).toMatchObject([{ code: 'SCR020', severity: 'error' }]);
+    expect(problems(bomb)).toMatchObject([{ code: 'SCR026', severity: 'error' }]);
   });
 });

@@ -3,22 +3,22 @@ import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnos
 import { type ProjectLibrary, projectLibrary } from '../graph/library/project-library.ts';
 import type { ProjectLogic } from '../graph/project.ts';
 import type { Program } from '../program/program.ts';
-import { check } from './check/check.ts';
+import { check } from './check/check-resolved.ts';
 import type { FlatGraph } from './flat-graph.ts';
 import { link } from './link/link.ts';
-import { print } from './print/print.ts';
+import { print } from './print/print-program.ts';
 import { resolve } from './resolve/resolve.ts';
 import { schedule } from './schedule/schedule.ts';
 import { createShaderStore } from './shaders/shader-store.ts';
 
 export interface CompileOptions {
-  /** Layers to look at, as `node.port`; those that are not there are left out of `program.taps`. */
+  /** Layers to view, as `node.port`; missing ones are left out of `program.taps`. */
   readonly taps?: readonly string[];
-  /** Bound the loops of shaders (design §8): for previews, never for exports. */
+  /** Bound the loops of shaders (docs/adr/0012): for previews, never for exports. */
   readonly loopBudget?: boolean;
-  /** Keep what maps printed lines to the authors'; true when left out. */
+  /** Keep the source maps of shaders; true by default. */
   readonly sourceMaps?: boolean;
-  /** Tell of nodes that nothing on screen depends on (SCR021). */
+  /** Report nodes that the output does not depend on (SCR021). */
   readonly reportUnused?: boolean;
 }
 
@@ -34,10 +34,14 @@ export interface Compiler {
 }
 
 /**
- * Compiles one project after the other, reading each shader text once. The output is null where there are errors.
+ * Creates a compiler that reads each shader text once over several projects.
  *
- * Every uniform param that can be set while the program runs is in `program.slots.params`. One that is not there either does
- * nothing for the picture or decided how it is drawn (the opacity of an `over` that blending stands for): compile again.
+ * Every uniform param that can be set while the program runs is in `program.slots.params`. A param that is missing there either
+ * has no effect on the render or is compiled in (the opacity of an `over` that blending replaces): compile again to change it.
+ *
+ * @example
+ * const compiler = createCompiler();
+ * const { output, diagnostics } = compiler.compile({ project, library, options: { loopBudget: true } });
  */
 export function createCompiler(): Compiler {
   const shaders = createShaderStore();
@@ -63,6 +67,11 @@ export function createCompiler(): Compiler {
   };
 }
 
+/**
+ * Compiles one project. Use `createCompiler` to compile repeatedly.
+ *
+ * @returns The program, or null with at least one error.
+ */
 export function compile(input: CompileInput): Result<Program> {
   return createCompiler().compile(input);
 }
@@ -83,7 +92,7 @@ function unusedNodes({ nodes }: FlatGraph, live: readonly { readonly id: string 
   return [...nodes.keys()].sort().flatMap((nodeId): Diagnostic[] => {
     if (used.has(nodeId)) return [];
     return [
-      { code: 'SCR021', severity: 'info', nodeId, message: `Nothing on screen depends on ${nodeId}.`, fix: 'Wire it, or delete it.' },
+      { code: 'SCR021', severity: 'info', nodeId, message: `Nothing on screen depends on ${nodeId}.`, fix: 'Connect it, or delete it.' },
     ];
   });
 }

@@ -1,10 +1,12 @@
 import type { CpuOperation, DrawOperation, Operation, PassOperation, Program } from '../program/program.ts';
-import { bindingInWords, needInWords, tierInWords } from './plan-words.ts';
+import { bindingInWords, needInWords, tierInWords } from './describe-terms.ts';
 import { REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
 /**
- * A program in words, for `scrim plan`: how it reaches the screen, what is drawn in which order, what is kept in pictures and how
- * large they are, what is asked of the visitor and why, and what is lost where it is refused.
+ * Describes a program in words, for `scrim plan`: how it reaches the screen, its operations in order, its render targets and their
+ * sizes, the features it requests and why, and what is lost where one is refused.
+ *
+ * @param reference Size of a view in pixels, for sizes in pixels and bytes.
  */
 export function describeProgram(program: Program, reference: ReferenceSize = REFERENCE_SIZE): string {
   const { operations, needs, tiers, assets, taps } = program;
@@ -14,7 +16,7 @@ export function describeProgram(program: Program, reference: ReferenceSize = REF
   const lines = [
     program.title === '' ? 'Untitled' : program.title,
     presentation(program),
-    ...section('Once a frame', run('once')),
+    ...section('Once per frame', run('once')),
     ...section('Per view', run('each')),
     '',
     ...pictures(program, reference),
@@ -29,15 +31,15 @@ export function describeProgram(program: Program, reference: ReferenceSize = REF
           'Files',
           assets.map(({ path, kind }) => `${path} (${kind})`),
         )),
-    ...(Object.keys(taps).length === 0 ? [] : section('Looked at', Object.keys(taps))),
+    ...(Object.keys(taps).length === 0 ? [] : section('Viewed layers', Object.keys(taps))),
   ];
   return `${lines.join('\n')}\n`;
 }
 
 function presentation({ presentation: { mode, antialias, background } }: Program): string {
-  const how = mode === 'forward' ? 'straight into the session’s framebuffer, without pictures in between' : 'by way of pictures';
-  const behind = background === 'world' ? 'the world' : `the colour ${background.join(' ')}`;
-  return `Drawn ${how}; behind it ${behind}; ${antialias ? 'with' : 'without'} multisampling on the screen.`;
+  const how = mode === 'forward' ? 'directly into the session’s framebuffer, without render targets' : 'through render targets';
+  const behind = background === 'world' ? 'the world' : `the color ${background.join(' ')}`;
+  return `Drawn ${how}; the background is ${behind}; ${antialias ? 'with' : 'without'} multisampling on the screen.`;
 }
 
 function list(lines: readonly string[]): string[] {
@@ -58,7 +60,7 @@ function describeOperation(operation: Operation, program: Program): string {
       return bindingInWords(operation) ?? `${operation.id}: computes ${Object.keys(operation.outputs).join(', ')} (${operation.type})`;
     case 'source':
       return `${operation.id}: brings ${operation.writes.join(', ')} (${operation.type})`;
-    case 'behaviour':
+    case 'behavior':
     case 'geometry':
       return `${operation.id}: makes ${operation.writes.join(', ')} (${operation.type})`;
   }
@@ -75,34 +77,34 @@ function describeDraw({ id, type, target, shadowMaps, occlusion }: DrawOperation
   const parts = [
     `${id}: draws objects ${target === 'screen' ? 'onto the screen' : `into ${target}`}`,
     ...(shadowMaps === null ? [] : [`with ${shadowMaps}`]),
-    ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer, by ${occlusion.node}`]),
+    ...(occlusion === null ? [] : [`hidden where ${occlusion.roomDepth} is nearer (${occlusion.node})`]),
   ];
   return `${parts.join(', ')} (${type})`;
 }
 
 function describeCpu({ id, type, picture, target }: CpuOperation): string {
-  return `${id}: sends ${picture} to a worker, and draws what came back of an earlier one into ${target} (${type})`;
+  return `${id}: sends ${picture} to a worker and draws the result of an earlier frame into ${target} (${type})`;
 }
 
 function pictures(program: Program, reference: ReferenceSize): string[] {
   const targets = targetsOf(program);
   const total = targets.reduce((sum, target) => sum + (targetBytes(target, program, reference) ?? 0), 0);
-  const heading = `Pictures kept, at ${reference.widthPx}×${reference.heightPx} per view`;
+  const heading = `Render targets, at ${reference.widthPx}×${reference.heightPx} per view`;
   const lines = targets.map((target) => describeTarget(target, program, reference));
   return [total === 0 ? heading : `${heading}: ${inMebibytes(total)}`, ...list(lines)];
 }
 
 function describeTarget(target: Target, program: Program, reference: ReferenceSize): string {
-  if (target.shares !== undefined) return `${target.id}: in the place of ${target.shares}, which is done with by then`;
+  if (target.shares !== undefined) return `${target.id}: reuses the texture of ${target.shares}`;
   const size = targetSize(target, program, reference);
   const bytes = targetBytes(target, program, reference);
   const parts = [
-    size === null ? `as large as ${target.size.base}` : `${size.widthPx}×${size.heightPx}`,
+    size === null ? `size of ${target.size.base}` : `${size.widthPx}×${size.heightPx}`,
     target.format,
     ...(target.depth === 'window' ? ['with depth'] : []),
     ...(target.samples > 1 ? [`${target.samples} samples`] : []),
-    ...(target.lifetime === 'persistent' ? ['kept from frame to frame'] : []),
-    ...(target.domain === 'image' ? ['once for all views'] : []),
+    ...(target.lifetime === 'persistent' ? ['kept between frames'] : []),
+    ...(target.domain === 'image' ? ['one for all views'] : []),
     ...(bytes === null ? [] : [inMebibytes(bytes)]),
   ];
   return `${target.id}: ${parts.join(', ')}`;

@@ -16,7 +16,7 @@ export function targetsOf({ resources }: Program): Target[] {
   return resources.filter((resource): resource is Target => resource.kind === 'target');
 }
 
-/** Null where it depends on the size of a file. */
+/** @returns The size of a target in pixels per view, or null where it depends on the size of a file. */
 export function targetSize(target: Target, { slots }: Program, { widthPx, heightPx }: ReferenceSize): ReferenceSize | null {
   if (target.size.base !== 'view') return null;
   const pixels = (expression: SizeExpression) => {
@@ -30,7 +30,11 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
 const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, rgba16f: 8, rgba32f: 16, r32f: 4 };
 const DEPTH_BYTES_PER_PIXEL = 4;
 
-/** Texture memory of a target per view, or null. Multisampled ones are resolved into a second; persistent ones are two, shared ones none. */
+/**
+ * Texture memory of a target. A multisampled target counts its resolve too, a persistent one counts twice, a shared one not at all.
+ *
+ * @returns Bytes per view, or null where the size depends on a file.
+ */
 export function targetBytes(target: Target, program: Program, reference: ReferenceSize): number | null {
   if (target.shares !== undefined) return 0;
   const size = targetSize(target, program, reference);

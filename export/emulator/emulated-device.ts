@@ -15,8 +15,8 @@ export class EmulatedDevice extends XRDevice {
         controllerConfig: profile.controllers ? metaQuest3.controllerConfig : undefined,
         supportedSessionModes: [...modes] as XRDeviceConfig['supportedSessionModes'],
         supportedFeatures: [...profile.features] as XRDeviceConfig['supportedFeatures'],
-        supportedFrameRates: [60],
-        internalNominalFrameRate: 60,
+        supportedFrameRates: [...profile.frameRates].sort((a, b) => a - b),
+        internalNominalFrameRate: profile.frameRates[0] ?? 60,
         environmentBlendModes: {
           'immersive-ar': profile.blend,
           'immersive-vr': 'opaque',

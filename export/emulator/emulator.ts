@@ -3,38 +3,39 @@ import type { DepthState } from './depth/session-depth.ts';
 import type { Pixels } from './display/composite.ts';
 import type { LightState } from './light/session-light.ts';
 
-/** An installed device, and the hand that moves it. */
+/** The controls of an installed device. Poses are in world space: meters, y up, the floor at y = 0. */
 export interface Emulator {
-  /** iwer's device: controllers, hands and recordings are moved through it. */
+  /** The device of iwer, which controls controllers, hands and recordings. */
   readonly device: XRDevice;
-  /** Takes effect with the next frame. */
+  /** Sets the pose of the head from the next frame on. */
   setPose(pose: HeadPose): void;
   setFovY(fovYRad: number): void;
-  /** The device is turned, or its window changes: layers are of this size from the next frame on, as in Chrome on Android. */
+  /** Rotates the device or resizes its window: layers have this size from the next frame on, as in Chrome on Android. */
   setSize(sizePx: readonly [width: number, height: number]): void;
   /** While false, frames come without a viewer pose. */
   setTracked(tracked: boolean): void;
-  /** From the next frame on: depth as it should be, none, or the last one again and again. */
+  /** From the next frame on: correct depth, no depth, or the last depth in every frame. */
   setDepth(state: DepthState): void;
   /** From the next frame on: what light estimation says. */
   setLight(state: LightState): void;
   /** Moves the room's strongest light, in the room itself and in what is estimated of it: a unit vector towards it; null: back. */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
-  /** The user re-centres: `local` and `local-floor` spaces begin anew where the viewer is, and say so with `reset`. */
+  /** The user re-centers: `local` and `local-floor` spaces begin anew where the viewer is, and say so with `reset`. */
   recenter(): void;
   /** The system ends the session, as a home button does. */
   endSession(): Promise<void>;
 
-  /** A finger on a handheld device's screen; normalised, origin at the top left. */
+  /** A finger on a handheld device's screen; normalized, origin at the top left. */
   press(x: number, y: number): void;
   move(x: number, y: number): void;
   release(): void;
 
-  /** Resolves once the page has a session with a base layer and waits for a frame. */
+  /** Resolves once the page has an immersive session with something to draw into and waits for a frame. */
   frameRequested(): Promise<void>;
   /**
-   * Runs frames of a device with a manual clock, one after the other, with a turn of the event loop after each.
+   * Runs frames of a device with a manual clock, one after the other, with a turn of the event loop after each. Sessions on the page
+   * get one with each, too.
    *
    * @throws Error when there is no session, or the page no longer asks for frames.
    */
@@ -46,11 +47,16 @@ export interface Emulator {
   readRoom(): Pixels;
   /** What the user saw in the last frame. */
   readComposite(): Pixels;
-  /** Distance to the first solid of the room, or null. */
+  /**
+   * Casts a ray into the room.
+   *
+   * @param directionWorld Any length except 0.
+   * @returns Meters to the first surface, or null where the ray hits nothing.
+   */
   measure(originWorld: readonly number[], directionWorld: readonly number[]): number | null;
-  /** What the device holds on its own GPU context, for leak tests. */
+  /** GPU objects of the device's own context, for leak tests. */
   counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
-  /** Ends the session, takes the device out of the page and frees everything. */
+  /** Ends all sessions, removes the device from the page and disposes everything. */
   uninstall(): Promise<void>;
 }
 

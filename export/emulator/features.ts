@@ -1,5 +1,4 @@
-import type { DepthFormat, DepthUsage } from './options.ts';
-import type { DepthProfile } from './profiles.ts';
+import type { DepthFormat, DepthProfile, DepthUsage } from './profiles.ts';
 
 /** The members of `XRSessionInit` that decide what a session gets. */
 export interface SessionWishes {

@@ -4,6 +4,7 @@ import { createBrowserClock } from '../runtime/clock.ts';
 import { createScreen } from './display/screen.ts';
 import { EmulatedDevice } from './emulated-device.ts';
 import type { Emulator, HeadPose } from './emulator.ts';
+import { createReadback } from './emulator-readback.ts';
 import { createFreeSource, createManualSource } from './frame-source.ts';
 import { castRay } from './hit-test/cast-ray.ts';
 import { installGlobals } from './install-globals.ts';
@@ -18,16 +19,19 @@ import {
 } from './options.ts';
 import { P_EMULATED } from './private.ts';
 import { DEVICE_PROFILES } from './profiles.ts';
-import { createReadback } from './readback.ts';
+import { createRoomServices, type OwnedRoomServices } from './room-services.ts';
 import { levelPose, moveOrigin } from './session/emulated-reference-space.ts';
 import type { EmulatedSession } from './session/emulated-session.ts';
-import { grantSession } from './session/grant-session.ts';
-import { createSurroundings, type OwnedSurroundings } from './surroundings.ts';
-import type { World, WorldSettings } from './world.ts';
+import { checkModes, grantSession, type SessionWorld } from './session/grant-session.ts';
+import type { EmulatedRenderState } from './session/render-state.ts';
+import type { WorldSettings } from './world.ts';
 
 /**
- * Puts an emulated WebXR device into this page: `navigator.xr` and the interfaces that go with it, until `uninstall`. The room is
- * made when a session is first requested.
+ * Installs an emulated WebXR device in this page: `navigator.xr` and its interfaces, until `uninstall`. The room is created when the
+ * first session is requested.
+ *
+ * @param options What is left out takes its value from `EMULATOR_DEFAULTS` and the device's profile. Lengths in meters, angles in radians.
+ * @returns The controls of the device.
  *
  * @example
  * const emulator = installEmulator({ device: 'phone', room: 'studio', clock: 'manual' });
@@ -37,29 +41,33 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
   const said = withDefaults<EmulatorOptions, keyof SettledDefaults>(EMULATOR_DEFAULTS, options);
   const profile = DEVICE_PROFILES[said.device];
   const device = new EmulatedDevice(said.device, said.fovYRad ?? profile.fovYRad, said.ipdM, said.modes);
-  let surroundings: OwnedSurroundings | null = null;
-  const world: World = {
+  let roomServices: OwnedRoomServices | null = null;
+  const world: SessionWorld = {
     device,
     profile,
     settings: settle(said),
     frames: said.clock === 'manual' ? createManualSource(said.framesPerSecond) : createFreeSource(said.frameClock ?? createBrowserClock()),
     screen: createScreen(said.container),
     screenInput: device.screenInput,
-    surroundings: () => {
-      surroundings ??= createSurroundings(said.room, said.antialias ?? said.clock === 'free');
-      return surroundings;
+    roomServices: () => {
+      roomServices ??= createRoomServices(said.room, said.antialias ?? said.clock === 'free');
+      return roomServices;
     },
     tracked: true,
     depthState: 'working',
     lightState: 'room',
     session: null,
+    inlineSessions: new Set(),
   };
   const uninstallGlobals = installGlobals(device);
   const system = device[P_DEVICE].xrSystem;
-  if (system) system[P_SYSTEM].grantSession = (request) => grantSession(world, system, request);
+  if (system) {
+    system[P_SYSTEM].grantSession = (request) => grantSession(world, system, request);
+    checkModes(system);
+  }
   // The session's framebuffer is ours, and the page's canvas stays where it is.
   device[P_DEVICE].onBaseLayerSet = () => {};
-  device[P_DEVICE].onSessionEnd = () => endOfSession(world);
+  device[P_DEVICE].onSessionEnd = () => {};
 
   return {
     device,
@@ -79,7 +87,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     setLight: (state) => {
       world.lightState = state;
     },
-    moveLight: (directionWorld) => world.surroundings().moveLight(directionWorld),
+    moveLight: (directionWorld) => world.roomServices().moveLight(directionWorld),
     setVisibility: (state) => device.updateVisibilityState(state as Parameters<EmulatedDevice['updateVisibilityState']>[0]),
     recenter: () => recenter(world),
     endSession: async () => world.session?.end(),
@@ -87,16 +95,17 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     ...createStepping(world),
     ...createReadback(world),
     measure: ([ox = 0, oy = 0, oz = 0], [dx = 0, dy = 0, dz = 0]) => {
-      const { room } = world.surroundings();
+      const { room } = world.roomServices();
       if (!room) return null;
       const hits = castRay(room, new Vector3(ox, oy, oz), new Vector3(dx, dy, dz).normalize(), new Set(['mesh']));
       return hits[0]?.distanceM ?? null;
     },
     uninstall: async () => {
       await world.session?.end();
+      for (const session of [...world.inlineSessions]) await session.end();
       uninstallGlobals();
-      surroundings?.dispose();
-      surroundings = null;
+      roomServices?.dispose();
+      roomServices = null;
     },
   };
 }
@@ -115,17 +124,6 @@ function settle(said: EmulatorOptions & SettledDefaults): WorldSettings {
   };
 }
 
-function endOfSession(world: World): void {
-  const { session } = world;
-  world.frames.stop();
-  world.screenInput.reset();
-  world.screen.hide();
-  if (!session) return;
-  const { depth, disposers } = session[P_EMULATED];
-  depth?.dispose();
-  for (const dispose of disposers.splice(0)) dispose();
-}
-
 const scratchPosition = new Vector3();
 const scratchTurn = new Quaternion();
 const scratchScale = new Vector3();
@@ -141,7 +139,7 @@ function setPose(device: EmulatedDevice, pose: HeadPose): void {
 }
 
 /** iwer moves the head to the middle of the room instead. */
-function recenter({ device, session }: World): void {
+function recenter({ device, session }: SessionWorld): void {
   const state = device[P_DEVICE];
   state.updateViews();
   const origin = levelPose(state.viewerSpace[P_SPACE].offsetMatrix);
@@ -156,7 +154,7 @@ function recenter({ device, session }: World): void {
   state.pendingReferenceSpaceReset = true;
 }
 
-function createTouch(world: World): Pick<Emulator, 'press' | 'move' | 'release'> {
+function createTouch(world: SessionWorld): Pick<Emulator, 'press' | 'move' | 'release'> {
   return {
     press: (x, y) => {
       const root = world.session?.[P_EMULATED].overlayRoot;
@@ -170,15 +168,16 @@ function createTouch(world: World): Pick<Emulator, 'press' | 'move' | 'release'>
   };
 }
 
-function createStepping(world: World): Pick<Emulator, 'frameRequested' | 'stepFrame'> {
+function createStepping(world: SessionWorld): Pick<Emulator, 'frameRequested' | 'stepFrame'> {
   return {
     frameRequested: async () => {
       while (!(world.session && isWaiting(world.session))) await nextTask();
     },
     stepFrame: async (count = 1) => {
       for (let i = 0; i < count; i++) {
-        if (!world.session) throw new Error('There is no session: nothing can be stepped.');
-        if (!isWaiting(world.session)) throw new Error('The page waits for no frame. Await frameRequested() first.');
+        const sessions = world.session ? [world.session] : [...world.inlineSessions];
+        if (sessions.length === 0) throw new Error('There is no session: nothing can be stepped.');
+        if (!sessions.some(isWaiting)) throw new Error('The page waits for no frame. Await frameRequested() first.');
         world.frames.step();
         await nextTask();
       }
@@ -188,7 +187,8 @@ function createStepping(world: World): Pick<Emulator, 'frameRequested' | 'stepFr
 
 function isWaiting(session: EmulatedSession): boolean {
   const { ended, frameCallbacks, pendingRenderState, renderState } = session[P_SESSION];
-  return !ended && frameCallbacks.length > 0 && (pendingRenderState ?? renderState).baseLayer !== null;
+  const { baseLayer, layers } = (pendingRenderState ?? renderState) as EmulatedRenderState;
+  return !ended && frameCallbacks.length > 0 && (baseLayer !== null || layers.length > 0);
 }
 
 /** A turn of the event loop, so that promises and messages of the page get theirs; not throttled as timers are. */

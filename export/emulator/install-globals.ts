@@ -7,13 +7,18 @@ import {
   EmulatedTransientHitTestSource,
 } from './hit-test/hit-test-source.ts';
 import { EmulatedRay } from './hit-test/ray.ts';
+import { EmulatedCompositionLayer, EmulatedCylinderLayer, EmulatedProjectionLayer, EmulatedQuadLayer } from './layers/composition-layer.ts';
+import { EmulatedSubImage } from './layers/sub-image.ts';
 import { EmulatedLightEstimate, EmulatedLightProbe } from './light/light-probe.ts';
+import { EmulatedBoundedReferenceSpace } from './session/bounded-space.ts';
 import { EmulatedBinding } from './session/emulated-binding.ts';
 import { EmulatedFrame } from './session/emulated-frame.ts';
 import { EmulatedLayer } from './session/emulated-layer.ts';
 import { EmulatedReferenceSpace } from './session/emulated-reference-space.ts';
 import { EmulatedSession } from './session/emulated-session.ts';
 import { EmulatedCamera, EmulatedView } from './session/emulated-view.ts';
+import { EmulatedRenderState } from './session/render-state.ts';
+import { EmulatedRigidTransform } from './session/rigid-transform.ts';
 import { makeXrCompatible, watchContexts } from './xr-compatible.ts';
 
 /** The interfaces of the specifications that iwer leaves out, or whose implementation here is another. */
@@ -22,8 +27,17 @@ const GLOBALS: Readonly<Record<string, unknown>> = {
   XRFrame: EmulatedFrame,
   XRView: EmulatedView,
   XRReferenceSpace: EmulatedReferenceSpace,
+  XRBoundedReferenceSpace: EmulatedBoundedReferenceSpace,
+  XRRigidTransform: EmulatedRigidTransform,
+  XRRenderState: EmulatedRenderState,
   XRWebGLLayer: EmulatedLayer,
   XRWebGLBinding: EmulatedBinding,
+  XRCompositionLayer: EmulatedCompositionLayer,
+  XRProjectionLayer: EmulatedProjectionLayer,
+  XRQuadLayer: EmulatedQuadLayer,
+  XRCylinderLayer: EmulatedCylinderLayer,
+  XRSubImage: EmulatedSubImage,
+  XRWebGLSubImage: EmulatedSubImage,
   XRDepthInformation: EmulatedDepthInformation,
   XRCPUDepthInformation: EmulatedCpuDepthInformation,
   XRWebGLDepthInformation: EmulatedWebGlDepthInformation,

@@ -3,7 +3,7 @@ import type { DepthNoise } from './depth/depth-noise.ts';
 import type { DepthSensor } from './depth/depth-sensor.ts';
 import type { DepthTransform } from './depth/depth-transform.ts';
 import type { LightOptions } from './light/session-light.ts';
-import type { DeviceName } from './profiles.ts';
+import type { DepthFormat, DepthUsage, DeviceName } from './profiles.ts';
 import type { RoomSource } from './rooms/room-source.ts';
 
 /** What `installEmulator` takes. Plain data but for `container` and `frameClock`, so that a test can send it into a page. */
@@ -51,10 +51,10 @@ export interface DepthOptions {
   /** How the depth buffer lies against the view; default: upright, covering it exactly. */
   readonly transform?: DepthTransform;
   /**
-   * What depth textures hold. `metres`: as the specification says. `window`: as Quest Browser does, values of a depth buffer with
+   * What depth textures hold. `meters`: as the specification says. `window`: as Quest Browser does, values of a depth buffer with
    * an endless far plane, its first row at the bottom, and the attributes `depthNear`, `depthFar` and `isValid` that no specification has.
    */
-  readonly gpuValues?: 'metres' | 'window';
+  readonly gpuValues?: 'meters' | 'window';
   /** The camera that measures, for pages that ask for `matchDepthView: false`; null: it stands where the view is, and sees as the view does. */
   readonly sensor?: DepthSensor | null;
   /** Frames by which depth comes late. Pages that ask for depth of the view get the late picture as if it were of now; others are told where it was taken. */
@@ -65,10 +65,7 @@ export interface DepthOptions {
   readonly maxM?: number | null;
 }
 
-export const DEPTH_DEFAULTS = { transform: {}, gpuValues: 'metres', sensor: null, lagFrames: 0, noise: null, maxM: null } as const;
-
-export type DepthUsage = 'cpu-optimized' | 'gpu-optimized';
-export type DepthFormat = 'luminance-alpha' | 'unsigned-short' | 'float32';
+export const DEPTH_DEFAULTS = { transform: {}, gpuValues: 'meters', sensor: null, lagFrames: 0, noise: null, maxM: null } as const;
 
 export type SettledDefaults = Required<Omit<EmulatorOptions, 'views' | 'fovYRad' | 'depth' | 'light' | 'antialias'>>;
 

@@ -1,6 +1,7 @@
-import type { DepthFormat, DepthUsage } from './options.ts';
-
 export type DeviceName = 'phone' | 'headset' | 'glasses';
+
+export type DepthUsage = 'cpu-optimized' | 'gpu-optimized';
+export type DepthFormat = 'luminance-alpha' | 'unsigned-short' | 'float32';
 
 /** What one kind of device has, as far as pages can tell. Sources: export/emulator/README.md. */
 export interface DeviceProfile {
@@ -9,6 +10,8 @@ export interface DeviceProfile {
   readonly interaction: 'screen-space' | 'world-space';
   readonly fovYRad: number;
   readonly controllers: boolean;
+  /** Hertz; the first is the one that sessions begin with. */
+  readonly frameRates: readonly number[];
   readonly features: readonly string[];
   readonly depth: DepthProfile;
 }
@@ -28,6 +31,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
     interaction: 'screen-space',
     fovYRad: 1.05,
     controllers: false,
+    frameRates: [60],
     features: [
       'viewer',
       'local',
@@ -50,6 +54,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
     interaction: 'world-space',
     fovYRad: 1.4,
     controllers: true,
+    frameRates: [90, 72, 80, 120],
     features: [
       'viewer',
       'local',
@@ -61,6 +66,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
       'plane-detection',
       'mesh-detection',
       'hand-tracking',
+      'layers',
       'depth-sensing',
     ],
     depth: {
@@ -76,6 +82,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
     interaction: 'world-space',
     fovYRad: 0.5,
     controllers: false,
+    frameRates: [60],
     features: ['viewer', 'local', 'local-floor', 'unbounded', 'hit-test', 'anchors', 'hand-tracking'],
     depth: { usages: [], formats: [], sizePx: [1, 1] },
   },

@@ -4,12 +4,12 @@ import type { RoomView } from './display/room-view.ts';
 import type { Screen } from './display/screen.ts';
 import type { FrameSource } from './frame-source.ts';
 import type { ScreenInput } from './input/screen-input.ts';
+import type { LayerCompositor } from './layers/layer-compositor.ts';
 import type { RoomLight } from './light/room-light.ts';
 import type { LightOptions, LightState } from './light/session-light.ts';
 import type { DepthOptions } from './options.ts';
 import type { DeviceProfile } from './profiles.ts';
 import type { PrimaryLight, Room } from './rooms/room.ts';
-import type { EmulatedSession } from './session/emulated-session.ts';
 
 /** The emulated device and what is around it; sessions come and go in it. */
 export interface World {
@@ -20,12 +20,11 @@ export interface World {
   readonly screen: Screen;
   readonly screenInput: ScreenInput;
   /** The room, its picture and its light; made when first needed. */
-  readonly surroundings: () => Surroundings;
+  readonly roomServices: () => RoomServices;
   /** Whether the device knows where it is. */
   tracked: boolean;
   depthState: DepthState;
   lightState: LightState;
-  session: EmulatedSession | null;
 }
 
 export interface WorldSettings {
@@ -39,10 +38,12 @@ export interface WorldSettings {
   readonly requireGesture: boolean;
 }
 
-export interface Surroundings {
+export interface RoomServices {
   readonly room: Room | null;
   readonly view: RoomView;
   readonly light: () => RoomLight | null;
+  /** Made when first needed. */
+  readonly compositor: () => LayerCompositor;
   /** How often its light was moved. */
   readonly lightMoves: number;
   moveLight(directionWorld: PrimaryLight['directionWorld'] | null): void;

@@ -1,12 +1,15 @@
+import type { Gl } from './display/app-gl.ts';
+
 /** Contexts made without `xrCompatible` that have not asked for it since. Real browsers refuse to make a layer with them. */
 const plain = new WeakSet<object>();
 
-export function isXrCompatible(context: WebGL2RenderingContext): boolean {
+export function isXrCompatible(context: Gl): boolean {
   return !plain.has(context);
 }
 
-/** What stands for `makeXRCompatible` on the contexts' prototypes. */
-export async function makeXrCompatible(this: object): Promise<void> {
+/** What stands for `makeXRCompatible` on the contexts' prototypes: WebXR Device API §11.6. */
+export async function makeXrCompatible(this: Gl): Promise<void> {
+  if (this.isContextLost()) throw new DOMException('The WebGL context is lost.', 'InvalidStateError');
   plain.delete(this);
 }
 
@@ -15,22 +18,46 @@ export async function makeXrCompatible(this: object): Promise<void> {
  * what ends it.
  */
 export function watchContexts(): () => void {
-  const restore = [HTMLCanvasElement.prototype, OffscreenCanvas.prototype].map((prototype) => {
+  const undos = [...watchMaking(), ...answerAttributes()];
+  return () => {
+    for (const undo of undos) undo();
+  };
+}
+
+function watchMaking(): (() => void)[] {
+  return [HTMLCanvasElement.prototype, OffscreenCanvas.prototype].map((prototype) => {
     const former = prototype.getContext as (this: object, kind: string, attributes?: { xrCompatible?: boolean }) => object | null;
     const getContext: typeof former = function (kind, attributes) {
       const context = former.call(this, kind, attributes);
-      if (context instanceof WebGL2RenderingContext && attributes?.xrCompatible !== true) {
+      if (isGl(context) && attributes?.xrCompatible !== true) {
         if (!seen.has(context)) plain.add(context);
       }
       if (context) seen.add(context);
       return context;
     };
-    Object.defineProperty(prototype, 'getContext', { configurable: true, writable: true, value: getContext });
-    return () => Object.defineProperty(prototype, 'getContext', { configurable: true, writable: true, value: former });
+    return replace(prototype, 'getContext', getContext);
   });
-  return () => {
-    for (const undo of restore) undo();
-  };
+}
+
+function answerAttributes(): (() => void)[] {
+  return [WebGLRenderingContext.prototype, WebGL2RenderingContext.prototype].map((prototype) => {
+    const former = prototype.getContextAttributes;
+    const getContextAttributes = function (this: Gl): object | null {
+      const attributes = former.call(this);
+      return attributes && { ...attributes, xrCompatible: isXrCompatible(this) };
+    };
+    return replace(prototype, 'getContextAttributes', getContextAttributes);
+  });
+}
+
+function replace(prototype: object, name: string, value: unknown): () => void {
+  const former = Object.getOwnPropertyDescriptor(prototype, name) ?? {};
+  Object.defineProperty(prototype, name, { ...former, value });
+  return () => Object.defineProperty(prototype, name, former);
+}
+
+function isGl(context: object | null): context is Gl {
+  return context instanceof WebGL2RenderingContext || context instanceof WebGLRenderingContext;
 }
 
 /** A second call returns the first one's context, whatever it asks for. */

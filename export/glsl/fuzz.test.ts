@@ -133,6 +133,22 @@ describe('whatever is written', () => {
       'positions handed on',
       `${Array.from({ length: 60 }, (_, i) => `vec4 f${i}(vec2 p) { return ${i === 0 ? 'IMG_NORM_PIXEL(inputImage, p)' : `f${i - 1}(p) + f${i - 1}(p)`}; }`).join('\n')}\nvoid main() { gl_FragColor = f59(isf_FragNormCoord); }`,
     ],
+    [
+      'calls of calls',
+      `float f0(float x) { return x; }\n${Array.from({ length: 5000 }, (_, i) => `float f${i + 1}(float x) { return f${i}(x); }`).join('\n')}\nvoid main() { gl_FragColor = vec4(f5000(1.0)); }`,
+    ],
+    [
+      'constants of constants',
+      `const int c0 = 1;\n${Array.from({ length: 5000 }, (_, i) => `const int c${i + 1} = c${i};`).join('\n')}\nvoid main() { for (int i = 0; i < c5000; i++) gl_FragColor += 0.1; }`,
+    ],
+    [
+      'positions of positions',
+      `void main() { vec2 p0 = isf_FragNormCoord;\n${Array.from({ length: 5000 }, (_, i) => `vec2 p${i + 1} = p${i};`).join('\n')}\ngl_FragColor = IMG_NORM_PIXEL(inputImage, p5000); }`,
+    ],
+    [
+      'structs of structs',
+      `struct S0 { float x; };\n${Array.from({ length: 40 }, (_, i) => `struct S${i + 1} { S${i} a, b; };`).join('\n')}\nS40 f() { discard; S40 s; return s; }\nvoid main() { f(); }`,
+    ],
     ['variables made of each other', 'float a = b;\nfloat b = a;\nvoid main() { gl_FragColor = IMG_NORM_PIXEL(inputImage, vec2(a, b)); }'],
   ])('%s without measure', (_, body) => {
     survives(HEADER + body);

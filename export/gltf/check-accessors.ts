@@ -1,3 +1,5 @@
+import { checkUnpacked } from './check-packed.ts';
+import { checkSparse } from './check-sparse.ts';
 import { damaged, elementBytes, type GltfAccessor, type GltfDocument, isPacked } from './document.ts';
 
 /** Refuses what three would read past the end of a buffer for, or stop at with words of its own. */
@@ -6,12 +8,15 @@ export function checkAccessors(document: GltfDocument): void {
   accessors.forEach((accessor, i) => {
     const bytes = elementBytes(accessor);
     if (bytes === null) throw damaged(`its list ${i} is of a kind that glTF does not have`);
+    if (!Number.isInteger(accessor.count) || accessor.count < 1) throw damaged(`its list ${i} has ${accessor.count} entries`);
+    checkUnpacked(accessor.count * bytes, `list ${i}`);
+    checkSparse(document, accessor, i);
     if (accessor.bufferView === undefined) return;
     const view = bufferViews[accessor.bufferView];
     if (!view) throw damaged(`its list ${i} names a part that is not there`);
     if (isPacked(view)) return;
     const lastByte = (accessor.byteOffset ?? 0) + (view.byteStride ?? bytes) * (accessor.count - 1) + bytes;
-    if (accessor.count < 1 || lastByte > view.byteLength) throw damaged(`its list ${i} is longer than the part that holds it`);
+    if (lastByte > view.byteLength) throw damaged(`its list ${i} is longer than the part that holds it`);
   });
   meshes.forEach(({ primitives }, i) => {
     for (const { attributes, indices, targets = [] } of primitives) {

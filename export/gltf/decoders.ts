@@ -23,7 +23,7 @@ export function isDecoded(extension: string): boolean {
 
 /**
  * Files that a decoder loads while the page runs, in `node_modules/three/examples/jsm/libs`. meshopt's is a part of the script.
- * Names are unique, so that whoever serves them may put them side by side.
+ * File names are unique, so that all of them can be served from one folder.
  */
 export const DECODER_FILES = {
   draco: ['draco/gltf/draco_wasm_wrapper.js', 'draco/gltf/draco_decoder.wasm'],

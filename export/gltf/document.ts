@@ -68,7 +68,7 @@ export interface Gltf {
   readonly binary: Uint8Array | null;
 }
 
-/** Says what is wrong with a model and what to do, going on after "cannot be decoded: ". */
+/** The message says what is wrong with a model and what to do. It follows "cannot be decoded: ". */
 export class ModelError extends Error {}
 
 export function damaged(what: string): ModelError {

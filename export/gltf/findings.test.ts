@@ -2,9 +2,9 @@ import { Document, NodeIO } from '@gltf-transform/core';
 import { describe, expect, test } from '@jest/globals';
 import { BoxGeometry, BufferGeometry, Float32BufferAttribute, PlaneGeometry, SphereGeometry } from 'three';
 import { findingsOf } from './findings.ts';
+import { imageSize } from './image-size.ts';
 import { measureModel } from './measure.ts';
 import { findEdgeFaults } from './open-edges.ts';
-import { pictureSize } from './picture-size.ts';
 import { readGltf } from './read-gltf.ts';
 
 async function model(geometry: BufferGeometry, picture?: Uint8Array) {
@@ -24,12 +24,13 @@ async function model(geometry: BufferGeometry, picture?: Uint8Array) {
   return readGltf(await new NodeIO().writeBinary(doc));
 }
 
-/** The head of a PNG of this size. */
-function pngHead(widthPx: number, heightPx: number): Uint8Array {
-  const bytes = Buffer.alloc(33);
+/** A PNG of this size that says nothing of its pixels. */
+function emptyPng(widthPx: number, heightPx: number): Uint8Array {
+  const bytes = Buffer.alloc(45);
   bytes.write('\x89PNG\r\n\x1a\n\0\0\0\rIHDR', 'latin1');
   bytes.writeUInt32BE(widthPx, 16);
   bytes.writeUInt32BE(heightPx, 20);
+  bytes.write('IEND', 37, 'latin1');
   return bytes;
 }
 
@@ -53,14 +54,14 @@ describe('edges', () => {
   });
 });
 
-describe('what is told of a model', () => {
-  test('is nothing of a closed, small one', async () => {
+describe('the findings on a model', () => {
+  test('are empty for a closed, small one', async () => {
     expect(findingsOf(await model(new BoxGeometry()), 'box.glb', 2000, true)).toEqual([]);
   });
 
-  test('is that it is huge, with numbers', async () => {
+  test('say that it is huge, with numbers', async () => {
     const geometry = new SphereGeometry(1, 500, 400);
-    const findings = findingsOf(await model(geometry, pngHead(8192, 8192)), 'big.glb', 50e6, false);
+    const findings = findingsOf(await model(geometry, emptyPng(8192, 8192)), 'big.glb', 50e6, false);
     expect(findings.map(({ code, severity, message }) => `${code} ${severity} ${message}`)).toEqual([
       'SCR034 warning The model "big.glb" has 399,000 triangles; above 300,000 phones draw it slowly.',
       'SCR034 warning The model "big.glb" has a texture of 67.1 million pixels; above 16.8 million pixels not every phone can show it.'.replace(
@@ -68,7 +69,7 @@ describe('what is told of a model', () => {
         '16.8',
       ),
       expect.stringMatching(/^SCR034 warning The model "big.glb" takes about \d+ MB of graphics memory, 358 of them for textures;/),
-      'SCR034 warning The model "big.glb" is a file of 50 MB; above 32 MB visitors wait long.',
+      'SCR034 warning The model "big.glb" has 50 MB; above 32 MB visitors wait long.',
     ]);
   });
 
@@ -82,18 +83,18 @@ describe('what is told of a model', () => {
 
   test('measures what the GPU holds', async () => {
     // 24 vertices of 24 bytes and 36 indices of 4; a picture with its mip maps.
-    const { geometryBytes, pictureBytes, triangles } = measureModel(await model(new BoxGeometry(), pngHead(64, 32)));
-    expect([triangles, geometryBytes, pictureBytes]).toEqual([12, 24 * 24 + 36 * 4, Math.round((64 * 32 * 4 * 4) / 3)]);
+    const { geometryBytes, textureBytes, triangles } = measureModel(await model(new BoxGeometry(), emptyPng(64, 32)));
+    expect([triangles, geometryBytes, textureBytes]).toEqual([12, 24 * 24 + 36 * 4, Math.round((64 * 32 * 4 * 4) / 3)]);
   });
 });
 
 test.each([
-  ['PNG', pngHead(7, 9), [7, 9]],
+  ['PNG', emptyPng(7, 9), [7, 9]],
   ['JPEG', Buffer.from('ffd8ffe000044a46ffc2000b08000900070000', 'hex'), [7, 9]],
   ['lossy WebP', Buffer.from('52494646000000005745425056503820000000000000009d012a07000900', 'hex'), [7, 9]],
   ['lossless WebP', Buffer.from('5249464600000000574542505650384c000000002f06000200', 'hex'), [7, 9]],
   ['extended WebP', Buffer.from('524946460000000057454250565038580000000000000000060000080000', 'hex'), [7, 9]],
 ])('the size of a %s file', (_, bytes, [widthPx, heightPx]) => {
-  expect(pictureSize(bytes)).toEqual({ widthPx, heightPx, ktx2: null });
-  expect(pictureSize(bytes.subarray(0, 6))).toBeNull();
+  expect(imageSize(bytes)).toEqual({ widthPx, heightPx, ktx2: null });
+  expect(imageSize(bytes.subarray(0, 6))).toBeNull();
 });

@@ -25,7 +25,7 @@ export function findingsOf(gltf: Gltf, path: string, fileBytes: number, standsFo
 }
 
 function hugeness(gltf: Gltf, path: string, fileBytes: number): Finding[] {
-  const { triangles, largestPicturePx, geometryBytes, pictureBytes } = measureModel(gltf);
+  const { triangles, largestPicturePx, geometryBytes, textureBytes } = measureModel(gltf);
   const findings: Finding[] = [];
   const add = (what: string, fix: string) =>
     findings.push({ code: 'SCR034', severity: 'warning', message: `The model "${path}" ${what}.`, fix });
@@ -41,16 +41,16 @@ function hugeness(gltf: Gltf, path: string, fileBytes: number): Finding[] {
       'Make its textures at most 4096 pixels wide and high; 2048 is enough for most.',
     );
   }
-  if (geometryBytes + pictureBytes > LIMITS.gpuBytes) {
+  if (geometryBytes + textureBytes > LIMITS.gpuBytes) {
     add(
-      `takes about ${megabytes(geometryBytes + pictureBytes)} MB of graphics memory, ${megabytes(pictureBytes)} of them for textures; above ${megabytes(LIMITS.gpuBytes)} MB phones may end the page`,
-      'Use fewer or smaller textures. The export compresses them unless it is told not to.',
+      `takes about ${megabytes(geometryBytes + textureBytes)} MB of graphics memory, ${megabytes(textureBytes)} of them for textures; above ${megabytes(LIMITS.gpuBytes)} MB phones may end the page`,
+      'Use fewer or smaller textures. The export compresses them by default.',
     );
   }
   if (fileBytes > LIMITS.fileBytes) {
     add(
-      `is a file of ${megabytes(fileBytes)} MB; above ${megabytes(LIMITS.fileBytes)} MB visitors wait long`,
-      'Remove what is not seen, or reduce its triangles and textures.',
+      `has ${megabytes(fileBytes)} MB; above ${megabytes(LIMITS.fileBytes)} MB visitors wait long`,
+      'Remove hidden parts, or reduce triangles and textures.',
     );
   }
   return findings;
@@ -67,8 +67,8 @@ function holes(gltf: Gltf, path: string): Finding[] {
     {
       code: 'SCR035',
       severity: 'warning',
-      message: `The model "${path}" stands for a real thing, but is no closed surface: it has ${parts.join(' and ')}.`,
-      fix: 'Light and what is behind it pass through holes. Close them in a 3D program, such as with Fill Holes in Blender, if they are seen from where visitors stand.',
+      message: `The model "${path}" stands for a real thing, but its surface is not closed: it has ${parts.join(' and ')}.`,
+      fix: 'Close holes that visitors can see in a 3D program, such as with Fill Holes in Blender. Light and objects behind show through holes.',
     },
   ];
 }

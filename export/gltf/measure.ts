@@ -1,5 +1,5 @@
 import { elementBytes, type Gltf, type GltfDocument } from './document.ts';
-import { pictureSize } from './picture-size.ts';
+import { imageSize } from './image-size.ts';
 
 /** How much a model is, estimated from what its file says, without decoding it. */
 export interface ModelMeasure {
@@ -9,7 +9,7 @@ export interface ModelMeasure {
   /** Bytes of vertices, indices and morph targets on the GPU. */
   readonly geometryBytes: number;
   /** Bytes of pictures on the GPU, mip maps included. */
-  readonly pictureBytes: number;
+  readonly textureBytes: number;
 }
 
 /** Mip maps add a quarter, a sixteenth and so on. */
@@ -21,19 +21,19 @@ const BLOCK_BYTES = 1;
 const MORPH_TEXEL_BYTES = 16;
 
 export function measureModel({ document, binary }: Gltf): ModelMeasure {
-  let pictureBytes = 0;
+  let textureBytes = 0;
   let largestPicturePx = 0;
   for (const { bufferView } of document.images ?? []) {
     const view = bufferView === undefined ? undefined : document.bufferViews?.[bufferView];
     const start = view?.byteOffset ?? 0;
-    const size = view && binary ? pictureSize(binary.subarray(start, start + view.byteLength)) : null;
+    const size = view && binary ? imageSize(binary.subarray(start, start + view.byteLength)) : null;
     if (!size) continue;
     const pixels = size.widthPx * size.heightPx;
     largestPicturePx = Math.max(largestPicturePx, pixels);
     // A KTX2 file with one level is drawn without mip maps.
-    pictureBytes += pixels * (size.ktx2 ? BLOCK_BYTES * (size.ktx2.levels === 1 ? 1 : MIPS) : RGBA8_BYTES * MIPS);
+    textureBytes += pixels * (size.ktx2 ? BLOCK_BYTES * (size.ktx2.levels === 1 ? 1 : MIPS) : RGBA8_BYTES * MIPS);
   }
-  return { ...measureGeometry(document), largestPicturePx, pictureBytes: Math.round(pictureBytes) };
+  return { ...measureGeometry(document), largestPicturePx, textureBytes: Math.round(textureBytes) };
 }
 
 function measureGeometry({ meshes = [], accessors = [] }: GltfDocument): Pick<ModelMeasure, 'triangles' | 'geometryBytes'> {

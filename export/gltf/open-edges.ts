@@ -91,7 +91,7 @@ const READERS = {
   5126: { bytes: 4, read: (view: DataView, at: number) => view.getFloat32(at, true) },
 } as const;
 
-/** The numbers of a plain list, as they stand in the file: normalised integers are not divided. */
+/** The numbers of a plain list, as they stand in the file: normalized integers are not divided. */
 function readNumbers({ document, binary }: Gltf, index: number | undefined): Float64Array | null {
   const accessor = index === undefined ? undefined : document.accessors?.[index];
   const view = accessor?.bufferView === undefined ? undefined : document.bufferViews?.[accessor.bufferView];

@@ -80,7 +80,7 @@ export function packGlb({ document, binary }: Gltf, files: ReadonlyMap<string, U
     const { uri, ...rest } = image;
     const { bytes, type } = contentOf(uri);
     views.push({ buffer: 0, byteOffset: add(bytes), byteLength: bytes.length });
-    return { ...rest, bufferView: views.length - 1, mimeType: image.mimeType ?? type ?? pictureType(bytes) };
+    return { ...rest, bufferView: views.length - 1, mimeType: image.mimeType ?? type ?? imageType(bytes) };
   });
   const packed: GltfDocument = {
     ...document,
@@ -100,7 +100,7 @@ function movedView(view: GltfBufferView, moved: <T extends { buffer: number; byt
   return { ...moved(view), ...(extensions.length > 0 ? { extensions: Object.fromEntries(extensions) } : {}) };
 }
 
-function pictureType(bytes: Uint8Array): string {
+function imageType(bytes: Uint8Array): string {
   if (bytes[0] === 0x89) return 'image/png';
   if (bytes[0] === 0xff) return 'image/jpeg';
   return bytes[0] === 0xab ? 'image/ktx2' : 'image/webp';

@@ -14,14 +14,32 @@ const TRIANGLE: GltfDocument = {
   buffers: [{ byteLength: 36, uri: `data:application/octet-stream;base64,${'A'.repeat(48)}` }],
 };
 
+/** The triangle, with entries that stand in for others. */
+function sparse(wrong: object): Uint8Array {
+  const right = { count: 1, indices: { bufferView: 0, componentType: 5123 }, values: { bufferView: 0 } };
+  const accessor = { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3', sparse: { ...right, ...wrong } };
+  return text({ ...TRIANGLE, accessors: [accessor] });
+}
+
+/** A GLB whose own buffer is junk, as a part of which meshopt is told, where it is. */
+function packedGlb(document: object, meshopt?: object): Uint8Array {
+  const extensions = { EXT_meshopt_compression: { buffer: 0, byteLength: 8, mode: 'ATTRIBUTES', ...meshopt } };
+  const bufferViews = [{ buffer: 0, byteLength: 8, ...(meshopt ? { extensions } : {}) }];
+  return glb({ ...MINIMAL, buffers: [{ byteLength: 8 }], bufferViews, ...document }, {}, new Uint8Array(8));
+}
+
 function text(document: unknown): Uint8Array {
   return new TextEncoder().encode(JSON.stringify(document));
 }
 
 /** A GLB file; the numbers of its header can be made wrong. */
-function glb(document: unknown, wrong: { version?: number; length?: number; chunkLength?: number; chunkType?: number } = {}): Uint8Array {
+function glb(
+  document: unknown,
+  wrong: { version?: number; length?: number; chunkLength?: number; chunkType?: number } = {},
+  binary?: Uint8Array,
+): Uint8Array {
   const json = new TextEncoder().encode(JSON.stringify(document).padEnd(4));
-  const bytes = new ArrayBuffer(20 + json.length);
+  const bytes = new ArrayBuffer(20 + json.length + (binary ? 8 + binary.length : 0));
   const view = new DataView(bytes);
   view.setUint32(0, 0x46546c67, true);
   view.setUint32(4, wrong.version ?? 2, true);
@@ -29,6 +47,11 @@ function glb(document: unknown, wrong: { version?: number; length?: number; chun
   view.setUint32(12, wrong.chunkLength ?? json.length, true);
   view.setUint32(16, wrong.chunkType ?? 0x4e4f534a, true);
   new Uint8Array(bytes, 20).set(json);
+  if (binary) {
+    view.setUint32(20 + json.length, binary.length, true);
+    view.setUint32(24 + json.length, 0x004e4942, true);
+    new Uint8Array(bytes, 28 + json.length).set(binary);
+  }
   return new Uint8Array(bytes);
 }
 
@@ -102,6 +125,57 @@ describe('readGltf', () => {
       text({ ...TRIANGLE, meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 3 }] }] }),
       'the file is damaged: its mesh 0 names a list that is not there. Export it again.',
     ],
+    [
+      'a buffer longer than the file',
+      glb({ ...MINIMAL, buffers: [{ byteLength: 4 }] }),
+      'the file is damaged: its buffer 0 is longer than the file. Export it again.',
+    ],
+    [
+      'a list of 2³⁰ zeros',
+      text({ ...TRIANGLE, accessors: [{ componentType: 5126, count: 2 ** 30, type: 'VEC3' }] }),
+      'the file is damaged: its list 0 claims 12288 MB, and no device shows more than 512 MB. Export it again.',
+    ],
+    [
+      'a list of half an entry',
+      text({ ...TRIANGLE, accessors: [{ componentType: 5126, count: 0.5, type: 'VEC3' }] }),
+      'the file is damaged: its list 0 has 0.5 entries. Export it again.',
+    ],
+    [
+      'a sparse list that replaces 2³⁰ entries',
+      sparse({ count: 2 ** 30 }),
+      'the file is damaged: its list 0 replaces 1073741824 of 3 entries. Export it again.',
+    ],
+    [
+      'a sparse list whose values are not all there',
+      sparse({ values: { bufferView: 0, byteOffset: 30 } }),
+      'the file is damaged: its list 0 is longer than the part that holds it. Export it again.',
+    ],
+    [
+      'a sparse list that names no part',
+      sparse({ indices: { bufferView: 3, componentType: 5123 } }),
+      'the file is damaged: its list 0 names a part that is not there. Export it again.',
+    ],
+    [
+      'a sparse list with indices of another kind',
+      sparse({ indices: { bufferView: 0, componentType: 5126 } }),
+      'the file is damaged: its list 0 does not say which entries it replaces. Export it again.',
+    ],
+    [
+      'junk for Draco',
+      packedGlb({ meshes: [{ primitives: [{ attributes: {}, extensions: { KHR_draco_mesh_compression: { bufferView: 0 } } }] }] }),
+      'the file is damaged: its mesh 0 is not what Draco makes. Export it again.',
+    ],
+    [
+      'junk for meshopt',
+      packedGlb({}, { count: 3, byteStride: 4 }),
+      'the file is damaged: its compressed part 0 is not what meshopt makes. Export it again.',
+    ],
+    [
+      'a count of 2³⁰ for meshopt',
+      packedGlb({}, { count: 2 ** 30, byteStride: 4 }),
+      'the file is damaged: its compressed part 0 claims 4096 MB, and no device shows more than 512 MB. Export it again.',
+    ],
+    ['nothing for meshopt', packedGlb({}, {}), 'the file is damaged: its compressed part 0 has no description of its content. Export it again.'],
     [
       'a node that is its own child',
       text({ ...TRIANGLE, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, children: [1] }, { children: [1] }] }),

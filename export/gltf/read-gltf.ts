@@ -1,6 +1,7 @@
 import { checkAccessors } from './check-accessors.ts';
-import { checkNodes } from './check-nodes.ts';
-import { checkPictures } from './check-pictures.ts';
+import { checkImages } from './check-images.ts';
+import { checkPacked } from './check-packed.ts';
+import { checkSceneGraph } from './check-scene-graph.ts';
 import { isDecoded } from './decoders.ts';
 import { damaged, type Gltf, type GltfDocument, ModelError } from './document.ts';
 
@@ -32,12 +33,13 @@ export function readGltf(bytes: Uint8Array): Gltf {
   const document = parse(decode(chunks?.json ?? bytes), isBinary);
   checkVersion(document);
   checkExtensions(document);
-  checkBuffers(document, isBinary);
+  checkBuffers(document, isBinary ? (chunks?.binary?.length ?? 0) : null);
   checkAccessors(document);
-  checkNodes(document);
+  checkSceneGraph(document);
   if (!document.scenes?.length) throw new ModelError('it holds no scene, so there is nothing to show.');
   const gltf = { document, binary: chunks?.binary ?? null };
-  checkPictures(gltf);
+  checkPacked(gltf);
+  checkImages(gltf);
   return gltf;
 }
 
@@ -93,16 +95,19 @@ function checkExtensions({ extensionsRequired = [] }: GltfDocument): void {
   throw new ModelError(`it needs ${missing.join(', ')}, which Scrim cannot decode. Export it without, as a plain .glb.`);
 }
 
-/** Every buffer has its content somewhere, and every part of one lies inside. */
-function checkBuffers({ buffers = [], bufferViews = [] }: GltfDocument, isBinary: boolean): void {
+/** Every buffer has its content somewhere, and every part of one lies inside. `ownBytes` are in the file itself, where it can have some. */
+function checkBuffers({ buffers = [], bufferViews = [] }: GltfDocument, ownBytes: number | null): void {
   buffers.forEach(({ uri, extensions }, i) => {
     // Buffers that meshopt's packed parts take the place of have no content (EXT_meshopt_compression, "Fallback buffers").
-    if (uri === undefined && extensions === undefined && !(isBinary && i === 0)) throw damaged(`its buffer ${i} has no content`);
+    if (uri === undefined && extensions === undefined && !(ownBytes !== null && i === 0)) throw damaged(`its buffer ${i} has no content`);
   });
   bufferViews.forEach(({ buffer, byteOffset = 0, byteLength }, i) => {
     const size = buffers[buffer]?.byteLength ?? 0;
     if (byteOffset + byteLength > size) throw damaged(`its part ${i} lies outside its buffer`);
   });
+  const [own] = buffers;
+  if (ownBytes === null || own === undefined || own.uri !== undefined || own.extensions !== undefined) return;
+  if ((own.byteLength ?? 0) > ownBytes) throw damaged('its buffer 0 is longer than the file');
 }
 
 function decode(bytes: Uint8Array): string {

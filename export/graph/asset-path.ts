@@ -1,19 +1,22 @@
 /**
- * Why `path` cannot be the path of an asset, in words, or null where it can. Assets lie inside the project folder: nothing that
- * a file system or a web server could read as a way out of it is let through.
+ * Checks the path of an asset. Assets lie inside the project folder, so nothing passes that a file system or a web server could
+ * resolve to a place outside.
+ *
+ * @param path Relative to the project folder, with `/` between folders.
+ * @returns Why the path is invalid, as a clause ("it is empty"), or null where it is valid.
  */
 export function assetPathProblem(path: string): string | null {
   if (path === '') return 'it is empty';
   if (path.length > 512) return 'it is longer than 512 characters';
-  if (hasControlCharacter(path)) return 'it has a control character in it';
-  if (path.includes('\\')) return 'it has a backslash in it; parts are separated by /';
+  if (hasControlCharacter(path)) return 'it contains a control character';
+  if (path.includes('\\')) return 'it contains a backslash; separate folders by /';
   if (path.startsWith('/')) return 'it is absolute';
-  if (/^[a-z][a-z0-9+.-]*:/i.test(path)) return 'it begins with a drive or a scheme';
-  if (/%[0-9a-f]{2}/i.test(path)) return 'it has a %-escape in it; write the character itself';
+  if (/^[a-z][a-z0-9+.-]*:/i.test(path)) return 'it starts with a drive or a URL scheme';
+  if (/%[0-9a-f]{2}/i.test(path)) return 'it contains a %-escape; write the character itself';
   const parts = path.split('/');
-  if (parts.includes('')) return 'a part between two / is empty';
+  if (parts.includes('')) return 'it has an empty folder name';
   // Some systems drop dots and spaces at the end of a name, so that ".. ." would be "..".
-  if (parts.some((part) => /^[. ]+$/.test(part))) return 'a part of it leads to another folder';
+  if (parts.some((part) => /^[. ]+$/.test(part))) return 'it leaves the project folder';
   return null;
 }
 

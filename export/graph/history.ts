@@ -33,7 +33,11 @@ export interface StepOptions {
   readonly key?: string;
 }
 
-/** Takes note of a change that has been made. Refused changes, and those that changed nothing, leave no step. */
+/**
+ * Adds a change to the history. Refused and empty changes add no step.
+ *
+ * @param options `label` names the step in the menu; consecutive changes with the same `key` become one step.
+ */
 export function record(history: History, change: Change, { label, key }: StepOptions): History {
   if (change.patches.length === 0) return history;
   const state = history.lastState + 1;
@@ -46,7 +50,7 @@ export function record(history: History, change: Change, { label, key }: StepOpt
   return { ...history, past: past.slice(-history.limit), future: [], state, lastState: state };
 }
 
-/** Ends a drag: what follows is a step of its own, even with the same key. */
+/** Ends a drag: the next change starts a new step, even with the same key. */
 export function endStep(history: History): History {
   const last = history.past.at(-1);
   if (!last || last.key === null) return history;
@@ -58,7 +62,7 @@ export interface Moved {
   readonly project: Project;
 }
 
-/** One step back; null when there is none. */
+/** @returns The history and the project one step back, or null at the first state. */
 export function undo(history: History, project: Project): Moved | null {
   const step = history.past.at(-1);
   if (!step) return null;
@@ -68,7 +72,7 @@ export function undo(history: History, project: Project): Moved | null {
   };
 }
 
-/** One step forward again; null when there is none. */
+/** @returns The history and the project one step forward, or null where nothing was undone. */
 export function redo(history: History, project: Project): Moved | null {
   const [step, ...future] = history.future;
   if (!step) return null;

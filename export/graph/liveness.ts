@@ -1,8 +1,8 @@
-import { subgraphName } from './names.ts';
-import { own } from './own.ts';
+import { subgraphName } from './document-names.ts';
 import type { Graph, Project } from './project.ts';
+import { getOwn } from './record.ts';
 
-/** Nodes of one graph from which a wire leads to `roots`, these included. */
+/** @returns The nodes of one graph that `roots` depend on, the roots included. */
 export function nodesBehind(graph: Graph, roots: Iterable<string>): ReadonlySet<string> {
   const sources = new Map<string, string[]>();
   for (const { from, to } of graph.wires) {
@@ -11,13 +11,13 @@ export function nodesBehind(graph: Graph, roots: Iterable<string>): ReadonlySet<
     else sources.set(to.node, [from.node]);
   }
   const live = new Set<string>();
-  for (const root of roots) if (own(graph.nodes, root)) live.add(root);
+  for (const root of roots) if (getOwn(graph.nodes, root)) live.add(root);
   // The set grows while it is walked.
   for (const node of live) for (const source of sources.get(node) ?? []) live.add(source);
   return live;
 }
 
-/** Nodes that show the visitor something: they lower to what is on screen. */
+/** @returns The ids of the output nodes of a graph, sorted. */
 export function screensOf(
   graph: Pick<Graph, 'nodes'>,
   library: { definition(type: string): { lowering: { kind: string } } | undefined },
@@ -34,7 +34,7 @@ export function usesOfGraphs(project: Pick<Project, 'graphs'>): ReadonlyMap<stri
     const used = new Set<string>();
     for (const node of Object.values(graph.nodes)) {
       const inner = subgraphName(node.type);
-      if (inner !== null && own(project.graphs, inner)) used.add(inner);
+      if (inner !== null && getOwn(project.graphs, inner)) used.add(inner);
     }
     uses.set(name, [...used].sort());
   }

@@ -170,20 +170,20 @@ describe('broken files', () => {
   });
 
   test.each([
-    ['a list', '[]', 'must be an object'],
+    ['a list', '[]', 'is not an object'],
     ['another format', '{"format": "x"}', '"format" must be "scrim-project"'],
     ['no version', '{"format": "scrim-project"}', 'whole number'],
     ['no main graph', document({ graphs: {} }), '“main”|"main" is missing'],
-    ['an unknown key', document({ graph: {} }), 'no such key'],
+    ['an unknown key', document({ graph: {} }), 'key is unknown'],
     ['a title that is a number', document({ title: 3 }), 'must be a text'],
     ['a node id without a suffix', document({ graphs: { main: { nodes: { sepia: { type: 'a/b', version: 1 } } } } }), 'node id'],
     ['a node type without a category', document({ graphs: { main: { nodes: { 'a-b': { type: 'b', version: 1 } } } } }), 'node type'],
-    ['a wire without an arrow', document({ graphs: { main: { wires: ['a-b.c d-e.f'] } } }), 'wire is written'],
+    ['a wire without an arrow', document({ graphs: { main: { wires: ['a-b.c d-e.f'] } } }), 'wire must be written'],
     ['a null', document({ graphs: { main: { nodes: null } } }), 'it is null'],
     [
       'two bindings',
       document({ graphs: { main: { nodes: { 'a-b': { type: 'a/b', version: 1, params: { x: { port: 1, expression: '1' } } } } } } }),
-      'bound to one thing',
+      'bound to exactly one',
     ],
   ])('%s is refused with a reason', (_, text, reason) => {
     const { output, diagnostics } = load(text);
@@ -236,6 +236,19 @@ describe('broken files', () => {
     expect(load(document().replace('"T"', deep)).diagnostics).toMatchObject([{ code: 'SCR002' }]);
     expect(load(deep.slice(0, -1)).diagnostics).toMatchObject([{ code: 'SCR001' }]);
   });
+
+  test.each(['en', 'de-CH', 'zh-Hant-TW', 'sr-Latn'])('the page may be in the language %s', (language) => {
+    expect(load(document({ page: { language } })).diagnostics).toEqual([]);
+  });
+
+  test.each(['', 'en_US', 'e', 'en" onload="alert(1)', '-en', 'en--US', 'Deutsch (Schweiz)'])(
+    'the page cannot be in the language %j',
+    (language) => {
+      expect(load(document({ page: { language } })).diagnostics).toMatchObject([
+        { code: 'SCR002', message: expect.stringContaining(`${JSON.stringify(language)} is not a language tag. Use a BCP 47 tag`) },
+      ]);
+    },
+  );
 
   test.each(['__proto__', 'constructor', 'toString'])('the name %s reaches no prototype', (name) => {
     const text = document().replace('"nodes":{}', `"nodes":{"${name}":{"type":"a/b","version":1}}`);

@@ -7,9 +7,9 @@ import { parseJson } from './json/parse-json.ts';
 import { createLocator } from './json/positions.ts';
 import { createShapeReader, type ShapeReader } from './json/shape-reader.ts';
 import { EMPTY_GRAPH } from './new-project.ts';
-import { own } from './own.ts';
 import type { Project } from './project.ts';
-import { settleRoutes } from './routes.ts';
+import { getOwn } from './record.ts';
+import { pruneRoutes } from './routes.ts';
 
 /** The files of a project folder, as texts. */
 export interface ProjectTexts {
@@ -25,11 +25,17 @@ export interface ProjectTexts {
 const MAX_SHADER_CHARACTERS = 4 * 2 ** 20;
 
 /**
- * Reads a project, and never throws, whatever the texts. What it cannot keep it refuses with an error: SCR001 (not JSON), SCR002
- * (wrong shape, unknown keys included), SCR003 (newer version), SCR005 (too large), SCR006 (not finite). A layout that cannot be
- * read is a warning: the nodes then stand where `placeNodes` puts them. Of routes, what no wire can be led through is left out.
+ * Reads a project from the texts of its files. Invalid texts give errors: SCR001 (not JSON), SCR002 (wrong shape, unknown keys
+ * included), SCR003 (newer version), SCR005 (too large), SCR006 (not finite). An invalid layout gives warnings, and `placeNodes`
+ * places the nodes. Routes that no wire can follow are left out.
  *
- * Node types are not looked at: `migrateNodes` and `validateProject` do that, with a library.
+ * Node types are not checked: `migrateNodes` and `validateProject` do that with a library.
+ *
+ * @param texts The files of a project folder.
+ * @returns The project, or null with at least one error. Never throws.
+ * @example
+ * const { output, diagnostics } = loadProject({ project: text, layout: null, sources: {} });
+ * if (output === null) console.error(diagnostics);
  */
 export function loadProject(texts: ProjectTexts): Result<Project> {
   const project = readDocument(texts.project, PROJECT_FORMAT, readProject);
@@ -37,7 +43,7 @@ export function loadProject(texts: ProjectTexts): Result<Project> {
   const diagnostics = [...project.diagnostics, ...layout.diagnostics.map(asLayoutWarning), ...checkSources(texts.sources)];
   if (project.output === null || diagnostics.some((d) => d.severity === 'error')) return { output: null, diagnostics };
   const { graphs } = project.output;
-  const layouts = Object.entries(layout.output ?? {}).map(([name, read]) => [name, settleRoutes(own(graphs, name) ?? EMPTY_GRAPH, read)]);
+  const layouts = Object.entries(layout.output ?? {}).map(([name, read]) => [name, pruneRoutes(getOwn(graphs, name) ?? EMPTY_GRAPH, read)]);
   return { output: { ...project.output, layout: Object.fromEntries(layouts), sources: { ...texts.sources } }, diagnostics };
 }
 
@@ -64,14 +70,18 @@ function readDocument<T>(text: string, format: DocumentFormat, read: (reader: Sh
 }
 
 function asLayoutWarning(diagnostic: Diagnostic): Diagnostic {
-  return { ...diagnostic, severity: 'warning', fix: 'The graph itself is whole; its nodes have been placed anew.' };
+  return {
+    ...diagnostic,
+    severity: 'warning',
+    fix: 'Arrange the nodes again, or restore the layout from a backup. The graph itself is complete.',
+  };
 }
 
 function checkSources(sources: Readonly<Record<string, string>>): Diagnostic[] {
   return Object.entries(sources).flatMap(([name, text]): Diagnostic[] => {
     const file = `shaders/${name.slice(0, 200)}`;
-    if (!SHADER_FILE.is(name)) return [{ code: 'SCR002', severity: 'error', file, message: `Its name will not do: ${SHADER_FILE.words}` }];
+    if (!SHADER_FILE.is(name)) return [{ code: 'SCR002', severity: 'error', file, message: `Invalid name: ${SHADER_FILE.words}` }];
     if (text.length <= MAX_SHADER_CHARACTERS) return [];
-    return [{ code: 'SCR005', severity: 'error', file, message: 'A shader may have up to 4 MiB.' }];
+    return [{ code: 'SCR005', severity: 'error', file, message: 'The shader is larger than 4 MiB.' }];
   });
 }

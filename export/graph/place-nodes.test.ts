@@ -23,7 +23,7 @@ test('what has a place keeps it, and the rest goes below', () => {
   expect(places['b-a']).toEqual({ x: 780, y: 250 });
 });
 
-/** A picture over what is left of the frame before: the loop is entered at `over-a`. */
+/** A layer over the faded previous frame: the loop is entered at `over-a`. */
 const TRAIL = ['scene-a.layer -> over-a.top', 'over-a.layer -> before-a.layer', 'before-a.layer -> fade-a.inputImage'];
 const BACK = ['fade-a.layer -> over-a.bottom', 'over-a.layer -> screen-a.layer'];
 

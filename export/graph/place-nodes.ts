@@ -1,19 +1,21 @@
-import { own } from './own.ts';
 import type { Graph, GraphLayout, NodeLayout } from './project.ts';
+import { getOwn } from './record.ts';
 import { topologicalOrder } from './topology.ts';
 
 const COLUMN_PX = 280;
 const ROW_PX = 180;
 
 /**
- * A place for every node of a graph: the one in the layout, and for nodes that have none a column by how many nodes lie between
- * them and the graph's sources, below what stands there. Canvas units.
+ * Places every node of a graph: at its position in the layout, else in columns by the distance from the graph's sources, below
+ * the placed nodes.
+ *
+ * @returns Positions by node id, canvas units.
  */
 export function placeNodes(graph: Graph, layout: GraphLayout | undefined): Readonly<Record<string, NodeLayout>> {
   const columns = columnsOf(graph);
   const places: Record<string, NodeLayout> = {};
   const placed = Object.keys(graph.nodes).flatMap((id) => {
-    const place = layout && own(layout.nodes, id);
+    const place = layout && getOwn(layout.nodes, id);
     if (place) places[id] = place;
     return place ? [place] : [];
   });
@@ -21,7 +23,7 @@ export function placeNodes(graph: Graph, layout: GraphLayout | undefined): Reado
   const left = placed.length === 0 ? 0 : Math.min(...placed.map(({ x }) => x));
   const rows = new Map<number, number>();
   for (const id of Object.keys(graph.nodes).sort()) {
-    if (own(places, id)) continue;
+    if (getOwn(places, id)) continue;
     const column = columns.get(id) ?? 0;
     const row = rows.get(column) ?? 0;
     rows.set(column, row + 1);

@@ -1,7 +1,7 @@
 import type { Easing } from '../../nodes/kit/ease.ts';
 
 /**
- * A project in memory (design §4): immutable values, changed only through commands. `load.ts` and `save.ts` turn it into the
+ * A project in memory: immutable values, changed only through commands. `load.ts` and `save.ts` turn it into the
  * files of a project folder and back, byte for byte.
  */
 export interface Project {
@@ -57,7 +57,7 @@ export interface GraphNode {
   readonly muted?: boolean;
 }
 
-/** Where a param's value comes from. A port keeps the value to use while nothing is wired. */
+/** Where a param's value comes from. `port` is the value while the port is not connected. */
 export type Binding =
   | { readonly value: ParamValue }
   | { readonly track: Track }

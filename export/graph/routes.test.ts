@@ -2,12 +2,12 @@ import { describe, expect, test } from '@jest/globals';
 import { TEST_LIBRARY as library, readShader } from '../../tests/support/test-library.ts';
 import { TestStudio } from '../../tests/support/test-studio.ts';
 import { changeType } from './commands/change-type.ts';
-import { putIntoSubgraph } from './commands/put-into-subgraph.ts';
-import { putReroute, setRoutes, settleRoutesOf } from './commands/routes.ts';
-import { unpackSubgraph } from './commands/unpack-subgraph.ts';
+import { createSubgraph } from './commands/create-subgraph.ts';
+import { pruneRoutesAfter, putReroute, setRoutes } from './commands/route-commands.ts';
+import { ungroupSubgraph } from './commands/ungroup-subgraph.ts';
 import { loadProject } from './load.ts';
 import { EMPTY_LAYOUT } from './new-project.ts';
-import { settleRoutes, stretchesOf } from './routes.ts';
+import { pruneRoutes, stretchesOf } from './routes.ts';
 import { parseWire } from './wires.ts';
 
 const TO_SEPIA = 'video-aaaa.layer -> sepia-aaaa.inputImage';
@@ -46,7 +46,7 @@ describe('what is drawn', () => {
   });
 
   test('routes of wires that are gone, through points that are gone, in rings or from two outputs are not', () => {
-    const settled = settleRoutes(wiresOf(TO_SEPIA, TO_OVER, ONWARD), {
+    const pruned = pruneRoutes(wiresOf(TO_SEPIA, TO_OVER, ONWARD), {
       ...EMPTY_LAYOUT,
       reroutes: { a: AT, b: AT, unused: AT },
       routes: {
@@ -56,9 +56,9 @@ describe('what is drawn', () => {
         'other-aaaa.layer -> sepia-aaaa.inputImage': ['unused'],
       },
     });
-    expect(settled.routes).toEqual({ [TO_SEPIA]: ['a', 'b'], [TO_OVER]: ['a'] });
-    expect(Object.keys(settled.reroutes)).toEqual(['a', 'b']);
-    expect(settleRoutes(wiresOf(TO_SEPIA, TO_OVER, ONWARD), settled)).toBe(settled);
+    expect(pruned.routes).toEqual({ [TO_SEPIA]: ['a', 'b'], [TO_OVER]: ['a'] });
+    expect(Object.keys(pruned.reroutes)).toEqual(['a', 'b']);
+    expect(pruneRoutes(wiresOf(TO_SEPIA, TO_OVER, ONWARD), pruned)).toBe(pruned);
   });
 });
 
@@ -87,7 +87,7 @@ describe('in the files', () => {
 describe('wires that become others keep their ways', () => {
   test('as another type of node', () => {
     const made = studio().run((p) =>
-      settleRoutesOf(p, changeType(p, { library, graph: 'main', node: 'sepia-aaaa', type: 'operator/over' })),
+      pruneRoutesAfter(p, changeType(p, { library, graph: 'main', node: 'sepia-aaaa', type: 'operator/over' })),
     );
     expect(made.project.layout.main?.routes).toEqual({
       'video-aaaa.layer -> sepia-aaaa.top': ['trunk', 'twig'],
@@ -97,15 +97,15 @@ describe('wires that become others keep their ways', () => {
 
   test('into a subgraph and out again', () => {
     const packed = studio().run((p) =>
-      settleRoutesOf(
+      pruneRoutesAfter(
         p,
-        putIntoSubgraph(p, { library, graph: 'main', nodes: ['video-aaaa', 'sepia-aaaa'], name: 'look', id: 'look-aaaa', x: 0, y: 0 }),
+        createSubgraph(p, { library, graph: 'main', nodes: ['video-aaaa', 'sepia-aaaa'], name: 'look', id: 'look-aaaa', x: 0, y: 0 }),
       ),
     );
     expect(packed.project.layout.look?.routes).toEqual({ [TO_SEPIA]: ['trunk', 'twig'] });
     expect(packed.project.layout.main?.routes).toEqual({ 'look-aaaa.layer -> over-aaaa.bottom': ['trunk'] });
     const unpacked = packed.run((p) =>
-      settleRoutesOf(p, unpackSubgraph(p, { library, graph: 'main', node: 'look-aaaa', random: () => 0.5 })),
+      pruneRoutesAfter(p, ungroupSubgraph(p, { library, graph: 'main', node: 'look-aaaa', random: () => 0.5 })),
     );
     const { routes = {}, reroutes = {} } = unpacked.project.layout.main ?? {};
     expect(

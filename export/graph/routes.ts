@@ -1,5 +1,5 @@
-import { own } from './own.ts';
 import type { Graph, GraphLayout, PortAddress, Wire } from './project.ts';
+import { getOwn } from './record.ts';
 import { printAddress, printWire } from './wires.ts';
 
 /** What is drawn of wires between two points of their ways; all wires that run there share it. */
@@ -17,7 +17,7 @@ export interface Stretch {
 const STRAIGHT: readonly string[] = [];
 
 export function routeOf({ routes }: Pick<GraphLayout, 'routes'>, wire: Wire): readonly string[] {
-  return own(routes, printWire(wire)) ?? STRAIGHT;
+  return getOwn(routes, printWire(wire)) ?? STRAIGHT;
 }
 
 /** Unlike any other of the graph: that which ends at a target is called as its wire is. */
@@ -25,7 +25,7 @@ export function stretchId({ source, wires, before, to }: Stretch): string {
   return to === null ? printWire(wires[0]) : `${printAddress(source)} via ${before.at(-1) ?? 'nothing'} to ${to}`;
 }
 
-/** All that is drawn, by id; the stretches of a wire in their order. Routes must be settled. */
+/** All that is drawn, by id; the stretches of a wire in their order. Routes must be pruned. */
 export function stretchesOf({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphLayout, 'routes'>): ReadonlyMap<string, Stretch> {
   const stretches = new Map<string, Stretch>();
   for (const wire of wires) {
@@ -53,7 +53,7 @@ export function routesAfter(
   const next = { ...routes };
   for (const [before] of replaced) delete next[printWire(before)];
   for (const [before, after] of replaced) {
-    const route = own(routes, printWire(before));
+    const route = getOwn(routes, printWire(before));
     if (route) next[printWire(after)] = route;
   }
   return next;
@@ -63,7 +63,7 @@ export function routesAfter(
  * The layout with the routes that can be drawn: of wires that are there, through reroutes that are there, each of which is reached in one
  * way alone, as the branches of a tree. Reroutes on no route go. The same object where nothing had to.
  */
-export function settleRoutes({ wires }: Pick<Graph, 'wires'>, layout: GraphLayout): GraphLayout {
+export function pruneRoutes({ wires }: Pick<Graph, 'wires'>, layout: GraphLayout): GraphLayout {
   if (Object.keys(layout.routes).length + Object.keys(layout.reroutes).length === 0) return layout;
   /** Reroute → what wires come to it from. */
   const reachedFrom = new Map<string, string>();
@@ -75,7 +75,7 @@ export function settleRoutes({ wires }: Pick<Graph, 'wires'>, layout: GraphLayou
     let last = printAddress(wire.from);
     const kept = route.filter((reroute) => {
       const known = reachedFrom.get(reroute) ?? last;
-      if (known !== last || own(layout.reroutes, reroute) === undefined) return false;
+      if (known !== last || getOwn(layout.reroutes, reroute) === undefined) return false;
       reachedFrom.set(reroute, last);
       last = reroute;
       return true;

@@ -2,13 +2,16 @@ import { LAYOUT_FORMAT, newestVersion, PROJECT_FORMAT } from './document/migrate
 import { inline, type PrintableJson, printJson } from './json/print-json.ts';
 import type { ProjectTexts } from './load.ts';
 import { DEFAULT_PAGE } from './new-project.ts';
-import { sortedEntries } from './own.ts';
 import { type Asset, type Binding, type Graph, type GraphLayout, type GraphNode, MAIN_GRAPH, type Project } from './project.ts';
+import { sortedEntries } from './record.ts';
 import { printWire, sortWires } from './wires.ts';
 
 /**
- * The files of a project, always the same bytes for the same project: `main` first, then names in order; nodes by id, wires by
- * target, params by name; what has its default is left out. `loadProject` gives the equal project back.
+ * Writes a project as the texts of its files. Equal projects give equal bytes: `main` first, then names in order; nodes by id,
+ * wires by target, params by name. Defaults are left out. `loadProject` reads an equal project back.
+ *
+ * @returns The texts of `project.scrim.json`, `project.layout.json` and the files in `shaders/`.
+ * @throws Error where a number is not finite, which commands and loading prevent.
  */
 export function saveProject(project: Project): ProjectTexts & { readonly layout: string } {
   return { project: saveLogic(project), layout: saveLayout(project), sources: { ...project.sources } };

@@ -1,6 +1,10 @@
 /**
- * Orders the vertices of a directed graph so that each comes after those it depends on; among equals, in the order given.
- * What lies on a cycle, or behind one, is left over. Iterative and linear: chains of ten thousand nodes are fine.
+ * Sorts the vertices of a directed graph topologically. Ties keep the given order. Iterative, in linear time.
+ *
+ * @param successors The vertices that depend on a vertex.
+ * @returns `order`: each vertex after those it depends on. `left`: vertices on a cycle or behind one.
+ * @example
+ * topologicalOrder(['a', 'b'], (vertex) => (vertex === 'b' ? ['a'] : [])).order; // ['b', 'a']
  */
 export function topologicalOrder<T>(
   vertices: Iterable<T>,
@@ -27,7 +31,11 @@ export function topologicalOrder<T>(
   return { order, left };
 }
 
-/** Cycles, each as the vertices along it, at least one where there are any; when none is left, there are none. Linear. */
+/**
+ * Finds cycles in linear time.
+ *
+ * @returns The vertices along each cycle found; at least one cycle if the graph has any.
+ */
 export function findCycles<T>(vertices: Iterable<T>, successors: (vertex: T) => Iterable<T>): T[][] {
   const { left } = topologicalOrder(vertices, successors);
   if (left.size === 0) return [];
@@ -49,7 +57,7 @@ export function findCycles<T>(vertices: Iterable<T>, successors: (vertex: T) => 
   return cycles;
 }
 
-/** Takes away what lies behind cycles but leads to none. */
+/** Removes the vertices that lie behind cycles and on none. */
 function withoutTails<T>(left: ReadonlySet<T>, successors: (vertex: T) => Iterable<T>): Set<T> {
   const predecessors = new Map<T, T[]>();
   for (const vertex of left) predecessors.set(vertex, []);

@@ -1,5 +1,5 @@
-import { compareText } from './own.ts';
 import type { PortAddress, Wire } from './project.ts';
+import { compareText } from './record.ts';
 
 const ID = '[a-z0-9-]+';
 const PORT = '[A-Za-z0-9_]+';

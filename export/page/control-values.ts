@@ -9,7 +9,7 @@ export interface ControlValues {
   get(index: number): number;
   /** Does nothing where it is set to that already. */
   set(index: number, value: number): void;
-  /** Hears of each change, whoever made it. Returns what stops it. */
+  /** Calls `listener` after each change. Returns the function that stops it. */
   listen(listener: (index: number) => void): () => void;
 }
 

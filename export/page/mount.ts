@@ -25,14 +25,14 @@ export interface MountOptions {
 export interface Mounted {
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
-  /** Plays this session from now on; the one before is ended first. Null plays none. */
+  /** Ends the current session and plays this one. Null plays none. */
   play(session: Session | null): Promise<void>;
   dispose(): Promise<void>;
 }
 
 /**
- * Plays a program on a canvas, with whatever session it is given: the page's entry. Throws where the browser has no WebGL 2.
- * The canvas is see-through, so that the page's own background shows where the picture has none.
+ * Plays a program on a canvas with the given session. Throws if the browser has no WebGL 2.
+ * The canvas is transparent, so that the page's background shows behind it.
  */
 export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted {
   const gl = canvas.getContext('webgl2', {
@@ -64,7 +64,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     const before = playing;
     playing = session;
     await before?.end();
-    // Another one came while the earlier one ended.
+    // Another session was set while the earlier one ended.
     if (playing !== session) return void session?.end();
     player.setSession(session);
     const shown = session?.hidesPage === true ? (options.createPanel?.(gl) ?? null) : null;
@@ -101,5 +101,4 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
   };
 }
 
-const NO_WEBGL =
-  'This browser has no WebGL 2, which draws the picture. Open the page in a current Chrome, Edge, Firefox or Safari, with hardware acceleration switched on.';
+const NO_WEBGL = 'This browser has no WebGL 2. Open the page in a current Chrome, Edge, Firefox or Safari, with hardware acceleration on.';

@@ -19,7 +19,7 @@ test('one line per capability, with every reason once, required ones first', () 
     need({ capability: 'camera-image', required: true, why: 'to draw the room as a sketch.' }),
   ]);
   expect(asks).toEqual([
-    { what: 'The camera’s picture', why: 'To draw the room as a sketch. It does not work without.', required: true },
+    { what: 'The camera feed', why: 'To draw the room as a sketch. Required.', required: true },
     {
       what: 'The depth of the room',
       why: 'To hide things behind furniture, and to clip shadows. Without it: things are drawn in front of everything; shadows lie on furniture.',

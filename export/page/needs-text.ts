@@ -1,7 +1,8 @@
-import type { Capability, ProgramNeed } from '../program/program.ts';
+import type { Capability } from '../../nodes/kit/definition.ts';
+import type { ProgramNeed } from '../program/program.ts';
 
 const WHAT: Readonly<Record<Capability, string>> = {
-  'camera-image': 'The camera’s picture',
+  'camera-image': 'The camera feed',
   depth: 'The depth of the room',
   'light-estimation': 'The light in the room',
   'hit-test': 'Surfaces you point at',
@@ -31,7 +32,7 @@ export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
     const reason = sentence(whys.join(', and '));
     return {
       what: WHAT[capability],
-      why: required ? `${reason} It does not work without.` : `${reason} Without it: ${sentence(withouts.join('; '), false)}`,
+      why: required ? `${reason} Required.` : `${reason} Without it: ${sentence(withouts.join('; '), false)}`,
       required,
     };
   });

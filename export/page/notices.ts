@@ -58,7 +58,7 @@ function visitorText({ code, message, fix }: Diagnostic): string {
 
 const VISITOR_REMEDIES: Readonly<Partial<Record<DiagnosticCode, string>>> = {
   SCR030: 'Check the connection, then reload the page.',
-  SCR032: 'It may have been damaged on its way: reload the page.',
+  SCR032: 'It may have been damaged during loading. Reload the page.',
   SCR050: 'its own',
   SCR051: 'its own',
 };

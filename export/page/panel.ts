@@ -1,21 +1,21 @@
-import { type Credit, createCredits } from './credits.ts';
+import { type Credit, createCredits } from './credits-list.ts';
 import { element } from './dom.ts';
 import { progressText } from './load-progress.ts';
 import type { Ask } from './needs-text.ts';
-import type { Way } from './way-texts.ts';
+import type { SessionMode } from './session-modes.ts';
 
 /** What the panel shows below the title. */
 export type PanelState =
   | { readonly kind: 'loading'; readonly loadedBytes: number }
-  /** Shown, to be looked around. */
+  /** The orbit view is shown. */
   | {
       readonly kind: 'ready';
       /** What can be entered from here, best first. */
-      readonly offers: readonly Way[];
-      /** Why the best way cannot be had, in one sentence, or null. */
+      readonly offers: readonly SessionMode[];
+      /** Why the best mode is not available, in one sentence, or null. */
       readonly reason: string | null;
     }
-  | { readonly kind: 'entering'; readonly way: Way }
+  | { readonly kind: 'entering'; readonly mode: SessionMode }
   /** Nothing can be shown at all. */
   | { readonly kind: 'failed'; readonly reason: string };
 
@@ -31,37 +31,40 @@ export interface PanelOptions {
   readonly lacks: Readonly<Record<'camera' | 'vr' | 'orbit', readonly string[]>>;
   /** Of all that has to be loaded. */
   readonly totalBytes: number;
-  readonly onEnter: (way: Way) => void;
+  readonly onEnter: (mode: SessionMode) => void;
 }
 
 export interface Panel {
   readonly element: HTMLElement;
   show(state: PanelState): void;
-  /** To where the visitor came from. */
+  /** Moves the focus to the first button. */
   focus(): void;
 }
 
-const LABELS: Readonly<Record<Way, { readonly enter: string; readonly entering: string }>> = {
+const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly entering: string }>> = {
   ar: { enter: 'Enter AR', entering: 'Entering AR…' },
   camera: { enter: 'Use the camera', entering: 'Starting the camera…' },
   vr: { enter: 'Enter VR', entering: 'Entering VR…' },
 };
 
-/** The card with title, description and the ways in: what each will ask for, and what it lacks, before it is asked. */
+/** The card with title, description and the session modes: what each requests, and what it lacks, before it is asked. */
 export function createPanel(options: PanelOptions): Panel {
   const { document, title, description, totalBytes, lacks } = options;
   const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
   const size = element(document, 'p', { className: 'size' });
   const loading = element(document, 'div', { className: 'loading' }, bar, size);
   const reason = element(document, 'p', { className: 'reason' });
-  const ar = createWay(options, 'ar', arTexts(options));
-  const camera = createWay(options, 'camera', [...cameraTexts(document), ...lacksElement(document, [STANDS_STILL, ...lacks.camera])]);
-  const vr = createWay(options, 'vr', [...vrTexts(options), ...lacksElement(document, lacks.vr)]);
+  const ar = createModeElement(options, 'ar', arTexts(options));
+  const camera = createModeElement(options, 'camera', [
+    ...cameraTexts(document),
+    ...lacksElement(document, [STANDS_STILL, ...lacks.camera]),
+  ]);
+  const vr = createModeElement(options, 'vr', [...vrTexts(options), ...lacksElement(document, lacks.vr)]);
   const around = element(
     document,
     'div',
     {},
-    element(document, 'p', { className: 'hint' }, 'Drag to look around. Scroll or pinch to come closer. Arrow keys work too.'),
+    element(document, 'p', { className: 'hint' }, 'Drag to look around. Scroll or pinch to zoom. Arrow keys work too.'),
   );
   const aroundLacks = element(document, 'div', {}, ...lacksElement(document, lacks.orbit));
   const body = element(
@@ -87,8 +90,8 @@ export function createPanel(options: PanelOptions): Panel {
     },
   });
   const header = element(document, 'header', {}, element(document, 'h1', {}, title), fold);
-  const ways: Readonly<Record<Way, WayElement>> = { ar, camera, vr };
-  const all = Object.values(ways);
+  const modes: Readonly<Record<SessionMode, ModeElement>> = { ar, camera, vr };
+  const all = Object.values(modes);
   return {
     element: element(document, 'section', { className: 'panel', attributes: { 'aria-label': title } }, header, body),
     show: (state) => {
@@ -103,23 +106,23 @@ export function createPanel(options: PanelOptions): Panel {
       reason.hidden = text === null;
       reason.textContent = text ?? '';
       if (state.kind === 'entering') {
-        for (const way of all) way.setBusy(way === ways[state.way] ? 'entering' : 'waiting');
+        for (const mode of all) mode.setBusy(mode === modes[state.mode] ? 'entering' : 'waiting');
         return;
       }
-      const offers: readonly Way[] = state.kind === 'ready' ? state.offers : [];
-      for (const way of WAYS) ways[way].setOffered(offers.indexOf(way));
+      const offers: readonly SessionMode[] = state.kind === 'ready' ? state.offers : [];
+      for (const mode of MODES) modes[mode].setOffered(offers.indexOf(mode));
       around.hidden = state.kind !== 'ready';
       aroundLacks.hidden = state.kind !== 'ready' || offers.length > 0;
     },
     focus: () => {
-      (all.find((way) => !way.element.hidden)?.button ?? fold).focus();
+      (all.find((mode) => !mode.element.hidden)?.button ?? fold).focus();
     },
   };
 }
 
-const WAYS = ['ar', 'camera', 'vr'] as const;
+const MODES = ['ar', 'camera', 'vr'] as const;
 
-interface WayElement {
+interface ModeElement {
   readonly element: HTMLElement;
   readonly button: HTMLButtonElement;
   /** The place among what is offered; -1: not at all. */
@@ -127,13 +130,13 @@ interface WayElement {
   setBusy(state: 'entering' | 'waiting'): void;
 }
 
-function createWay({ document, onEnter }: PanelOptions, way: Way, texts: readonly HTMLElement[]): WayElement {
-  const { enter, entering } = LABELS[way];
-  const id = `about-${way}`;
+function createModeElement({ document, onEnter }: PanelOptions, mode: SessionMode, texts: readonly HTMLElement[]): ModeElement {
+  const { enter, entering } = LABELS[mode];
+  const id = `about-${mode}`;
   const button = element(
     document,
     'button',
-    { className: 'enter', attributes: { type: 'button', 'aria-describedby': id }, onClick: () => onEnter(way) },
+    { className: 'enter', attributes: { type: 'button', 'aria-describedby': id }, onClick: () => onEnter(mode) },
     enter,
   );
   const about = element(document, 'div', { id, className: 'asks' }, ...texts);
@@ -154,10 +157,10 @@ function createWay({ document, onEnter }: PanelOptions, way: Way, texts: readonl
   };
 }
 
-const PRIVACY = 'Everything stays on your device: this page sends nothing anywhere.';
+const PRIVACY = 'Everything stays on your device. This page sends no data.';
 
 function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
-  const motion = 'Your browser will ask whether this page may follow how your device moves in the room.';
+  const motion = 'Your browser will ask whether this page may track how your device moves in the room.';
   const items = asks.flatMap(({ what, why }) => [element(document, 'dt', {}, what), element(document, 'dd', {}, why)]);
   return [
     element(document, 'p', {}, motion + (items.length === 0 ? '' : ' It may also use:')),
@@ -168,7 +171,7 @@ function arTexts({ document, asks, controls }: PanelOptions): HTMLElement[] {
 }
 
 function vrTexts({ document, controls }: PanelOptions): HTMLElement[] {
-  const asks = 'Your browser will ask whether this page may follow how you move. A plain room stands in for your own.';
+  const asks = 'Your browser will ask whether this page may track your movement. You see a plain room instead of your own.';
   return [
     element(document, 'p', {}, asks),
     ...(controls.length === 0 ? [] : [element(document, 'p', {}, CONTROLS_IN_ROOM)]),
@@ -178,15 +181,15 @@ function vrTexts({ document, controls }: PanelOptions): HTMLElement[] {
 
 /** They have no DOM overlays. */
 const CONTROLS_IN_ROOM =
-  'In a headset the controls are on a panel in front of you, below your eyes: point at it and press. What you set here before stays set.';
+  'In a headset the controls are on a panel in front of you, below your eyes. Point at it and press. Values that you set here are kept.';
 
 function cameraTexts(document: Document): HTMLElement[] {
-  const asks = 'Your browser will ask for the camera, and perhaps whether this page may follow how your device turns.';
+  const asks = 'Your browser will ask for the camera, and perhaps for motion sensors.';
   return [element(document, 'p', {}, asks), element(document, 'p', { className: 'privacy' }, PRIVACY)];
 }
 
 /** No sensor tells how a device moves. */
-const STANDS_STILL = 'Things keep their direction as you turn, but cannot stay in place as you walk.';
+const STANDS_STILL = 'Objects keep their direction as you turn, but do not stay in place as you walk.';
 
 function lacksElement(document: Document, lacks: readonly string[]): HTMLElement[] {
   if (lacks.length === 0) return [];
@@ -196,7 +199,7 @@ function lacksElement(document: Document, lacks: readonly string[]): HTMLElement
       document,
       'details',
       { className: 'lacks' },
-      element(document, 'summary', {}, 'What is missing compared with AR'),
+      element(document, 'summary', {}, 'Missing compared with AR'),
       element(document, 'ul', {}, ...items),
     ),
   ];

@@ -8,13 +8,13 @@ import { createEmbeddedAssetSource, hasEmbeddedFiles } from './embedded-files.ts
 import { countingFetch } from './load-progress.ts';
 import { browserFetch } from './network.ts';
 import { keepForOffline } from './offline.ts';
+import { createPageController, type PageController } from './page-controller.ts';
 import { CONFIG_ID, type PageConfig } from './page-html.ts';
+import { createPageRoot } from './page-root.ts';
 import type { CreateRoomPanel } from './room-panel/room-panel.ts';
-import { createStage } from './stage.ts';
-import { createVisit, type Visit } from './visit.ts';
-import { findWays, lacksOf } from './way-texts.ts';
+import { findSessionModes, lacksOf } from './session-modes.ts';
 
-/** What the page's own script hands in: the behaviour of the nodes in use, and what not every page needs. */
+/** What the page's own script hands in: the behavior of the nodes in use, and what not every page needs. */
 export interface PageParts {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: ((files: DecoderFiles) => CreateSceneBackend) | null;
@@ -26,34 +26,34 @@ export interface PageParts {
 export async function startPage(page: Window, parts: PageParts): Promise<void> {
   const { document } = page;
   const config = readConfig(document);
-  let visit: Visit | null = null;
-  const values = createControlValues(config.controls, ({ node, param }, value) => visit?.setParam(node, param, value));
-  const stage = createStage({
+  let controller: PageController | null = null;
+  const values = createControlValues(config.controls, ({ node, param }, value) => controller?.setParam(node, param, value));
+  const root = createPageRoot({
     ...config,
     document,
     values,
     lacks: { camera: lacksOf(config.tiers, 'camera'), vr: lacksOf(config.tiers, 'authored-vr'), orbit: lacksOf(config.tiers, 'orbit') },
     totalBytes: Object.values(config.bytes).reduce((sum, bytes) => sum + bytes, 0),
-    onEnter: (way) => void visit?.enter(way),
-    onLeave: () => void visit?.lookAround(),
+    onEnter: (mode) => void controller?.enter(mode),
+    onLeave: () => void controller?.lookAround(),
   });
-  const { panel } = stage;
+  const { panel } = root;
   panel.show({ kind: 'loading', loadedBytes: 0 });
   const fetchFile = countingFetch(browserFetch(), (loadedBytes) => {
-    if (visit === null || !visit.isReady) panel.show({ kind: 'loading', loadedBytes });
+    if (controller === null || !controller.isReady) panel.show({ kind: 'loading', loadedBytes });
   });
   const files = hasEmbeddedFiles(document) ? createEmbeddedAssetSource(document) : createFetchAssetSource(document.baseURI, fetchFile);
   try {
-    const found = findWays(page, config.tiers);
+    const found = findSessionModes(page, config.tiers);
     const program = await loadProgram(files, config.program);
-    const ways = await found;
+    const modes = await found;
     const createScenes = parts.createScenes?.((file) => files.load(config.decoders[file] ?? file)) ?? null;
     const { modules, createRoomPanel } = parts;
     const createPanel = createRoomPanel && ((gl: WebGL2RenderingContext) => createRoomPanel({ gl, document, title: config.title, values }));
-    visit = createVisit({ page, stage, program, assets: files, ways, modules, createScenes, createPanel });
-    await visit.ready;
-    panel.show({ kind: 'ready', offers: ways.offers, reason: ways.noAr });
-    stage.showPicture();
+    controller = createPageController({ page, root, program, assets: files, modes, modules, createScenes, createPanel });
+    await controller.ready;
+    panel.show({ kind: 'ready', offers: modes.offers, reason: modes.noAr });
+    root.showCanvas();
   } catch (error) {
     panel.show({ kind: 'failed', reason: error instanceof Error ? error.message : String(error) });
   }
@@ -68,7 +68,7 @@ function readConfig(document: Document): PageConfig {
 
 async function loadProgram(files: AssetSource, path: string): Promise<Program> {
   const bytes = await files.load(path).catch(() => {
-    throw new Error('The page could not be loaded whole. Check the connection, then reload it.');
+    throw new Error('The page did not load completely. Check the connection, then reload it.');
   });
   return readProgram(JSON.parse(new TextDecoder().decode(bytes)));
 }

@@ -1,12 +1,12 @@
 import type { LinkedShader } from './program.ts';
 
 /**
- * Bounded loops (design §8), an agreement between the linker, which prints them on request, and whoever draws what it printed.
+ * Bounded loops (docs/adr/0012): the agreement between the linker, which prints them on request, and the runtime, which draws them.
  *
  * One endless loop in a fragment shader stops every page on the GPU (measured: 45 s, no lost context). So a bounded shader gives
- * each invocation a number of rounds for all its loops together; when they are spent, every loop ends at its next round.
+ * each invocation a number of iterations for all its loops together; when they are spent, every loop ends at its next iteration.
  *
- * Its second colour output is 0, or the author's line of the loop that spent the last round, in two bytes. A normal draw has no
+ * Its second color output is 0, or the author's line of the loop that spent the last round, in two bytes. A normal draw has no
  * attachment for it. A probe draws the same shader, with the same inputs and its usual `RENDERSIZE`, into `PROBE_SIDE_PX` squared
  * pixels of an RG8 texture at `PROBE_ATTACHMENT`, before the picture is drawn: what is endless anywhere but in a few pixels is
  * endless there.
@@ -25,8 +25,8 @@ import type { LinkedShader } from './program.ts';
 export const LOOP_BUDGET = 16_384;
 
 /**
- * Loops whose text says how often they go round are not bounded up to this, the taps of a blur over 512 × 512 pixels: they end, and
- * one who counts that far means it. Beyond, a picture takes so long that no matter how surely it ends, the GPU would be given up.
+ * Loops whose text states their number of iterations are not bounded up to this total, the taps of a blur over 512 × 512 pixels:
+ * they end, and so high a number is intended. Beyond it, a draw takes so long that the browser resets the GPU before it ends.
  */
 export const COUNTED_BUDGET = 262_144;
 
@@ -53,7 +53,12 @@ bool scrim_isShut() {
   return exceeded == (${GATE_UNIFORM} == 1);
 }`;
 
-/** The author's line that the bytes of a probe name, RGBA per pixel; null where no pixel exceeded the budget. */
+/**
+ * Reads a probe.
+ *
+ * @param bytes RGBA, four bytes per pixel.
+ * @returns The author's line that exceeded the budget, from 1, or null where no pixel did.
+ */
 export function readProbe(bytes: Uint8Array): number | null {
   for (let i = 0; i + 1 < bytes.length; i += 4) {
     const line = (bytes[i] ?? 0) + (bytes[i + 1] ?? 0) * 256;
@@ -62,8 +67,8 @@ export function readProbe(bytes: Uint8Array): number | null {
   return null;
 }
 
-/** A diagnostic of the kit's, which this folder does not know. A warning where the loops are counted, and so the picture is drawn. */
-export interface TooManyRounds {
+/** A diagnostic (SCR044). A warning where the loops are counted, because these are drawn in full. */
+export interface TooManyIterations {
   readonly code: 'SCR044';
   readonly severity: 'error' | 'warning';
   readonly message: string;
@@ -73,21 +78,25 @@ export interface TooManyRounds {
   readonly column?: number;
 }
 
-/** What a probe's line means, for the author. */
-export function tooManyRounds(shader: LinkedShader | undefined, line: number): TooManyRounds {
+/**
+ * Describes an exceeded loop budget as a diagnostic.
+ *
+ * @param line The author's line, from `readProbe`.
+ */
+export function tooManyIterations(shader: LinkedShader | undefined, line: number): TooManyIterations {
   const entry = shader?.sourceMap?.lines.find((mapped) => mapped?.[1] === line);
   const file = entry ? shader?.sourceMap?.sources[entry[0]] : undefined;
   const isCounted = shader?.loops === 'counted';
-  const often = `one pixel went round more than ${LOOP_BUDGET} times`;
+  const often = `one pixel ran more than ${LOOP_BUDGET} iterations`;
   return {
     code: 'SCR044',
     severity: isCounted ? 'warning' : 'error',
     message: isCounted
-      ? `The loops take long: ${often}, and passed that here.`
+      ? `The loops take long: ${often}, and passed that limit here.`
       : `The loops do not end in time: ${often}, the last time here.`,
     fix: isCounted
-      ? 'It is drawn all the same, but slow devices may show few pictures a second, or none. Let it go round less often, or draw it into a smaller pass.'
-      : 'See that the loop ends, or let it go round less often. The preview leaves the node out until then.',
+      ? 'Reduce the iterations, or draw into a smaller pass. Slow devices may have a low frame rate or show nothing.'
+      : 'Make the loop end, or reduce its iterations. The preview leaves the node out until then.',
     ...(file === undefined ? {} : { file }),
     line,
     ...(entry ? { column: entry[2] } : {}),

@@ -2,7 +2,7 @@ import type { Program } from './program.ts';
 
 const PHANTOM = 'objects/phantom';
 
-/** Ids of the nodes whose objects a Phantom node takes, by whatever way: they stand for real things. */
+/** @returns The ids of the nodes whose objects reach a Phantom node, directly or through others: they stand for real objects. */
 export function phantomNodes({ operations }: Program): ReadonlySet<string> {
   const nodes = new Set<string>();
   const wanted = operations.flatMap((operation) => ('type' in operation && operation.type === PHANTOM ? operation.reads : []));

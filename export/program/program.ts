@@ -1,8 +1,9 @@
+import type { Capability } from '../../nodes/kit/definition.ts';
 import type { SizeOperation } from './size-operation.ts';
 
 /**
  * The program: what the compiler prints and the only thing the runtime plays. Plain JSON, versioned, and free of everything
- * that belongs to the editor. This folder imports nothing, so the format can be read on its own.
+ * that belongs to the editor. This folder imports types of the kit alone, so the format can be read on its own.
  *
  * Order of a frame: operations run in list order. Those with `view: 'once'` come first (values, sources, objects, shadow maps,
  * image-domain passes), then those with `view: 'each'` run as a block once per view, so that views share their targets.
@@ -21,11 +22,11 @@ export interface Program {
   readonly presentation: Presentation;
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
-  /** Layers kept for looking at, `node.port` → resource. Empty in an export. */
+  /** Viewed layers, `node.port` → resource. Empty in an export. */
   readonly taps: Readonly<Record<string, LayerRef>>;
   /** What visitors can set on screen, from top to bottom; absent where there is nothing. */
   readonly controls?: readonly Control[];
-  /** Whose works it is made of, by title; absent where nobody is named. For whoever shows the picture: nothing plays it. */
+  /** Credits of the works in it, by title; absent where no author is named. For display only: the runtime ignores them. */
   readonly credits?: readonly ProgramCredit[];
 }
 
@@ -34,7 +35,7 @@ export interface ProgramCredit {
   /** An effect's title, or the project path of an asset. */
   readonly title: string;
   readonly kind: 'effect' | 'asset';
-  /** Who made it; empty where nobody is named. */
+  /** The author; empty where none is named. */
   readonly credit: string;
   /** Empty where none is named: effects of Scrim's own library are under Scrim's. */
   readonly licence: string;
@@ -90,12 +91,12 @@ export type Resource =
       readonly domain: 'view' | 'image';
       readonly size: TargetSize;
       readonly format: TargetFormat;
-      /** `window`: a depth buffer to draw and to read. `none`: colour alone. */
+      /** `window`: a depth buffer to draw and to read. `none`: color alone. */
       readonly depth: 'none' | 'window';
       readonly samples: 1 | 4;
-      /** `persistent` keeps last frame's picture: reading it while writing it gives the earlier one. */
+      /** `persistent` keeps the previous frame: reading it while writing it gives the earlier one. */
       readonly lifetime: 'frame' | 'persistent';
-      /** An equal target, drawn earlier, whose picture nobody reads any more when this one is drawn: both are one texture. */
+      /** An equal target that no later operation reads when this one is drawn: both use one texture. */
       readonly shares?: ResourceId;
     }
   /** A texture that a source brings: picture, video, camera. */
@@ -125,13 +126,13 @@ export interface TechniqueResource {
    * Null in an export.
    */
   readonly trial: number | null;
-  /** Text for the vertex and the fragment shader of whoever draws objects; see `export/glsl/technique/interface.ts`. */
+  /** Text for the vertex and the fragment shader of the material that draws objects; see `export/glsl/technique/interface.ts`. */
   readonly vertex: string;
   readonly fragment: string;
   /** Draws of each object, in order. */
   readonly passes: readonly TechniquePass[];
   readonly uniforms: readonly TechniqueUniform[];
-  /** Colours of layers that it reads, if any; draws with it name them among their reads. */
+  /** Colors of layers that it reads, if any; draws with it name them among their reads. */
   readonly samplers?: readonly PassSampler[];
   /** Pictures that it brings along, by the name of their uniform: base64 of a PNG with its mip levels side by side. */
   readonly pictures?: readonly { readonly name: string; readonly data: string }[];
@@ -148,7 +149,7 @@ export interface TechniqueUniform {
   readonly slot: number;
 }
 
-/** `rgba8`: a layer. `rgba16f`: unclamped. `rgba32f`: numbers. `r32f`: depth in metres, 0 where there is none. */
+/** `rgba8`: a layer. `rgba16f`: unclamped. `rgba32f`: numbers. `r32f`: depth in meters, 0 where there is none. */
 export type TargetFormat = 'rgba8' | 'rgba16f' | 'rgba32f' | 'r32f';
 
 /** Pixels: the view's, or another resource's; each side times `scale`, or an ISF size expression over slots. */
@@ -165,16 +166,16 @@ export interface TargetSize {
 export type SizeExpression = readonly (number | SizeToken)[];
 export type SizeToken = { readonly slot: number } | { readonly op: 'width' | 'height' | SizeOperation };
 
-/** A layer is a colour resource and, where it has one, a depth resource: two ids, because filters keep the depth they get. */
+/** A layer is a color resource and, where it has one, a depth resource: two ids, because filters keep the depth they get. */
 export interface LayerRef {
   readonly color: ResourceId;
   readonly depth: LayerDepthRef | null;
 }
 
-/** `window`: the resource's depth buffer, decoded with the view's projection. `metres`: red channel of an `r32f` target. */
+/** `window`: the resource's depth buffer, decoded with the view's projection. `meters`: red channel of an `r32f` target. */
 export interface LayerDepthRef {
   readonly resource: ResourceId;
-  readonly encoding: 'window' | 'metres';
+  readonly encoding: 'window' | 'meters';
 }
 
 interface OperationBase {
@@ -195,7 +196,7 @@ interface OperationBase {
  * each number; `repeat`).
  */
 export interface NodeOperation extends OperationBase {
-  readonly kind: 'value' | 'source' | 'behaviour' | 'geometry' | 'draw' | 'cpu';
+  readonly kind: 'value' | 'source' | 'behavior' | 'geometry' | 'draw' | 'cpu';
   readonly type: string;
   readonly inputs: Readonly<Record<string, readonly InputRef[]>>;
   /** Input ports that take several wires: the node's runtime sees an array for these, else one view or null. */
@@ -204,6 +205,8 @@ export interface NodeOperation extends OperationBase {
   readonly pulses?: readonly string[];
   /** Its inputs are read after the frame's values are computed, so that it may come before what they depend on. */
   readonly delay?: true;
+  /** What it gives depends on all earlier frames; with a slot, where that number is above the limit. */
+  readonly stateful?: true | { readonly slot: number; readonly above: number };
   readonly outputs: Readonly<Record<string, OutputRef>>;
   /** Uniform params → slot. */
   readonly params: Readonly<Record<string, number>>;
@@ -231,8 +234,8 @@ export interface DrawOperation extends NodeOperation {
 }
 
 /**
- * Sends a picture to a worker, and draws what came back of an earlier one; the picture itself while there is none. Both are targets of
- * the same size.
+ * Sends a texture to a worker and draws the result of an earlier frame, or the texture itself while there is no result. Both are
+ * targets of the same size.
  */
 export interface CpuOperation extends NodeOperation {
   readonly kind: 'cpu';
@@ -267,7 +270,7 @@ export interface PassOperation extends OperationBase {
   /** ISF `PASSINDEX`. */
   readonly passIndex: number;
   /** What it reads of its inputs, from the cheapest. Says what could be fused; playing needs it not. */
-  readonly access?: 'pointwise' | 'displaced' | 'neighbourhood' | 'persistent' | 'resize';
+  readonly access?: 'pointwise' | 'displaced' | 'neighborhood' | 'persistent' | 'resize';
 }
 
 export interface PassSampler {
@@ -345,23 +348,12 @@ export interface Presentation {
   /** `forward`: draws straight into the session's framebuffer. `composed`: at least one layer is needed as an image. */
   readonly mode: 'forward' | 'composed';
   readonly antialias: boolean;
-  /** `world`: passthrough or the session's camera image. A colour is display-referred sRGB, straight alpha. */
+  /** `world`: passthrough or the session's camera image. A color is display-referred sRGB, straight alpha. */
   readonly background: 'world' | readonly [number, number, number, number];
   readonly blend: 'alpha';
-  /** Where those who look around do so at first, if it is not where all do: the point that they look at, and how far away they are. */
+  /** Start of the orbit camera, where it differs from the default: its target (meters, world space) and its distance in meters. */
   readonly around?: { readonly targetWorld: readonly [number, number, number]; readonly distanceM: number };
 }
-
-export type Capability =
-  | 'camera-image'
-  | 'depth'
-  | 'light-estimation'
-  | 'hit-test'
-  | 'anchors'
-  | 'planes'
-  | 'meshes'
-  | 'hands'
-  | 'microphone';
 
 export interface ProgramNeed {
   readonly capability: Capability;
@@ -379,7 +371,12 @@ export interface Tier {
   readonly without: readonly { readonly capability: Capability; readonly effect: string }[];
 }
 
-/** Throws where `json` is not a program this runtime can play; a page and its program are built together, so this is a fault. */
+/**
+ * Checks the format and version of a program. A page and its program are built together, so a mismatch is a fault.
+ *
+ * @param json Parsed `program.json`.
+ * @throws Error where this runtime cannot play it.
+ */
 export function readProgram(json: unknown): Program {
   const header = json as { format?: unknown; version?: unknown } | null;
   if (header?.format !== 'scrim-program') throw new Error('Not a Scrim program: the key "format" is missing or wrong.');

@@ -2,7 +2,7 @@
  * How the depth of the room is read, an agreement between the linker, which prints it into passes, and the runtime, which puts it
  * into the materials of objects: both forms of an occlusion show the same picture because they read alike.
  *
- * Metres at a place of the room's texture, 0 where unknown. Blended, it is bilinear over the samples that are known: an unknown
+ * Meters at a place of the room's texture, 0 where unknown. Blended, it is bilinear over the samples that are known: an unknown
  * one says nothing, and is no zero to be drawn towards. Blending is done here rather than by the sampler because many phones
  * cannot filter 32-bit floats, and none leaves out what is unknown.
  */

@@ -63,7 +63,7 @@ export function createManualClock(startS = 0, localEpochMs = 0): ManualClock {
 }
 
 /** 1 January 2024, 12:00, whatever the machine's clock says. */
-const RENDER_DATE_MS = Date.UTC(2024, 0, 1, 12);
+const RENDER_DATE_MS = /* @__PURE__ */ Date.UTC(2024, 0, 1, 12);
 
 /** Of renders, whose frames bring their own time: waiting for drivers and files is not part of it. */
 export function createRenderClock(): FrameClock {

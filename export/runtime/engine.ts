@@ -7,15 +7,14 @@ import { type StartWorker, startBlobWorker } from './cpu/worker-source.ts';
 import type { DiagnosticsBoard } from './diagnostics-board.ts';
 import { COPY_SHADER } from './gl/copy-shader.ts';
 import { createGlObjects, type GlCounts, type GlObjects } from './gl/gl-objects.ts';
-import { createLoopProbe, type LoopProbe } from './gl/loop-probe.ts';
 import { createPassDrawer, type PassDrawer } from './gl/pass-drawer.ts';
 import { createPictureStore, type PictureStore } from './gl/picture-store.ts';
 import { createProgramCache, type GlProgram, type ProgramCache } from './gl/program-cache.ts';
 import { type CameraMean, createCameraMean } from './light/camera-mean.ts';
 import type { NodeHost } from './operations/node-instance.ts';
 import type { PlayState } from './play-state.ts';
+import type { OperationTimer } from './program-instance/operation-timer.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
-import type { Meter } from './stage/meter.ts';
 
 /** Everything that lives as long as the graphics context does, whatever program is played. */
 export interface Engine {
@@ -26,13 +25,11 @@ export interface Engine {
   readonly copy: GlProgram;
   /** A program for work outside of frames: linked when first asked for, and kept. */
   tool(shader: LinkedShader): GlProgram;
-  /** For programs with bounded loops: made when first asked for, and kept. */
-  loopProbe(): LoopProbe;
   readonly assets: AssetStore;
   readonly pictures: PictureStore;
   readonly clock: FrameClock;
   readonly state: PlayState;
-  readonly meter: Meter | null;
+  readonly timer: OperationTimer | null;
   readonly host: NodeHost;
   /** Null until something drew objects or loaded a model. */
   scenesIfMade(): SceneBackend | null;
@@ -57,7 +54,7 @@ export interface EngineOptions {
   readonly state: PlayState;
   readonly held?: boolean;
   readonly startWorker?: StartWorker;
-  readonly meter?: Meter;
+  readonly timer?: OperationTimer;
 }
 
 export function createEngine(options: EngineOptions): Engine {
@@ -73,7 +70,6 @@ export function createEngine(options: EngineOptions): Engine {
     return backend;
   };
   const tools = new Map<string, GlProgram>();
-  let probe: LoopProbe | null = null;
   let cameraMean: CameraMean | null = null;
   const assets = createAssetStore({ objects, source: options.assets, scenes, delay: clock.delay });
   const tool = (shader: LinkedShader): GlProgram => {
@@ -88,15 +84,11 @@ export function createEngine(options: EngineOptions): Engine {
     drawer,
     copy,
     tool,
-    loopProbe: () => {
-      probe ??= createLoopProbe(objects);
-      return probe;
-    },
     assets,
     pictures: createPictureStore(objects),
     clock,
     state,
-    meter: options.meter ?? null,
+    timer: options.timer ?? null,
     host: {
       gl,
       modules: options.modules,
@@ -135,7 +127,6 @@ export function createEngine(options: EngineOptions): Engine {
     dispose: () => {
       assets.dispose();
       backend?.dispose();
-      probe?.dispose();
       cameraMean?.dispose();
       drawer.dispose();
       programs.dispose();

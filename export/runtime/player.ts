@@ -12,10 +12,11 @@ import type { Inspected } from './inspected.ts';
 import { type Loading, loadProgram } from './loading.ts';
 import { createPlayState } from './play-state.ts';
 import type { SessionTraits } from './present/background.ts';
+import type { LoopGuard } from './program-instance/loop-watch.ts';
+import { disposeNodeInstances } from './program-instance/node-instances.ts';
+import type { OperationTimer } from './program-instance/operation-timer.ts';
+import { createProgramInstance, type ProgramInstance, type RetainedState } from './program-instance/program-instance.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
-import { releaseCast } from './stage/cast.ts';
-import type { Meter } from './stage/meter.ts';
-import { createStage, type Heritage, type Stage } from './stage/stage.ts';
 import type { SlotValue } from './values/slots.ts';
 
 export interface PlayerOptions {
@@ -27,82 +28,115 @@ export interface PlayerOptions {
   /** Null for pages whose program neither draws objects nor loads models. */
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
-  /** Equal seeds give equal pictures. */
+  /** Seed of all random numbers: equal seeds give equal frames. */
   readonly seed: number;
-  /** Everything wrong with the running program, whenever that changes. Shader errors come with `PlayResult`. */
+  /** Called with all diagnostics of the running program whenever they change. Shader errors come with `PlayResult`. */
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly clock?: FrameClock;
-  /** Frames come one by one, however long each takes, as in a render: videos are sought instead of played. */
+  /** Frames are drawn one by one, however long each takes, as in a render: videos seek instead of play. */
   readonly held?: boolean;
   /** Of CPU filters; from blobs unless given. */
   readonly startWorker?: StartWorker;
-  /** Told of every operation that draws. */
-  readonly meter?: Meter;
+  /** Measures every operation that draws. */
+  readonly timer?: OperationTimer;
+  /** For hosts that compile with a loop budget: `createLoopGuard`. Without it bounded loops are not watched. */
+  readonly createLoopGuard?: (engine: Engine) => LoopGuard;
 }
 
-/** How a program was received. */
+/** The result of loading a program. */
 export interface PlayResult {
   /**
-   * `playing`: it is the one drawn from the next frame on. `kept`: it is broken, and the last good one runs on. `superseded`:
-   * another one, a lost context or the end of the player came before it was ready.
+   * `playing`: the program is drawn from the next frame on. `kept`: its shaders do not compile, so the last good program stays.
+   * `superseded`: a newer program, a lost context or `dispose` came before it was ready.
    */
   readonly outcome: 'playing' | 'kept' | 'superseded';
-  /** `playing` with errors: no good one was there before; passes with broken shaders hand their first picture on. */
+  /** With `playing`, errors mean that there was no good program before: passes with broken shaders copy their first input. */
   readonly shaderErrors: readonly ShaderError[];
 }
 
-/** Plays a program on a WebGL 2 context that it may share with others: it assumes nothing about the GL state. */
+/**
+ * Plays a program on a WebGL 2 context. The context may be shared: the player assumes nothing about the GL state.
+ *
+ * @example
+ * const player = createPlayer({ gl, canvas, program, modules, createScenes: null, assets, seed: 1, onDiagnostics });
+ * await player.ready;
+ * player.setSession(session);
+ * player.draw(frame);
+ */
 export interface Player {
-  /** Settles when the first program is set up, its assets loaded or failed, its materials compiled. Nothing is drawn before. */
+  /** Resolves when the first program is set up: assets loaded or failed, materials compiled. Nothing is drawn before. */
   readonly ready: Promise<PlayResult>;
-  /** What the frames to come are drawn for; null before there is a session. */
+  /** Sets the session that the next frames are drawn for; null without a session. */
   setSession(session: SessionTraits | null): void;
   /** Draws all views of a frame into its framebuffer. */
   draw(frame: SessionFrame): void;
   /**
-   * For a held player, and sessions whose frames last until the next: draws when everything that the frame shows is there, such as
-   * its moment of a video. Resolves when it is drawn.
+   * For a held player, and sessions whose frames last until the next: waits for everything that the frame shows, such as the seek of
+   * a video, then draws. Resolves when the frame is drawn.
    */
   drawSettled(frame: SessionFrame): Promise<void>;
-  /** For a held player: resolves when everything is there that the last frame asked for. The next one shows it. */
+  /** For a held player: resolves when everything that the last frame requested has loaded. The next frame shows it. */
   settle(): Promise<void>;
-  /** False where the running program has no such param or the value does not fit it. */
+  /**
+   * Sets a uniform param from the next frame on.
+   *
+   * @param node Id of the node in the program.
+   * @param param Name of the param.
+   * @param value In the param's stored unit, as the node's definition names it.
+   * @returns False where the running program has no such param, or the value does not fit its type.
+   */
   setParam(node: string, param: string, value: SlotValue): boolean;
   /**
-   * Links the new program beside the running one and swaps between two frames. What is the same in both is kept: GL programs,
-   * targets, assets, and nodes with their state.
+   * Links a new program while the current one runs, and swaps them between two frames. What both have in common is kept: GL
+   * programs, targets, assets, and nodes with their state.
+   *
+   * @returns Whether the program plays. Never rejects because of a shader error.
    */
   replaceProgram(program: Program): Promise<PlayResult>;
-  /** State of nodes and pictures back to the first frame. */
+  /** Resets the state of nodes and persistent targets to the first frame. */
   reset(): void;
   /**
-   * Within a frame, after `draw`, and no longer: what `readColor`, `readDepth`, `showLayer` and `probeDepth` look at, with a tapped
-   * layer (`node.port`) or without. Null where nothing was drawn.
+   * What `readColor`, `readDepth`, `showLayer` and `probeDepth` read. Valid after `draw` until the frame ends.
+   *
+   * @param tap A viewed layer as `node.port`, or null for none.
+   * @returns Null where nothing was drawn.
    */
   inspect(tap: string | null): Inspected | null;
   counts(): PlayerCounts;
-  /** Stops drawing; to be called on `webglcontextlost`, whose default the caller prevents. */
+  /** Stops drawing. Call it on `webglcontextlost`, and prevent the default of that event. */
   contextLost(): void;
   /**
-   * Sets everything up anew, with the params and the state of values as they were; to be called on `webglcontextrestored`. What
-   * only the GPU knew is lost: persistent pictures begin anew.
+   * Sets everything up again with the current params and the state of value nodes. Call it on `webglcontextrestored`. Content that
+   * existed only on the GPU is lost: persistent targets start empty.
    */
   restore(): Promise<PlayResult>;
   dispose(): void;
 }
 
+/**
+ * Creates a player and loads its first program.
+ *
+ * @param options The context, the program, the runtimes of its node types and the source of its assets.
+ * @returns The player. `ready` resolves when the program can be drawn; `dispose` releases everything that the player created.
+ * @throws Error from `draw` or `ready` where `modules` lacks a node type of the program, or `createScenes` is null and it draws objects.
+ */
 export function createPlayer(options: PlayerOptions): Player {
   const clock = options.clock ?? createBrowserClock();
   const board = createDiagnosticsBoard(options.onDiagnostics);
   const state = createPlayState();
-  const setUp = (): Engine => createEngine({ ...options, clock, board, state });
-  let engine = setUp();
-  let stage: Stage | null = null;
-  let stageIsGood = false;
-  /** Of the stage that was lost with the context. */
-  let left: Heritage | null = null;
+  let engine: Engine;
+  let loopGuard: LoopGuard | null;
+  const setUp = (): void => {
+    engine = createEngine({ ...options, clock, board, state });
+    loopGuard = options.createLoopGuard?.(engine) ?? null;
+  };
+  setUp();
+  let instance: ProgramInstance | null = null;
+  let instanceIsGood = false;
+  /** State of the instance that was lost with the context. */
+  let left: RetainedState | null = null;
   let loading: Loading | null = null;
-  /** The first stage is not to be drawn yet. */
+  /** While the first instance compiles its materials, it is not drawn. */
   let preparing = false;
   let session: SessionTraits | null = null;
   /** Neither lost nor disposed. */
@@ -112,7 +146,7 @@ export function createPlayer(options: PlayerOptions): Player {
   /** Values set since the newest program came, which may have been made before them. */
   const values = new Map<string, SlotValue>();
 
-  const setValue = (target: Stage, name: string, value: SlotValue): boolean => {
+  const setValue = (target: ProgramInstance, name: string, value: SlotValue): boolean => {
     const slot = target.slots.find(name);
     return slot !== undefined && target.slots.set(slot, value);
   };
@@ -124,17 +158,17 @@ export function createPlayer(options: PlayerOptions): Player {
     if (!loaded || loading !== mine) return { outcome: 'superseded', shaderErrors: [] };
     loading = null;
     const good = loaded.errors.length === 0;
-    if (!good && stage && stageIsGood) {
-      wanted = stage.program;
+    if (!good && instance && instanceIsGood) {
+      wanted = instance.program;
       loaded.release();
       return { outcome: 'kept', shaderErrors: loaded.errors };
     }
-    const before = stage;
+    const before = instance;
     const isFirst = before === null && left === null;
-    const next = createStage(engine, loaded, before ?? left);
-    stage = next;
+    const next = createProgramInstance(engine, loaded, before ?? left, loopGuard);
+    instance = next;
     left = null;
-    stageIsGood = good;
+    instanceIsGood = good;
     before?.release(next);
     for (const [name, value] of values) setValue(next, name, value);
     if (isFirst) {
@@ -142,7 +176,7 @@ export function createPlayer(options: PlayerOptions): Player {
       await next.prepare().finally(() => {
         preparing = false;
       });
-      if (stage !== next) return { outcome: 'superseded', shaderErrors: [] };
+      if (instance !== next) return { outcome: 'superseded', shaderErrors: [] };
     }
     return { outcome: 'playing', shaderErrors: loaded.errors };
   };
@@ -150,14 +184,15 @@ export function createPlayer(options: PlayerOptions): Player {
     live = false;
     loading?.cancel();
     loading = null;
-    if (contextLost) left = stage?.outlive() ?? left;
-    else stage?.release(null);
-    stage = null;
-    stageIsGood = false;
+    if (contextLost) left = instance?.outlive() ?? left;
+    else instance?.release(null);
+    instance = null;
+    instanceIsGood = false;
+    loopGuard?.dispose();
     engine.dispose();
   };
   const forget = (): void => {
-    if (left) releaseCast(left.cast);
+    if (left) disposeNodeInstances(left.instances);
     left = null;
   };
   return {
@@ -166,28 +201,28 @@ export function createPlayer(options: PlayerOptions): Player {
       session = next;
     },
     draw: (frame) => {
-      if (!live || !stage || preparing) return;
+      if (!live || !instance || preparing) return;
       state.frame = frame;
-      stage.update();
-      stage.draw(session);
+      instance.update();
+      instance.draw(session);
     },
     drawSettled: async (frame) => {
-      if (!live || !stage || preparing) return;
-      const mine = stage;
+      if (!live || !instance || preparing) return;
+      const mine = instance;
       state.frame = frame;
       mine.update();
       await mine.settle();
       // The context may be lost by now, or another program be playing.
-      if (live && stage === mine) mine.draw(session);
+      if (live && instance === mine) mine.draw(session);
     },
     settle: async () => {
-      await stage?.settle();
+      await instance?.settle();
     },
     setParam: (node, param, value) => {
       const name = `${node}.${param}`;
       values.set(name, value);
-      stage?.loops?.retry();
-      return stage !== null && setValue(stage, name, value);
+      instance?.loops?.retry();
+      return instance !== null && setValue(instance, name, value);
     },
     replaceProgram: (program) => {
       wanted = program;
@@ -196,11 +231,11 @@ export function createPlayer(options: PlayerOptions): Player {
     },
     reset: () => {
       forget();
-      stage?.reset();
+      instance?.reset();
     },
     inspect: (tap) => {
-      if (!live || !stage) return null;
-      const { program, slots, resources } = stage;
+      if (!live || !instance) return null;
+      const { program, slots, resources } = instance;
       return { engine, program, slots, resources, layer: (tap === null ? undefined : program.taps[tap]) ?? null };
     },
     counts: () => engine.counts(),
@@ -208,7 +243,7 @@ export function createPlayer(options: PlayerOptions): Player {
       if (live) tearDown(true);
     },
     restore: () => {
-      engine = setUp();
+      setUp();
       live = true;
       return play(wanted);
     },

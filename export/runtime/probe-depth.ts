@@ -10,7 +10,7 @@ import type { LiveResources } from './resources/resources.ts';
 export interface ProbedDepth {
   readonly of: 'layer' | 'room';
   /** Along the view's axis. */
-  readonly metres: number;
+  readonly meters: number;
   readonly positionWorld: readonly [x: number, y: number, z: number];
 }
 
@@ -21,12 +21,12 @@ export interface ProbedDepth {
 export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: number, u: number, v: number): ProbedDepth | null {
   const view = engine.state.frame.views[viewIndex];
   if (!view || !engine.objects.limits.floatTargets) return null;
-  const ofLayer = layer ? layerMetres(engine, resources, layer, viewIndex, u, v) : 0;
-  const ofRoom = view.depth ? metresAt(engine, view.depth.texture, 'metres', viewIndex, pointIn(view.depth.uvFromViewUv, u, v)) : 0;
+  const ofLayer = layer ? layerMeters(engine, resources, layer, viewIndex, u, v) : 0;
+  const ofRoom = view.depth ? metersAt(engine, view.depth.texture, 'meters', viewIndex, pointIn(view.depth.uvFromViewUv, u, v)) : 0;
   const isLayer = ofLayer > 0 && (ofRoom <= 0 || ofLayer <= ofRoom);
-  const metres = isLayer ? ofLayer : ofRoom;
-  if (metres <= 0) return null;
-  return { of: isLayer ? 'layer' : 'room', metres, positionWorld: worldAt(view.clipFromView, view.worldFromView, u, v, metres) };
+  const meters = isLayer ? ofLayer : ofRoom;
+  if (meters <= 0) return null;
+  return { of: isLayer ? 'layer' : 'room', meters, positionWorld: worldAt(view.clipFromView, view.worldFromView, u, v, meters) };
 }
 
 /** Inverse of a projection whose rows for x and y mix nothing but z in, as all of WebXR's do. */
@@ -35,31 +35,31 @@ export function worldAt(
   worldFromView: Float32Array,
   u: number,
   v: number,
-  metres: number,
+  meters: number,
 ): readonly [number, number, number] {
   const at = (matrix: Float32Array, index: number) => matrix[index] ?? 0;
-  const x = ((2 * u - 1 + at(clipFromView, 8)) * metres) / at(clipFromView, 0);
-  const y = ((2 * v - 1 + at(clipFromView, 9)) * metres) / at(clipFromView, 5);
+  const x = ((2 * u - 1 + at(clipFromView, 8)) * meters) / at(clipFromView, 0);
+  const y = ((2 * v - 1 + at(clipFromView, 9)) * meters) / at(clipFromView, 5);
   const row = (r: number) =>
-    at(worldFromView, r) * x + at(worldFromView, 4 + r) * y - at(worldFromView, 8 + r) * metres + at(worldFromView, 12 + r);
+    at(worldFromView, r) * x + at(worldFromView, 4 + r) * y - at(worldFromView, 8 + r) * meters + at(worldFromView, 12 + r);
   return [row(0), row(1), row(2)];
 }
 
-function layerMetres(engine: Engine, resources: LiveResources, { depth }: LayerRef, viewIndex: number, u: number, v: number): number {
+function layerMeters(engine: Engine, resources: LiveResources, { depth }: LayerRef, viewIndex: number, u: number, v: number): number {
   const resource = depth ? resources.get(depth.resource) : undefined;
   const buffer = resource?.kind === 'target' ? resource.target.peek(resource.domain === 'view' ? viewIndex : 0) : null;
   const texture = depth?.encoding === 'window' ? buffer?.depth : buffer?.color;
-  return depth && texture ? metresAt(engine, texture, depth.encoding, viewIndex, pointIn(null, u, v)) : 0;
+  return depth && texture ? metersAt(engine, texture, depth.encoding, viewIndex, pointIn(null, u, v)) : 0;
 }
 
-/** A UV matrix that gives one point wherever it is asked. */
+/** A UV matrix that maps every UV to the same point. */
 function pointIn(uvFromViewUv: Float32Array | null, u: number, v: number): Float32Array {
   if (uvFromViewUv === null) return new Float32Array([0, 0, 0, 0, 0, 0, u, v, 1]);
   const row = (r: number) => (uvFromViewUv[r] ?? 0) * u + (uvFromViewUv[3 + r] ?? 0) * v + (uvFromViewUv[6 + r] ?? 0);
   return new Float32Array([0, 0, 0, 0, 0, 0, row(0), row(1), row(2)]);
 }
 
-function metresAt(engine: Engine, texture: WebGLTexture, encoding: 'window' | 'metres', viewIndex: number, uv: Float32Array): number {
+function metersAt(engine: Engine, texture: WebGLTexture, encoding: 'window' | 'meters', viewIndex: number, uv: Float32Array): number {
   const { gl } = engine.objects;
   const read = (framebuffer: WebGLFramebuffer): number => {
     const rgba = new Float32Array(4);

@@ -17,14 +17,14 @@ export interface LayerPixels {
   readonly pixels: Uint8Array<ArrayBuffer>;
 }
 
-/** Positive view-space metres, 0 where there is nothing, rows from the top. */
+/** Positive view-space meters, 0 where there is nothing, rows from the top. */
 export interface LayerDepth {
   readonly widthPx: number;
   readonly heightPx: number;
-  readonly metres: Float32Array<ArrayBuffer>;
+  readonly meters: Float32Array<ArrayBuffer>;
 }
 
-/** Metres of a depth texture into the red channel, through the UV matrix of `COPY_SHADER`. */
+/** Meters of a depth texture into the red channel, through the UV matrix of `COPY_SHADER`. */
 export const DEPTH_SHADER: LinkedShader = {
   id: 'scrim:read-depth',
   vertex: COPY_SHADER.vertex,
@@ -34,12 +34,12 @@ uniform highp sampler2D depth;
 uniform vec4 depth_decode;
 uniform mat3 picture_uvFromViewUv;
 in vec2 viewUv;
-out vec4 metres;
+out vec4 meters;
 void main() {
   vec3 uv = picture_uvFromViewUv * vec3(viewUv, 1.0);
   float d = texture(depth, uv.xy / uv.z).r;
   float m = depth_decode.w == 0.0 ? d : d < 1.0 ? depth_decode.y / (2.0 * d - 1.0 + depth_decode.x) : 0.0;
-  metres = vec4(m, 0.0, 0.0, 1.0);
+  meters = vec4(m, 0.0, 0.0, 1.0);
 }
 `,
 };
@@ -101,7 +101,7 @@ export function readDepth(inspected: Inspected | null, viewIndex: number): Layer
     // Red alone may not be readable; RGBA float always is.
     const rgba = new Float32Array(widthPx * heightPx * 4);
     readRows(gl, framebuffer, widthPx, heightPx, rgba);
-    return { widthPx, heightPx, metres: Float32Array.from({ length: widthPx * heightPx }, (_, i) => rgba[i * 4] ?? 0) };
+    return { widthPx, heightPx, meters: Float32Array.from({ length: widthPx * heightPx }, (_, i) => rgba[i * 4] ?? 0) };
   };
   return drawn(engine, DEPTH_SHADER, 'r32f', widthPx, heightPx, read, (program) => {
     const location = program.uniform('depth');

@@ -1,13 +1,8 @@
+import type { EnvironmentAsset, ModelAsset } from '../../nodes/kit/assets.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type {
-  EnvironmentAsset,
-  LightList,
-  ModelAsset,
-  NumberView,
-  ObjectList,
-  RoomDepthOutput,
-  SceneService,
-} from '../../nodes/kit/runtime.ts';
+import type { SceneService } from '../../nodes/kit/runtime.ts';
+import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
+import type { NumberView } from '../../nodes/kit/value-views.ts';
 
 /**
  * What the player asks of three.js. Types only: the player never imports three, so that a page without objects carries none of

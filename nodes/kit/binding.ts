@@ -1,4 +1,5 @@
-import type { Clock, NumberView, ToggleView, VectorView, Writable } from './runtime.ts';
+import type { Clock } from './runtime.ts';
+import type { NumberView, ToggleView, VectorView, Writable } from './value-views.ts';
 
 /**
  * What the runtimes in `nodes/binding/` see: they play params that are bound to an expression or a track, and are no nodes that a

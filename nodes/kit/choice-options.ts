@@ -1,4 +1,12 @@
-/** The words of a list that a designer typed, parted by commas: `Day, Dusk, Night`. */
+/**
+ * Splits a comma-separated list of options.
+ *
+ * @param text The list as a designer types it.
+ * @returns The options, trimmed.
+ *
+ * @example
+ * choiceOptions('Day, Dusk, Night'); // ['Day', 'Dusk', 'Night']
+ */
 export function choiceOptions(text: string): string[] {
   return text
     .split(',')

@@ -36,7 +36,7 @@ function expectClose(actual: readonly number[], expected: readonly number[], dig
   });
 }
 
-describe.each(COLORS)('colour %d %d %d', (r, g, b) => {
+describe.each(COLORS)('color %d %d %d', (r, g, b) => {
   test('has the hue, saturation and lightness that three.js finds, and comes back from them', () => {
     const [h = 0, s = 0, l = 0] = made((out) => hslFromRgb(out, r, g, b));
     const theirs = new Color(r, g, b).getHSL({ h: 0, s: 0, l: 0 }, 'srgb-linear');

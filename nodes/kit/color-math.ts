@@ -1,10 +1,17 @@
 /**
- * Colour arithmetic on display-referred sRGB, three numbers in [0, 1]. Results are written into `out`, which may be one of the
+ * Color arithmetic on display-referred sRGB, three numbers in [0, 1]. Results are written into `out`, which may be one of the
  * arguments.
  */
 export type Triple = { [index: number]: number } & ArrayLike<number>;
 
-/** Hexcone model (Smith 1978): hue in turns, [0, 1), saturation and value in [0, 1]. Greys have the hue 0. */
+/**
+ * Converts RGB to HSV by the hexcone model (Smith 1978).
+ *
+ * @param out Receives hue in turns, [0, 1), saturation and value in [0, 1]. Grays have the hue 0.
+ *
+ * @example
+ * hsvFromRgb(out, 1, 0, 0); // out = [0, 1, 1]
+ */
 export function hsvFromRgb(out: Triple, r: number, g: number, b: number): void {
   const value = Math.max(r, g, b);
   const chroma = value - Math.min(r, g, b);
@@ -13,13 +20,28 @@ export function hsvFromRgb(out: Triple, r: number, g: number, b: number): void {
   out[2] = value;
 }
 
-/** The hue may be any number of turns. */
+/**
+ * Converts HSV to RGB.
+ *
+ * @param out Receives display-referred sRGB in [0, 1].
+ * @param hue In turns; any number.
+ *
+ * @example
+ * rgbFromHsv(out, 1 / 3, 1, 1); // out = [0, 1, 0]
+ */
 export function rgbFromHsv(out: Triple, hue: number, saturation: number, value: number): void {
   const chroma = value * saturation;
   writeHue(out, hue, chroma, value - chroma);
 }
 
-/** As CSS has it (Color 4, §7): hue in turns, [0, 1), saturation and lightness in [0, 1]. */
+/**
+ * Converts RGB to HSL as CSS Color 4, §7.
+ *
+ * @param out Receives hue in turns, [0, 1), saturation and lightness in [0, 1].
+ *
+ * @example
+ * hslFromRgb(out, 1, 1, 1); // out = [0, 0, 1]
+ */
 export function hslFromRgb(out: Triple, r: number, g: number, b: number): void {
   const most = Math.max(r, g, b);
   const chroma = most - Math.min(r, g, b);
@@ -34,7 +56,15 @@ export function rgbFromHsl(out: Triple, hue: number, saturation: number, lightne
   writeHue(out, hue, chroma, lightness - chroma / 2);
 }
 
-/** IEC 61966-2-1. */
+/**
+ * Decodes one channel of sRGB (IEC 61966-2-1).
+ *
+ * @param c Display-referred, in [0, 1].
+ * @returns Linear, in [0, 1].
+ *
+ * @example
+ * linearFromSrgb(0.5); // 0.214
+ */
 export function linearFromSrgb(c: number): number {
   return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 }

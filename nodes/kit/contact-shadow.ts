@@ -1,5 +1,5 @@
 import type { LightShadow } from './light-shadow.ts';
-import type { DirectionalLightItem, LightList } from './runtime.ts';
+import type { DirectionalLightItem, LightList } from './scene-lists.ts';
 
 /** The shadow that light from all sides leaves where things touch, besides that of the light itself. */
 export interface ContactShadow {
@@ -16,7 +16,15 @@ const MAP_SIZE_PX = 512;
 const SOURCE_RAD = 1.4;
 const BIAS_PX = 1;
 
-/** An even sky is taken for a wide lamp straight above, whose contact-hardening shadow is dark below a thing and gone a little above. */
+/**
+ * Adds a light for contact shadows to a list. A uniform sky is approximated by a wide light straight above: its contact-hardening
+ * shadow is dark below an object and fades a little above the ground.
+ *
+ * @param lights The node's own light list.
+ *
+ * @example
+ * const contact = createContactShadow(ctx.outputs.lights);
+ */
 export function createContactShadow(lights: LightList): ContactShadow {
   const shadow: LightShadow = { areaM: 0, mapSizePx: MAP_SIZE_PX, bias: 0, normalBiasM: 0, filter: 'pcss', sourceRad: SOURCE_RAD };
   const light: DirectionalLightItem = {

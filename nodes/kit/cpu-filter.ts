@@ -27,7 +27,7 @@ export interface WorkerModule {
   readonly worker: string;
 }
 
-/** What plays a node: its behaviour in the page, or in a worker. */
+/** What plays a node: its behavior in the page, or in a worker. */
 export type PlayedModule = NodeModule | WorkerModule;
 
 /** To the worker; `buffer` is transferred. */
@@ -46,6 +46,6 @@ export interface CpuAnswer {
   readonly view: number;
   readonly turn: number;
   readonly buffer: ArrayBuffer;
-  /** What went wrong, in the words of whoever threw it, or null. */
+  /** What went wrong, as the message of the error that was thrown, or null. */
   readonly failure: string | null;
 }

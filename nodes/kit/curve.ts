@@ -17,7 +17,14 @@ export const MAX_CURVE_POINTS = 8;
 /** What a curve takes in the program's slots. One of fewer points has its last point again at the end. */
 export const CURVE_NUMBERS = 2 * MAX_CURVE_POINTS;
 
-/** What `value` would have to be to be a curve, in words, or null where it is one. */
+/**
+ * Checks whether a value is a curve.
+ *
+ * @returns Null for a curve; else what the value must be, in words for a diagnostic.
+ *
+ * @example
+ * curveMisfit([0, 0, 1, 1]); // null
+ */
 export function curveMisfit(value: unknown): string | null {
   const isList = Array.isArray(value) && value.length % 2 === 0 && value.every(Number.isFinite);
   if (!isList || value.length < 2 * MIN_CURVE_POINTS || value.length > CURVE_NUMBERS)
@@ -29,7 +36,12 @@ export function curveMisfit(value: unknown): string | null {
   return null;
 }
 
-/** As many numbers as every curve takes; what is none stays as it is. */
+/**
+ * Pads a curve to `CURVE_NUMBERS` numbers by repeating its last point.
+ *
+ * @example
+ * paddedCurve(DIAGONAL).length; // CURVE_NUMBERS
+ */
 export function paddedCurve(curve: Curve): Curve {
   const padded = [...curve];
   while (padded.length > 1 && padded.length < CURVE_NUMBERS) padded.push(...curve.slice(-2));
@@ -39,14 +51,29 @@ export function paddedCurve(curve: Curve): Curve {
 /** A curve belongs to one call. */
 const scratchSlopes = new Float64Array(MAX_CURVE_POINTS);
 
-/** Writes the curve's height at evenly spaced places, the first at 0 and the last at 1. */
+/**
+ * Samples a curve at evenly spaced positions, the first at x = 0 and the last at x = 1.
+ *
+ * @param heights Receives one height per element, in [0, 1].
+ *
+ * @example
+ * sampleCurve(DIAGONAL, new Float32Array(3)); // [0, 0.5, 1]
+ */
 export function sampleCurve(curve: ArrayLike<number>, heights: Float32Array): void {
   const count = findSlopes(curve, scratchSlopes);
   const last = heights.length - 1;
   for (let i = 0; i <= last; i++) heights[i] = heightAt(curve, count, scratchSlopes, i / last);
 }
 
-/** The curve's height at one place. */
+/**
+ * The height of a curve at one position.
+ *
+ * @param x In [0, 1]; outside its points the curve is level.
+ * @returns In [0, 1].
+ *
+ * @example
+ * curveAt(DIAGONAL, 0.25); // 0.25
+ */
 export function curveAt(curve: ArrayLike<number>, x: number): number {
   return heightAt(curve, findSlopes(curve, scratchSlopes), scratchSlopes, x);
 }

@@ -4,7 +4,7 @@ import type { ValueType, WireType } from './wire-types.ts';
 /**
  * What a node type is, as data: ports, params, how it lowers and what it needs. Nothing here runs.
  *
- * A definition is shared by the editor (canvas, inspector), the compiler (checks, lowering) and the docs; the behaviour is in
+ * A definition is shared by the editor (canvas, inspector), the compiler (checks, lowering) and the docs; the behavior is in
  * `runtime.ts` beside it, which only the runtime loads.
  */
 export interface NodeDefinition {
@@ -24,10 +24,15 @@ export interface NodeDefinition {
   readonly params: Readonly<Record<string, ParamDefinition>>;
   readonly lowering: Lowering;
   /**
-   * Gives what it took in the frame before, or earlier: its inputs are read when the frame's values are all there (`remember` of its
+   * Outputs what its inputs had in the previous frame, or earlier: its inputs are read when the frame's values are all there (`remember` of its
    * runtime), so that wires into it may close a loop. No other node may be the one that closes a loop.
    */
   readonly delay?: true;
+  /**
+   * What it gives depends on more frames than this one and the one before, so that a render has to play all earlier frames. Absent: it
+   * does not. An `image` lowering says the same by `access: 'persistent'`.
+   */
+  readonly stateful?: Stateful;
   /**
    * Visitors set it on screen. Such a node has params by these names: `label` (structure text) and `place` (structure number) all of
    * them; `value` (uniform: number, toggle) all but buttons, which count their `presses` (uniform number); `min`, `max` and `step`
@@ -44,6 +49,12 @@ export interface NodeDefinition {
   /** Under which terms, where they are not Scrim's own; shown in the same places. */
   readonly licence?: string;
 }
+
+/**
+ * When a node is stateful: always, where a uniform number is above a limit, or where one of the params moves, by a wire, a track or an
+ * expression: at a steady speed, time is a function of the clock.
+ */
+export type Stateful = true | { readonly param: string; readonly above: number } | { readonly moves: readonly string[] };
 
 export interface InputPort {
   readonly type: WireType;
@@ -80,8 +91,8 @@ interface ParamBase {
 }
 
 /**
- * What people take hold of in the preview to change params, instead of in the inspector. `position`, `rotation` and `scale` are of the
- * frame that the node puts things in: metres; angles about x, y and z, turned first about z, then x, then y; factors, or sizes. `aim` is
+ * The gizmo handles in the preview that change params, besides the inspector. `position`, `rotation` and `scale` are of the
+ * frame that the node puts things in: meters; angles about x, y and z, turned first about z, then x, then y; factors, or sizes. `aim` is
  * a point that the node is turned towards from its position. `azimuth` and `elevation` say where light comes from.
  */
 export type Handle = 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'elevation';
@@ -164,9 +175,9 @@ export type ParamDefinition = NumberParam | VectorParam | ColorParam | TogglePar
 
 /**
  * What an image operation reads of its inputs, from the cheapest: `pointwise` the pixel itself; `displaced` one other pixel;
- * `neighbourhood` several; `persistent` its own earlier output; `resize` inputs or targets of another size.
+ * `neighborhood` several; `persistent` its own earlier output; `resize` inputs or targets of another size.
  */
-export type Access = 'pointwise' | 'displaced' | 'neighbourhood' | 'persistent' | 'resize';
+export type Access = 'pointwise' | 'displaced' | 'neighborhood' | 'persistent' | 'resize';
 
 export type Lowering =
   /** One or more full-screen passes of an ISF shader; needs no three.js. `shader` names it in the library or the project. */
@@ -188,7 +199,7 @@ export type Lowering =
   /** Brings something in from outside: files, camera, room. */
   | { readonly kind: 'source'; readonly background?: 'world' }
   /** Reads and writes over time: physics, placing, logic. */
-  | { readonly kind: 'behaviour' }
+  | { readonly kind: 'behavior' }
   /** What the visitor sees; one per graph. */
   | { readonly kind: 'present' };
 
@@ -216,8 +227,11 @@ export type Capability =
 
 export interface Need {
   readonly capability: Capability;
-  /** A required need refuses the session; an optional one degrades as `without` says. */
-  readonly required: boolean;
+  /**
+   * A required need refuses the session; an optional one degrades as `without` says. `alone`: required where the screen shows
+   * nothing but what comes from such nodes, because nothing would be left.
+   */
+  readonly required: boolean | 'alone';
   /** `sampled`: only when some node reads the layer as an image, not when it is merely the background. */
   readonly when: 'always' | 'sampled';
   /** Only where a structure param has this value. */

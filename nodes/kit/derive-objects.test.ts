@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Object3D } from 'three';
 import { deriveObjects } from './derive-objects.ts';
-import type { ObjectItem, ObjectList } from './runtime.ts';
+import type { ObjectItem, ObjectList } from './scene-lists.ts';
 
 function list(...keys: string[]): ObjectList {
   return { version: 1, items: keys.map(item) };

@@ -1,4 +1,4 @@
-import type { ObjectItem, ObjectList } from './runtime.ts';
+import type { ObjectItem, ObjectList } from './scene-lists.ts';
 import { createVersionWatch } from './version-watch.ts';
 
 /** Keeps an output list in step with the lists that it is made from. */

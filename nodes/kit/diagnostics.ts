@@ -42,6 +42,7 @@ export const DIAGNOSTICS = {
   SCR023: 'More lights are wired than can be drawn',
   SCR024: 'A shadow is not of the shape or darkness of the thing that casts it',
   SCR025: 'The device cannot draw shadows as they are set up',
+  SCR026: 'The project has too many nodes',
   // Assets
   SCR030: 'The asset is not in the project',
   SCR031: 'The asset lies outside the project folder',
@@ -57,7 +58,7 @@ export const DIAGNOSTICS = {
   SCR043: 'The shader uses something that Scrim cannot give it',
   SCR044: 'The loops of the shader take too long, or never end',
   SCR045: 'The Shadertoy source cannot be converted as it is',
-  SCR046: 'The licence of a work forbids commercial use',
+  SCR046: 'The license of a work forbids commercial use',
   SCR047: 'An effect that the processor works out has failed',
   // Sessions
   SCR050: 'This browser has no WebXR',
@@ -74,12 +75,15 @@ export const DIAGNOSTICS = {
   SCR063: 'The file changed outside Scrim',
   SCR064: 'The page could not be bundled',
   SCR065: 'There is no picture of the page for its poster',
+  SCR066: 'Another Scrim holds the project',
+  SCR067: 'The project folder is gone',
   // Command line
   SCR070: 'The command line is not understood',
-  SCR071: 'No browser was found to render with',
+  SCR071: 'There is no browser that can render',
   SCR072: 'Scrim does not answer',
   SCR073: 'The request was refused',
   SCR074: 'Scrim made a mistake of its own',
+  SCR075: 'The address of the session was opened a second time',
 } as const;
 
 export type DiagnosticCode = keyof typeof DIAGNOSTICS;
@@ -88,7 +92,14 @@ export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
   return diagnostics.some((d) => d.severity === 'error');
 }
 
-/** `file:line:column: error SCR042: message`, or `node.port:column: …`, leaving out what is not known. */
+/**
+ * Formats a diagnostic as one line: `file:line:column: error SCR042: message`, or `node.port:column: …`.
+ *
+ * @returns Without the parts that are unknown.
+ *
+ * @example
+ * formatDiagnostic({ code: 'SCR042', severity: 'error', file: 'shaders/edge.fs', line: 3, message: 'No.' });
+ */
 export function formatDiagnostic(d: Diagnostic): string {
   // Without a file and a line, a column is one of the text at the port.
   const alone = d.file === undefined && d.line === undefined;

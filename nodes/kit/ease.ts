@@ -31,12 +31,25 @@ export function isEasing(value: unknown): value is Easing {
   return value.length === 4 && value.every((number, i) => isIn(number, i % 2 === 0 ? 0 : OVERSHOOT));
 }
 
-/** Whether values may go beyond those of the keys on the way. */
+/**
+ * Whether an easing may leave the range between the values of its two keyframes.
+ *
+ * @example
+ * overshoots([0.3, 1.5, 0.7, 1]); // true
+ */
 export function overshoots(easing: Easing): boolean {
   return typeof easing !== 'string' && [easing[1], easing[3]].some((y) => y < 0 || y > 1);
 }
 
-/** How far from one key to the next, for `x` from 0 to 1 of the time between them; at 0 and 1 exactly there. */
+/**
+ * The interpolation factor between two keyframes.
+ *
+ * @param x Elapsed part of the time between them, in [0, 1].
+ * @returns 0 at `x` 0 and 1 at `x` 1; Bézier curves may leave [0, 1] in between, by at most `OVERSHOOT`.
+ *
+ * @example
+ * ease('linear', 0.5); // 0.5
+ */
 export function ease(easing: Easing, x: number): number {
   if (x >= 1) return 1;
   if (easing === 'step' || x <= 0) return 0;

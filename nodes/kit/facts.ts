@@ -37,14 +37,15 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
     case 'vector4':
       return [WIRE_TYPES[param.type].label.toLowerCase(), `default (${param.default.map((n) => quantity(n, param.unit)).join(', ')})`];
     case 'color':
-      return ['colour', `default ${hex(param.default)}`];
+      return ['color', `default ${hex(param.default)}`];
     case 'toggle':
       return ['toggle', `default ${param.default ? 'on' : 'off'}`];
     case 'text':
       return ['text', param.default === '' ? 'empty by default' : `default "${param.default}"`];
     case 'choice':
       return [
-        `one of ${param.options.map((option) => `"${option.label}"`).join(', ')}`,
+        // Both: people choose the label, project files hold the value.
+        `one of ${param.options.map((option) => `"${option.label}" = ${JSON.stringify(option.value)}`).join(', ')}`,
         `default "${param.options.find((option) => option.value === param.default)?.label ?? param.default}"`,
       ];
     case 'curve':
@@ -57,7 +58,7 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
 /** Whether it is required, and with which choices. */
 export function needFacts(definition: NodeDefinition, { required, when, where }: Need): readonly string[] {
   return [
-    required ? 'required' : 'optional',
+    required === 'alone' ? 'required where nothing else is shown' : required ? 'required' : 'optional',
     ...(when === 'sampled' ? ['only when the picture is read by a node'] : []),
     ...(where ? [`only with ${choiceWords(definition, where)}`] : []),
   ];

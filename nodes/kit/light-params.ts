@@ -1,7 +1,7 @@
 /** Params that several lights share: one word and one range for the same thing. */
 
-/** Where a lamp's light ends, metres. */
-export const LAMP_RANGE_M = {
+/** The range of a spot or point light, meters. */
+export const LOCAL_LIGHT_RANGE_M = {
   type: 'number',
   stage: 'uniform',
   label: 'Range',
@@ -13,8 +13,8 @@ export const LAMP_RANGE_M = {
   unit: 'm',
 } as const;
 
-/** Of lamps: the limit is that of `export/runtime/scenes/lights/light-limits.ts`. */
-export const LAMP_CASTS_SHADOW = {
+/** Of spot and point lights. The limit is that of `export/runtime/scenes/lights/light-limits.ts`. */
+export const LOCAL_LIGHT_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
   label: 'Cast shadows',
@@ -40,7 +40,7 @@ const SHADOW_AREA_M = {
   type: 'number',
   stage: 'uniform',
   label: 'Shadow area',
-  doc: 'Side of the square around the objects in which they throw shadows, in metres. Smaller is sharper.',
+  doc: 'Side of the square around the objects in which they throw shadows, in meters. Smaller is sharper.',
   default: 5,
   min: 0.1,
   max: 50,
@@ -109,7 +109,7 @@ const SHADOW_SOURCE_RAD = {
   unit: 'rad',
 } as const;
 
-/** How large a lamp is. */
+/** Diameter of a spot or point light, meters. */
 export const SHADOW_SOURCE_M = {
   type: 'number',
   stage: 'uniform',

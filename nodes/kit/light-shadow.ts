@@ -14,19 +14,19 @@ interface AnyShadow {
 
 /** The shadow of parallel light. */
 export interface LightShadow extends AnyShadow {
-  /** Side of the square that the map covers around the casters, metres. */
+  /** Side of the square that the map covers around the casters, meters. */
   areaM: number;
-  /** Normalised depth added against acne, and metres along the normal. */
+  /** Normalized depth added against acne, and meters along the normal. */
   bias: number;
   normalBiasM: number;
   /** Of `pcss`: the angle that the light fills in the sky. */
   sourceRad?: number;
 }
 
-/** The shadow of a lamp with a place: its map covers all that it shines on. */
-export interface LampShadow extends AnyShadow {
+/** The shadow of a spot or point light: its map covers everything that the light reaches. */
+export interface LocalLightShadow extends AnyShadow {
   /** How far the shadow is held off its surface, in the map's pixels there. */
   biasPx: number;
-  /** Of `pcss`: how wide the lamp is. */
+  /** Of `pcss`: diameter of the light, meters. */
   sourceM?: number;
 }

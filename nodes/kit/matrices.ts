@@ -1,6 +1,13 @@
 /** Column-major matrices, written into arrays that the caller owns. */
 
-/** `a` times `b`, 4×4; neither may be `out`. */
+/**
+ * Multiplies two 4×4 matrices: `out = a * b`.
+ *
+ * @param out Receives the product; it must be neither `a` nor `b`.
+ *
+ * @example
+ * multiplyMatrices(clipFromWorld, clipFromView, viewFromWorld);
+ */
 export function multiplyMatrices(out: Float32Array, a: Float32Array, b: Float32Array): void {
   for (let column = 0; column < 16; column += 4) {
     for (let row = 0; row < 4; row++) {
@@ -11,7 +18,14 @@ export function multiplyMatrices(out: Float32Array, a: Float32Array, b: Float32A
   }
 }
 
-/** Inverse of a 3×3, by its adjugate; not `out` itself. All zero where there is none. */
+/**
+ * Inverts a 3×3 matrix by its adjugate.
+ *
+ * @param out Receives the inverse, or zeros where `m` has none; it must not be `m`.
+ *
+ * @example
+ * setInverse3(viewUvFromUv, uvFromViewUv);
+ */
 export function setInverse3(out: Float32Array, m: Float32Array): void {
   const a = m[0] ?? 0;
   const b = m[1] ?? 0;

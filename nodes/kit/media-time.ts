@@ -1,16 +1,22 @@
 import type { Clock } from './runtime.ts';
 
-/** Where a film or a sound stands. */
+/** The playback position of a video or sound. */
 export interface MediaTime {
-  /** In [0, durationS], for this frame; `speed` 0 holds it. */
+  /** The position in this frame, seconds in [0, durationS]. A `speed` of 0 pauses. */
   at(durationS: number, speed: number, startS: number, loop: boolean): number;
-  /** Back to the beginning. */
+  /** Returns to the start. */
   reset(): void;
 }
 
 /**
- * A function of the clock, not a sum of frame times: it does not depend on how many frames were drawn or when the file had loaded.
- * A change of speed, or a pause, goes on from the moment it finds; another start moves all by the difference.
+ * Creates a playback position that is a function of the clock, not a sum of frame times: it does not depend on the number of frames
+ * or on when the file loaded. A new speed continues from the current position; a new start shifts the position by the difference.
+ *
+ * @param clock The clock of the node's context, seconds.
+ *
+ * @example
+ * const time = createMediaTime(ctx.clock);
+ * const positionS = time.at(video.durationS, 1, 0, true);
  */
 export function createMediaTime(clock: Clock): MediaTime {
   // It had run for `anchorRunS` when the clock showed `anchorS`, and has run at `rate` since.

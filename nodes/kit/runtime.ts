@@ -1,12 +1,12 @@
-import type { AnimationClip, Matrix4, Object3D, Texture } from 'three';
-import type { AssetKind, InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
+import type { AssetService } from './assets.ts';
+import type { InputPort, NodeDefinition, ParamDefinition } from './definition.ts';
 import type { Diagnostic } from './diagnostics.ts';
-import type { LampShadow, LightShadow } from './light-shadow.ts';
+import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from './scene-lists.ts';
 import type { SceneLook } from './scene-look.ts';
-import type { LightEstimate, ReflectionCube, RoomDepth, SessionFrame, ViewFrame } from './session.ts';
-import type { AudioAsset, SoundOutput } from './sound.ts';
-import type { AppliedTechnique, TechniqueView } from './technique-view.ts';
-import type { VideoAsset } from './video.ts';
+import type { LightEstimate, SessionFrame, ViewFrame } from './session.ts';
+import type { SoundOutput } from './sound.ts';
+import type { TechniqueView } from './technique-view.ts';
+import type { NumberView, ValueViews, Writable } from './value-views.ts';
 
 /**
  * The contract between a node's `runtime.ts` and the player. Types only.
@@ -63,35 +63,6 @@ export interface NodeContext<D extends NodeDefinition> {
   report(diagnostic: Omit<Diagnostic, 'nodeId'>): void;
 }
 
-// --- Values -----------------------------------------------------------------------------------------------------------
-
-/** A live value: read it every frame. */
-export interface NumberView {
-  readonly value: number;
-}
-export interface ToggleView {
-  readonly value: boolean;
-}
-export interface TextView {
-  readonly value: string;
-}
-/** Components of a vector or colour; the same array every frame. */
-export interface VectorView {
-  readonly value: Readonly<Float64Array>;
-}
-
-export type Writable<T> = { -readonly [K in keyof T]: T[K] };
-
-export interface ValueViews {
-  number: NumberView;
-  vector2: VectorView;
-  vector3: VectorView;
-  vector4: VectorView;
-  color: VectorView;
-  toggle: ToggleView;
-  text: TextView;
-}
-
 // --- Pulses -----------------------------------------------------------------------------------------------------------
 
 /** Something that happened in this frame. What it does not bring is 0, empty or null. */
@@ -132,119 +103,6 @@ export interface NewPulse extends Writable<Omit<Pulse, 'worldFromPose'>> {
 
 // --- What other wires carry -------------------------------------------------------------------------------------------
 
-/**
- * Placed objects. A list is owned and changed by the node whose output it is; its readers rebuild what they derived from it
- * when `version` has changed, and read the matrices anew every frame.
- */
-export interface ObjectList {
-  version: number;
-  readonly items: ObjectItem[];
-}
-
-export interface ObjectItem {
-  /** Unique within the list and stable over frames. */
-  key: string;
-  /**
-   * The subtree in object space, with up-to-date world matrices as if it stood at the origin. It is never put into a drawn
-   * scene: those that draw make flat proxies sharing its geometries and materials (ADR 6).
-   */
-  root: Object3D;
-  readonly worldFromObject: Matrix4;
-  role: 'virtual' | 'phantom';
-  castsShadow: boolean;
-  receivesShadow: boolean;
-  techniques?: readonly AppliedTechnique[];
-}
-
-export interface LightList {
-  version: number;
-  readonly items: LightItem[];
-}
-
-export type LightItem = LampItem | EnvironmentLightItem | ProbeLightItem;
-
-/** What shines from one place or direction, and may throw shadows. */
-export type LampItem = DirectionalLightItem | PointLightItem | SpotLightItem;
-
-/** Light from one direction everywhere. */
-export interface DirectionalLightItem {
-  key: string;
-  readonly kind: 'directional';
-  /** It lights nothing, and is there for its shadow on real things. */
-  readonly onlyShadows?: true;
-  /** Linear-sRGB, times intensity in lux-like three.js units. */
-  readonly radiance: Float32Array;
-  /** Unit vector from the scene towards the light, world space. */
-  readonly towardsLightWorld: Float32Array;
-  shadow: LightShadow | null;
-}
-
-/** A lamp that shines alike in all directions: at d metres a surface that faces it receives intensity / d². */
-export interface PointLightItem {
-  key: string;
-  readonly kind: 'point';
-  /** Candela per channel of linear-sRGB. */
-  readonly intensityCd: Float32Array;
-  readonly positionWorld: Float32Array;
-  /** Where its light ends, metres: it is faded out on the way there (`getDistanceAttenuation` of three.js). 0: it has no end. */
-  rangeM: number;
-  shadow: LampShadow | null;
-}
-
-/** A lamp that shines in a cone. */
-export interface SpotLightItem {
-  key: string;
-  readonly kind: 'spot';
-  /** Candela per channel of linear-sRGB, in the middle of the cone. */
-  readonly intensityCd: Float32Array;
-  readonly positionWorld: Float32Array;
-  /** Unit vector against the beam, world space. */
-  readonly towardsLightWorld: Float32Array;
-  /** As of a point light. */
-  rangeM: number;
-  /** From the cone's axis to its edge, below a quarter turn. */
-  halfAngleRad: number;
-  /** The part of that angle, from the edge inwards, over which the light comes up: 0 is a sharp edge. */
-  penumbra: number;
-  shadow: LampShadow | null;
-}
-
-/** Surroundings that light a scene from all sides; without shadows. */
-export interface EnvironmentLightItem {
-  key: string;
-  readonly kind: 'environment';
-  /** Null while it loads. */
-  environment: EnvironmentAsset | null;
-  /** Factor on its radiance. */
-  intensity: number;
-  /** About the world's y axis. At 0 the middle of the panorama lies towards -z. */
-  rotationRad: number;
-  /** Whether it shows behind the objects. */
-  visible: boolean;
-}
-
-/** Light from all sides as it was measured or guessed; without shadows. It takes the place of an environment. */
-export interface ProbeLightItem {
-  key: string;
-  readonly kind: 'probe';
-  /** 9 coefficients × RGB, coefficient by coefficient: linear-sRGB radiance in world space (WebXR Lighting Estimation §3.2). */
-  readonly sphericalHarmonics: Float32Array;
-  /** What shiny surfaces mirror; null: what the coefficients say. */
-  reflection: ReflectionCube | null;
-  /** Factor on all its radiance. */
-  intensity: number;
-}
-
-/** A panorama on its way to the lights. */
-export interface EnvironmentOutput {
-  /** Null while it loads, and where none is chosen. */
-  asset: EnvironmentAsset | null;
-  /** Factor on its radiance. */
-  intensity: number;
-  /** About the world's y axis. At 0 the middle of the panorama lies towards -z. */
-  rotationRad: number;
-}
-
 /** A layer brought in from outside. View domain: one entry per view; image domain: entry 0 serves all. */
 export interface LayerOutput {
   readonly views: readonly Writable<LayerTexture>[];
@@ -257,10 +115,6 @@ export interface LayerTexture {
   readonly heightPx: number;
   /** Column-major 3×3: texture UV from view UV (view domain) or from image UV (image domain). */
   readonly uvFromViewUv: Float32Array;
-}
-
-export interface RoomDepthOutput {
-  readonly views: (RoomDepth | null)[];
 }
 
 export interface WireViews extends ValueViews {
@@ -315,47 +169,10 @@ export interface SessionService {
   readonly frame: SessionFrame;
   readonly light: LightEstimate | null;
   /**
-   * Mean linear-sRGB colour of what the camera of the first view sees, where the session has its image; null where it has none, and
+   * Mean linear-sRGB color of what the camera of the first view sees, where the session has its image; null where it has none, and
    * until it has been measured. Measured while somebody asks, some frames late; at once while the clock is held.
    */
   readonly cameraMean: Readonly<Float32Array> | null;
-}
-
-/** Loads each asset once and shares it; handles are counted, and the last release frees it. */
-export interface AssetService {
-  image(id: string): AssetHandle<ImageAsset>;
-  model(id: string): AssetHandle<ModelAsset>;
-  environment(id: string): AssetHandle<EnvironmentAsset>;
-  video(id: string): AssetHandle<VideoAsset>;
-  audio(id: string): AssetHandle<AudioAsset>;
-}
-
-export interface AssetHandle<T> {
-  readonly kind: AssetKind;
-  /** Null until loaded, and for ever when it failed: the failure is reported once, at the node. */
-  readonly value: T | null;
-  /** Resolves when loading ended, well or badly; never rejects. */
-  readonly settled: Promise<void>;
-  release(): void;
-}
-
-export interface ImageAsset {
-  readonly texture: WebGLTexture;
-  readonly widthPx: number;
-  readonly heightPx: number;
-}
-
-export interface ModelAsset {
-  /** Each call makes a new subtree with bones of its own, sharing geometries, materials and textures. */
-  instantiate(): Object3D;
-  readonly clips: readonly AnimationClip[];
-}
-
-/** Equirectangular radiance, linear where it is sampled; its middle is `u` 0.5, and `v` 1 is the zenith. */
-export interface EnvironmentAsset {
-  readonly texture: Texture;
-  readonly widthPx: number;
-  readonly heightPx: number;
 }
 
 /** Where `draw` draws. */

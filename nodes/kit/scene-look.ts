@@ -1,5 +1,6 @@
 import type { Object3D } from 'three';
-import type { NumberView, ObjectItem, ObjectList, RoomDepthOutput, VectorView } from './runtime.ts';
+import type { ObjectItem, ObjectList, RoomDepthOutput } from './scene-lists.ts';
+import type { NumberView, VectorView } from './value-views.ts';
 
 /** What a scene draws each of its objects with. */
 export type SceneLook =
@@ -8,7 +9,7 @@ export type SceneLook =
    * surroundings that light them besides their lights: 1, as when absent, makes a white matt surface white by them alone.
    */
   | { readonly kind: 'shaded'; readonly ambient?: NumberView }
-  /** Objects as shadow catchers: one colour, with alpha where light is blocked. */
+  /** Objects as shadow catchers: one color, with alpha where light is blocked. */
   | ShadowCatcherLook
   /**
    * Virtual objects flat and white, whatever their materials, as far as `shows` says of them and of the parts they are made of; all

@@ -1,10 +1,10 @@
 import type { Capability } from './definition.ts';
 
 /**
- * What a session tells the runtime each frame (design §9). Types only: sessions live in `export/runtime/sessions` and
+ * What a session tells the runtime each frame (docs/ARCHITECTURE.md, “Sessions”). Types only: sessions live in `export/runtime/sessions` and
  * `export/emulator`. Objects are reused from frame to frame: read them during the frame, keep none.
  *
- * Spaces: world is right-handed, y up, metres, gravity-aligned, floor at y = 0 where the session knows it. View space looks
+ * Spaces: world is right-handed, y up, meters, gravity-aligned, floor at y = 0 where the session knows it. View space looks
  * down -z. Matrices are column-major. View UV has its origin at the bottom left, as GL and ISF have it.
  */
 export interface Session {
@@ -28,7 +28,7 @@ export type SessionEvent =
   | { readonly kind: 'tracking'; readonly tracked: boolean }
   /** A capability that was granted has brought nothing for a while, or brings it again. */
   | { readonly kind: 'sensing'; readonly capability: Capability; readonly working: boolean }
-  /** World space was re-centred or the recording started over: state that depends on poses is void. */
+  /** World space was re-centered or the recording started over: state that depends on poses is void. */
   | { readonly kind: 'reset' }
   | { readonly kind: 'problem'; readonly message: string };
 
@@ -71,19 +71,19 @@ export interface DetectedSurface {
 /** A flat part of a real surface: its y axis is the normal, its outline lies in its own x–z plane. */
 export interface DetectedPlane extends DetectedSurface {
   readonly orientation: 'horizontal' | 'vertical' | 'other';
-  /** Corners in order, x and z in turn, metres. */
+  /** Corners in order, x and z in turn, meters. */
   readonly outlineXZ: Float32Array;
 }
 
 /** A scanned real thing, or a whole room. */
 export interface DetectedMesh extends DetectedSurface {
-  /** x, y, z in turn, metres. */
+  /** x, y, z in turn, meters. */
   readonly positions: Float32Array;
   /** Three for each triangle; which side is its front is not said. */
   readonly indices: Uint32Array;
 }
 
-/** What the visitor did since the frame before, and holds now. */
+/** What the visitor did since the previous frame, and holds now. */
 export interface SessionInput {
   /** Taps, clicks and selections by controllers or hands, oldest first; only the first `tapCount` entries are valid. */
   readonly taps: readonly Tap[];
@@ -143,7 +143,7 @@ export interface CameraImage {
   readonly uvFromViewUv: Float32Array;
 }
 
-/** Metres along the view's axis in the red channel (R32F or R16F, nearest), 0 where unknown. */
+/** Meters along the view's axis in the red channel (R32F or R16F, nearest), 0 where unknown. */
 export interface RoomDepth {
   readonly texture: WebGLTexture;
   readonly widthPx: number;
@@ -162,7 +162,7 @@ export interface LightEstimate {
   readonly sphericalHarmonics: Float32Array;
   /** Unit vector in world space, from the scene towards the light. */
   readonly primaryDirectionWorld: Float32Array;
-  /** Linear-sRGB, not normalised. */
+  /** Linear-sRGB, not normalized. */
   readonly primaryIntensity: Float32Array;
   /** What shiny surfaces mirror; absent or null where the session knows none. */
   readonly reflection?: ReflectionCube | null;

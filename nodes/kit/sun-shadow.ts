@@ -1,6 +1,7 @@
 import { createContactShadow } from './contact-shadow.ts';
 import type { LightShadow, ShadowFilter } from './light-shadow.ts';
-import type { DirectionalLightItem, LightList, Writable } from './runtime.ts';
+import type { DirectionalLightItem, LightList } from './scene-lists.ts';
+import type { Writable } from './value-views.ts';
 
 /** The values of `SUN_SHADOW` (`light-params.ts`) and whether there are shadows at all. */
 interface SunShadowContext {

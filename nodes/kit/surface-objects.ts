@@ -1,5 +1,5 @@
 import type { Matrix4, Object3D } from 'three';
-import type { ObjectItem, ObjectList } from './runtime.ts';
+import type { ObjectItem, ObjectList } from './scene-lists.ts';
 import type { DetectedSurface } from './session.ts';
 
 /** Detected surfaces as objects of an output list. */

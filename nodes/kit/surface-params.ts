@@ -3,7 +3,7 @@
 export const SURFACE_CATCHES_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
-  label: 'Catch shadows',
+  label: 'Receive shadows',
   doc: 'Whether virtual objects throw their shadow on them, drawn by a Shadow layer.',
   default: true,
 } as const;

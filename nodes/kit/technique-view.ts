@@ -1,4 +1,4 @@
-import type { NumberView, ToggleView, VectorView } from './runtime.ts';
+import type { NumberView, ToggleView, VectorView } from './value-views.ts';
 
 /** What an object is drawn with instead of its own materials; of several for one material, the last counts. */
 export interface AppliedTechnique {
@@ -18,7 +18,7 @@ export interface TechniqueView {
   readonly fragment: string;
   /** Draws of each object, in order; `object`: the sides that its own material shows. */
   readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' }[];
-  /** Live values: read them every frame. Colours are display-referred, as in params. */
+  /** Live values: read them every frame. Colors are display-referred, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
   /** Layers and pictures that its text reads, by the name of their uniform. */
   readonly images: readonly TechniqueImageView[];

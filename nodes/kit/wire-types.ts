@@ -1,7 +1,7 @@
 /**
  * The types a wire can carry, and how the canvas draws each.
  *
- * Every type has its own colour and its own port shape, so that ports can be told apart without colour vision.
+ * Every type has its own color and its own port shape, so that ports can be told apart without color vision.
  * Shapes repeat only between types that convert into each other.
  */
 export type PortShape = 'circle' | 'square' | 'diamond' | 'triangle' | 'hexagon' | 'star' | 'cross' | 'pill' | 'ring' | 'half';
@@ -18,19 +18,19 @@ export interface WireTypeInfo {
 export const WIRE_TYPES = {
   layer: {
     label: 'Layer',
-    doc: 'A rendered image, premultiplied display-referred sRGB, with optional depth in positive view-space metres.',
+    doc: 'A rendered image, premultiplied display-referred sRGB, with optional depth in positive view-space meters.',
     color: '#4f9dde',
     shape: 'square',
   },
   depth: {
     label: 'Room depth',
-    doc: 'Distance to the real world along the view axis, metres, per view, with its own pose and UV transform.',
+    doc: 'Distance to the real world along the view axis, meters, per view, with its own pose and UV transform.',
     color: '#7c8db5',
     shape: 'half',
   },
-  objects: { label: 'Objects', doc: 'Placed 3D objects and phantoms, in world space, metres.', color: '#d9822b', shape: 'hexagon' },
-  technique: { label: 'Technique', doc: 'A geometry-space effect to draw objects with.', color: '#c2569b', shape: 'star' },
-  lights: { label: 'Lights', doc: 'Virtual lights in world space; colours linear-sRGB.', color: '#c9a400', shape: 'triangle' },
+  objects: { label: 'Objects', doc: 'Placed 3D objects and phantoms, in world space, meters.', color: '#d9822b', shape: 'hexagon' },
+  technique: { label: 'Material', doc: 'A custom material that draws objects.', color: '#c2569b', shape: 'star' },
+  lights: { label: 'Lights', doc: 'Virtual lights in world space; colors linear-sRGB.', color: '#c9a400', shape: 'triangle' },
   environment: {
     label: 'Environment',
     doc: 'A panorama or cube map that lights the scene, linear-sRGB radiance.',
@@ -38,20 +38,20 @@ export const WIRE_TYPES = {
     shape: 'ring',
   },
   surfaces: {
-    label: 'Surfaces',
-    doc: 'Planes and meshes that the session detected, world space, metres.',
+    label: 'Detected surfaces',
+    doc: 'Planes and meshes that the session detected, world space, meters.',
     color: '#8a7a5c',
     shape: 'cross',
   },
-  pose: { label: 'Pose', doc: 'A rigid transform in world space, metres and unit quaternion.', color: '#9a6dd7', shape: 'diamond' },
-  body: { label: 'Body', doc: 'A physics body, metres, kilograms, seconds.', color: '#a0522d', shape: 'pill' },
+  pose: { label: 'Pose', doc: 'A rigid transform in world space, meters and unit quaternion.', color: '#9a6dd7', shape: 'diamond' },
+  body: { label: 'Body', doc: 'A physics body, meters, kilograms, seconds.', color: '#a0522d', shape: 'pill' },
   capture: { label: 'Capture', doc: 'Calibrated photographs and their geometry.', color: '#5f7f3f', shape: 'cross' },
   audio: { label: 'Audio', doc: 'Waveform and spectrum of a sound.', color: '#2f8f5b', shape: 'ring' },
   number: { label: 'Number', doc: 'One real number; its unit is named at the port.', color: '#8f98a3', shape: 'circle' },
   vector2: { label: 'Vector 2', doc: 'Two real numbers.', color: '#6f7fd1', shape: 'circle' },
   vector3: { label: 'Vector 3', doc: 'Three real numbers.', color: '#6a5fcb', shape: 'circle' },
   vector4: { label: 'Vector 4', doc: 'Four real numbers.', color: '#5a49b8', shape: 'circle' },
-  color: { label: 'Colour', doc: 'Display-referred sRGB with straight alpha, each channel in [0, 1].', color: '#d1567a', shape: 'circle' },
+  color: { label: 'Color', doc: 'Display-referred sRGB with straight alpha, each channel in [0, 1].', color: '#d1567a', shape: 'circle' },
   toggle: { label: 'Toggle', doc: 'On or off.', color: '#4aa564', shape: 'pill' },
   text: { label: 'Text', doc: 'A string.', color: '#b08d57', shape: 'half' },
   pulse: { label: 'Pulse', doc: 'Events of this frame, each with a payload.', color: '#e0533d', shape: 'diamond' },
@@ -74,8 +74,8 @@ export const VALUE_SIZES = {
 } as const satisfies Record<ValueType, number>;
 
 /**
- * Implicit conversions: only where nothing is lost. A toggle is 0 or 1; a colour and a vector4 hold the same four numbers.
- * The canvas draws a converting wire as a blend of both colours.
+ * Implicit conversions: only where nothing is lost. A toggle is 0 or 1; a color and a vector4 hold the same four numbers.
+ * The canvas draws a converting wire as a blend of both colors.
  */
 const LOSSLESS: Readonly<Partial<Record<WireType, readonly WireType[]>>> = {
   toggle: ['number'],

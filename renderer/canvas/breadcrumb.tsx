@@ -1,11 +1,11 @@
 import { Panel } from '@xyflow/react';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { titleOfGraph } from '../state/find.ts';
-import { openOnTrail } from '../state/subgraphs.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { titleOfGraph } from '../state/graph/find.ts';
+import { openOnTrail } from '../state/graph/subgraphs.ts';
 import { Icon } from '../ui/icon.tsx';
 import './breadcrumb.css';
 
-/** The way from the main graph to the subgraph that is open; nothing in the main graph. */
+/** The path from the main graph to the open subgraph. Renders nothing in the main graph. */
 export function Breadcrumb() {
   const editor = useEditor();
   const graph = useDocument((state) => state.graph);
@@ -16,7 +16,7 @@ export function Breadcrumb() {
       <nav aria-label="Subgraphs">
         <ol>
           {trail.map((name, depth) => (
-            // A subgraph never contains itself, so no name comes twice.
+            // A subgraph never contains itself, so names are unique keys.
             <li key={name}>
               <button type="button" onClick={() => openOnTrail(editor, depth)}>
                 {titleOfGraph(name)}

@@ -1,9 +1,9 @@
 import { Panel, useReactFlow, useStore } from '@xyflow/react';
-import { useKeys } from '../shell/use-keys.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
 import { uiScale } from '../ui/appearance.ts';
 import { IconButton } from '../ui/button.tsx';
 
-/** Zoom, with its figure, and everything in view. */
+/** Buttons that change the zoom, show its percentage and fit the graph to the view. */
 export function CanvasControls() {
   const { zoomIn, zoomOut, zoomTo, fitView } = useReactFlow();
   const zoom = useStore((state) => Math.round(state.transform[2] * 100));
@@ -13,18 +13,13 @@ export function CanvasControls() {
       <button type="button" className="zoom-step" aria-label="Zoom out" onClick={() => void zoomOut()}>
         −
       </button>
-      <button type="button" className="zoom-figure" data-tip="Back to 100 %" aria-label={`Zoom, ${zoom} %`} onClick={() => void zoomTo(1)}>
+      <button type="button" className="zoom-figure" data-tip="Reset to 100 %" aria-label={`Zoom, ${zoom} %`} onClick={() => void zoomTo(1)}>
         {zoom}%
       </button>
       <button type="button" className="zoom-step" aria-label="Zoom in" onClick={() => void zoomIn()}>
         +
       </button>
-      <IconButton
-        icon="fit"
-        label="Show the whole graph"
-        keys={fitKeys}
-        onPress={() => void fitView({ padding: 0.15, maxZoom: uiScale() })}
-      />
+      <IconButton icon="fit" label="Fit graph to view" keys={fitKeys} onPress={() => void fitView({ padding: 0.15, maxZoom: uiScale() })} />
     </Panel>
   );
 }

@@ -1,25 +1,26 @@
 import { useCallback, useMemo, useState } from 'react';
-import { commandItem } from '../shell/command-item.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import type { AppCommandId } from '../state/app-commands.ts';
-import type { Place } from '../state/canvas.ts';
-import type { Editor } from '../state/editor.ts';
-import { itemOf } from '../state/item-ids.ts';
-import { compareLayer, layerAt, layerTitle, pinLayer } from '../state/looks.ts';
-import { addReroute, wiresOfStretch } from '../state/reroutes.ts';
-import { selectOnly } from '../state/selection.ts';
-import { selectedSubgraph } from '../state/subgraphs.ts';
+import type { AppCommandId } from '../state/commands/app-commands.ts';
+import { commandItem } from '../state/commands/command-item.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import type { Editor } from '../state/editor/editor.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { itemOf } from '../state/editor/item-ids.ts';
+import { layerAt, layerTitle } from '../state/editor/layer-names.ts';
+import { selectOnly } from '../state/editor/selection.ts';
+import { addReroute, wiresOfStretch } from '../state/graph/reroutes.ts';
+import { selectedSubgraph } from '../state/graph/subgraphs.ts';
+import { compareLayer, pinLayer } from '../state/preview/viewed-layers.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
 import type { CanvasWire } from './project-wires.ts';
 import type { AnyNode } from './use-canvas-view.ts';
-import { type ToCanvas, WHERE_IT_IS } from './use-gestures.ts';
+import { type ToCanvas, UNSNAPPED } from './use-gestures.ts';
 
 interface OpenMenu {
   readonly x: number;
   readonly y: number;
   readonly commands: readonly (AppCommandId | 'line')[];
-  /** Where on what is drawn of which wire. */
+  /** The drawn stretch of a wire that was pressed, and the place on it. Canvas units. */
   readonly wire?: { readonly stretch: string; readonly place: Place };
   /** The layer at the port that was pressed. */
   readonly layer?: string;
@@ -64,7 +65,7 @@ const ON_PANE = [
   'view.fit',
 ] as const;
 
-/** Which menu the secondary button opened, and for what. */
+/** State of the context menu: where it is open, its commands, and the wire or layer that was pressed. */
 export function useCanvasMenu(toCanvas: ToCanvas) {
   const editor = useEditor();
   const [open, setOpen] = useState<OpenMenu | null>(null);
@@ -88,7 +89,7 @@ export function useCanvasMenu(toCanvas: ToCanvas) {
       },
       onWire: (event: PointerPlace, wire: CanvasWire) => {
         selectOnly(editor.selection, [], wiresOfStretch(editor.document.getState(), wire.id));
-        const place = toCanvas({ x: event.clientX, y: event.clientY }, WHERE_IT_IS);
+        const place = toCanvas({ x: event.clientX, y: event.clientY }, UNSNAPPED);
         show(event, ON_WIRE_OR_ITEM.wire, { wire: { stretch: wire.id, place } });
       },
       onPane: (event: PointerPlace | MouseEvent) => show(event, ON_PANE),
@@ -97,7 +98,7 @@ export function useCanvasMenu(toCanvas: ToCanvas) {
   );
 }
 
-/** The layer at the port under the pointer; null elsewhere on a node. */
+/** The layer at the port under the pointer; null if the pointer is not on a port. */
 function layerPressed({ document }: Editor, target: EventTarget | null): string | null {
   const handle = target instanceof Element ? target.closest<HTMLElement>('.react-flow__handle') : null;
   const { nodeid: node, handleid: port } = handle?.dataset ?? {};
@@ -105,13 +106,13 @@ function layerPressed({ document }: Editor, target: EventTarget | null): string 
   return layerAt(document.getState(), { node, port }, handle.classList.contains('source') ? 'output' : 'input');
 }
 
-/** What is said and done where a port was pressed: it, and not the first layer of the node, is meant. */
+/** Commands that act on the layer of the pressed port instead of the first layer of the node. */
 const ON_PORT: Partial<Record<AppCommandId, { readonly label: (layer: string) => string; readonly run: typeof pinLayer }>> = {
-  'view.pin': { label: (layer) => `Show “${layer}” in the preview`, run: pinLayer },
-  'view.compare': { label: (layer) => `Compare “${layer}” in the preview`, run: compareLayer },
+  'view.pin': { label: (layer) => `View “${layer}”`, run: pinLayer },
+  'view.compare': { label: (layer) => `Compare with “${layer}”`, run: compareLayer },
 };
 
-/** What happens there where the wire was pressed. */
+/** Commands that act at the place where the wire was pressed. */
 const ON_WIRE: Partial<Record<AppCommandId, (editor: Editor, menu: OpenMenu) => void>> = {
   'graph.reroute': (editor, { wire }) => void (wire && addReroute(editor, wire.stretch, wire.place)),
   'graph.add': ({ ui }, { x, y, wire }) => {
@@ -129,7 +130,7 @@ export function CanvasMenu({ menu, onClose }: { readonly menu: OpenMenu | null; 
     const { layer } = menu;
     if (onPort && layer !== undefined) {
       const label = onPort.label(layerTitle(editor.document.getState(), layer));
-      return { ...item, label, disabled: false, run: () => onPort.run(editor.look, layer) };
+      return { ...item, label, disabled: false, run: () => onPort.run(editor.viewer, layer) };
     }
     const onWire = menu.wire && ON_WIRE[id];
     return onWire ? { ...item, disabled: false, run: () => onWire(editor, menu) } : item;

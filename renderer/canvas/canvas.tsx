@@ -18,37 +18,37 @@ import { CanvasMenu, useCanvasMenu } from './canvas-menu.tsx';
 import './canvas.css';
 import './far-view.css';
 import { ConnectionHint } from './connection-hint.tsx';
-import { CostPanel, CostsProvider } from './costs.tsx';
 import { DetailProvider, detailOf } from './detail.ts';
 import { useFileDrop } from './file-drop.ts';
 import { FrameView, NoteView } from './item-view.tsx';
 import { NodeView } from './node-view.tsx';
 import { OverviewWires } from './overview-wires.tsx';
 import { PaletteHost } from './palette-host.tsx';
+import { CostsProvider, PerformancePanel } from './performance-overlay.tsx';
 import type { CanvasWire } from './project-wires.ts';
 import { RerouteView } from './reroute-view.tsx';
+import { useCanvasCenter } from './use-canvas-center.ts';
 import { type AnyNode, useCanvasView } from './use-canvas-view.ts';
 import { useGestures } from './use-gestures.ts';
 import { useLongPress } from './use-long-press.ts';
-import { useMiddle } from './use-middle.ts';
 import { useReveal } from './use-reveal.ts';
 import { useScale } from './use-scale.ts';
 import { useWheel } from './use-wheel.ts';
 import { useWireTarget } from './use-wire-target.ts';
-import { WireInHand, WireView } from './wire-view.tsx';
+import { PendingWire, WireView } from './wire-view.tsx';
 
 const NODE_TYPES = { scrim: NodeView, frame: FrameView, note: NoteView, reroute: RerouteView };
 const WIRE_VIEWS = { scrim: WireView };
 const NO_WIRES: CanvasWire[] = [];
 const SNAP: [number, number] = [8, 8];
-/** Further out than this, names are all that can be read. */
+/** Below this zoom only node titles are legible. */
 const FAR_ZOOM = 0.5;
 const ARIA_LABELS = {
   'node.a11yDescription.default': 'Enter selects the node, arrow keys move it, Delete removes it. Its wires are in the inspector.',
   'edge.a11yDescription.default': 'Enter selects the wire, R adds a reroute to it, Delete removes it.',
 };
 
-/** The graph. All gestures end in commands; what is drawn comes from the document and nowhere else. */
+/** The graph editor. Gestures end in commands on the document, and React Flow draws only what the document says. */
 export function Canvas() {
   return (
     <ReactFlowProvider>
@@ -71,7 +71,7 @@ function CanvasInside() {
   const [fit] = useState(() => ({ padding: 0.15, maxZoom: uiScale() }));
   useLongPress(root);
   useWireTarget();
-  useMiddle(root, flow.screenToFlowPosition);
+  useCanvasCenter(root, flow.screenToFlowPosition);
   const far = useFlowStore((state) => state.transform[2] < FAR_ZOOM);
   const detail = useFlowStore((state) => detailOf(state.transform[2], nodes.length));
 
@@ -84,7 +84,7 @@ function CanvasInside() {
             edges={detail === 'overview' ? NO_WIRES : wires}
             nodeTypes={NODE_TYPES}
             edgeTypes={WIRE_VIEWS}
-            connectionLineComponent={WireInHand}
+            connectionLineComponent={PendingWire}
             onNodesChange={handlers.onNodesChange}
             onEdgesChange={handlers.onWiresChange}
             onConnect={handlers.onConnect}
@@ -130,7 +130,7 @@ function CanvasInside() {
               position="bottom-right"
               pannable
               zoomable
-              ariaLabel="Overview of the graph"
+              ariaLabel="Minimap"
               nodeColor={minimapColor}
               nodeBorderRadius={6}
               maskColor="var(--minimap-mask)"
@@ -138,13 +138,13 @@ function CanvasInside() {
             <CanvasControls />
             <ConnectionHint />
             <Breadcrumb />
-            <CostPanel />
+            <PerformancePanel />
             {detail === 'overview' && <OverviewWires nodes={nodes} reroutes={reroutes} wires={wires} />}
           </ReactFlow>
         </DetailProvider>
       </CostsProvider>
       {all.length === 0 && <EmptyCanvas />}
-      {drop.over && <div className="canvas-drop">Drop models, pictures or ISF shaders here</div>}
+      {drop.over && <div className="canvas-drop">Drop models, images or ISF shaders here</div>}
       <CanvasMenu menu={menu.open} onClose={menu.close} />
       <PaletteHost toCanvas={flow.screenToFlowPosition} canvas={root} />
     </div>
@@ -161,7 +161,7 @@ function EmptyCanvas() {
     <div className="canvas-empty">
       <p>This graph is empty.</p>
       <p>
-        Press <kbd>Tab</kbd> or double-click to add a node, or drop a model or a picture.
+        Press <kbd>Tab</kbd> or double-click to add a node, or drop a model or an image.
       </p>
     </div>
   );

@@ -1,13 +1,13 @@
 import { useConnection, useStore as useFlowStore } from '@xyflow/react';
 import { createPortal } from 'react-dom';
-import { useEditor } from '../shell/editor-context.ts';
-import { portOver } from '../state/drop-on-node.ts';
-import { refusalOver } from '../state/join-ends.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { refusalOver } from '../state/graph/connect-ports.ts';
+import { portOver } from '../state/graph/drop-on-node.ts';
 import { nodeAt } from './node-at.ts';
 
 const OFFSET_PX = 16;
 
-/** Beside the pointer while a wire hangs over a port that cannot take it: why not; over a node: which of its ports would. */
+/** Text beside the pointer while a wire is dragged: over a port, why it refuses the wire; over a node, which port would take it. */
 export function ConnectionHint() {
   const editor = useEditor();
   const connection = useConnection();
@@ -33,6 +33,6 @@ export function ConnectionHint() {
     }
     const node = nodeAt(at);
     const port = node === null ? null : portOver(editor, inHand, node);
-    return port && { text: inHand.side === 'output' ? `To ${port.label}` : `From ${port.label}`, refused: false };
+    return port && { text: inHand.side === 'output' ? `Connect to ${port.label}` : `Connect from ${port.label}`, refused: false };
   }
 }

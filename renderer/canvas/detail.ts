@@ -1,6 +1,6 @@
 import { createContext, useContext } from 'react';
 
-/** `overview`: a large graph seen from so far that nothing of a node can be read; it is then a patch of colour. */
+/** How nodes are drawn. `overview`: nothing in a node is legible, so each one is a colored rectangle. */
 export type Detail = 'whole' | 'overview';
 
 const DetailContext = createContext<Detail>('whole');
@@ -11,9 +11,9 @@ export function useDetail(): Detail {
   return useContext(DetailContext);
 }
 
-/** Names are 6 px high here. */
+/** At this zoom titles are 6 px high. */
 const OVERVIEW_ZOOM = 0.3;
-/** Fewer nodes than this are drawn whole at any scale without a frame being late. */
+/** Up to this many nodes are drawn whole at any zoom without a dropped frame. */
 const OVERVIEW_NODES = 150;
 
 export function detailOf(zoom: number, nodeCount: number): Detail {

@@ -1,10 +1,10 @@
 import { type DragEvent, useMemo, useState } from 'react';
-import { useEditor } from '../shell/editor-context.ts';
-import { addFiles } from '../state/add-files.ts';
-import type { Place } from '../state/canvas.ts';
-import { addFromLibrary, NODE_TYPE_DRAG } from '../state/subgraph-library.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { addFiles } from '../state/files/add-files.ts';
+import { addFromLibrary, NODE_TYPE_DRAG } from '../state/graph/subgraph-library.ts';
 
-/** Files dragged in from outside: models, pictures and shaders become nodes where they are let go; so do nodes of the library. */
+/** Drop target of the canvas: models, images, shaders and nodes of the library become nodes where they are dropped. */
 export function useFileDrop(toCanvas: (client: Place) => Place) {
   const editor = useEditor();
   const [over, setOver] = useState(false);

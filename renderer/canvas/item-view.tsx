@@ -1,13 +1,13 @@
 import { type NodeProps, NodeResizer } from '@xyflow/react';
 import { memo } from 'react';
-import { useEditor } from '../shell/editor-context.ts';
-import { endGesture } from '../state/apply.ts';
-import { showResized } from '../state/canvas.ts';
-import { editItemText, resizeItem } from '../state/layout-items.ts';
+import { endGesture } from '../state/document/apply.ts';
+import { showResized } from '../state/editor/canvas-state.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { editItemText, resizeItem } from '../state/graph/layout-items.ts';
 import './item-view.css';
 import type { ItemNode } from './project-items.ts';
 
-/** A frame around nodes: what lies in it goes where it goes. */
+/** A node frame: a titled rectangle that moves the nodes in it. */
 export const FrameView = memo(function FrameView({ id, data, selected }: NodeProps<ItemNode>) {
   const editor = useEditor();
   return (
@@ -16,7 +16,7 @@ export const FrameView = memo(function FrameView({ id, data, selected }: NodePro
       <div className="frame-head">
         <input
           className="frame-title nodrag"
-          aria-label="Title of the frame"
+          aria-label="Frame title"
           spellCheck={false}
           value={data.text}
           onChange={(event) => editItemText(editor, id, event.target.value)}
@@ -27,7 +27,7 @@ export const FrameView = memo(function FrameView({ id, data, selected }: NodePro
   );
 });
 
-/** A text beside the nodes. */
+/** A text note beside the nodes. */
 export const NoteView = memo(function NoteView({ id, data, selected }: NodeProps<ItemNode>) {
   const editor = useEditor();
   return (
@@ -35,8 +35,8 @@ export const NoteView = memo(function NoteView({ id, data, selected }: NodeProps
       <Resizer id={id} selected={selected} minWidth={96} minHeight={56} />
       <textarea
         className="note-text nodrag nowheel"
-        aria-label="Text of the note"
-        placeholder="A note"
+        aria-label="Note text"
+        placeholder="Note"
         value={data.text}
         onChange={(event) => editItemText(editor, id, event.target.value)}
         onBlur={() => endGesture(editor)}

@@ -1,7 +1,7 @@
-import type { Place } from '../state/canvas.ts';
-import { itemOf } from '../state/item-ids.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import { itemOf } from '../state/editor/item-ids.ts';
 
-/** The node that is seen at a place in client pixels; frames, notes and reroutes are none. */
+/** Id of the topmost node at a place in client pixels; null if there is none. Frames, notes and reroutes do not count. */
 export function nodeAt({ x, y }: Place): string | null {
   const id = document.elementFromPoint(x, y)?.closest('.react-flow__node')?.getAttribute('data-id') ?? null;
   return id === null || itemOf(id) !== null ? null : id;

@@ -1,28 +1,28 @@
 import { Handle, type NodeProps, Position } from '@xyflow/react';
 import { memo } from 'react';
 import { WIRE_TYPES } from '../../nodes/kit/wire-types.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { toggleExpanded } from '../state/canvas.ts';
+import { toggleExpanded } from '../state/editor/canvas-state.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 import { Icon } from '../ui/icon.tsx';
-import { NodeCost } from './costs.tsx';
 import { useDetail } from './detail.ts';
+import { NodeCost } from './performance-overlay.tsx';
 import './node-view.css';
-import { NodePicture } from './node-picture.tsx';
-import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from './node-shape.ts';
+import { BODY_PADDING, HEADER_HEIGHT, type PortView, ROW_HEIGHT } from '../state/graph/node-shape.ts';
+import { NodeThumbnail } from './node-thumbnail.tsx';
 import { PortMark } from './port-mark.tsx';
 import type { CanvasNode, NodeData } from './project-canvas.ts';
 import { useDimmedPorts } from './use-dimmed-ports.ts';
 
-/** One node. Three thousand of these are on a large canvas, so it has nothing that is not seen. */
+/** One node. A large canvas holds three thousand of them, so it mounts only visible elements. */
 export const NodeView = memo(function NodeView({ id, data, selected }: NodeProps<CanvasNode>) {
   const overview = useDetail() === 'overview';
-  return overview ? <Patch id={id} data={data} selected={selected} /> : <WholeNode id={id} data={data} selected={selected} />;
+  return overview ? <OverviewNode id={id} data={data} selected={selected} /> : <FullNode id={id} data={data} selected={selected} />;
 });
 
-type FaceProps = Pick<NodeProps<CanvasNode>, 'id' | 'data' | 'selected'>;
+type NodeBodyProps = Pick<NodeProps<CanvasNode>, 'id' | 'data' | 'selected'>;
 
-/** Seen from afar: where it is, and what it is about. */
-function Patch({ id, data, selected }: FaceProps) {
+/** A node on an overview: a rectangle in the color of its main type. */
+function OverviewNode({ id, data, selected }: NodeBodyProps) {
   const state = data.problem?.severity === 'error' ? ' patch-error' : data.muted ? ' patch-muted' : '';
   const color = data.type ? WIRE_TYPES[data.type].color : 'var(--text-3)';
   return (
@@ -35,7 +35,7 @@ function Patch({ id, data, selected }: FaceProps) {
   );
 }
 
-function WholeNode({ id, data, selected }: FaceProps) {
+function FullNode({ id, data, selected }: NodeBodyProps) {
   const dimmed = useDimmedPorts(id, data.shape.ports);
   return (
     <div className={classOf(data, selected, dimmed === 'all')} data-node={id}>
@@ -57,7 +57,7 @@ function WholeNode({ id, data, selected }: FaceProps) {
           dimmed={dimmed !== null && dimmed !== 'all' && dimmed.has(`${port.side} ${port.name}`)}
         />
       ))}
-      {data.shape.picture !== null && <NodePicture node={id} port={data.shape.picture} />}
+      {data.shape.picture !== null && <NodeThumbnail node={id} port={data.shape.picture} />}
       <Expander id={id} data={data} />
       <NodeCost id={id} />
     </div>
@@ -84,7 +84,7 @@ function Port({ port, value, dimmed, collapsed }: PortProps) {
         className={dimmed ? 'port port-dimmed' : 'port'}
         data-shape={shape}
         data-multiple={port.multiple && input ? '' : undefined}
-        data-tip={`${port.label} · ${label}${input && port.required ? ', needed' : ''}\n${port.doc}`}
+        data-tip={`${port.label} · ${label}${input && port.required ? ', required' : ''}\n${port.doc}`}
         style={{ ['--port' as string]: color, top: top + ROW_HEIGHT / 2 }}
       />
       {!collapsed && (
@@ -97,7 +97,7 @@ function Port({ port, value, dimmed, collapsed }: PortProps) {
   );
 }
 
-/** Shows the params that could be wired, for wiring them; seen while the pointer or the focus is at the node. */
+/** Shows or hides the ports of unconnected params. Visible while the node is hovered or focused. */
 function Expander({ id, data }: { readonly id: string; readonly data: NodeData }) {
   const { canvas } = useEditor();
   if (data.shape.collapsed || (data.shape.hiddenParams === 0 && !data.expanded)) return null;
@@ -113,7 +113,7 @@ function Expander({ id, data }: { readonly id: string; readonly data: NodeData }
         toggleExpanded(canvas, id);
       }}
     >
-      {data.expanded ? 'Hide values' : `${count} ${count === 1 ? 'value' : 'values'}`}
+      {data.expanded ? 'Hide parameters' : `${count} ${count === 1 ? 'parameter' : 'parameters'}`}
     </button>
   );
 }

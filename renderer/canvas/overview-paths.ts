@@ -1,5 +1,5 @@
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { portCentre } from './node-shape.ts';
+import { portCenter } from '../state/graph/node-shape.ts';
 import type { CanvasNode } from './project-canvas.ts';
 import type { RerouteNode } from './project-reroutes.ts';
 import type { CanvasWire } from './project-wires.ts';
@@ -13,7 +13,7 @@ interface KnownPath {
   readonly path: string;
 }
 
-/** Remembers each wire's path for as long as neither end moves. */
+/** Makes one SVG path per wire type. Caches the path of each wire until one of its ends moves. */
 export function createOverviewPaths(): (nodes: readonly WireEnd[], wires: readonly CanvasWire[]) => ReadonlyMap<WireType, string> {
   let known = new Map<string, KnownPath>();
   return (nodes, wires) => {
@@ -49,6 +49,6 @@ function placeOf({ position, type, data }: WireEnd, name: string | null | undefi
   if (type === 'reroute') return position;
   const port = data.shape.ports.find((candidate) => candidate.side === side && candidate.name === name);
   if (!port) return null;
-  const centre = portCentre(data.shape, port);
-  return { x: position.x + centre.x, y: position.y + centre.y };
+  const center = portCenter(data.shape, port);
+  return { x: position.x + center.x, y: position.y + center.y };
 }

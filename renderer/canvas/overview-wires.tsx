@@ -12,7 +12,7 @@ interface OverviewWiresProps {
   readonly wires: readonly CanvasWire[];
 }
 
-/** All wires of a large graph seen from afar: one path a colour, to look at and not to point at. */
+/** All wires of an overview, as one path per color. They do not take pointer events. */
 export function OverviewWires({ nodes, reroutes, wires }: OverviewWiresProps) {
   const [pathsOf] = useState(createOverviewPaths);
   const paths = useMemo(() => pathsOf([...nodes, ...reroutes], wires), [pathsOf, nodes, reroutes, wires]);

@@ -1,17 +1,17 @@
 import { type RefObject, useMemo } from 'react';
 import { useStore } from 'zustand';
-import { usesGraph } from '../../export/graph/commands/nodes.ts';
-import { subgraphName } from '../../export/graph/names.ts';
+import { usesGraph } from '../../export/graph/commands/node-commands.ts';
+import { subgraphName } from '../../export/graph/document-names.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import type { Place } from '../state/canvas.ts';
-import { combinationsOf } from '../state/combinations.ts';
-import { nodeOf } from '../state/document.ts';
-import { addNodeFromPalette, swapType } from '../state/edit-graph.ts';
-import type { Editor } from '../state/editor.ts';
-import { portsThrough, wireTypes } from '../state/insert-on-wire.ts';
-import type { PaletteRequest } from '../state/ui.ts';
-import { NODE_WIDTH } from './node-shape.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import { nodeOf } from '../state/editor/document.ts';
+import type { Editor } from '../state/editor/editor.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import type { PaletteRequest } from '../state/editor/ui.ts';
+import { addNodeFromPalette, swapType } from '../state/graph/edit-graph.ts';
+import { portsThrough, wireTypes } from '../state/graph/insert-on-wire.ts';
+import { NODE_WIDTH } from '../state/graph/node-shape.ts';
+import { recipesOf } from '../state/graph/recipes.ts';
 import { Palette } from './palette.tsx';
 
 interface PaletteHostProps {
@@ -21,7 +21,7 @@ interface PaletteHostProps {
 
 const FIRST_PORT_Y = 48;
 
-/** The palette while it is asked for, and what becomes of the choice. */
+/** Shows the palette on request and adds, inserts or swaps the chosen node. */
 export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   const editor = useEditor();
   const request = useStore(editor.ui, (state) => state.palette);
@@ -33,7 +33,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   if (request === null) return null;
   const close = (added: string | null) => {
     editor.ui.setState({ palette: null });
-    // Keys go on where the person is: at the new node, or on the canvas. Whoever is elsewhere by then stays there.
+    // The focus moves to the new node or to the canvas, unless another element has taken it by then.
     editor.clock.nextFrame(() => {
       if (document.activeElement !== document.body) return;
       const node = added === null ? null : canvas.current?.querySelector<HTMLElement>(`.react-flow__node[data-id="${added}"]`);
@@ -55,7 +55,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
           return;
         }
         const place = request.place ?? toCanvas(middleOf(canvas.current));
-        // Dropped wires end at the new node's first port, so the node stands beside the place, not on it.
+        // A dropped wire ends at the first port of the new node, so the node lies beside the place.
         const x = end === null ? place.x - NODE_WIDTH / 2 : end.side === 'output' ? place.x : place.x - NODE_WIDTH;
         const y = end === null ? place.y : place.y - FIRST_PORT_Y;
         close(addNodeFromPalette(editor, entry, { x, y }, end, wire ?? null));
@@ -64,7 +64,7 @@ export function PaletteHost({ toCanvas, canvas }: PaletteHostProps) {
   );
 }
 
-/** What can be chosen: not the graph itself nor what it is in, and for a wire or another node only what takes their wires. */
+/** Definitions on offer: no subgraph that would contain itself; for a wire or a swap, only types with matching ports. */
 function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly NodeDefinition[]): readonly NodeDefinition[] {
   const state = editor.document.getState();
   const possible = all.filter(({ type }) => {
@@ -75,7 +75,7 @@ function offered(editor: Editor, { wire, swap }: PaletteRequest, all: readonly N
   if (types) return possible.filter((definition) => portsThrough(definition, types) !== null);
   const swapped = swap === undefined ? undefined : state.library.definition(nodeOf(state, swap)?.type ?? '');
   if (swapped) return possible.filter((definition) => definition.type !== swapped.type && givesSame(definition, swapped));
-  return [...possible, ...combinationsOf(state.library).map(({ definition }) => definition)];
+  return [...possible, ...recipesOf(state.library).map(({ definition }) => definition)];
 }
 
 function givesSame(a: NodeDefinition, b: NodeDefinition): boolean {
@@ -84,8 +84,8 @@ function givesSame(a: NodeDefinition, b: NodeDefinition): boolean {
 }
 
 function purposeOf({ wire, swap }: PaletteRequest): string | null {
-  if (swap !== undefined) return 'Change to';
-  return wire === undefined ? null : 'Nodes for this wire to go through';
+  if (swap !== undefined) return 'Change type to…';
+  return wire === undefined ? null : 'Nodes to insert into this wire';
 }
 
 function middleOf(element: HTMLElement | null): Place {

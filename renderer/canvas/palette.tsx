@@ -5,17 +5,18 @@ import { uiScale } from '../ui/appearance.ts';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
 import './palette.css';
-import { mainType } from './node-shape.ts';
-import { categoryOf, type OpenEnd, type PaletteEntry, searchPalette } from './palette-search.ts';
+import type { OpenEnd } from '../state/editor/canvas-state.ts';
+import { mainType } from '../state/graph/node-shape.ts';
+import { categoryOf, type PaletteEntry, searchPalette } from '../state/graph/palette-search.ts';
 import { PortMark } from './port-mark.tsx';
 
 interface PaletteProps {
   readonly definitions: readonly NodeDefinition[];
-  /** The wire in hand, if the palette was opened by dropping one. */
+  /** The free end of a wire, if the palette was opened by dropping one. */
   readonly end: OpenEnd | null;
-  /** Where it opens, client pixels; moved inside the window as far as needed. */
+  /** Where it opens, in client pixels; clamped to the window. */
   readonly at: { readonly x: number; readonly y: number };
-  /** Said in the search field, where it is not simply a node that is wanted. */
+  /** Placeholder of the search field when the choice is not a plain new node. */
   readonly purpose?: string | null;
   readonly onChoose: (entry: PaletteEntry) => void;
   readonly onClose: () => void;
@@ -25,7 +26,7 @@ const WIDTH_PX = 560;
 const HEIGHT_PX = 372;
 const EDGE_PX = 12;
 
-/** Adds nodes by name: type, arrows, Enter. The chosen type's doc and ports are shown beside the list. */
+/** Searches node types by name, and shows docs and ports of the selected one. Arrow keys select, Enter chooses. */
 export function Palette({ definitions, end, at, purpose = null, onChoose, onClose }: PaletteProps) {
   const [query, setQuery] = useState('');
   const [chosen, setChosen] = useState(0);
@@ -67,7 +68,7 @@ export function Palette({ definitions, end, at, purpose = null, onChoose, onClos
       <div className="palette-search">
         <Icon name="search" />
         <input
-          // The palette exists only while it is asked for, and this is what it is for.
+          // The palette mounts on request, so its search field takes the focus at once.
           ref={(input) => input?.focus()}
           role="combobox"
           aria-expanded="true"
@@ -130,7 +131,7 @@ function Row({ id, entry, index, selected, heading, first, onPoint, onChoose }: 
           {categoryOf(definition)}
         </div>
       )}
-      {/* Keys are the search field's: the list is only ever pointed at. */}
+      {/* The search field handles all keys; rows handle only the pointer. */}
       <div
         id={id}
         className="palette-row"
@@ -154,8 +155,8 @@ function Preview({ definition }: { readonly definition: NodeDefinition }) {
     <div className="palette-preview scroll">
       <h3>{definition.title}</h3>
       <DocText text={definition.doc} />
-      <Ports title="Takes" ports={definition.inputs} />
-      <Ports title="Gives" ports={definition.outputs} />
+      <Ports title="Inputs" ports={definition.inputs} />
+      <Ports title="Outputs" ports={definition.outputs} />
       {definition.credit && <p className="palette-credit">{definition.credit}</p>}
       {definition.licence && <p className="palette-credit">{definition.licence}</p>}
     </div>

@@ -1,7 +1,7 @@
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
 import './port-shape.css';
 
-/** The sign of a wire type beside text: its colour and its shape. */
+/** Mark of a wire type beside text: its color and shape. */
 export function PortMark({ type }: { readonly type: WireType }) {
   const { color, shape } = WIRE_TYPES[type];
   return <span className="port-mark" data-shape={shape} style={{ ['--port' as string]: color }} aria-hidden="true" />;

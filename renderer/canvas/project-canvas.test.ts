@@ -58,7 +58,7 @@ describe('the canvas as data', () => {
     expect(node.data.shape.ports.map(({ name, side }) => `${side} ${name}`)).toEqual(['input mystery']);
   });
 
-  test('a drag makes the dragged node anew and no other, and leaves what is inside it alone', () => {
+  test('a drag replaces only the dragged node, and keeps its data', () => {
     const project = createCanvasProjection();
     const before = project(INPUT);
     const after = project({ ...INPUT, dragged: { 'blur-aaaa': { x: 310, y: 20 } } });
@@ -69,11 +69,11 @@ describe('the canvas as data', () => {
     expect(after.wires).toBe(before.wires);
   });
 
-  test('the ports that React Flow is told of lie on the node’s rim, on their lines', () => {
+  test('the handles for React Flow lie on the rim of the node, on their rows', () => {
     const node = byId(createCanvasProjection()(INPUT).nodes, 'blur-aaaa');
     for (const handle of node.handles ?? []) {
-      const centreX = handle.x + (handle.width ?? 0) / 2;
-      expect(centreX).toBe(handle.type === 'target' ? 0 : node.width);
+      const centerX = handle.x + (handle.width ?? 0) / 2;
+      expect(centerX).toBe(handle.type === 'target' ? 0 : node.width);
       expect(handle.y).toBeGreaterThan(0);
       expect(handle.y + (handle.height ?? 0)).toBeLessThanOrEqual(node.height ?? 0);
     }
@@ -98,7 +98,7 @@ describe('the canvas as data', () => {
     expect(project({ ...INPUT, graph: { ...graph, wires: wires.slice(0, 1) } }).wires.map(({ data }) => data?.order)).toEqual([null]);
   });
 
-  test('from afar each wire is drawn between its ports, in the path of its colour, and follows a drag', () => {
+  test('from afar each wire is drawn between its ports, in the path of its color, and follows a drag', () => {
     const project = createCanvasProjection();
     const pathsOf = createOverviewPaths();
     const paths = (input: CanvasInput) => {
@@ -107,7 +107,7 @@ describe('the canvas as data', () => {
     };
     const before = paths(INPUT);
     expect([...before.keys()]).toEqual(['layer', 'number']);
-    // The video's only output is on the first line: 30 + 6 + 11 below its top, at its right side.
+    // The only output of the video is on the first row: 30 + 6 + 11 below the top, at the right edge.
     expect(before.get('layer')).toMatch(/^M184,47 C.* 300,47/);
     const after = paths({ ...INPUT, dragged: { 'blur-aaaa': { x: 310, y: 20 } } });
     expect(after.get('layer')).toMatch(/^M184,47 C.* 310,67M/);

@@ -1,32 +1,26 @@
 import type { Node, NodeHandle } from '@xyflow/react';
-import { subgraphName } from '../../export/graph/names.ts';
+import { subgraphName } from '../../export/graph/document-names.ts';
 import type { GraphNode, NodeLayout, Wire } from '../../export/graph/project.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCentre, unknownShape } from './node-shape.ts';
+import { mainType, type NodeShape, nodeShape, PORT_SIZE, portCenter, unknownShape } from '../state/graph/node-shape.ts';
+import { valueText } from '../state/params/value-text.ts';
+import type { NodeProblem } from '../state/problems/problems.ts';
 import { type CanvasWire, createWiresProjection, sameParts as same, type WiresInput } from './project-wires.ts';
-import { valueText } from './value-text.ts';
 
-/** What one node on the canvas shows; the same object while none of it changed. */
+/** Content of one node on the canvas. The object is reused until something in it changes. */
 export interface NodeData extends Record<string, unknown> {
   readonly title: string;
   readonly type: WireType | undefined;
   readonly shape: NodeShape;
-  /** Current values of the params shown as ports, as text; none for wired ones. */
+  /** Current values of the params shown as ports, as text; connected params have none. */
   readonly values: Readonly<Record<string, string>>;
   readonly muted: boolean;
-  /** Stands for a subgraph, which can be opened. */
+  /** The node is an instance of a subgraph. */
   readonly subgraph: boolean;
   readonly known: boolean;
   readonly expanded: boolean;
   readonly problem: NodeProblem | null;
-}
-
-export interface NodeProblem {
-  readonly severity: Diagnostic['severity'];
-  /** All messages, one a line. */
-  readonly text: string;
 }
 
 export type CanvasNode = Node<NodeData, 'scrim'>;
@@ -34,16 +28,16 @@ export type CanvasNode = Node<NodeData, 'scrim'>;
 export interface CanvasInput extends WiresInput {
   readonly selectedNodes: ReadonlySet<string>;
   readonly expanded: ReadonlySet<string>;
-  /** Nodes that give layers show them. */
+  /** Nodes show thumbnails of their layers. */
   readonly pictured?: boolean;
-  /** Where nodes are while they are dragged. */
+  /** Positions of dragged nodes, in canvas units. */
   readonly dragged: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
   readonly problems: ReadonlyMap<string, NodeProblem>;
 }
 
 export interface CanvasView {
   readonly nodes: CanvasNode[];
-  /** The same list while none of them changed. */
+  /** The array is reused until a wire changes. */
   readonly wires: CanvasWire[];
 }
 
@@ -53,13 +47,13 @@ interface CachedNode {
 }
 
 /**
- * Turns the document into what React Flow draws. Nodes and wires that did not change come out as the same objects, so that a
- * drag draws the dragged ones anew and no other.
+ * Projects the document to the nodes and wires of React Flow. Unchanged nodes and wires are the same objects as before, so that a
+ * drag rerenders only the dragged ones.
  */
 export function createCanvasProjection(): (input: CanvasInput) => CanvasView {
   let nodes = new Map<string, CachedNode>();
   const projectWires = createWiresProjection();
-  const wiredPortsOf = remembered(wiredPorts);
+  const wiredPortsOf = memoizeLast(wiredPorts);
   return (input) => {
     const wiredOf = wiredPortsOf(input.graph.wires);
     const nextNodes = new Map<string, CachedNode>();
@@ -148,7 +142,7 @@ function canvasNode(
     id,
     type: 'scrim',
     position,
-    // While only the place changes, React sees the same data and leaves the node's inside alone.
+    // If only the position changes, React sees the same data and does not rerender the node.
     data: before && sameData(before.data, data) ? before.data : data,
     selected: input.selectedNodes.has(id),
     width: shape.width,
@@ -166,7 +160,7 @@ function ariaLabel({ title, subgraph, muted, problem }: NodeData): string {
 }
 
 function handleOf(shape: NodeShape, port: NodeShape['ports'][number]): NodeHandle {
-  const { x, y } = portCentre(shape, port);
+  const { x, y } = portCenter(shape, port);
   return {
     id: port.name,
     type: port.side === 'input' ? 'target' : 'source',
@@ -186,8 +180,8 @@ function sameData(a: NodeData, b: NodeData): boolean {
   return JSON.stringify(a) === JSON.stringify(b);
 }
 
-/** Works anew only for another argument than last time. */
-function remembered<A extends object, R>(work: (argument: A) => R): (argument: A) => R {
+/** Memoizes the result for the last argument. */
+function memoizeLast<A extends object, R>(work: (argument: A) => R): (argument: A) => R {
   let last: { readonly argument: A; readonly result: R } | null = null;
   return (argument) => {
     if (last?.argument !== argument) last = { argument, result: work(argument) };

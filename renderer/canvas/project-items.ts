@@ -1,15 +1,15 @@
 import type { Node } from '@xyflow/react';
 import type { GraphLayout } from '../../export/graph/project.ts';
-import type { Place } from '../state/canvas.ts';
-import { itemId } from '../state/item-ids.ts';
-import type { Box } from '../state/layout-items.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import { itemId } from '../state/editor/item-ids.ts';
+import type { Box } from '../state/graph/layout-items.ts';
 
 export interface ItemData extends Record<string, unknown> {
   /** Title of a frame, text of a note. */
   readonly text: string;
 }
 
-/** A frame or a note, as React Flow draws it. */
+/** A node frame or a note, as a React Flow node. */
 export type ItemNode = Node<ItemData, 'frame' | 'note'>;
 
 export interface ItemsInput {
@@ -19,7 +19,7 @@ export interface ItemsInput {
   readonly resized: (Box & { readonly id: string }) | null;
 }
 
-/** Frames lie behind everything, notes before the frames. Items that did not change come out as the same objects. */
+/** Frames lie behind everything, notes in front of frames. Unchanged items are the same objects as before. */
 export function createItemsProjection(): (input: ItemsInput) => readonly ItemNode[] {
   let known = new Map<string, { readonly key: readonly unknown[]; readonly item: ItemNode }>();
   return ({ layout, selected, dragged, resized }) => {

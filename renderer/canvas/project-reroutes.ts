@@ -2,17 +2,17 @@ import type { Node, NodeHandle } from '@xyflow/react';
 import type { Wire } from '../../export/graph/project.ts';
 import { routeOf } from '../../export/graph/routes.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import type { Place } from '../state/canvas.ts';
-import { layoutOf, nodeOf, type OpenGraph } from '../state/document.ts';
-import { itemId } from '../state/item-ids.ts';
-import { rerouteWords } from '../state/reroutes.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import { layoutOf, nodeOf, type OpenGraph } from '../state/editor/document.ts';
+import { itemId } from '../state/editor/item-ids.ts';
+import { rerouteWords } from '../state/graph/reroutes.ts';
 import { REROUTE_IN, REROUTE_OUT, sameParts } from './project-wires.ts';
 
 export interface RerouteData extends Record<string, unknown> {
   readonly type: WireType;
 }
 
-/** A point on the way of wires, as React Flow draws it. */
+/** A reroute, as a React Flow node. */
 export type RerouteNode = Node<RerouteData, 'reroute'>;
 
 export interface ReroutesInput {
@@ -22,14 +22,14 @@ export interface ReroutesInput {
   readonly dragged: Readonly<Record<string, Place>>;
 }
 
-/** What the pointer can hit of it; the drawn point is smaller. Canvas units. */
+/** Side of the hit area, in canvas units; the drawn point is smaller. */
 export const REROUTE_SIZE = 18;
-/** As the style sheet has it. */
+/** Hit area of the knob; matches `reroute-view.css`. */
 const KNOB = { x: REROUTE_SIZE + 1, y: 0, width: REROUTE_SIZE, height: REROUTE_SIZE };
 
 const NONE: readonly RerouteNode[] = [];
 
-/** Reroutes that did not change come out as the same objects, and as the same list where none did. */
+/** Unchanged reroutes are the same objects as before, and the array is the same if none changed. */
 export function createReroutesProjection(): (input: ReroutesInput) => readonly RerouteNode[] {
   let known = new Map<string, { readonly key: readonly unknown[]; readonly node: RerouteNode }>();
   let list: readonly RerouteNode[] = [];
@@ -59,10 +59,10 @@ function typeAt({ library, ...open }: OpenGraph, wire: Wire | undefined): WireTy
   return (wire && definition?.outputs[wire.from.port]?.type) ?? 'number';
 }
 
-/** What another wire is drawn from; beside the point, which is there to be dragged. */
+/** Handle that new wires start from, beside the point. The point itself drags the reroute. */
 export const REROUTE_KNOB = 'knob';
 
-/** All wires join it in its middle. */
+/** Wires end in the middle of the reroute. */
 const HANDLES: NodeHandle[] = [
   handleAt(REROUTE_IN, 'target'),
   handleAt(REROUTE_OUT, 'source'),
@@ -78,7 +78,7 @@ function rerouteNode(id: string, x: number, y: number, selected: boolean, type: 
   return {
     id,
     type: 'reroute',
-    // The document has its middle.
+    // The document stores the center.
     origin: [0.5, 0.5],
     position: { x, y },
     width: REROUTE_SIZE,

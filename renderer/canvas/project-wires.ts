@@ -1,25 +1,25 @@
 import type { Edge } from '@xyflow/react';
-import { inputOf } from '../../export/graph/library/faces.ts';
+import { inputOf } from '../../export/graph/library/node-interface.ts';
 import type { Graph, GraphLayout, Wire } from '../../export/graph/project.ts';
 import { type Stretch, stretchesOf } from '../../export/graph/routes.ts';
 import { printWire } from '../../export/graph/wires.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { itemId } from '../state/item-ids.ts';
-import { portWords } from '../state/plain-words.ts';
+import { portWords } from '../state/document/plain-words.ts';
+import { itemId } from '../state/editor/item-ids.ts';
 
 export interface WireData extends Record<string, unknown> {
   readonly from: WireType;
   readonly to: WireType;
-  /** From 1, where the port takes several wires and has more than one. */
+  /** Position among the wires of the port, from 1; null if the port has one wire. */
   readonly order: number | null;
-  /** What is let go now goes into it. */
+  /** A node dropped now is inserted into this wire. */
   readonly under: boolean;
-  /** Drawn as selected: one of the wires that it is a part of is. */
+  /** Drawn as selected, because one of its wires is. */
   readonly lit: boolean;
 }
 
-/** What is drawn of wires between two points: a whole wire, where that runs straight. */
+/** One drawn stretch: a whole wire, or the part of one or more wires between two reroutes. */
 export type CanvasWire = Edge<WireData, 'scrim'>;
 
 export interface WiresInput {
@@ -27,7 +27,7 @@ export interface WiresInput {
   readonly layout: GraphLayout;
   readonly library: NodeLibrary;
   readonly selectedWires: ReadonlySet<string>;
-  /** The wire that the dragged node would go into. */
+  /** The stretch that the dragged node would be inserted into. */
   readonly wireUnder?: string | null;
 }
 
@@ -37,8 +37,8 @@ interface CachedWire {
 }
 
 /**
- * Wires as React Flow draws them: those that did not change come out as the same objects, and as the same list where none did. React
- * Flow takes in a new list wire by wire, which for 1,000 of them would cost more than a drag of their nodes.
+ * Projects wires to edges of React Flow. Unchanged wires are the same objects as before, and the array is the same if none changed:
+ * React Flow processes a new array wire by wire, which for 1,000 wires costs more than a drag of their nodes.
  */
 export function createWiresProjection(): (input: WiresInput) => CanvasWire[] {
   let wires = new Map<string, CachedWire>();
@@ -81,7 +81,7 @@ function projectWires(input: WiresInput, known: ReadonlyMap<string, CachedWire>)
   return next;
 }
 
-/** What it joins, as React Flow knows it; reroutes have one side for wires that come and one for those that go. */
+/** Source, source handle, target and target handle. A reroute has one handle for incoming and one for outgoing wires. */
 function endsOf({ source, wires, before, to }: Stretch): readonly [string, string, string, string] {
   const last = before.at(-1);
   const target = wires[0].to;
@@ -91,7 +91,7 @@ function endsOf({ source, wires, before, to }: Stretch): readonly [string, strin
   ];
 }
 
-/** The sides of a reroute. */
+/** Handles of a reroute. */
 export const REROUTE_IN = 'in';
 export const REROUTE_OUT = 'through';
 
@@ -114,11 +114,11 @@ function canvasWire(id: string, stretch: Stretch, key: readonly unknown[]): Canv
     sourceHandle,
     target,
     targetHandle,
-    // A wire is one thing to React Flow's keys and to screen readers, its last stretch; all of it is drawn as selected.
+    // For keys and screen readers a wire is its last stretch alone; all of its stretches are drawn as selected.
     selected: isLast && lit,
     data: { from: from ?? 'number', to: to ?? 'number', order, under, lit },
     ...(isLast ? { ariaLabel } : { focusable: false, domAttributes: { 'aria-hidden': true as const } }),
-    // Wires are pulled off ports; at a reroute, that is taken.
+    // A wire is disconnected by dragging its end off a port; at a reroute, a drag moves the reroute.
     reconnectable: isFirst ? isLast || 'source' : isLast && 'target',
   };
 }

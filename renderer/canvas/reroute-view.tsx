@@ -6,7 +6,7 @@ import { REROUTE_KNOB, type RerouteNode } from './project-reroutes.ts';
 import { REROUTE_IN, REROUTE_OUT } from './project-wires.ts';
 import './reroute-view.css';
 
-/** A point that wires are led through: dragged by its middle; from the knob beside it, another wire is drawn. */
+/** A point that wires run through. Its middle drags it; the knob beside it starts a new wire. */
 export const RerouteView = memo(function RerouteView({ data, selected }: NodeProps<RerouteNode>) {
   if (useDetail() === 'overview') return null;
   return (

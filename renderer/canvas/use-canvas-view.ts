@@ -1,13 +1,13 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { useNodeProblems } from '../shell/use-problems.ts';
-import { graphOf, layoutOf } from '../state/document.ts';
+import { graphOf, layoutOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { useNodeProblems } from '../state/problems/use-problems.ts';
 import { type CanvasNode, type CanvasView, createCanvasProjection } from './project-canvas.ts';
 import { createItemsProjection, type ItemNode } from './project-items.ts';
 import { createReroutesProjection, type RerouteNode } from './project-reroutes.ts';
 
-/** All that stands on the canvas. */
+/** Everything that React Flow draws as a node. */
 export type AnyNode = CanvasNode | ItemNode | RerouteNode;
 
 export interface WholeView extends CanvasView {
@@ -15,7 +15,7 @@ export interface WholeView extends CanvasView {
   readonly reroutes: readonly RerouteNode[];
 }
 
-/** The open graph as React Flow draws it. */
+/** The open graph as nodes and wires of React Flow. */
 export function useCanvasView(): WholeView {
   const editor = useEditor();
   const project = useMemo(createCanvasProjection, []);
@@ -24,7 +24,7 @@ export function useCanvasView(): WholeView {
   const library = useDocument((state) => state.library);
   const selection = useStore(editor.selection);
   const { expanded, offered, dragged, wireUnder, resized } = useStore(editor.canvas);
-  const pictured = useStore(editor.look, (state) => state.thumbnails);
+  const pictured = useStore(editor.viewer, (state) => state.thumbnails);
   const problems = useNodeProblems();
   const shown = useMemo(() => (offered === null ? expanded : new Set([...expanded, offered])), [expanded, offered]);
   const projectItems = useMemo(createItemsProjection, []);

@@ -1,12 +1,11 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../shell/editor-context.ts';
-import { refusalOf } from '../state/edit-graph.ts';
-import type { PortView } from './node-shape.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { refusalOf } from '../state/graph/edit-graph.ts';
+import type { PortView } from '../state/graph/node-shape.ts';
 
 /**
- * While a wire is in hand: which ports of a node cannot take it, as `side name`; `all` where none can; null while no wire is in
- * hand. Only nodes on screen ask.
+ * Ports of a node that cannot take the wire being dragged, as `side name`; `all` if no port can; null while no wire is dragged.
  */
 export function useDimmedPorts(node: string, ports: readonly PortView[]): ReadonlySet<string> | 'all' | null {
   const editor = useEditor();

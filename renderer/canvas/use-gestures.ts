@@ -8,40 +8,40 @@ import {
   useStoreApi,
 } from '@xyflow/react';
 import { type MouseEvent as ReactMouseEvent, useCallback, useRef } from 'react';
-import { subgraphName } from '../../export/graph/names.ts';
+import { subgraphName } from '../../export/graph/document-names.ts';
 import { printWire } from '../../export/graph/wires.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '../state/canvas.ts';
-import { layoutOf, nodeOf } from '../state/document.ts';
-import { dropOnNode } from '../state/drop-on-node.ts';
-import { removeWires } from '../state/edit-graph.ts';
-import type { Editor } from '../state/editor.ts';
-import { dropOnWire, layOver } from '../state/insert-on-wire.ts';
-import { itemOf } from '../state/item-ids.ts';
-import { explainRefusal, joinEnds, refusalOfEnds, rejoinEnds, takeEnd } from '../state/join-ends.ts';
-import { boxOfItem, contentOf, moveAll } from '../state/layout-items.ts';
-import { addReroute, stretchCalled, wiresOfStretch } from '../state/reroutes.ts';
-import { changeSelection, type SelectionChange } from '../state/selection.ts';
-import { openSubgraph } from '../state/subgraphs.ts';
+import { dragTo, dropWire, endDrag, hoverWire, offerParams, type Place } from '../state/editor/canvas-state.ts';
+import { layoutOf, nodeOf } from '../state/editor/document.ts';
+import type { Editor } from '../state/editor/editor.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { itemOf } from '../state/editor/item-ids.ts';
+import { changeSelection, type SelectionChange } from '../state/editor/selection.ts';
+import { connectPorts, explainRefusal, reconnectPorts, refusalOfEnds, startWireAt } from '../state/graph/connect-ports.ts';
+import { dropOnNode } from '../state/graph/drop-on-node.ts';
+import { removeWires } from '../state/graph/edit-graph.ts';
+import { dropOnWire, layOver } from '../state/graph/insert-on-wire.ts';
+import { boxOfItem, contentOf, moveAll } from '../state/graph/layout-items.ts';
+import { HEADER_HEIGHT, NODE_WIDTH } from '../state/graph/node-shape.ts';
+import { addReroute, stretchCalled, wiresOfStretch } from '../state/graph/reroutes.ts';
+import { openSubgraph } from '../state/graph/subgraphs.ts';
 import { nodeAt } from './node-at.ts';
-import { HEADER_HEIGHT, NODE_WIDTH } from './node-shape.ts';
 import type { CanvasWire } from './project-wires.ts';
+import { useCancelGesture } from './use-cancel-gesture.ts';
 import type { AnyNode } from './use-canvas-view.ts';
-import { useGiveUp } from './use-give-up.ts';
 import { wireBehind } from './wire-behind.ts';
 
 export type ToCanvas = (client: Place, options?: { readonly snapToGrid: boolean }) => Place;
 
-/** The wire stays where it runs. */
-export const WHERE_IT_IS = { snapToGrid: false };
+/** Places a reroute on the wire, off the grid. */
+export const UNSNAPPED = { snapToGrid: false };
 
-/** What pointer and keys on the canvas do: selection, wires, places. */
+/** Handlers of React Flow that turn gestures into commands: selection, wires and positions. */
 export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Place) {
   const editor = useEditor();
-  const givingUp = useGiveUp();
+  const canceling = useCancelGesture();
   const onNodesChange = useCallback(
     (changes: NodeChange<AnyNode>[]) => {
-      if (givingUp.current) return;
+      if (canceling.current) return;
       changeSelection(editor.selection, nodeChanges(changes));
       const moved = changes.filter((change) => change.type === 'position');
       const places: Record<string, Place> = {};
@@ -49,7 +49,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       if (moved.length === 0) return;
       dragTo(editor.canvas, places);
       const [only] = moved.length === 1 ? moved : [];
-      // React Flow's arrow keys move without dragging; a drag's last change has none either.
+      // Moves by arrow keys, and the last change of a drag, have `dragging` unset.
       if (moved.some((change) => change.dragging === true)) {
         const isNode = only !== undefined && itemOf(only.id) === null;
         hoverWire(editor.canvas, isNode && only.position ? wireBehind(editor, only.id, toClient(only.position)) : null);
@@ -61,7 +61,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       if (only && place && wireUnder !== null) dropOnWire(editor, only.id, place, wireUnder);
       else moveAll(editor, dragged);
     },
-    [editor, givingUp, toClient],
+    [editor, canceling, toClient],
   );
   const flowStore = useStoreApi();
   const onWiresChange = useCallback(
@@ -71,7 +71,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
     },
     [editor, flowStore],
   );
-  /** An end of a wire that is there is in hand; React Flow tells of it as of a new one, too. */
+  /** An existing wire is being reconnected. React Flow reports that as a new connection, too. */
   const rewiring = useRef(false);
   const onReconnectStart = useCallback(() => {
     rewiring.current = true;
@@ -86,14 +86,14 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   const onConnect = useCallback(
     (connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends && !givingUp.current) joinEnds(editor, ends.from, ends.to);
+      if (ends && !canceling.current) connectPorts(editor, ends.from, ends.to);
     },
-    [editor, givingUp],
+    [editor, canceling],
   );
   const onConnectStart = useCallback(
     (_event: MouseEvent | TouchEvent, start: { nodeId: string | null; handleId: string | null; handleType: HandleType | null }) => {
       if (start.nodeId === null || start.handleId === null) return;
-      takeEnd(editor, { node: start.nodeId, port: start.handleId }, start.handleType === 'source' ? 'output' : 'input');
+      startWireAt(editor, { node: start.nodeId, port: start.handleId }, start.handleType === 'source' ? 'output' : 'input');
     },
     [editor],
   );
@@ -101,7 +101,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
     (event: MouseEvent | TouchEvent, end: FinalConnectionState) => {
       const { inHand, wireUnder } = editor.canvas.getState();
       dropWire(editor.canvas);
-      if (inHand === null || end.isValid === true || givingUp.current) return;
+      if (inHand === null || end.isValid === true || canceling.current) return;
       const client = clientOf(event);
       if (wireUnder !== null && !end.toHandle && !rewiring.current) {
         const { x, y } = toCanvas(client);
@@ -113,23 +113,23 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
       else if (onPane(event)) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
       else dropOnNode(editor, inHand, nodeAt(client));
     },
-    [editor, givingUp, toCanvas],
+    [editor, canceling, toCanvas],
   );
   const onReconnect = useCallback(
     (wire: CanvasWire, connection: Connection) => {
       const ends = endsOf(connection);
-      if (ends && !givingUp.current) rejoinEnds(editor, wire.id, ends.from, ends.to);
+      if (ends && !canceling.current) reconnectPorts(editor, wire.id, ends.from, ends.to);
     },
-    [editor, givingUp],
+    [editor, canceling],
   );
   const onReconnectEnd = useCallback(
     (_event: MouseEvent | TouchEvent, wire: CanvasWire, _type: HandleType, end: FinalConnectionState) => {
       rewiring.current = false;
-      // Pulled off and let go over nothing: the usual way to take a wire away.
-      if (end.isValid !== true && !end.toHandle && !givingUp.current)
+      // Dropped on nothing: disconnects the wire.
+      if (end.isValid !== true && !end.toHandle && !canceling.current)
         removeWires(editor, wiresOfStretch(editor.document.getState(), wire.id));
     },
-    [editor, givingUp],
+    [editor, canceling],
   );
   const onNodeEnter = useCallback(
     (_event: unknown, node: AnyNode) => {
@@ -147,7 +147,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   );
   const onWireDoubleClick = useCallback(
     (event: ReactMouseEvent, { id }: CanvasWire) =>
-      void addReroute(editor, id, toCanvas({ x: event.clientX, y: event.clientY }, WHERE_IT_IS)),
+      void addReroute(editor, id, toCanvas({ x: event.clientX, y: event.clientY }, UNSNAPPED)),
     [editor, toCanvas],
   );
   const onDoubleClick = useCallback(
@@ -176,13 +176,13 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   };
 }
 
-/** From output to input, whichever of them the gesture began at. */
+/** Output and input of a connection; null without both handles. */
 function endsOf({ source, sourceHandle, target, targetHandle }: Connection | Edge) {
   if (!sourceHandle || !targetHandle) return null;
   return { from: { node: source, port: sourceHandle }, to: { node: target, port: targetHandle } };
 }
 
-/** Where what lies in a dragged frame is then. */
+/** New positions of the nodes in a dragged frame. */
 function withContent(editor: Editor, id: string, { x, y }: Place): Readonly<Record<string, Place>> {
   const frame = boxOfItem(layoutOf(editor.document.getState()), id);
   if (!frame) return {};
@@ -198,8 +198,8 @@ function nodeChanges(changes: readonly NodeChange<AnyNode>[]): SelectionChange[]
 }
 
 /**
- * The wires of what was selected or no more. What is taken away comes first: a press on another stretch of a wire takes its last one
- * away. A box around nodes brings their wires with it; one around a reroute alone does not, or Delete would take the wire as well.
+ * Changes of the wire selection. Removals come first, because a press on another stretch of a wire deselects its last one. A selection
+ * box adds wires only with one of their nodes: with a reroute alone, Delete would remove the wire as well.
  */
 function wireChanges(editor: Editor, changes: readonly EdgeChange<CanvasWire>[], byBox: boolean): SelectionChange[] {
   const state = editor.document.getState();

@@ -1,13 +1,12 @@
 import { type RefObject, useEffect } from 'react';
-import { useEditor } from '../shell/editor-context.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 
-/** As long as Android waits, and as far as a finger that rests may tremble. */
+/** Duration of a long press on Android, and the distance that a resting finger may move. */
 const HOLD_MS = 500;
 const TREMBLE_PX = 10;
 
 /**
- * A finger or pen that rests on something asks for its menu, as the secondary button does. Browsers do that themselves on some systems
- * only, and on iOS never.
+ * Opens the context menu on a long press of a finger or pen. Browsers send `contextmenu` for it on some systems only, and never on iOS.
  */
 export function useLongPress(root: RefObject<HTMLElement | null>): void {
   const { clock } = useEditor();
@@ -23,7 +22,7 @@ export function useLongPress(root: RefObject<HTMLElement | null>): void {
     const onDown = ({ pointerType, pointerId, isPrimary, clientX, clientY, target }: PointerEvent) => {
       forget();
       asked = false;
-      // A second finger pinches.
+      // A second finger makes it a pinch.
       if (pointerType === 'mouse' || !isPrimary || !(target instanceof Element)) return;
       const ask = () => {
         held = null;
@@ -35,11 +34,11 @@ export function useLongPress(root: RefObject<HTMLElement | null>): void {
     const onMove = ({ pointerId, clientX, clientY }: PointerEvent) => {
       if (held?.id === pointerId && Math.hypot(clientX - held.x, clientY - held.y) > TREMBLE_PX) forget();
     };
-    // The browser asked first.
+    // The browser opened the menu itself.
     const onMenu = ({ isTrusted }: MouseEvent) => {
       if (isTrusted) forget();
     };
-    // Or the browser would make a click of it, which closes the menu.
+    // Prevents the click that would close the menu.
     const onLift = (event: TouchEvent) => {
       if (asked && event.cancelable) event.preventDefault();
     };

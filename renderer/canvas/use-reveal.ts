@@ -1,13 +1,13 @@
 import { type Rect, useReactFlow, useStoreApi } from '@xyflow/react';
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../shell/editor-context.ts';
-import type { Reveal } from '../state/ui.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import type { Reveal } from '../state/editor/ui.ts';
 import { isStill, uiScale } from '../ui/appearance.ts';
 
 const DURATION_MS = 260;
 
-/** Brings nodes into view when something outside the canvas points at them. */
+/** Scrolls nodes into view on request from outside the canvas, such as the problems panel. */
 export function useReveal(): void {
   const { ui } = useEditor();
   const reveal = useStore(ui, (state) => state.reveal);

@@ -1,9 +1,9 @@
 import { useReactFlow } from '@xyflow/react';
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
-import { useEditor } from '../shell/editor-context.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 
-/** Nodes grow and shrink with the text and controls around the graph, about the middle of what is seen. */
+/** Zooms the graph with the UI scale, about the center of the view. */
 export function useScale(): void {
   const { preferences } = useEditor();
   const scale = useStore(preferences, (state) => state.scale);

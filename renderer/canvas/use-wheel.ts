@@ -1,8 +1,10 @@
 import { type RefObject, useEffect, useState } from 'react';
 
 /**
- * A mouse wheel zooms, a trackpad pans, as each hand expects. The browser does not say which it is: wheels turn in large even
- * steps along one axis, trackpads glide in small ones along both. Returns whether to pan.
+ * A mouse wheel zooms, a trackpad pans. The browser does not tell them apart: wheels send large equal steps along one axis, trackpads
+ * small ones along both.
+ *
+ * @returns Whether scrolling pans.
  */
 export function useWheel(root: RefObject<HTMLElement | null>): boolean {
   const [pans, setPans] = useState(false);
@@ -10,7 +12,7 @@ export function useWheel(root: RefObject<HTMLElement | null>): boolean {
     const element = root.current;
     if (!element) return;
     const look = (event: WheelEvent) => {
-      // Pinching arrives as a wheel with Ctrl and zooms in either mode.
+      // A pinch arrives as a wheel event with Ctrl and always zooms.
       if (!event.ctrlKey) setPans(isTrackpad(event));
     };
     element.addEventListener('wheel', look, { capture: true, passive: true });

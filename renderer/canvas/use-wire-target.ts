@@ -1,9 +1,9 @@
 import { useEffect } from 'react';
-import { useEditor } from '../shell/editor-context.ts';
-import { hoverWire } from '../state/canvas.ts';
-import { canLayOver } from '../state/insert-on-wire.ts';
+import { hoverWire } from '../state/editor/canvas-state.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { canLayOver } from '../state/graph/insert-on-wire.ts';
 
-/** While a wire is in hand, marks the wire below the pointer where letting go there would lay one layer over the other. */
+/** While a wire is dragged, marks the wire under the pointer if a drop would insert an Alpha over node into it. */
 export function useWireTarget(): void {
   const editor = useEditor();
   useEffect(() => {
@@ -20,7 +20,7 @@ export function useWireTarget(): void {
   }, [editor]);
 }
 
-/** Nodes and their ports lie over wires and hide them. */
+/** Id of the topmost accepted wire at a place in client pixels; null under a node or port, which cover wires. */
 function wireAt(x: number, y: number, accepts: (id: string) => boolean): string | null {
   const all = document.elementsFromPoint(x, y);
   if (all.some((element) => element.closest('.react-flow__node') !== null)) return null;

@@ -1,15 +1,17 @@
-import type { Place } from '../state/canvas.ts';
-import type { Editor } from '../state/editor.ts';
-import { canInsert } from '../state/insert-on-wire.ts';
+import type { Place } from '../state/editor/canvas-state.ts';
+import type { Editor } from '../state/editor/editor.ts';
+import { canInsert } from '../state/graph/insert-on-wire.ts';
 
-/** Where on a node a wire may lie, as parts of its width: on it, but not on its ports. */
+/** Sample positions across a node, as fractions of its width; ports are left out. */
 const ACROSS = [0.2, 0.35, 0.5, 0.65, 0.8];
-/** A wire can be hit 18 canvas units across; finer than that at any zoom that shows ports. */
+/** Sample distance; less than the 18 canvas units of a wire’s hit area at any zoom that shows ports. */
 const STEP_PX = 8;
 
 /**
- * The wire that runs behind a node at a place, top left in client pixels, and that it can go into; or null. Asks the page what is
- * where. The place is handed over because the page draws a drag later than it is told of.
+ * Finds a wire behind a dragged node that the node can be inserted into, by hit tests on the page.
+ *
+ * @param place Top left of the node in client pixels. The DOM lags behind the drag, so it cannot be read from there.
+ * @returns Id of the wire, or null.
  */
 export function wireBehind(editor: Editor, node: string, place: Place): string | null {
   const box = document.querySelector(`.react-flow__node[data-id="${CSS.escape(node)}"]`)?.getBoundingClientRect();

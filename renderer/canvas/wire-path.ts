@@ -1,6 +1,6 @@
 import { getBezierPath, Position } from '@xyflow/react';
 
-/** From an output to an input: leaves to the right, arrives from the left. SVG path data, canvas units. */
+/** SVG path data of a wire in canvas units: it leaves an output to the right and reaches an input from the left. */
 export function wirePath(sourceX: number, sourceY: number, targetX: number, targetY: number): string {
   const [path] = getBezierPath({
     sourceX,
@@ -25,7 +25,7 @@ export interface WireEnds {
   readonly toReroute: boolean;
 }
 
-/** As `wirePath`; at a reroute a wire goes on as it comes, so that one led back does not make a loop there. */
+/** Like `wirePath`, but a wire passes straight through a reroute, so that a backward wire makes no loop there. */
 export function stretchPath({ sourceX, sourceY, targetX, targetY, fromReroute, toReroute }: WireEnds): string {
   if (!fromReroute && !toReroute) return wirePath(sourceX, sourceY, targetX, targetY);
   const half = (targetX - sourceX) / 2;

@@ -1,18 +1,18 @@
 import { BaseEdge, type ConnectionLineComponentProps, type EdgeProps } from '@xyflow/react';
 import { memo } from 'react';
 import { WIRE_TYPES, type WireType } from '../../nodes/kit/wire-types.ts';
-import { itemOf } from '../state/item-ids.ts';
-import { PORT_SIZE } from './node-shape.ts';
+import { itemOf } from '../state/editor/item-ids.ts';
+import { PORT_SIZE } from '../state/graph/node-shape.ts';
 import type { CanvasWire } from './project-wires.ts';
 import { stretchPath, wirePath } from './wire-path.ts';
 import './wire-view.css';
 
-/** A wire in its type's colour; a converting one runs from one colour into the other. */
+/** A wire in the color of its type; a gradient if it converts one type to another. */
 export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
   const { id, sourceY, targetY, data } = props;
   const fromReroute = itemOf(props.source) !== null;
   const toReroute = itemOf(props.target) !== null;
-  // React Flow leads edges to the rim of a port's hit area; wires end at its mark, in the middle.
+  // React Flow ends edges at the rim of the hit area of a port; wires end at its center.
   const sourceX = props.sourceX - (fromReroute ? 0 : PORT_SIZE / 2);
   const targetX = props.targetX + (toReroute ? 0 : PORT_SIZE / 2);
   const path = stretchPath({ sourceX, sourceY, targetX, targetY, fromReroute, toReroute });
@@ -43,8 +43,8 @@ export const WireView = memo(function WireView(props: EdgeProps<CanvasWire>) {
   );
 });
 
-/** The wire in hand. */
-export function WireInHand({ fromX, fromY, toX, toY, fromHandle, connectionStatus, fromNode }: ConnectionLineComponentProps) {
+/** The wire being dragged. */
+export function PendingWire({ fromX, fromY, toX, toY, fromHandle, connectionStatus, fromNode }: ConnectionLineComponentProps) {
   const output = fromHandle.type === 'source';
   const path = output ? wirePath(fromX, fromY, toX, toY) : wirePath(toX, toY, fromX, fromY);
   const type = typeOfPort(fromNode.data, fromHandle.id ?? '', output ? 'output' : 'input');
@@ -54,7 +54,7 @@ export function WireInHand({ fromX, fromY, toX, toY, fromHandle, connectionStatu
 
 function typeOfPort(data: Record<string, unknown>, name: string, side: 'input' | 'output'): WireType | undefined {
   const { shape, type } = data as { readonly shape?: CanvasShape; readonly type?: WireType };
-  // A reroute has no ports, and one type.
+  // A reroute has no ports; all of its wires have its type.
   if (!shape) return type;
   return shape.ports.find((port) => port.name === name && port.side === side)?.type;
 }

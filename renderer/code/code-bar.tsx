@@ -1,22 +1,22 @@
-import { own } from '../../export/graph/own.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { copyChunk } from '../state/edit-shader.ts';
+import { getOwn } from '../../export/graph/record.ts';
+import { copyChunk } from '../state/document/edit-shader.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { Button } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 
 interface CodeBarProps {
-  /** The chunk that is looked at in the place of the shader's text. */
+  /** Path of the chunk that is shown instead of the shader; null if it is the shader. */
   readonly chunk: string | null;
-  /** Another program has saved what is shown. */
+  /** Another program saved the file, so that it is read-only here. */
   readonly outside: boolean;
   readonly onTakeBack: () => void;
   readonly onBack: () => void;
 }
 
-/** Over the text: whose it is where it is a chunk, why it cannot be typed in, and the ways out. */
+/** Bar above the text of a chunk or a read-only file: why it is read-only, and what to do. */
 export function CodeBar({ chunk, outside, onTakeBack, onBack }: CodeBarProps) {
   const editor = useEditor();
-  const ofLibrary = useDocument(({ project }) => chunk !== null && own(project.sources, chunk) === undefined);
+  const ofLibrary = useDocument(({ project }) => chunk !== null && getOwn(project.sources, chunk) === undefined);
   if (chunk === null && !outside) return null;
   return (
     <p className={outside ? 'code-bar code-bar-outside' : 'code-bar'}>
@@ -30,7 +30,7 @@ export function CodeBar({ chunk, outside, onTakeBack, onBack }: CodeBarProps) {
       )}
       {outside && (
         <Button look="quiet" onPress={onTakeBack}>
-          Edit it here
+          Edit here
         </Button>
       )}
       {chunk !== null && (
@@ -44,6 +44,6 @@ export function CodeBar({ chunk, outside, onTakeBack, onBack }: CodeBarProps) {
 
 function reason(isChunk: boolean, ofLibrary: boolean, outside: boolean): string {
   const what = isChunk ? 'chunk' : 'shader';
-  if (outside) return `Another program has saved this ${what}: it is read only here, and follows what is saved there.`;
-  return ofLibrary ? 'A chunk of the library, to be read.' : 'A chunk of this project, in all its techniques that include it.';
+  if (outside) return `This ${what} was saved by another program. It is read-only here and follows the file.`;
+  return ofLibrary ? 'This library chunk is read-only.' : 'Changes apply to every technique of the project that includes this chunk.';
 }

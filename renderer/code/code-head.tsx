@@ -1,6 +1,15 @@
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { titleOf } from '../state/document.ts';
-import { addVertex, copyShader, originalOf, removeVertex, revertShader, shaderOf, takesVertex, vertexOf } from '../state/edit-shader.ts';
+import {
+  addVertex,
+  copyShader,
+  originalOf,
+  removeVertex,
+  revertShader,
+  shaderOf,
+  takesVertex,
+  vertexOf,
+} from '../state/document/edit-shader.ts';
+import { titleOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 
 interface CodeHeadProps {
@@ -8,14 +17,14 @@ interface CodeHeadProps {
   readonly form: boolean;
   readonly comparing: boolean;
   readonly readOnly: boolean;
-  /** What is shown is the vertex shader beside the shader. */
+  /** The vertex shader is shown. */
   readonly inVertex: boolean;
   readonly onVertex: (shown: boolean) => void;
   readonly onForm: (open: boolean) => void;
   readonly onCompare: (open: boolean) => void;
 }
 
-/** What is shown, whose it is, and what can be done with it as a whole. */
+/** Header of the code panel: file, origin and shader stage, and actions on the whole shader. */
 export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, onForm, onCompare }: CodeHeadProps) {
   const editor = useEditor();
   const vertex = useDocument((state) => vertexOf(state, node));
@@ -58,7 +67,7 @@ export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, 
       <span className="code-head-gap" />
       {ofLibrary && (
         <>
-          <span className="code-head-note">From the library: the first change makes a copy in this project.</span>
+          <span className="code-head-note">From the library. The first edit makes a copy in this project.</span>
           <Button look="quiet" onPress={() => void copyShader(editor, node)}>
             Copy into project
           </Button>

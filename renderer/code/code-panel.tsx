@@ -1,12 +1,12 @@
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { shaderOf } from '../state/edit-shader.ts';
-import { soleNode } from '../state/selection.ts';
+import { shaderOf } from '../state/document/edit-shader.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { soleNode } from '../state/editor/selection.ts';
 import './code-panel.css';
 import { ShaderView } from './shader-view.tsx';
 
-/** The source of the shader that was last selected; it stays while other nodes are looked at. */
+/** Source of the last selected node that has a shader. It stays while nodes without one are selected. */
 export function CodePanel() {
   const { selection } = useEditor();
   const selected = useStore(selection, soleNode);
@@ -18,6 +18,6 @@ export function CodePanel() {
 
   const node = selectedHasShader ? selected : last;
   const exists = useDocument((state) => node !== null && shaderOf(state, node) !== null);
-  if (node === null || !exists) return <p className="code-none">Select a filter, an operator or a generator to see its shader.</p>;
+  if (node === null || !exists) return <p className="code-none">Select a filter, composite, generator or technique to see its shader.</p>;
   return <ShaderView node={node} />;
 }

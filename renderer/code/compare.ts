@@ -3,13 +3,13 @@ import { GLSL_LANGUAGE } from './glsl-language.ts';
 import { optionsFor, readOnlyOptions } from './view-options.ts';
 
 export interface Comparison {
-  /** `null` where the text can be typed in, else why not. */
+  /** Sets why the text is read-only; `null` makes it editable. */
   setReadOnly(reason: string | null): void;
   focus(): void;
   dispose(): void;
 }
 
-/** Shows a text over the editor, beside the one that it was copied from. The text itself can still be typed in. */
+/** Shows a diff of the text and its original over the editor. The text stays editable. */
 export function compareWith(
   parent: HTMLElement,
   original: string,
@@ -34,7 +34,7 @@ export function compareWith(
   view.setModel({ original: before, modified: model });
   const blurred = view.getModifiedEditor().onDidBlurEditorText(onLeave);
   view.getModifiedEditor().focus();
-  // What is the same is nothing to look at first.
+  // Scrolls to the first difference.
   const first = view.onDidUpdateDiff(() => {
     first.dispose();
     view.revealFirstDiff();

@@ -5,7 +5,7 @@ import { KEYWORDS, TYPES } from '../../export/glsl/syntax/words.ts';
 
 export const GLSL_LANGUAGE = 'scrim-glsl';
 
-/** Of the interface of techniques, those in capitals or with a capital: the members of its structs are words of every day. */
+/** Highlighted words of the technique interface. Members of its structs are common words, so only capitalized names count. */
 const TECHNIQUE_WORDS = [...TECHNIQUE_DOCS.keys()].filter((word) => /^[A-Z]/.test(word));
 
 const CONFIGURATION: languages.LanguageConfiguration = {
@@ -24,7 +24,7 @@ const CONFIGURATION: languages.LanguageConfiguration = {
   indentationRules: { increaseIndentPattern: /[{[(]\s*$/, decreaseIndentPattern: /^\s*[}\])]/ },
 };
 
-/** The JSON header in the first comment, then GLSL ES 3.00 with ISF's own names. */
+/** Tokenizer: the JSON header in the first comment, then GLSL ES 3.00 with the names of ISF. */
 const TOKENS: languages.IMonarchLanguage = {
   defaultToken: '',
   keywords: [...KEYWORDS, 'flat', 'smooth', 'layout'].filter((word) => !TYPES.has(word)),
@@ -70,7 +70,7 @@ const TOKENS: languages.IMonarchLanguage = {
   },
 };
 
-/** Makes the language known to Monaco; the returned function takes it back. */
+/** Registers the language with Monaco. @returns A function that unregisters it. */
 export function registerGlslLanguage(): () => void {
   languages.register({ id: GLSL_LANGUAGE, extensions: ['.fs', '.vs', '.glsl'] });
   const parts = [

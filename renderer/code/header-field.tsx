@@ -4,13 +4,13 @@ interface HeaderFieldProps {
   readonly label: string;
   readonly value: string;
   readonly placeholder?: string;
-  /** Several lines. */
+  /** Shows a text area instead of a field. */
   readonly long?: boolean;
   readonly disabled?: boolean;
   readonly onSet: (text: string) => void;
 }
 
-/** One text of the header; it is taken over with Enter, or when the focus leaves it. Escape gives it up. */
+/** One text of the header. Enter or a loss of focus applies it, Escape cancels. */
 export function HeaderField({ label, value, placeholder = '', long = false, disabled = false, onSet }: HeaderFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const id = useId();

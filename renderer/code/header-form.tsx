@@ -1,30 +1,28 @@
 import { useMemo, useRef, useState } from 'react';
-import { type HeaderForm as Form, type HeaderFields, type HeaderValue, readHeaderForm } from '../../export/glsl/language/edit-header.ts';
+import { type HeaderForm as Form, type HeaderFields, type HeaderValue, readHeaderForm } from '../../export/glsl/language/header-edits.ts';
 import { isTechnique } from '../../export/glsl/technique/technique-shader.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { editHeader } from '../state/edit-header.ts';
-import { shaderOf } from '../state/edit-shader.ts';
+import { editHeader } from '../state/document/edit-header.ts';
+import { shaderOf } from '../state/document/edit-shader.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { HeaderField } from './header-field.tsx';
 import './header-form.css';
 import { HeaderInput, INPUT_TYPES, TECHNIQUE_TYPES } from './header-input.tsx';
 import { freeInputName, newInput, sizeOf, textOfField, wordsOf } from './header-text.ts';
 
-/** The header of a node's shader as a form. It and the JSON are two views of one text: each change of one shows in the other. */
+/** The JSON header of a shader as a form. Form and text show the same document, so edits of one appear in the other. */
 export function HeaderForm({ node, readOnly }: { readonly node: string; readonly readOnly: boolean }) {
   const text = useDocument((state) => shaderOf(state, node)?.text ?? '');
   const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
   const form = useMemo(() => readHeaderForm(text), [text]);
-  // While the JSON is being typed, it cannot always be read: what it last said stays to be seen.
+  // While the JSON is being typed it may be invalid; the form then shows its last valid state.
   const last = useRef<{ readonly node: string; readonly form: Form } | null>(null);
   if (form !== null) last.current = { node, form };
   const shown = form ?? (last.current?.node === node ? last.current.form : null);
   const disabled = form === null || readOnly;
   return (
     <section className="header-form scroll" aria-label="Header">
-      {form === null && (
-        <p className="header-broken">The header’s JSON cannot be read at the moment. Mend it in the text; the mark there says where.</p>
-      )}
+      {form === null && <p className="header-broken">The JSON of the header is invalid. Fix it in the text, where it is marked.</p>}
       {shown && (
         <>
           <Inputs node={node} form={shown} technique={isTechnique(text, name)} disabled={disabled} />
@@ -89,7 +87,7 @@ function Inputs({ node, form, technique, disabled }: PartProps & { readonly tech
   );
 }
 
-/** In the header, a place is all that tells one item from another: names may be missing, or there twice. */
+/** Uses indices as React keys, because names may be missing or duplicate. */
 function placed(list: readonly HeaderFields[]) {
   return list.map((fields, index) => ({ key: String(index), index, fields }));
 }
@@ -107,7 +105,7 @@ function Passes({ node, form, technique, disabled }: PartProps & { readonly tech
         ))}
       </ul>
       <div className="header-add">
-        <span className="header-note">{form.passes.length === 0 ? 'One, which draws the output.' : ''}</span>
+        <span className="header-note">{form.passes.length === 0 ? 'One pass, drawn to the output.' : ''}</span>
         <Button icon="add" disabled={disabled} onPress={() => void editHeader(editor, node, ['PASSES', form.passes.length], fresh)}>
           Add pass
         </Button>
@@ -170,11 +168,11 @@ function HeaderPass({ node, index, fields, technique, disabled }: HeaderPassProp
           text('Side', 'SIDE', 'object')
         ) : (
           <>
-            {text('Draws into', 'TARGET', 'the output')}
+            {text('Render target', 'TARGET', 'output')}
             {text('Width', 'WIDTH', '$WIDTH', sizeOf)}
             {text('Height', 'HEIGHT', '$HEIGHT', sizeOf)}
-            {toggle('Keeps its picture', 'PERSISTENT')}
-            {toggle('More than 8 bits', 'FLOAT')}
+            {toggle('Persistent', 'PERSISTENT')}
+            {toggle('Float', 'FLOAT')}
           </>
         )}
       </div>

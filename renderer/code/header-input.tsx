@@ -1,16 +1,16 @@
-import type { HeaderFields, HeaderValue } from '../../export/glsl/language/edit-header.ts';
-import { Pipette } from '../inspector/pipette.tsx';
-import { useEditor } from '../shell/editor-context.ts';
-import { endGesture } from '../state/apply.ts';
-import { editHeader, moveInput, renameInput } from '../state/edit-header.ts';
-import { addToast } from '../state/ui.ts';
+import type { HeaderFields, HeaderValue } from '../../export/glsl/language/header-edits.ts';
+import { Pipette } from '../preview-panel/pipette.tsx';
+import { endGesture } from '../state/document/apply.ts';
+import { editHeader, moveInput, renameInput } from '../state/document/edit-header.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { addToast } from '../state/editor/ui.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ColorField } from '../ui/color-field.tsx';
 import { Icon } from '../ui/icon.tsx';
 import { HeaderField } from './header-field.tsx';
 import { numbersOf, textOfField, wordsOf } from './header-text.ts';
 
-/** Types that an ISF file and a technique can have, in the order in which they are offered. */
+/** Input types of ISF files and of techniques, in the order of the menu. */
 export const INPUT_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image', 'event', 'audio', 'audioFFT', 'depth', 'curve'] as const;
 export const TECHNIQUE_TYPES = ['float', 'color', 'bool', 'long', 'point2D', 'image'] as const;
 
@@ -22,11 +22,11 @@ interface HeaderInputProps {
   readonly types: readonly string[];
   readonly disabled: boolean;
   readonly open: boolean;
-  /** Opens the input of this name, and closes any other. */
+  /** Expands the input of this name and collapses the others. */
   readonly onOpen: (name: string | null) => void;
 }
 
-/** One input of the header: its name and type, and what is to be set of it when it is opened. */
+/** One input of the header: its name and type, and its fields when expanded. */
 export function HeaderInput({ node, index, isLast, fields, types, disabled, open, onOpen }: HeaderInputProps) {
   const editor = useEditor();
   const name = textOfField(fields, 'NAME');
@@ -37,11 +37,11 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
     (text: string) => {
       const value = numbersOf(text);
       if (value === null)
-        addToast(editor.ui, { tone: 'warning', text: `“${text}” is no number.`, detail: 'Several are parted by commas.' });
+        addToast(editor.ui, { tone: 'warning', text: `“${text}” is not a number.`, detail: 'Separate several numbers with commas.' });
       else set(key, asList && typeof value === 'number' ? [value] : value);
     };
   const takeDefault = ([red, green, blue]: readonly [number, number, number]) => {
-    const [, , , alpha] = colourOf(fields);
+    const [, , , alpha] = colorOf(fields);
     set('DEFAULT', rounded([red, green, blue, alpha]));
     endGesture(editor);
   };
@@ -130,9 +130,9 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
               <span>Default</span>
               <ColorField
                 label={`Default of ${name}`}
-                value={colourOf(fields)}
+                value={colorOf(fields)}
                 pipette={<Pipette label={`Default of ${name}`} onTake={takeDefault} />}
-                onEdit={(colour) => set('DEFAULT', rounded(colour))}
+                onEdit={(color) => set('DEFAULT', rounded(color))}
                 onEnd={() => endGesture(editor)}
               />
             </div>
@@ -149,11 +149,11 @@ export function HeaderInput({ node, index, isLast, fields, types, disabled, open
   );
 }
 
-function colourOf({ DEFAULT: list }: HeaderFields): readonly [number, number, number, number] {
+function colorOf({ DEFAULT: list }: HeaderFields): readonly [number, number, number, number] {
   const [red = 0, green = 0, blue = 0, alpha = 1] = Array.isArray(list) ? (list as readonly unknown[]).map(Number) : [];
   return [red, green, blue, alpha];
 }
 
-function rounded(colour: readonly number[]): readonly number[] {
-  return colour.map((value) => Number(value.toFixed(4)));
+function rounded(color: readonly number[]): readonly number[] {
+  return color.map((value) => Number(value.toFixed(4)));
 }

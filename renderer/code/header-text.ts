@@ -1,6 +1,6 @@
-import type { HeaderFields, HeaderValue } from '../../export/glsl/language/edit-header.ts';
+import type { HeaderFields, HeaderValue } from '../../export/glsl/language/header-edits.ts';
 
-/** A value of the header as a text field shows it: lists with commas. */
+/** A header value as text; lists are separated by commas. */
 export function textOfField(fields: HeaderFields, key: string): string {
   const value = fields[key];
   if (value === undefined) return '';
@@ -11,7 +11,7 @@ function isList(value: HeaderFields[string]): value is readonly (string | number
   return Array.isArray(value);
 }
 
-/** What a person typed for MIN, MAX or DEFAULT: nothing takes the key away, one number is a number, several are a list. Null for anything else. */
+/** Parses MIN, MAX or DEFAULT. @returns A number, a list of numbers, undefined for empty text (removes the key), or null if invalid. */
 export function numbersOf(text: string): HeaderValue | undefined | null {
   const parts = text.split(/[\s,;]+/).filter(Boolean);
   if (parts.length === 0) return undefined;
@@ -21,7 +21,7 @@ export function numbersOf(text: string): HeaderValue | undefined | null {
   return numbers.length === 1 && first !== undefined ? first : numbers;
 }
 
-/** `Blur, Soft` → a list; nothing takes the key away. */
+/** Parses `Blur, Soft`. @returns A list, or undefined for empty text (removes the key). */
 export function wordsOf(text: string): readonly string[] | undefined {
   const words = text
     .split(',')
@@ -30,14 +30,14 @@ export function wordsOf(text: string): readonly string[] | undefined {
   return words.length === 0 ? undefined : words;
 }
 
-/** A size of a pass: a number where it is one, else an expression. */
+/** Parses the width or height of a pass: a number or an expression. */
 export function sizeOf(text: string): HeaderValue | undefined {
   const trimmed = text.trim();
   if (trimmed === '') return undefined;
   return Number.isFinite(Number(trimmed)) ? Number(trimmed) : trimmed;
 }
 
-/** A name that no input has yet: `value`, `value2`, … */
+/** A name that no input has: `value`, `value2`, … */
 export function freeInputName(stem: string, taken: readonly string[]): string {
   for (let number = 1; ; number += 1) {
     const name = number === 1 ? stem : `${stem}${number}`;
@@ -45,7 +45,7 @@ export function freeInputName(stem: string, taken: readonly string[]): string {
   }
 }
 
-/** What a new input begins as. */
+/** Fields of a new input. */
 export function newInput(type: string, taken: readonly string[]): HeaderFields {
   switch (type) {
     case 'float':

@@ -1,5 +1,5 @@
 import { useState } from 'react';
-import type { Colour } from '../../export/glsl/language/literals.ts';
+import type { Color } from '../../export/glsl/language/literals.ts';
 import { colorFromHex, hexFromColor } from '../ui/color-text.ts';
 import { NumberField } from '../ui/number-field.tsx';
 import { Slider } from '../ui/slider.tsx';
@@ -19,7 +19,7 @@ interface NumberTunerProps extends TunerProps {
   readonly onEdit: (value: number) => void;
 }
 
-/** A slider and a field for one number of the text. */
+/** Slider and field for a number literal. */
 export function NumberTuner({ start, min, max, step, print, onEdit, onEnd, onClose }: NumberTunerProps) {
   const [value, setValue] = useState(start);
   const edit = (next: number) => {
@@ -53,30 +53,30 @@ export function NumberTuner({ start, min, max, step, print, onEdit, onEnd, onClo
   );
 }
 
-interface ColourTunerProps extends TunerProps {
-  readonly start: Colour;
+interface ColorTunerProps extends TunerProps {
+  readonly start: Color;
   readonly hasAlpha: boolean;
-  readonly onEdit: (colour: Colour) => void;
+  readonly onEdit: (color: Color) => void;
 }
 
 const CHANNELS = ['Red', 'Green', 'Blue', 'Alpha'] as const;
 
-/** The browser's own picker, hexadecimal text, and a slider for each component of one colour of the text. */
-export function ColourTuner({ start, hasAlpha, onEdit, onEnd, onClose }: ColourTunerProps) {
-  const [colour, setColour] = useState(start);
-  const edit = (next: Colour) => {
-    setColour(next);
+/** Color picker, hexadecimal text and a slider per component for a color literal. */
+export function ColorTuner({ start, hasAlpha, onEdit, onEnd, onClose }: ColorTunerProps) {
+  const [color, setColor] = useState(start);
+  const edit = (next: Color) => {
+    setColor(next);
     onEdit(next);
   };
-  const [red, green, blue, alpha] = colour;
+  const [red, green, blue, alpha] = color;
   const css = `rgb(${red * 255} ${green * 255} ${blue * 255} / ${alpha})`;
   return (
-    <fieldset className="tuner tuner-colour" aria-label="Colour" onKeyDown={(event) => closeOnEscape(event, onClose)}>
+    <fieldset className="tuner tuner-colour" aria-label="Color" onKeyDown={(event) => closeOnEscape(event, onClose)}>
       <span className="swatch" style={{ ['--swatch' as string]: css }}>
         <input
           type="color"
-          aria-label="Colour"
-          value={hexFromColor(colour)}
+          aria-label="Color"
+          value={hexFromColor(color)}
           onChange={(event) => {
             const picked = colorFromHex(event.target.value, alpha);
             if (picked) edit(picked);
@@ -93,13 +93,13 @@ export function ColourTuner({ start, hasAlpha, onEdit, onEnd, onClose }: ColourT
               min={0}
               max={1}
               step={0.005}
-              value={colour[i] ?? 0}
-              valueText={(colour[i] ?? 0).toFixed(3)}
-              onEdit={(value) => edit(withChannel(colour, i, value))}
+              value={color[i] ?? 0}
+              valueText={(color[i] ?? 0).toFixed(3)}
+              onEdit={(value) => edit(withChannel(color, i, value))}
               onEnd={onEnd}
             />
             <span className="tuner-value" aria-hidden="true">
-              {(colour[i] ?? 0).toFixed(2)}
+              {(color[i] ?? 0).toFixed(2)}
             </span>
           </div>
         ))}
@@ -108,7 +108,7 @@ export function ColourTuner({ start, hasAlpha, onEdit, onEnd, onClose }: ColourT
   );
 }
 
-function withChannel([red, green, blue, alpha]: Colour, index: number, value: number): Colour {
+function withChannel([red, green, blue, alpha]: Color, index: number, value: number): Color {
   return [index === 0 ? value : red, index === 1 ? value : green, index === 2 ? value : blue, index === 3 ? value : alpha];
 }
 

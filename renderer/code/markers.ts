@@ -12,7 +12,7 @@ export function markDiagnostics(model: editor.ITextModel, diagnostics: readonly 
   );
 }
 
-/** From the column to the end of the word there; the whole line where no column is known. */
+/** Marks from the column to the end of its word, or the whole line if the column is unknown. */
 function markerOf(model: editor.ITextModel, { line, column, message, fix, severity, code }: Diagnostic): editor.IMarkerData {
   const startLineNumber = Math.min(Math.max(line ?? 1, 1), model.getLineCount());
   const startColumn = column ?? model.getLineFirstNonWhitespaceColumn(startLineNumber);

@@ -1,7 +1,7 @@
 import { editor } from 'monaco-editor/editor';
 import { isLight } from '../ui/appearance.ts';
 
-/** Gives Monaco the editor's own colours, and again whenever these change between light and dark. The returned function stops that. */
+/** Applies the theme of the editor to Monaco, also when it changes. @returns A function that stops it. */
 export function followTheme(): () => void {
   const apply = () => {
     defineTheme(isLight());

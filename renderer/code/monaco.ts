@@ -25,61 +25,61 @@ import 'monaco-editor/features/snippet/register';
 import 'monaco-editor/features/suggest/register';
 import 'monaco-editor/features/wordHighlighter/register';
 import 'monaco-editor/features/wordOperations/register';
-// The features of these names leave them out.
+// Monaco’s feature bundles of the same names do not include these.
 import 'monaco-editor/editor/contrib/gotoSymbol/browser/goToCommands';
 import 'monaco-editor/editor/contrib/suggest/browser/suggestController';
-import type { NeighbourFile } from '../../export/glsl/language/shader-document.ts';
+import type { NeighborFile } from '../../export/glsl/language/shader-document.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { createColourMarks } from './colour-marks.ts';
+import { createColorMarks } from './color-marks.ts';
 import { type Comparison, compareWith } from './compare.ts';
 import { registerGlslLanguage } from './glsl-language.ts';
 import { markDiagnostics } from './markers.ts';
 import { followTheme } from './monaco-theme.ts';
 import { registerProviders } from './providers.ts';
-import { forgetModels, neighbourFileOf, type ShaderTexts, shaderModel } from './shader-models.ts';
+import { forgetModels, neighborFileOf, type ShaderTexts, shaderModel } from './shader-models.ts';
 import { createTuning } from './tune-literals.ts';
 import { optionsFor, readOnlyOptions, sizesFor } from './view-options.ts';
 
 export interface ShownText {
-  /** Names the text for as long as it lives, with its caret and its undo. */
+  /** Key of the model, which keeps its caret and undo history. */
   readonly name: string;
-  /** As the library or the project calls it. */
+  /** File name in the library or project. */
   readonly file: string;
   readonly text: string;
-  /** Why it cannot be typed in; null where it can. */
+  /** Why the text is read-only; null if it is editable. */
   readonly readOnly: string | null;
 }
 
-/** One text editor for shaders. Everything of Monaco is behind this file, which is loaded when the panel is first opened. */
+/** Text editor for shaders. Only this folder imports Monaco; it loads when the panel first opens. */
 export interface ShaderEditor {
-  /** Shows a text; one shown before comes back with its caret and its own undo. */
+  /** Shows a text. A text that was shown before keeps its caret and undo history. */
   show(shown: ShownText): void;
-  /** Shows the text beside another one, or alone again. */
+  /** Shows a diff against `original`; null shows the text alone. */
   compare(original: string | null): void;
-  /** Marks the text shown. */
+  /** Marks problems in the shown text. */
   mark(diagnostics: readonly Diagnostic[]): void;
   goTo(line: number, column: number): void;
   focus(): void;
-  /** How large text is, 1 as it is made. */
+  /** Sets the text size as a factor; 1 is the default. */
   setScale(scale: number): void;
-  /** Texts outlive their view, with their undo; this ends those whose names are not to be kept. */
+  /** Disposes models, which outlive their view, except those that `keep` accepts. */
   forget(keep: (name: string) => boolean): void;
   dispose(): void;
 }
 
 export interface ShaderEditorOptions {
   readonly texts: ShaderTexts;
-  /** Each change by the person; not what `show` put in. `live`: the picture is to follow at once. */
+  /** Called on each user edit, not for `show`. `live`: recompile at once, without waiting for a pause. */
   readonly onType: (name: string, text: string, live: boolean) => void;
-  /** What was typed is done with: the focus left the text, or something else begins. */
+  /** Called when typing ends: the editor lost focus, or another action begins. */
   readonly onLeave: () => void;
-  /** What is typed next is one step with this new text of the file beside it. */
-  readonly onRename: (beside: NeighbourFile) => void;
-  /** Someone wants to see a place in a chunk, `chunks/NAME.glsl`, or in the ISF file beside a vertex shader. */
+  /** Called before the edits of a rename, which form one undo step with the new text of the neighboring file. */
+  readonly onRename: (beside: NeighborFile) => void;
+  /** Called to open a place in a chunk (`chunks/NAME.glsl`) or in the ISF file beside a vertex shader. */
   readonly onOther: (file: string, line: number, column: number) => void;
 }
 
-/** Caret and scroll of texts that are not shown, also while no view is there at all. */
+/** Caret and scroll position of models that are not shown. Survives the view. */
 const viewStates = new WeakMap<editor.ITextModel, editor.ICodeEditorViewState>();
 
 export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave, onRename, onOther }: ShaderEditorOptions): ShaderEditor {
@@ -135,13 +135,13 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
         stepNext = true;
       },
     }),
-    // On Linux, Monaco has another key for it; people who come from elsewhere press this one.
+    // Monaco uses another key on Linux; this one works on all systems.
     disposer(editor.addKeybindingRule({ keybinding: KeyMod.Shift | KeyMod.Alt | KeyCode.KeyF, command: 'editor.action.formatDocument' })),
     disposer(view.onDidBlurEditorText(onLeave)),
     disposer(
       editor.registerEditorOpener({
         openCodeEditor: (_, resource, target) => {
-          const file = neighbourFileOf(resource);
+          const file = neighborFileOf(resource);
           if (file === null) return false;
           if (!target) onOther(file, 1, 1);
           else if ('lineNumber' in target) onOther(file, target.lineNumber, target.column);
@@ -150,7 +150,7 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
         },
       }),
     ),
-    disposer(createColourMarks(view, texts)),
+    disposer(createColorMarks(view, texts)),
     disposer(
       createTuning(view, {
         texts,
@@ -176,7 +176,7 @@ export function createShaderEditor(parent: HTMLElement, { texts, onType, onLeave
         comparison = null;
       }
       shown = { name, model, readOnly };
-      // An edit, not a new value, so that the text's own undo goes back over what came from outside.
+      // An edit instead of `setValue` keeps the undo history across external changes.
       ours = true;
       if (model.getValue() !== text) model.pushEditOperations([], [{ range: model.getFullModelRange(), text }], () => null);
       ours = false;

@@ -1,22 +1,22 @@
 import { type IPosition, languages } from 'monaco-editor/editor';
 import { type Completion, completionsAt } from '../../export/glsl/language/complete.ts';
-import { formatShader } from '../../export/glsl/language/format.ts';
+import { formatShader } from '../../export/glsl/language/format-shader.ts';
 import { numberAt } from '../../export/glsl/language/literals.ts';
 import { definitionsAt, hoverAt, referencesAt, signatureAt } from '../../export/glsl/language/look-up.ts';
 import { renameAt, renameBeside, renameStart } from '../../export/glsl/language/rename.ts';
-import { type DocumentOptions, type NeighbourFile, readShaderDocument } from '../../export/glsl/language/shader-document.ts';
+import { type DocumentOptions, type NeighborFile, readShaderDocument } from '../../export/glsl/language/shader-document.ts';
 import { applyEdits } from '../../export/glsl/language/source-text.ts';
 import type { Place } from '../../export/glsl/syntax/token.ts';
 import { GLSL_LANGUAGE } from './glsl-language.ts';
-import { documentOf, editOf, isVertexShader, neighbourModel, rangeOf, type ShaderTexts } from './shader-models.ts';
+import { documentOf, editOf, isVertexShader, neighborModel, rangeOf, type ShaderTexts } from './shader-models.ts';
 
 export interface ProviderOptions {
   readonly texts: ShaderTexts;
-  /** The edits of a renaming are about to be made: they are a step of their own, with the new text of the file beside it. */
-  readonly onRename: (beside: NeighbourFile | null) => void;
+  /** Called before the edits of a rename, which form one undo step with the new text of the neighboring file. */
+  readonly onRename: (beside: NeighborFile | null) => void;
 }
 
-/** Tells Monaco what `export/glsl/language` knows. The returned function takes it all back. */
+/** Registers completion, hover, rename and other providers of `export/glsl/language`. @returns A function that unregisters them. */
 export function registerProviders({ texts, onRename }: ProviderOptions): () => void {
   const parts = [
     languages.registerCompletionItemProvider(GLSL_LANGUAGE, {
@@ -37,9 +37,7 @@ export function registerProviders({ texts, onRename }: ProviderOptions): () => v
         const found = hoverAt(document, placeOf(position));
         if (found !== null) return { range: rangeOf(found.range), contents: [glslCode(found.code), { value: found.doc }] };
         const number = numberAt(document.source, placeOf(position), document.outline);
-        return (
-          number && { range: rangeOf(number.range), contents: [{ value: 'Drag it with **Alt**, or click it, to see the picture change.' }] }
-        );
+        return number && { range: rangeOf(number.range), contents: [{ value: '**Alt**-drag or click to adjust it live.' }] };
       },
     }),
     languages.registerSignatureHelpProvider(GLSL_LANGUAGE, {
@@ -60,7 +58,7 @@ export function registerProviders({ texts, onRename }: ProviderOptions): () => v
       provideDefinition: (model, position) => {
         const document = documentOf(model, texts);
         return definitionsAt(document, placeOf(position)).flatMap(({ file, range }) => {
-          const uri = file === null ? model.uri : neighbourModel(file, document.file, texts)?.uri;
+          const uri = file === null ? model.uri : neighborModel(file, document.file, texts)?.uri;
           return uri ? [{ uri, range: rangeOf(range) }] : [];
         });
       },
@@ -109,8 +107,8 @@ export function registerProviders({ texts, onRename }: ProviderOptions): () => v
   };
 }
 
-/** What a file is read with; `shown` is newer than what the others know of it. */
-function optionsFor(file: string, { chunkOf, besideOf }: ShaderTexts, shown?: NeighbourFile): DocumentOptions {
+/** Parse options of a file. `shown` overrides the stored text of its neighbor. */
+function optionsFor(file: string, { chunkOf, besideOf }: ShaderTexts, shown?: NeighborFile): DocumentOptions {
   const fragment = isVertexShader(file) ? (shown ?? besideOf(file)) : undefined;
   return { chunkOf, fragment };
 }
@@ -154,7 +152,7 @@ function suggestionOf({ label, kind, detail, doc, insert, rank }: Completion): O
     insertText: insert,
     sortText: `${rank} ${label.toLowerCase()}`,
     ...(snippet ? { insertTextRules: languages.CompletionItemInsertTextRule.InsertAsSnippet } : {}),
-    // A call begins with its brackets: what it takes is shown at once.
+    // Shows parameter hints once the parentheses of a call are inserted.
     ...(insert.endsWith('($0)') ? { command: { id: 'editor.action.triggerParameterHints', title: '' } } : {}),
   };
 }

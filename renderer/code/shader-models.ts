@@ -1,36 +1,36 @@
 import { editor, type IRange, Range, Uri } from 'monaco-editor/editor';
-import { type NeighbourFile, readShaderDocument, type ShaderDocument } from '../../export/glsl/language/shader-document.ts';
+import { type NeighborFile, readShaderDocument, type ShaderDocument } from '../../export/glsl/language/shader-document.ts';
 import type { TextEdit, TextRange } from '../../export/glsl/language/source-text.ts';
 import { GLSL_LANGUAGE } from './glsl-language.ts';
 
 const SHADER_SCHEME = 'scrim-shader';
-const NEIGHBOUR_SCHEME = 'scrim-neighbour';
+const NEIGHBOR_SCHEME = 'scrim-neighbor';
 
-/** Text of `chunks/NAME.glsl`. */
+/** Returns the text of `chunks/NAME.glsl`. */
 export type ChunkOf = (name: string) => string | undefined;
 
-/** What a text's neighbours hold. */
+/** Access to the files that a shader refers to. */
 export interface ShaderTexts {
   readonly chunkOf: ChunkOf;
   /** The vertex shader beside an ISF file, or the ISF file beside a vertex shader. */
-  readonly besideOf: (file: string) => NeighbourFile | undefined;
+  readonly besideOf: (file: string) => NeighborFile | undefined;
 }
 
 interface Reading {
   readonly version: number;
   readonly file: string;
-  /** The chunks that it asked for, with what they were. */
+  /** Chunks that the document requested, with their texts at that time. */
   readonly chunks: ReadonlyMap<string, string | undefined>;
-  /** Of the file whose header counts for it, too. */
+  /** Text of the neighboring file whose header also applies. */
   readonly header: string | undefined;
   readonly document: ShaderDocument;
 }
 
-/** Files that the models show, and what was last read of them. */
+/** File names of models, and their cached documents. */
 const files = new WeakMap<editor.ITextModel, string>();
 const readings = new WeakMap<editor.ITextModel, Reading>();
 
-/** The model of a shader, made when it is first asked for; `name` is its own for as long as it lives. */
+/** The model of a shader, created on first use. `name` is its unique, stable key. */
 export function shaderModel(name: string, file: string, text: string): editor.ITextModel {
   const uri = Uri.from({ scheme: SHADER_SCHEME, path: `/${name}` });
   const model = editor.getModel(uri) ?? editor.createModel(text, GLSL_LANGUAGE, uri);
@@ -38,29 +38,29 @@ export function shaderModel(name: string, file: string, text: string): editor.IT
   return model;
 }
 
-/** Another file to be looked at where a name leads to it, before it is opened: a chunk, or the ISF file beside a vertex shader. */
-export function neighbourModel(file: string, from: string, { chunkOf, besideOf }: ShaderTexts): editor.ITextModel | null {
+/** Model of another file for peeking and go to definition: a chunk, or the ISF file beside a vertex shader. */
+export function neighborModel(file: string, from: string, { chunkOf, besideOf }: ShaderTexts): editor.ITextModel | null {
   const beside = besideOf(from);
   const text = beside?.file === file ? beside.source : chunkOf(file.replace(/^chunks\//, '').replace(/\.glsl$/, ''));
   if (text === undefined) return null;
-  const uri = Uri.from({ scheme: NEIGHBOUR_SCHEME, path: `/${file}` });
+  const uri = Uri.from({ scheme: NEIGHBOR_SCHEME, path: `/${file}` });
   const model = editor.getModel(uri) ?? editor.createModel(text, GLSL_LANGUAGE, uri);
   if (model.getValue() !== text) model.setValue(text);
   files.set(model, file);
   return model;
 }
 
-/** The other file that an address stands for; null for any other. */
-export function neighbourFileOf(uri: Uri): string | null {
-  return uri.scheme === NEIGHBOUR_SCHEME ? uri.path.slice(1) : null;
+/** File of a neighbor model’s URI; null for other URIs. */
+export function neighborFileOf(uri: Uri): string | null {
+  return uri.scheme === NEIGHBOR_SCHEME ? uri.path.slice(1) : null;
 }
 
-/** Ends the models of shaders whose names are not to be kept. */
+/** Disposes the models whose names `keep` rejects. */
 export function forgetModels(keep: (name: string) => boolean): void {
   for (const model of editor.getModels()) if (model.uri.scheme === SHADER_SCHEME && !keep(model.uri.path.slice(1))) model.dispose();
 }
 
-/** What the language knows of a model's text, read once per version of it and of what it includes. */
+/** Parsed document of a model, cached per version of the text and of its includes. */
 export function documentOf(model: editor.ITextModel, { chunkOf, besideOf }: ShaderTexts): ShaderDocument {
   const known = readings.get(model);
   const version = model.getVersionId();

@@ -1,30 +1,29 @@
 import { type RefObject, useEffect, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { own } from '../../export/graph/own.ts';
+import { getOwn } from '../../export/graph/record.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { useProblems } from '../shell/use-problems.ts';
-import { chunkOf } from '../state/edit-header.ts';
-import { besideOf, originalOf, projectFileOf, shaderOf, vertexOf } from '../state/edit-shader.ts';
-import { takeBack } from '../state/outside.ts';
-import { createTyping, type Typing } from '../state/typing.ts';
-import { revealCode } from '../state/ui.ts';
+import { chunkOf } from '../state/document/edit-header.ts';
+import { besideOf, originalOf, projectFileOf, shaderOf, vertexOf } from '../state/document/edit-shader.ts';
+import { createTyping, type Typing } from '../state/document/typing.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { revealCode } from '../state/editor/ui.ts';
+import { takeBack } from '../state/files/external-changes.ts';
+import { useProblems } from '../state/problems/use-problems.ts';
 import { CodeBar } from './code-bar.tsx';
 import { CodeHead } from './code-head.tsx';
 import { HeaderForm } from './header-form.tsx';
 import type { ShaderEditor } from './monaco.ts';
 
-const OUTSIDE = 'Another program has saved this. “Edit it here”, above, takes it back.';
-const LIBRARY_CHUNK =
-  'A chunk of the library is shared by all its techniques. “Copy chunk into project”, above, gives this project its own.';
-const LIBRARY_VERTEX = 'A vertex shader of the library. “Copy into project”, above, copies it with its shader.';
+const OUTSIDE = 'Read-only: another program saved this file. Press “Edit here” above to edit it.';
+const LIBRARY_CHUNK = 'Read-only: techniques of the library share this chunk. Press “Copy chunk into project” above to edit a copy.';
+const LIBRARY_VERTEX = 'Read-only: this vertex shader is part of the library. Press “Copy into project” above to edit a copy.';
 
 interface Tools {
   readonly view: ShaderEditor;
   readonly typing: Typing;
 }
 
-/** The text of one node's shader with its problems marked; what is typed goes into the document at each pause. */
+/** Shader text of a node, with problems marked. Edits go to the document after each pause in typing. */
 export function ShaderView({ node }: { readonly node: string }) {
   const editor = useEditor();
   const handle = useDocument((state) => state.open?.handle ?? '');
@@ -35,12 +34,14 @@ export function ShaderView({ node }: { readonly node: string }) {
   const position = useStore(editor.ui, (state) => state.codePosition);
   const file = useDocument((state) => shaderOf(state, node)?.file ?? null);
   const form = useStore(editor.ui, (state) => state.headerForm);
-  /** A chunk or the vertex shader, looked at in the place of the node's own text. */
-  const [looked, setLooked] = useState<{ readonly node: string; readonly file: string } | null>(null);
-  const other = useDocument((state) => (looked?.node === node && state.library.shader(looked.file) !== undefined ? looked.file : null));
+  /** File shown instead of the shader of the node: a chunk or the vertex shader. */
+  const [override, setOverride] = useState<{ readonly node: string; readonly file: string } | null>(null);
+  const other = useDocument((state) =>
+    override?.node === node && state.library.shader(override.file) !== undefined ? override.file : null,
+  );
   const vertex = useDocument((state) => vertexOf(state, node));
   const chunk = other === vertex ? null : other;
-  /** The node whose text stands beside its original. */
+  /** Node whose shader is compared with its original. */
   const [compared, setCompared] = useState<string | null>(null);
   const comparing = compared === node && other === null;
   const parent = useRef<HTMLDivElement>(null);
@@ -53,7 +54,7 @@ export function ShaderView({ node }: { readonly node: string }) {
   useEffect(() => {
     if (!tools) return;
     tools.typing.flush(shown);
-    // What is being typed is newer than the document.
+    // Text being typed is newer than the document.
     if (!tools.typing.isAhead(shown)) tools.view.show({ name: `${handle}/${shown}`, file: shownFile, text: shownText, readOnly });
   }, [tools, handle, shown, shownFile, shownText, readOnly]);
 
@@ -71,7 +72,7 @@ export function ShaderView({ node }: { readonly node: string }) {
   useEffect(() => {
     if (position === null || !tools) return;
     if (position.file !== other) {
-      setLooked(position.file === null ? null : { node, file: position.file });
+      setOverride(position.file === null ? null : { node, file: position.file });
       return;
     }
     tools.view.goTo(position.line, position.column);
@@ -82,7 +83,7 @@ export function ShaderView({ node }: { readonly node: string }) {
   const onTakeBack = () => {
     const taken = other === null ? file : projectFileOf(other);
     if (taken !== null) takeBack(editor, taken);
-    // The button goes with the bar that it is on: the focus has to have left it by then, or it is lost.
+    // The bar with the focused button disappears, so the focus moves on first.
     tools?.view.focus();
   };
 
@@ -96,24 +97,24 @@ export function ShaderView({ node }: { readonly node: string }) {
         inVertex={vertex !== null && other === vertex}
         onVertex={(on) => {
           const file = on ? vertexOf(editor.document.getState(), node) : null;
-          setLooked(file === null ? null : { node, file });
+          setOverride(file === null ? null : { node, file });
         }}
         onForm={(headerForm) => editor.ui.setState({ headerForm })}
         onCompare={(on) => setCompared(on ? node : null)}
       />
-      <CodeBar chunk={chunk} outside={readOnly === OUTSIDE} onTakeBack={onTakeBack} onBack={() => setLooked(null)} />
+      <CodeBar chunk={chunk} outside={readOnly === OUTSIDE} onTakeBack={onTakeBack} onBack={() => setOverride(null)} />
       {hasForm && <HeaderForm node={node} readOnly={readOnly !== null} />}
-      {/* New browsers give Monaco text without a text field: the marks tell keys meant for the canvas, and React Flow, to keep off. */}
+      {/* Monaco uses EditContext instead of a text field in new browsers: the class and attribute mark it as text input for shortcuts and React Flow. */}
       <div ref={parent} className="code-text nokey" data-typing="" />
     </div>
   );
 }
 
-/** Why the text cannot be typed in: what `file` of the project, or another file in its place, is to others; null where it can. */
+/** Why the shown text is read-only: `other` if it is shown instead of the project file `file`; null if it is editable. */
 function useReadOnly(other: string | null, file: string | null): string | null {
   const editor = useEditor();
   const shown = other === null ? file : projectFileOf(other);
-  const ofLibrary = useDocument(({ project }) => other !== null && shown !== null && own(project.sources, shown) === undefined);
+  const ofLibrary = useDocument(({ project }) => other !== null && shown !== null && getOwn(project.sources, shown) === undefined);
   const outside = useStore(editor.ui, (state) => state.outside.includes(shown ?? ''));
   if (ofLibrary) return other?.endsWith('.vs') ? LIBRARY_VERTEX : LIBRARY_CHUNK;
   return outside ? OUTSIDE : null;
@@ -128,7 +129,7 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
     const typing = createTyping(editor);
     let view: ShaderEditor | null = null;
     let stopped = false;
-    // Monaco is half of the editor's code, and most sessions begin without it.
+    // Monaco is half of the bundle, and most sessions start without it.
     void import('./monaco.ts').then(({ createShaderEditor }) => {
       if (stopped) return;
       view = createShaderEditor(element, {

@@ -2,23 +2,23 @@ import { editor, type IPosition, type IRange, KeyCode, KeyMod } from 'monaco-edi
 import { createElement } from 'react';
 import { createRoot, type Root } from 'react-dom/client';
 import {
-  type ColourLiteral,
-  coloursOf,
+  type ColorLiteral,
+  colorsOf,
   type NumberLiteral,
   numberAt,
-  printColour,
+  printColor,
   printLiteral,
   rangeOfSlider,
   stepOf,
 } from '../../export/glsl/language/literals.ts';
 import { touches } from '../../export/glsl/language/source-text.ts';
-import { SWATCH_CLASS } from './colour-marks.ts';
-import { ColourTuner, NumberTuner } from './literal-tuner.tsx';
+import { SWATCH_CLASS } from './color-marks.ts';
+import { ColorTuner, NumberTuner } from './literal-tuner.tsx';
 import { documentOf, rangeOf, type ShaderTexts } from './shader-models.ts';
 
 export interface TuningOptions {
   readonly texts: ShaderTexts;
-  /** The text changes by the tuner until `onEnd`: what it is then is to be seen at once. */
+  /** Called when tuning begins. Until `onEnd`, edits take effect at once. */
   readonly onStart: () => void;
   readonly onEnd: () => void;
 }
@@ -31,8 +31,8 @@ const PX_PER_STEP = 3;
 const CLICK_PX = 3;
 
 /**
- * Numbers and colours of the text by hand: a number is dragged with Alt, and a click on it or on the square before a colour, or
- * Alt+Enter, opens sliders beside it. What one drag changes is one step.
+ * Tunes number and color literals in the text. Alt-drag changes a number; Alt-click, a click on a swatch, or Alt+Enter opens sliders.
+ * Each drag is one undo step.
  */
 export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStart, onEnd }: TuningOptions): Tuning {
   let open: {
@@ -43,7 +43,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     readonly isOurs: () => boolean;
   } | null = null;
 
-  /** Puts text in the place of a literal, again and again. */
+  /** Replaces a literal repeatedly while it is tuned. */
   function createTarget(start: IRange) {
     let range = start;
     let writing = false;
@@ -78,7 +78,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     open = null;
     observer.disconnect();
     view.removeContentWidget(widget);
-    // React may be in the middle of telling that it was closed.
+    // React may still be handling the event that closed it.
     queueMicrotask(() => root.unmount());
   }
 
@@ -94,7 +94,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     node.className = 'tuner-place';
     const root = createRoot(node);
     let wantsFocus = focus;
-    // React puts its elements in place in its own time, and Monaco shows the widget in its own: whichever is later gives the focus.
+    // React mounts the elements and Monaco shows the widget asynchronously; the later of the two sets the focus.
     const takeFocus = () => {
       const field = node.querySelector<HTMLElement>('input[type="range"]');
       if (!wantsFocus || !field) return;
@@ -136,14 +136,14 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     );
   }
 
-  function showColour(literal: ColourLiteral, focus: boolean): void {
+  function showColor(literal: ColorLiteral, focus: boolean): void {
     show(
       rangeOf(literal.range),
       ({ write, end }) =>
-        createElement(ColourTuner, {
-          start: literal.colour,
+        createElement(ColorTuner, {
+          start: literal.color,
           hasAlpha: literal.hasAlpha,
-          onEdit: (colour) => write(printColour(literal, colour)),
+          onEdit: (color) => write(printColor(literal, color)),
           onEnd: end,
           onClose: closeAndReturn,
         }),
@@ -157,18 +157,18 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     return numberAt(model.getValue(), { line: lineNumber, column }, documentOf(model, texts).outline);
   }
 
-  function colourNear({ lineNumber, column }: IPosition): ColourLiteral | null {
+  function colorNear({ lineNumber, column }: IPosition): ColorLiteral | null {
     const model = view.getModel();
     if (!model || isReadOnly()) return null;
-    const colours = coloursOf(model.getValue(), documentOf(model, texts).outline);
-    return colours.find(({ range }) => touches(range, { line: lineNumber, column })) ?? null;
+    const colors = colorsOf(model.getValue(), documentOf(model, texts).outline);
+    return colors.find(({ range }) => touches(range, { line: lineNumber, column })) ?? null;
   }
 
   function isReadOnly(): boolean {
     return view.getOption(editor.EditorOption.readOnly);
   }
 
-  /** With Alt, a number follows the pointer sideways. */
+  /** Alt-drag changes a number. */
   function onPointerDown(event: PointerEvent): void {
     if (!event.altKey || event.button !== 0 || event.shiftKey) return;
     const position = view.getTargetAtClientPoint(event.clientX, event.clientY)?.position;
@@ -183,7 +183,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
   function dragNumber(literal: NumberLiteral, { clientX, pointerId }: PointerEvent): void {
     const target = createTarget(rangeOf(literal.range));
     const step = stepOf(literal);
-    // What was pressed is made anew with each change of its line.
+    // The pressed element is replaced on each edit of its line.
     dom.setPointerCapture(pointerId);
     const onMove = (event: PointerEvent) => {
       const steps = Math.round((event.clientX - clientX) / PX_PER_STEP) * (event.shiftKey ? 10 : 1);
@@ -198,7 +198,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     dom.addEventListener('lostpointercapture', onUp);
   }
 
-  /** Monaco begins a selection by columns with this. */
+  /** Keeps Monaco from starting a column selection on Alt-drag. */
   function onMouseDownFirst(event: MouseEvent): void {
     if (!event.altKey || event.button !== 0 || event.shiftKey) return;
     const position = view.getTargetAtClientPoint(event.clientX, event.clientY)?.position;
@@ -207,7 +207,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     event.stopPropagation();
   }
 
-  /** Anywhere else on the page, a press means that the person is done with it. */
+  /** A press elsewhere on the page closes the tuner. */
   function onPressAnywhere({ target }: PointerEvent): void {
     if (open && target instanceof Node && !open.node.contains(target) && !dom.contains(target)) close();
   }
@@ -229,9 +229,9 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
       const from = pressed;
       pressed = null;
       if (!from || !target.position || Math.hypot(event.posx - from.x, event.posy - from.y) > CLICK_PX || event.detail > 1) return;
-      const colour = from.swatch ? colourNear(target.position) : null;
-      if (colour) {
-        showColour(colour, true);
+      const color = from.swatch ? colorNear(target.position) : null;
+      if (color) {
+        showColor(color, true);
         return;
       }
       const number = target.type === editor.MouseTargetType.CONTENT_TEXT ? numberNear(target.position) : null;
@@ -252,16 +252,16 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
     }),
     view.addAction({
       id: 'scrim.tune',
-      label: 'Tune the number or colour',
+      label: 'Adjust number or color',
       keybindings: [KeyMod.Alt | KeyCode.Enter],
       contextMenuGroupId: '1_modification',
       run: () => {
         const position = view.getPosition();
         if (!position) return;
         const number = numberNear(position);
-        const colour = colourNear(position);
-        if (number && !(colour && touchesStart(colour, position))) showNumber(number, true);
-        else if (colour) showColour(colour, true);
+        const color = colorNear(position);
+        if (number && !(color && touchesStart(color, position))) showNumber(number, true);
+        else if (color) showColor(color, true);
       },
     }),
   ];
@@ -276,7 +276,7 @@ export function createTuning(view: editor.IStandaloneCodeEditor, { texts, onStar
   };
 }
 
-/** The caret is at the `vec3`, or at the bracket of a list, rather than at one of its numbers. */
-function touchesStart({ range, form }: ColourLiteral, { lineNumber, column }: IPosition): boolean {
+/** Whether the caret is at the constructor or bracket of a color and not at one of its numbers. */
+function touchesStart({ range, form }: ColorLiteral, { lineNumber, column }: IPosition): boolean {
   return lineNumber === range.start.line && column <= range.start.column + (form === 'call' ? 4 : 0);
 }

@@ -1,12 +1,12 @@
 import type { editor } from 'monaco-editor/editor';
 import { uiScale } from '../ui/appearance.ts';
 
-/** Its letters are as large as the person wants text. */
+/** Font size and line height for the UI scale. */
 export function sizesFor(scale: number): editor.IEditorOptions {
   return { fontSize: 12.5 * scale, lineHeight: Math.round(19 * scale) };
 }
 
-/** What every view of a shader's text looks like. */
+/** Options of every shader editor. */
 export function optionsFor(parent: HTMLElement): editor.IEditorOptions & editor.IGlobalEditorOptions {
   return {
     automaticLayout: true,
@@ -20,16 +20,16 @@ export function optionsFor(parent: HTMLElement): editor.IEditorOptions & editor.
     fixedOverflowWidgets: true,
     overviewRulerLanes: 1,
     stickyScroll: { enabled: false },
-    // Mistakes are to be seen in a text that is to be read, too.
+    // Marks problems in read-only texts, too.
     renderValidationDecorations: 'on',
     wordBasedSuggestions: 'off',
     suggest: { showWords: false, preview: false },
-    // The text's own square before a colour is the one that opens sliders.
+    // `color-marks.ts` draws swatches that open sliders.
     colorDecorators: false,
   };
 }
 
-/** Whether the text can be typed in; where it cannot, what is said to someone who tries. */
+/** Makes the text read-only if there is a reason, which Monaco shows on an attempt to type. */
 export function readOnlyOptions(reason: string | null): editor.IEditorOptions {
   return { readOnly: reason !== null, readOnlyMessage: { value: reason ?? '' } };
 }

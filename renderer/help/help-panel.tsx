@@ -2,19 +2,19 @@ import { useStore } from 'zustand';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import { canBeWired, inputFacts, needFacts, outputFacts, paramFacts } from '../../nodes/kit/facts.ts';
 import type { WireType } from '../../nodes/kit/wire-types.ts';
-import { categoryOf } from '../canvas/palette-search.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { PictureCard } from '../shell/picture-card.tsx';
-import { useKeys } from '../shell/use-keys.ts';
-import { nodeOf } from '../state/document.ts';
-import { openPath, withoutUnsaved } from '../state/files.ts';
-import { soleNode } from '../state/selection.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
+import { nodeOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { soleNode } from '../state/editor/selection.ts';
+import { openPath, withoutUnsaved } from '../state/files/files.ts';
+import { categoryOf } from '../state/graph/palette-search.ts';
 import { IconButton } from '../ui/button.tsx';
 import { DocText } from '../ui/doc-text.tsx';
+import { ImageCard } from '../ui/image-card.tsx';
 import './help-panel.css';
 
-/** What the selected node does, beside the graph: all of it from its definition, as the palette and `docs/nodes.md` have it. */
+/** Docs of the selected node beside the graph, from its definition like the palette and `docs/nodes.md`. */
 export function HelpPanel() {
   const { ui, selection } = useEditor();
   const node = useStore(selection, soleNode);
@@ -24,10 +24,10 @@ export function HelpPanel() {
     return type === undefined ? undefined : state.library.definition(type);
   });
   return (
-    <aside className="help scroll" aria-label="Help for the node">
+    <aside className="help scroll" aria-label="Node help">
       <div className="help-bar">
-        <h2>{definition?.title ?? 'Help for the node'}</h2>
-        <IconButton icon="close" label="Close the help" keys={keys} small onPress={() => ui.setState({ help: false })} />
+        <h2>{definition?.title ?? 'Node help'}</h2>
+        <IconButton icon="close" label="Close help" keys={keys} small onPress={() => ui.setState({ help: false })} />
       </div>
       {definition ? (
         <NodeHelp key={definition.type} definition={definition} />
@@ -47,10 +47,10 @@ function NodeHelp({ definition }: { readonly definition: NodeDefinition }) {
       </p>
       <DocText text={definition.doc} />
       <Examples type={definition.type} />
-      <Facts title="Takes" entries={portEntries(inputs, inputFacts)} />
-      <Facts title="Gives" entries={portEntries(outputs, outputFacts)} />
+      <Facts title="Inputs" entries={portEntries(inputs, inputFacts)} />
+      <Facts title="Outputs" entries={portEntries(outputs, outputFacts)} />
       <Facts
-        title="Values"
+        title="Parameters"
         entries={Object.entries(params).map(([name, param]) => ({
           name,
           label: param.label,
@@ -59,7 +59,7 @@ function NodeHelp({ definition }: { readonly definition: NodeDefinition }) {
         }))}
       />
       <Facts
-        title="Needs"
+        title="Required features"
         entries={needs.map((need) => ({
           name: need.capability,
           label: need.capability.replaceAll('-', ' '),
@@ -69,7 +69,7 @@ function NodeHelp({ definition }: { readonly definition: NodeDefinition }) {
       />
       {keywords.length > 0 && <p className="help-note">Also found as {keywords.join(', ')}.</p>}
       {credit !== undefined && <p className="help-note">By {credit}</p>}
-      {licence !== undefined && <p className="help-note">Licence: {licence}</p>}
+      {licence !== undefined && <p className="help-note">License: {licence}</p>}
     </div>
   );
 }
@@ -82,7 +82,7 @@ interface FactsEntry {
   readonly doc: string;
 }
 
-/** Of inputs, or of outputs. */
+/** Entries for inputs or outputs. */
 function portEntries<Port extends { readonly label: string; readonly type: WireType; readonly doc: string }>(
   ports: Readonly<Record<string, Port>>,
   factsOf: (port: Port) => readonly string[],
@@ -113,7 +113,7 @@ function Facts({ title, entries }: { readonly title: string; readonly entries: r
 
 const MOST_EXAMPLES = 2;
 
-/** Projects that come with Scrim and use the node. */
+/** Example projects that use the node. */
 function Examples({ type }: { readonly type: string }) {
   const editor = useEditor();
   const all = useDocument((state) => state.examples);
@@ -121,14 +121,14 @@ function Examples({ type }: { readonly type: string }) {
   if (examples.length === 0) return null;
   return (
     <section>
-      <h3>In use</h3>
+      <h3>Examples</h3>
       <ul className="help-examples">
         {examples.map(({ path, title, picture }) => (
           <li key={path}>
-            <PictureCard
+            <ImageCard
               purpose="Open the example"
               title={title}
-              picture={picture}
+              image={picture}
               disabled={false}
               onPress={() => withoutUnsaved(editor, () => void openPath(editor, path))}
             />

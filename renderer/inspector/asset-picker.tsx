@@ -1,20 +1,20 @@
 import { useRef } from 'react';
 import { ASSET_WORDS } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { acceptedNames, importAsset } from '../state/add-files.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { acceptedNames, importAsset } from '../state/files/add-files.ts';
 import { IconButton } from '../ui/button.tsx';
 
 interface AssetPickerProps {
   readonly id: string;
   readonly label: string;
   readonly kind: AssetKind;
-  /** Id of an asset; empty for none. */
+  /** Id of an asset; empty if there is none. */
   readonly value: string;
   readonly onChoose: (asset: string) => void;
 }
 
-/** The project's assets of one kind, and a way to bring in another. */
+/** Chooses an asset of one kind, or imports one. */
 export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerProps) {
   const editor = useEditor();
   const input = useRef<HTMLInputElement>(null);
@@ -38,7 +38,7 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
         type="file"
         hidden
         accept={acceptedNames(kind)}
-        // A model may come in several files.
+        // A glTF model may consist of several files.
         multiple={kind === 'model'}
         aria-label={`Import for ${label}`}
         onChange={async (event) => {

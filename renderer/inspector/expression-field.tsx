@@ -1,8 +1,8 @@
 import { type KeyboardEvent, useState } from 'react';
 import { parseBinding } from '../../export/graph/expression/param-expression.ts';
 import type { ParamDefinition } from '../../nodes/kit/definition.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { bindExpression, unbind } from '../state/bind-params.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { bindExpression, unbind } from '../state/params/bind-params.ts';
 
 interface ExpressionFieldProps {
   readonly id: string;
@@ -12,7 +12,7 @@ interface ExpressionFieldProps {
   readonly expression: string;
 }
 
-/** The expression that a param follows. A mistake is said while it is typed; what is typed counts from Enter, or when the focus goes. */
+/** Edits the expression of a param. Mistakes are shown while typing; Enter or a loss of focus applies the text. */
 export function ExpressionField({ id, node, name, param, expression }: ExpressionFieldProps) {
   const editor = useEditor();
   const [typed, setTyped] = useState<string | null>(null);

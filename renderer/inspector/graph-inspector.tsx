@@ -1,10 +1,10 @@
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { graphOf, titleOf } from '../state/document.ts';
-import { type PortSide, setShownOutside } from '../state/subgraphs.ts';
+import { graphOf, titleOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { type PortSide, setPortExposed } from '../state/graph/subgraphs.ts';
 import { IconButton } from '../ui/button.tsx';
 import { SubgraphName } from './subgraph-section.tsx';
 
-/** The subgraph that is open, while nothing in it is selected: its name, and what the graph outside sees of it. */
+/** Inspector of the open subgraph while nothing is selected: its name and its exposed ports. */
 export function GraphInspector() {
   const name = useDocument((state) => state.graph);
   const { inputs, outputs } = useDocument((state) => graphOf(state).exposed);
@@ -14,22 +14,22 @@ export function GraphInspector() {
         <h2>Subgraph</h2>
         <SubgraphName key={name} name={name} />
       </header>
-      <ShownPorts side="inputs" title="Takes" ports={inputs} />
-      <ShownPorts side="outputs" title="Gives" ports={outputs} />
+      <ExposedPorts side="inputs" title="Inputs" ports={inputs} />
+      <ExposedPorts side="outputs" title="Outputs" ports={outputs} />
       <section className="inspector-section" aria-label="Hint">
-        <p className="inspector-note">Select a node to choose which of its ports and values the graph outside sees.</p>
+        <p className="inspector-note">Select a node to expose its ports and parameters.</p>
       </section>
     </>
   );
 }
 
-interface ShownPortsProps {
+interface ExposedPortsProps {
   readonly side: PortSide;
   readonly title: string;
   readonly ports: readonly { readonly name: string; readonly node: string; readonly port: string }[];
 }
 
-function ShownPorts({ side, title, ports }: ShownPortsProps) {
+function ExposedPorts({ side, title, ports }: ExposedPortsProps) {
   const editor = useEditor();
   const state = useDocument((document) => document);
   if (ports.length === 0) return null;
@@ -47,9 +47,9 @@ function ShownPorts({ side, title, ports }: ShownPortsProps) {
             </span>
             <IconButton
               icon="close"
-              label={`Hide ${label} of ${titleOf(state, node)} outside`}
+              label={`Stop exposing ${label} of ${titleOf(state, node)}`}
               small
-              onPress={() => void setShownOutside(editor, side, { node, port }, false)}
+              onPress={() => void setPortExposed(editor, side, { node, port }, false)}
             />
           </div>
         );

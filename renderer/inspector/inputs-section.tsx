@@ -2,8 +2,8 @@ import { useMemo } from 'react';
 import type { PortAddress, Wire } from '../../export/graph/project.ts';
 import type { InputPort, NodeDefinition } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { useDocumentWhile, useEditor } from '../shell/editor-context.ts';
-import { connect, reorderWires } from '../state/edit-graph.ts';
+import { useDocumentWhile, useEditor } from '../state/editor/editor-context.ts';
+import { connect, reorderWires } from '../state/graph/edit-graph.ts';
 import { IconButton } from '../ui/button.tsx';
 import { SourceLink } from './source-link.tsx';
 import { sameForWires, sourcesFor } from './wire-sources.ts';
@@ -14,7 +14,7 @@ interface InputsSectionProps {
   readonly wires: readonly Wire[];
 }
 
-/** The node's ports with what is wired to them; everything a wire can do, without a pointer. */
+/** Inputs of a node and their sources. Connects, disconnects and reorders wires without a pointer. */
 export function InputsSection({ node, definition, wires }: InputsSectionProps) {
   const entries = Object.entries(definition.inputs);
   if (entries.length === 0) return null;
@@ -62,8 +62,8 @@ function InputRow({ node, name, port, sources }: InputRowProps) {
             <SourceLink from={from} to={to} />
             {sources.length > 1 && (
               <>
-                <IconButton icon="up" label="Earlier" small disabled={index === 0} onPress={() => move(index, -1)} />
-                <IconButton icon="down" label="Later" small disabled={index === sources.length - 1} onPress={() => move(index, 1)} />
+                <IconButton icon="up" label="Move up" small disabled={index === 0} onPress={() => move(index, -1)} />
+                <IconButton icon="down" label="Move down" small disabled={index === sources.length - 1} onPress={() => move(index, 1)} />
               </>
             )}
           </span>
@@ -83,16 +83,16 @@ interface SourcePickerProps {
   readonly empty: boolean;
 }
 
-/** All outputs that the port would take. */
+/** Lists all outputs that can connect to the port. */
 function SourcePicker({ node, name, port, empty }: SourcePickerProps) {
   const editor = useEditor();
   const state = useDocumentWhile(sameForWires);
   const options = useMemo(() => sourcesFor(state, { node, port: name }), [state, node, name]);
-  const none = port.required ? 'Nothing wired (needed)' : 'Nothing wired';
+  const none = port.required ? 'Not connected (required)' : 'Not connected';
   return (
     <select
       className={port.required && empty ? 'select select-needed' : 'select'}
-      aria-label={empty ? `Wire to ${port.label}` : `Another wire to ${port.label}`}
+      aria-label={empty ? `Connect to ${port.label}` : `Connect another to ${port.label}`}
       value=""
       onChange={(event) => {
         const chosen = options[Number(event.target.value)];

@@ -1,13 +1,13 @@
 import { useStore } from 'zustand';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { soleNode } from '../state/selection.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { soleNode } from '../state/editor/selection.ts';
 import { GraphInspector } from './graph-inspector.tsx';
 import './inspector.css';
 import { NodeInspector } from './node-inspector.tsx';
 import { ProjectInspector } from './project-inspector.tsx';
 import { SelectionInspector } from './selection-inspector.tsx';
 
-/** What is selected, and how it can be changed; the project where nothing is. Made from definitions alone. */
+/** Inspector of the selection, or of the project if nothing is selected. Built from definitions alone. */
 export function Inspector() {
   const { selection } = useEditor();
   const node = useStore(selection, soleNode);

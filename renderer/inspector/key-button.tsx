@@ -1,11 +1,11 @@
 import { useStore } from 'zustand';
 import type { Track } from '../../export/graph/project.ts';
 import type { ParamDefinition } from '../../nodes/kit/definition.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { editAt, keyAt, toggleKey, valueAt } from '../state/keyframes.ts';
-import { timeOf } from '../state/preview.ts';
+import { useUndoGroup } from '../state/document/use-undo-group.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { timeOf } from '../state/editor/preview-state.ts';
+import { editAt, keyAt, toggleKey, valueAt } from '../state/params/keyframes.ts';
 import { ParamControl } from './param-control.tsx';
-import { useGesture } from './use-gesture.ts';
 
 interface KeyButtonProps {
   readonly node: string;
@@ -14,7 +14,7 @@ interface KeyButtonProps {
   readonly track: Track | null;
 }
 
-/** A diamond: hollow without keyframes, filled where one stands at the time that is shown. */
+/** Diamond that sets or deletes the keyframe at the current time: filled if there is one, else hollow. */
 export function KeyButton({ node, name, label, track }: KeyButtonProps) {
   const editor = useEditor();
   const isHere = useStore(editor.preview, (state) => track !== null && keyAt(track, timeOf(state)) !== -1);
@@ -46,10 +46,10 @@ interface TrackFieldProps {
   readonly track: Track;
 }
 
-/** The value that the keyframes give at the time that is shown; changing it sets the key there. */
+/** Value of a track at the current time. An edit sets a keyframe there. */
 export function TrackField({ id, node, name, param, track }: TrackFieldProps) {
   const editor = useEditor();
   const timeS = useStore(editor.preview, timeOf);
-  const gesture = useGesture((value) => void editAt(editor, node, name, timeOf(editor.preview.getState()), value));
+  const gesture = useUndoGroup((value) => void editAt(editor, node, name, timeOf(editor.preview.getState()), value));
   return <ParamControl id={id} param={param} value={valueAt(param, track, timeS)} {...gesture} onExpression={() => false} />;
 }

@@ -1,10 +1,11 @@
 import { type DragEvent, useRef, useState } from 'react';
-import { subgraphType } from '../../export/graph/names.ts';
-import { mainType } from '../canvas/node-shape.ts';
+import { subgraphType } from '../../export/graph/document-names.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { useKeys } from '../shell/use-keys.ts';
-import { titleOfName } from '../state/library.ts';
+import { appCommand } from '../state/commands/app-commands.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { titleOfName } from '../state/editor/library.ts';
+import { mainType } from '../state/graph/node-shape.ts';
 import {
   addFromLibrary,
   librarySubgraphs,
@@ -12,26 +13,26 @@ import {
   removeFromLibrary,
   usesInWords,
   usesOfSubgraph,
-} from '../state/subgraph-library.ts';
-import { openSubgraph } from '../state/subgraphs.ts';
+} from '../state/graph/subgraph-library.ts';
+import { openSubgraph } from '../state/graph/subgraphs.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
 import './library-section.css';
 
-/** The nodes that the project has made itself, to be used again. */
+/** Subgraphs in the library of the project, to add as nodes, open, rename and remove. */
 export function LibrarySection() {
   const project = useDocument((state) => state.project);
   const names = librarySubgraphs(project);
   const keys = useKeys('graph.subgraph');
   return (
     <section className="inspector-section" aria-label="Library">
-      <h3>Library of this project</h3>
+      <h3>Project library</h3>
       {names.length === 0 ? (
         <p className="inspector-note">
-          Subgraphs that you make are kept here, as nodes of your own. Select nodes and{' '}
+          The library lists the subgraphs of this project. To create one, select nodes and{' '}
           {keys === undefined ? (
-            'choose Make a subgraph'
+            `choose ${appCommand('graph.subgraph').label}`
           ) : (
             <>
               press <kbd>{keys}</kbd>
@@ -83,7 +84,7 @@ function Row({ name }: { readonly name: string }) {
       }}
     >
       {type && <PortMark type={type} />}
-      <span className="library-title" data-tip={where === null ? 'Nothing uses it.' : `Used by ${where}.`}>
+      <span className="library-title" data-tip={where === null ? 'Not used.' : `Used by ${where}.`}>
         {title}
       </span>
       <span className="library-uses">{uses === 0 ? 'not used' : `${uses}×`}</span>
@@ -95,7 +96,7 @@ function Row({ name }: { readonly name: string }) {
       />
       <IconButton
         icon="more"
-        label={`More for ${title}`}
+        label={`More actions for ${title}`}
         small
         onPress={() => {
           const box = row.current?.getBoundingClientRect();

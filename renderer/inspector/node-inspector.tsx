@@ -1,23 +1,23 @@
 import { useMemo } from 'react';
 import { useStore } from 'zustand';
-import { subgraphName } from '../../export/graph/names.ts';
-import { own } from '../../export/graph/own.ts';
+import { subgraphName } from '../../export/graph/document-names.ts';
 import type { Binding } from '../../export/graph/project.ts';
+import { getOwn } from '../../export/graph/record.ts';
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
-import { categoryOf } from '../canvas/palette-search.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { useKeys } from '../shell/use-keys.ts';
-import { useProblems } from '../shell/use-problems.ts';
-import { runCommand } from '../state/app-commands.ts';
-import { graphOf, nodeOf } from '../state/document.ts';
-import { toggleMuted } from '../state/edit-graph.ts';
-import { shaderOf } from '../state/edit-shader.ts';
-import { goToProblem, isAboutNode } from '../state/problems.ts';
+import { runCommand } from '../state/commands/app-commands.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
+import { shaderOf } from '../state/document/edit-shader.ts';
+import { graphOf, nodeOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { toggleMuted } from '../state/graph/edit-graph.ts';
+import { categoryOf } from '../state/graph/palette-search.ts';
+import { goToProblem, isAboutNode } from '../state/problems/problems.ts';
+import { useProblems } from '../state/problems/use-problems.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { DocText } from '../ui/doc-text.tsx';
 import { Icon } from '../ui/icon.tsx';
+import { ExposedSection } from './exposed-section.tsx';
 import { InputsSection } from './inputs-section.tsx';
-import { OutsideSection } from './outside-section.tsx';
 import { ParamRow } from './param-row.tsx';
 import { SubgraphSection } from './subgraph-section.tsx';
 
@@ -31,7 +31,7 @@ export function NodeInspector({ id }: { readonly id: string }) {
     return (
       <div className="inspector-head">
         <h2>{node.type}</h2>
-        <p className="inspector-note">This Scrim does not know the node type. The node is kept as it is, with its wires and values.</p>
+        <p className="inspector-note">This version of Scrim does not have the node type. The node keeps its wires and parameters.</p>
       </div>
     );
   }
@@ -43,7 +43,7 @@ export function NodeInspector({ id }: { readonly id: string }) {
       {subgraph !== null && <SubgraphSection name={subgraph} />}
       <InputsSection node={id} definition={definition} wires={wires} />
       <Params id={id} definition={definition} params={node.params} sourceOf={(name) => wires.find(({ to }) => to.port === name)?.from} />
-      <OutsideSection node={id} definition={definition} />
+      <ExposedSection node={id} definition={definition} />
       <Facts definition={definition} />
     </>
   );
@@ -112,21 +112,21 @@ function Params({ id, definition, params, sourceOf }: ParamsProps) {
   const entries = Object.entries(definition.params);
   if (entries.length === 0) return null;
   return (
-    <section className="inspector-section" aria-label="Values">
-      <h3>Values</h3>
+    <section className="inspector-section" aria-label="Parameters">
+      <h3>Parameters</h3>
       {entries.map(([name, param]) => (
-        <ParamRow key={name} node={id} name={name} param={param} binding={own(params, name)} source={sourceOf(name)} />
+        <ParamRow key={name} node={id} name={name} param={param} binding={getOwn(params, name)} source={sourceOf(name)} />
       ))}
     </section>
   );
 }
 
-/** What it asks of the visitor's device, and whose work it is. */
+/** Features that the node needs of a device, credit and license. */
 function Facts({ definition: { needs = [], credit, licence } }: { readonly definition: NodeDefinition }) {
   if (needs.length === 0 && credit === undefined && licence === undefined) return null;
   return (
     <section className="inspector-section" aria-label="About">
-      {needs.length > 0 && <h3>Needs</h3>}
+      {needs.length > 0 && <h3>Required features</h3>}
       {needs.map((need) => (
         <p key={need.capability} className="inspector-note">
           <strong>{need.capability.replaceAll('-', ' ')}</strong> {need.why}. Without it: {need.without}
@@ -134,7 +134,7 @@ function Facts({ definition: { needs = [], credit, licence } }: { readonly defin
       ))}
       {credit !== undefined && <h3>Credit</h3>}
       {credit !== undefined && <p className="inspector-note">{credit}</p>}
-      {licence !== undefined && <h3>Licence</h3>}
+      {licence !== undefined && <h3>License</h3>}
       {licence !== undefined && <p className="inspector-note">{licence}</p>}
     </section>
   );

@@ -18,20 +18,20 @@ import { type EditHandlers, NumberField } from '../ui/number-field.tsx';
 import { Slider } from '../ui/slider.tsx';
 import { AssetPicker } from './asset-picker.tsx';
 import './inspector.css';
-import { Pipette } from './pipette.tsx';
+import { Pipette } from '../preview-panel/pipette.tsx';
+import { clampTo, formatNumber, rangeOf, shownUnit } from '../state/params/units.ts';
 import { parseTyped } from './typed-number.ts';
-import { clampTo, formatNumber, rangeOf, shownUnit } from './units.ts';
 
 interface ControlProps<P extends ParamDefinition> extends Required<EditHandlers<ParamValue>> {
   readonly param: P;
   readonly value: ParamValue;
-  /** For the label's `for`. */
+  /** Element id, which the `for` of the label refers to. */
   readonly id: string;
-  /** An expression was typed in place of a number, without its `=`; false where it cannot be read. */
+  /** Called with an expression typed in place of a number, without its `=`. Returns false if it is invalid. */
   readonly onExpression: (text: string) => boolean;
 }
 
-/** The control that a param's type asks for. Nothing here knows any node. */
+/** The control for the type of a param. Independent of node types. */
 export function ParamControl({ param, ...rest }: ControlProps<ParamDefinition>) {
   switch (param.type) {
     case 'number':
@@ -124,7 +124,7 @@ function VectorControl({ param, value, id, onEdit, onEnd, onCancel, onExpression
   );
 }
 
-/** An expression typed for one part of a vector is one for the whole of it. */
+/** Turns an expression typed for one component into one for the whole vector. */
 function asList(text: string, parts: readonly number[], index: number): string {
   return text.startsWith('[') ? text : `[${parts.map((part, i) => (i === index ? text : String(part))).join(', ')}]`;
 }

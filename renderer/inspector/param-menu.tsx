@@ -1,8 +1,8 @@
 import type { Binding } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { copyParam, pasteParam, startExpression, unbind } from '../state/bind-params.ts';
-import { resetParam, setExposed } from '../state/edit-params.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { copyParam, pasteParam, startExpression, unbind } from '../state/params/bind-params.ts';
+import { resetParam, setExposed } from '../state/params/edit-params.ts';
 import { ContextMenu } from '../ui/context-menu.tsx';
 import type { MenuItem } from '../ui/menu.tsx';
 
@@ -14,11 +14,11 @@ interface ParamMenuProps {
   readonly wired: boolean;
   readonly at: { readonly x: number; readonly y: number };
   readonly onClose: () => void;
-  /** An expression has taken the place of the value, and is to be written. */
+  /** Called after an expression has replaced the value, to focus its field. */
   readonly onFollow: () => void;
 }
 
-/** What can be done with a param besides changing it. */
+/** Context menu of a param: copy, paste, expression, port and reset. */
 export function ParamMenu({ node, name, param, binding, wired, at, onClose, onFollow }: ParamMenuProps) {
   const editor = useEditor();
   const type = paramWireType(param);

@@ -2,43 +2,43 @@ import { type MouseEvent, memo, useId, useRef, useState } from 'react';
 import type { Binding, PortAddress } from '../../export/graph/project.ts';
 import { type ParamDefinition, paramWireType } from '../../nodes/kit/definition.ts';
 import { PortMark } from '../canvas/port-mark.tsx';
-import { boundValue } from '../canvas/value-text.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { bindExpression } from '../state/bind-params.ts';
-import { editParam, resetParam } from '../state/edit-params.ts';
-import { isAnimatable } from '../state/keyframes.ts';
+import { useUndoGroup } from '../state/document/use-undo-group.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { bindExpression } from '../state/params/bind-params.ts';
+import { editParam, resetParam } from '../state/params/edit-params.ts';
+import { isAnimatable } from '../state/params/keyframes.ts';
+import { shownUnit } from '../state/params/units.ts';
+import { boundValue } from '../state/params/value-text.ts';
 import { IconButton } from '../ui/button.tsx';
 import { ExpressionField } from './expression-field.tsx';
 import { KeyButton, TrackField } from './key-button.tsx';
 import { ParamControl } from './param-control.tsx';
 import { ParamMenu } from './param-menu.tsx';
 import { SourceLink } from './source-link.tsx';
-import { shownUnit } from './units.ts';
-import { useGesture } from './use-gesture.ts';
 
 interface ParamRowProps {
   readonly node: string;
   readonly name: string;
   readonly param: ParamDefinition;
   readonly binding: Binding | undefined;
-  /** What is wired to it. */
+  /** Output that is connected to the param. */
   readonly source: PortAddress | undefined;
 }
 
-/** One param: its name, what it is bound to, and the way back to its default. */
+/** One param: its label, the control for its binding, and its actions. */
 export const ParamRow = memo(function ParamRow({ node, name, param, binding, source }: ParamRowProps) {
   const editor = useEditor();
   const id = useId();
   const row = useRef<HTMLFieldSetElement>(null);
   const [menuAt, setMenuAt] = useState<Point | null>(null);
-  const gesture = useGesture((value) => void editParam(editor, node, name, value));
+  const gesture = useUndoGroup((value) => void editParam(editor, node, name, value));
   const type = paramWireType(param);
-  // Fields of a vector are too narrow to say it themselves.
+  // Fields of a vector are too narrow for a unit, so the label shows it.
   const isVector = param.type.startsWith('vector');
   const unit = isVector && 'unit' in param ? shownUnit(param.unit).suffix : '';
   const changed = source !== undefined || (binding !== undefined && !isDefaultPort(param, binding));
   const openMenu = (event: MouseEvent) => {
-    // Text that is being typed keeps the browser's own menu.
+    // A focused text field keeps the context menu of the browser.
     if (event.target instanceof HTMLInputElement && event.target === document.activeElement) return;
     event.preventDefault();
     setMenuAt({ x: event.clientX, y: event.clientY });
@@ -50,7 +50,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
   const focusExpression = () => {
     const from = document.activeElement;
     editor.clock.nextFrame(() => {
-      // Whoever is elsewhere by then stays there.
+      // Does not steal the focus if it has moved in between.
       const stayed = document.activeElement === from || document.activeElement === document.body;
       if (stayed) row.current?.querySelector<HTMLInputElement>('.expression-field input')?.focus();
     });
@@ -92,7 +92,7 @@ export const ParamRow = memo(function ParamRow({ node, name, param, binding, sou
           <KeyButton node={node} name={name} label={param.label} track={binding && 'track' in binding ? binding.track : null} />
         )}
         {changed && <IconButton icon="reset" label={`Reset ${param.label}`} small onPress={() => void resetParam(editor, node, name)} />}
-        <IconButton icon="more" label={`More for ${param.label}`} small onPress={() => setMenuAt(below(row.current))} />
+        <IconButton icon="more" label={`More actions for ${param.label}`} small onPress={() => setMenuAt(below(row.current))} />
       </span>
       {menuAt && (
         <ParamMenu
@@ -120,7 +120,7 @@ function below(row: HTMLElement | null): Point {
   return { x: box?.right ?? 0, y: box?.bottom ?? 0 };
 }
 
-/** A port that nothing is wired to and that holds the default looks untouched. */
+/** An unconnected port with the default value counts as unchanged. */
 function isDefaultPort(param: ParamDefinition, binding: Binding): boolean {
   return 'port' in binding && JSON.stringify(binding.port) === JSON.stringify(param.default);
 }

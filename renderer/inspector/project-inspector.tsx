@@ -1,11 +1,11 @@
 import { useId } from 'react';
 import { setPage, setTitle } from '../../export/graph/commands/project-info.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { apply, endGesture } from '../state/apply.ts';
-import { graphOf } from '../state/document.ts';
+import { apply, endGesture } from '../state/document/apply.ts';
+import { graphOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { LibrarySection } from './library-section.tsx';
 
-/** The project itself: its name, what its page says, what is in it. */
+/** Inspector of the project: title, page description and library. */
 export function ProjectInspector() {
   const editor = useEditor();
   const titleId = useId();
@@ -41,7 +41,7 @@ export function ProjectInspector() {
             id={descriptionId}
             className="field"
             rows={3}
-            placeholder="What the page says about itself"
+            placeholder="Shown to visitors and in search results"
             value={page.description}
             onChange={(event) =>
               apply(editor, 'Change the description', setPage(project(), { page: { description: event.target.value } }), 'description')
@@ -52,7 +52,7 @@ export function ProjectInspector() {
       </section>
       <LibrarySection />
       <section className="inspector-section" aria-label="Hint">
-        <p className="inspector-note">Select a node to change its values. Hold Shift to select several.</p>
+        <p className="inspector-note">Select a node to change its parameters. Hold Shift to select several.</p>
       </section>
     </>
   );

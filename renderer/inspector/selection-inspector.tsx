@@ -1,12 +1,12 @@
 import { useStore } from 'zustand';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { runCommand } from '../state/app-commands.ts';
-import { titleOf } from '../state/document.ts';
-import { plainWords } from '../state/plain-words.ts';
-import { selectOnly } from '../state/selection.ts';
+import { runCommand } from '../state/commands/app-commands.ts';
+import { plainWords } from '../state/document/plain-words.ts';
+import { titleOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { selectOnly } from '../state/editor/selection.ts';
 import { Button } from '../ui/button.tsx';
 
-/** Several things at once: what they are, and what can be done to all of them. */
+/** Inspector of several selected nodes: their types, and actions on all of them. */
 export function SelectionInspector() {
   const editor = useEditor();
   const { nodes, wires } = useStore(editor.selection);

@@ -1,14 +1,14 @@
 import type { PortAddress } from '../../export/graph/project.ts';
 import { printWire } from '../../export/graph/wires.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { nodeOf, titleOf } from '../state/document.ts';
-import { removeWires } from '../state/edit-graph.ts';
-import { selectOnly } from '../state/selection.ts';
-import { revealNodes } from '../state/ui.ts';
+import { nodeOf, titleOf } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { selectOnly } from '../state/editor/selection.ts';
+import { revealNodes } from '../state/editor/ui.ts';
+import { removeWires } from '../state/graph/edit-graph.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
 
-/** Where a wire comes from; leads there, and takes the wire away. */
+/** Source of a wire, with buttons that select its node and disconnect the wire. */
 export function SourceLink({ from, to }: { readonly from: PortAddress; readonly to: PortAddress }) {
   const editor = useEditor();
   const title = useDocument((state) => titleOf(state, from.node));

@@ -1,12 +1,12 @@
 import { useId, useState } from 'react';
-import { usersOfGraph } from '../../export/graph/commands/graphs.ts';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { runCommand } from '../state/app-commands.ts';
-import { titleOfName } from '../state/library.ts';
-import { renameSubgraph } from '../state/subgraphs.ts';
+import { usersOfGraph } from '../../export/graph/commands/subgraph-commands.ts';
+import { runCommand } from '../state/commands/app-commands.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { titleOfName } from '../state/editor/library.ts';
+import { renameSubgraph } from '../state/graph/subgraphs.ts';
 import { Button } from '../ui/button.tsx';
 
-/** A subgraph's name, as people write it. Takes effect at Enter, or when the focus goes. */
+/** Edits the title of a subgraph. Enter or a loss of focus applies it. */
 export function SubgraphName({ name }: { readonly name: string }) {
   const editor = useEditor();
   const id = useId();
@@ -39,7 +39,7 @@ export function SubgraphName({ name }: { readonly name: string }) {
   );
 }
 
-/** At a node that stands for a subgraph: its name, and what can be done with it. */
+/** Name and actions of a subgraph, at one of its instances. */
 export function SubgraphSection({ name }: { readonly name: string }) {
   const editor = useEditor();
   const users = useDocument(({ project }) => usersOfGraph(project, name).length);
@@ -48,13 +48,13 @@ export function SubgraphSection({ name }: { readonly name: string }) {
       <SubgraphName key={name} name={name} />
       <div className="inspector-actions">
         <Button onPress={() => runCommand(editor, 'graph.enter')}>Open</Button>
-        {users > 1 && <Button onPress={() => runCommand(editor, 'graph.independent')}>Make independent</Button>}
-        <Button onPress={() => runCommand(editor, 'graph.unpack')}>Unpack</Button>
-        <Button onPress={() => runCommand(editor, 'graph.save')} tip="As a node of the project’s own, found by Tab">
+        {users > 1 && <Button onPress={() => runCommand(editor, 'graph.independent')}>Make unique</Button>}
+        <Button onPress={() => runCommand(editor, 'graph.unpack')}>Ungroup</Button>
+        <Button onPress={() => runCommand(editor, 'graph.save')} tip="Adds it to the project library and the node search">
           Save to the library…
         </Button>
       </div>
-      {users > 1 && <p className="inspector-note">{users} nodes stand for it, and all follow what is changed in it.</p>}
+      {users > 1 && <p className="inspector-note">Used by {users} nodes; edits apply to all of them.</p>}
     </section>
   );
 }

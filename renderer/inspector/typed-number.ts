@@ -1,16 +1,21 @@
-import { parseExpression } from '../../export/graph/expression/parse-expression.ts';
+import { parseExpression } from '../../export/graph/expression/expression-parser.ts';
 import type { Unit } from '../../nodes/kit/definition.ts';
 import { EXPRESSION_CLOCK } from '../../nodes/kit/expression.ts';
 import { playExpression } from '../../nodes/kit/play-expression.ts';
-import { parseNumber, shownUnit, storedPerTyped } from './units.ts';
+import { parseNumber, shownUnit, storedPerTyped } from '../state/params/units.ts';
 
-/** What was typed as a number, in stored units: a number, or sums that come to one (`1/3`, `=2*12`, `1 m + 20 cm`); null for all else. */
+/**
+ * Parses a typed number or arithmetic (`1/3`, `=2*12`, `1 m + 20 cm`).
+ *
+ * @param unit Unit that the field shows; numbers without a unit are in it.
+ * @returns The value in stored units, or null if the text is not a number.
+ */
 export function parseTyped(text: string, unit: Unit | undefined): number | null {
   const bare = text.trim().replace(/^=/, '');
   return parseNumber(bare, unit) ?? valueOfSum(inShownUnits(bare, unit), shownUnit(unit).shownPerStored);
 }
 
-/** Numbers with a unit become numbers of the unit that is shown; a percent sign between numbers is the rest of a division. */
+/** Converts numbers with a unit to the shown unit. A percent sign between numbers is the modulo operator. */
 function inShownUnits(text: string, unit: Unit | undefined): string {
   return text.replace(/(?<![\w.])((?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*([a-z°]+)(?![\w(])/gi, (all, number: string, typed: string) => {
     const factor = storedPerTyped(typed, unit);

@@ -1,9 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { addNodeFromPalette, connect, toggleMuted } from '../state/edit-graph.ts';
-import { editParam } from '../state/edit-params.ts';
-import { moveAll } from '../state/layout-items.ts';
-import { selectOnly } from '../state/selection.ts';
+import { selectOnly } from '../state/editor/selection.ts';
+import { addNodeFromPalette, connect, toggleMuted } from '../state/graph/edit-graph.ts';
+import { moveAll } from '../state/graph/layout-items.ts';
+import { editParam } from '../state/params/edit-params.ts';
 import { sameForWires, sourcesFor } from './wire-sources.ts';
 
 async function graph() {

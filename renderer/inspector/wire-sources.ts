@@ -1,14 +1,14 @@
-import { canConnect } from '../../export/graph/connect.ts';
+import { canConnect } from '../../export/graph/can-connect.ts';
 import type { Graph, PortAddress } from '../../export/graph/project.ts';
-import { graphOf, type OpenGraph, titleOf } from '../state/document.ts';
+import { graphOf, type OpenGraph, titleOf } from '../state/editor/document.ts';
 
-/** An output, as lists call it. */
+/** An output, with its label in lists. */
 export interface WireSource {
   readonly from: PortAddress;
   readonly label: string;
 }
 
-/** All outputs that a port of the open graph would take. In a graph of 600 nodes it takes 20 ms: see `sameForWires`. */
+/** All outputs that can connect to a port of the open graph. Takes 20 ms for 600 nodes: see `sameForWires`. */
 export function sourcesFor(state: OpenGraph, to: PortAddress): readonly WireSource[] {
   return Object.entries(graphOf(state).nodes).flatMap(([id, { type }]) =>
     Object.entries(state.library.definition(type)?.outputs ?? {}).flatMap(([port, output]) => {
@@ -19,14 +19,14 @@ export function sourcesFor(state: OpenGraph, to: PortAddress): readonly WireSour
   );
 }
 
-/** Whether the same wires can be drawn in both: values alone are others, as while one is dragged. */
+/** Whether both states allow the same wires, because only param values differ, as during a drag of a slider. */
 export function sameForWires(a: OpenGraph, b: OpenGraph): boolean {
   if (a.library !== b.library || a.graph !== b.graph) return false;
   const [before, after] = [graphOf(a), graphOf(b)];
   return before.wires === after.wires && before.exposed === after.exposed && sameKinds(before.nodes, after.nodes);
 }
 
-/** A muted node breaks no loop. */
+/** Compares `muted` as well, because a muted node does not break a loop. */
 function sameKinds(before: Graph['nodes'], after: Graph['nodes']): boolean {
   if (before === after) return true;
   const ids = Object.keys(after);

@@ -1,17 +1,17 @@
 import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { waitForEditor } from './connect.ts';
-import { createFilm } from './film.ts';
-import { createTheatre } from './theatre.ts';
+import { createFrameRender } from './frame-render.ts';
+import { createPreviewController } from './preview-controller.ts';
 
 async function main(): Promise<void> {
   const screen = document.getElementById('room');
   if (!screen) throw new Error('The page has no #room.');
   const editor = await waitForEditor(window);
-  const theatre = createTheatre({ parent: document.body, screen, clock: createBrowserClock(), send: editor.send });
-  window.addEventListener('resize', theatre.resized);
-  const film = createFilm(editor.send);
+  const controller = createPreviewController({ parent: document.body, screen, clock: createBrowserClock(), send: editor.send });
+  window.addEventListener('resize', controller.resized);
+  const frameRender = createFrameRender(editor.send);
   editor.listen((message) => {
-    if (!film.take(message)) theatre.take(message);
+    if (!frameRender.take(message)) controller.take(message);
   });
   editor.send({ kind: 'ready' });
 }

@@ -23,7 +23,7 @@ export interface OpenSession {
   readonly session: Session | null;
   readonly diagnostics: readonly Diagnostic[];
   /** Of a recording; null for what has no moments to go to. */
-  readonly reel: Reel | null;
+  readonly recording: RecordingTransport | null;
   rewind(): void;
   /** Of an emulated device's screen, from the next frame on; null: as it was. Recordings follow the canvas. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
@@ -33,7 +33,7 @@ export interface OpenSession {
 }
 
 /** The time of a recording. */
-export interface Reel {
+export interface RecordingTransport {
   readonly frames: FrameTimes;
   /** The picture is an earlier frame's: its own is being decoded. */
   readonly isLate: boolean;
@@ -98,7 +98,7 @@ function opened({ output, diagnostics }: Result<Session>): OpenSession {
   return {
     session: output,
     diagnostics,
-    reel: null,
+    recording: null,
     rewind: () => {},
     resize: () => {},
     moveLight: () => {},
@@ -113,7 +113,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
   return {
     session: output === null ? null : session,
     diagnostics,
-    reel: output && {
+    recording: output && {
       frames: output.frames,
       get isLate() {
         return session.isLate;
@@ -143,7 +143,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
     return {
       session: null,
       diagnostics: [broken],
-      reel: null,
+      recording: null,
       rewind: () => {},
       resize: () => {},
       moveLight: () => {},
@@ -166,7 +166,7 @@ async function openRoom(source: Extract<PreviewSource, { kind: 'room' }>, place:
   return {
     session: output,
     diagnostics,
-    reel: null,
+    recording: null,
     rewind: walk.rewind,
     resize: (asked) => emulator.setSize(asked ?? sizePx),
     moveLight: emulator.moveLight,

@@ -2,17 +2,17 @@ import { useStore } from 'zustand';
 import { Canvas } from '../canvas/canvas.tsx';
 import { HelpPanel } from '../help/help-panel.tsx';
 import { Inspector } from '../inspector/inspector.tsx';
-import { Stage } from '../stage/stage.tsx';
-import type { Editor } from '../state/editor.ts';
-import type { Feed } from '../state/feed.ts';
-import type { PanelSizes } from '../state/ui.ts';
+import { PreviewPanel } from '../preview-panel/preview-panel.tsx';
+import type { Editor } from '../state/editor/editor.ts';
+import type { PanelSizes } from '../state/editor/ui.ts';
+import type { PreviewSync } from '../state/preview-sync/preview-sync.ts';
 import { Split, type SplitProps } from '../ui/split.tsx';
 import { TooltipLayer } from '../ui/tooltip.tsx';
 import './app.css';
+import { EditorProvider, useEditor } from '../state/editor/editor-context.ts';
+import { PreviewSyncProvider } from '../state/preview-sync/preview-sync-context.ts';
 import { BottomPanel, useBottomTab } from './bottom-panel.tsx';
 import { Dialogs } from './dialogs.tsx';
-import { EditorProvider, useEditor } from './editor-context.ts';
-import { FeedProvider } from './feed-context.ts';
 import { StatusBar } from './status-bar.tsx';
 import { Toasts } from './toasts.tsx';
 import { TopBar } from './top-bar.tsx';
@@ -21,21 +21,21 @@ import { useShortcuts } from './use-shortcuts.ts';
 
 interface AppProps {
   readonly editor: Editor;
-  readonly feed: Feed;
+  readonly previewSync: PreviewSync;
   readonly previewUrl: string;
 }
 
-export function App({ editor, feed, previewUrl }: AppProps) {
+export function App({ editor, previewSync, previewUrl }: AppProps) {
   return (
     <EditorProvider value={editor}>
-      <FeedProvider value={feed}>
-        <Frame previewUrl={previewUrl} />
-      </FeedProvider>
+      <PreviewSyncProvider value={previewSync}>
+        <Layout previewUrl={previewUrl} />
+      </PreviewSyncProvider>
     </EditorProvider>
   );
 }
 
-function Frame({ previewUrl }: { readonly previewUrl: string }) {
+function Layout({ previewUrl }: { readonly previewUrl: string }) {
   const { clock } = useEditor();
   useShortcuts();
   return (
@@ -49,8 +49,8 @@ function Frame({ previewUrl }: { readonly previewUrl: string }) {
           size="sideWidthPx"
           minPx={300}
           otherMinPx={360}
-          first={<Work />}
-          second={<Side previewUrl={previewUrl} />}
+          first={<GraphArea />}
+          second={<SideColumn previewUrl={previewUrl} />}
         />
       </main>
       <StatusBar />
@@ -62,7 +62,7 @@ function Frame({ previewUrl }: { readonly previewUrl: string }) {
   );
 }
 
-function Work() {
+function GraphArea() {
   const tab = useBottomTab();
   return (
     <Panes
@@ -72,19 +72,19 @@ function Work() {
       size="bottomHeightPx"
       minPx={120}
       otherMinPx={160}
-      first={<Graph />}
+      first={<GraphAndHelp />}
       second={tab === null ? null : <BottomPanel tab={tab} />}
     />
   );
 }
 
-function Graph() {
+function GraphAndHelp() {
   const help = useStore(useEditor().ui, (state) => state.help);
   return (
     <Panes
       direction="columns"
       fixed="second"
-      label="Width of the help"
+      label="Width of the help panel"
       size="helpWidthPx"
       minPx={200}
       otherMinPx={320}
@@ -94,7 +94,7 @@ function Graph() {
   );
 }
 
-function Side({ previewUrl }: { readonly previewUrl: string }) {
+function SideColumn({ previewUrl }: { readonly previewUrl: string }) {
   return (
     <Panes
       direction="rows"
@@ -103,13 +103,16 @@ function Side({ previewUrl }: { readonly previewUrl: string }) {
       size="previewHeightPx"
       minPx={160}
       otherMinPx={160}
-      first={<Stage previewUrl={previewUrl} />}
+      first={<PreviewPanel previewUrl={previewUrl} />}
       second={<Inspector />}
     />
   );
 }
 
-/** Two panes whose handle moves a size that is kept, as it is where text and controls are as they are made. What is in them is not drawn anew by it: whoever made them is not. */
+/**
+ * Split panes with a persistent size, stored for UI scale 1. A resize does not rerender the content of the panes, because their elements come
+ * from the parent.
+ */
 function Panes({ size, ...panes }: Omit<SplitProps, 'sizePx' | 'onResize'> & { readonly size: keyof PanelSizes }) {
   const { ui, preferences } = useEditor();
   const sizePx = useStore(ui, (state) => state.sizes[size]);

@@ -1,10 +1,10 @@
 import { useStore } from 'zustand';
 import { CodePanel } from '../code/code-panel.tsx';
-import type { BottomTab } from '../state/ui.ts';
+import type { BottomTab } from '../state/editor/ui.ts';
 import { TimelinePanel } from '../timeline/timeline-panel.tsx';
 import { IconButton } from '../ui/button.tsx';
 import './bottom-panel.css';
-import { useEditor } from './editor-context.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 import { ProblemsPanel } from './problems-panel.tsx';
 
 const TABS: readonly { readonly id: BottomTab; readonly label: string }[] = [
@@ -13,7 +13,7 @@ const TABS: readonly { readonly id: BottomTab; readonly label: string }[] = [
   { id: 'problems', label: 'Problems' },
 ];
 
-/** Below the graph: the shader's source, or the list of problems. */
+/** Tabs below the graph: shader source, timeline and problems. */
 export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
   const { ui } = useEditor();
   return (
@@ -32,7 +32,7 @@ export function BottomPanel({ tab }: { readonly tab: BottomTab }) {
   );
 }
 
-/** Whether the panel is there at all. */
+/** The open tab; null if the panel is closed. */
 export function useBottomTab(): BottomTab | null {
   return useStore(useEditor().ui, (state) => state.bottom);
 }

@@ -1,18 +1,20 @@
 import { useMemo, useState } from 'react';
-import { type AppCommandId, appCommand, appCommandIds, runCommand } from '../state/app-commands.ts';
-import { chordsOf } from '../state/chords.ts';
+import { searchable } from '../spellings.ts';
+import type { AppCommand } from '../state/commands/app-command.ts';
+import { type AppCommandId, appCommand, appCommandIds, runCommand } from '../state/commands/app-commands.ts';
+import { keybindingsOf } from '../state/commands/keybindings.ts';
+import { showKeybinding } from '../state/commands/show-keybinding.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 import { SearchDialog } from '../ui/search-dialog.tsx';
-import { showChord } from './chord.ts';
-import { useEditor } from './editor-context.ts';
 
-/** Every command by name. Those that do nothing now come last and cannot be chosen. */
+/** Command palette. Disabled commands come last. */
 export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const [query, setQuery] = useState('');
   const isEnabled = (id: AppCommandId) => appCommand(id).enabled(editor);
   const found = useMemo(() => {
-    const words = query.toLowerCase().split(/\s+/).filter(Boolean);
-    const matches = appCommandIds().filter((id) => id !== 'help.commands' && matchesAll(appCommand(id).label, words));
+    const words = searchable(query).split(/\s+/).filter(Boolean);
+    const matches = appCommandIds().filter((id) => id !== 'help.commands' && matchesAll(appCommand(id), words));
     const rank = (id: AppCommandId) => (appCommand(id).enabled(editor) ? 0 : 10) + distance(appCommand(id).label, words);
     return [...matches].sort((a, b) => rank(a) - rank(b));
   }, [editor, query]);
@@ -21,8 +23,8 @@ export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
       title="Commands"
       label="Command"
       listLabel="Commands"
-      placeholder="What to do"
-      none="No command is called so."
+      placeholder="Search commands"
+      none="No matching command."
       query={query}
       onQuery={setQuery}
       found={found}
@@ -35,8 +37,8 @@ export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
         <>
           <span>{appCommand(id).label.replace('…', '')}</span>
           <span className="search-aside">
-            {chordsOf(editor, id).map((chord) => (
-              <kbd key={chord}>{showChord(chord, editor.mac)}</kbd>
+            {keybindingsOf(editor, id).map((keybinding) => (
+              <kbd key={keybinding}>{showKeybinding(keybinding, editor.mac)}</kbd>
             ))}
           </span>
         </>
@@ -45,13 +47,13 @@ export function CommandsDialog({ onClose }: { readonly onClose: () => void }) {
   );
 }
 
-/** 0 where the label begins with what was typed, 1 where a word of it does. */
+/** Rank of a match: 0 if the label begins with the first typed word, 1 if another of its words does, else 2. */
 function distance(label: string, [first = '']: readonly string[]): number {
-  const text = label.toLowerCase();
+  const text = searchable(label);
   return text.startsWith(first) ? 0 : text.includes(` ${first}`) ? 1 : 2;
 }
 
-function matchesAll(label: string, words: readonly string[]): boolean {
-  const text = label.toLowerCase();
+function matchesAll({ label, keywords = [] }: AppCommand, words: readonly string[]): boolean {
+  const text = searchable([label, ...keywords].join('\n'));
   return words.every((word) => text.includes(word));
 }

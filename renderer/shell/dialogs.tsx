@@ -1,10 +1,10 @@
 import { useStore } from 'zustand';
-import { reload, save, showProject } from '../state/files.ts';
-import type { DialogRequest } from '../state/ui.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import type { DialogRequest } from '../state/editor/ui.ts';
+import { breakLockAndSave, reload, save, showProject } from '../state/files/files.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { CommandsDialog } from './commands-dialog.tsx';
-import { useEditor } from './editor-context.ts';
 import { FindDialog } from './find-dialog.tsx';
 import { FolderDialog } from './folder-dialog.tsx';
 import { LibraryNameDialog, LibraryRemoveDialog } from './library-dialogs.tsx';
@@ -14,7 +14,7 @@ import { RenderDialog } from './render-dialog.tsx';
 import { ShadertoyDialog } from './shadertoy-dialog.tsx';
 import { ShortcutsDialog } from './shortcuts-dialog.tsx';
 
-/** The question that is open, if one is. */
+/** The open dialog, if any. */
 export function Dialogs() {
   const { ui } = useEditor();
   const dialog = useStore(ui, (state) => state.dialog);
@@ -36,6 +36,8 @@ export function Dialogs() {
       return <RecoveryDialog request={dialog} onClose={close} />;
     case 'changed-outside':
       return <ChangedOutsideDialog onClose={close} />;
+    case 'locked':
+      return <LockedDialog overwrite={dialog.overwrite} onClose={close} />;
     case 'shadertoy':
       return <ShadertoyDialog onClose={close} />;
     case 'library':
@@ -86,7 +88,7 @@ function UnsavedDialog({ proceed, onClose }: { readonly proceed: () => void; rea
         </>
       }
     >
-      Without saving, they are lost.
+      Unsaved changes are lost.
     </Dialog>
   );
 }
@@ -105,13 +107,13 @@ function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
   };
   return (
     <Dialog
-      title="Unsaved work was found"
-      // Escape decides nothing, and going on without a decision would write over that work.
+      title="Unsaved changes found"
+      // Escape must not close it: working on without a decision would overwrite the recovered changes.
       onClose={() => {}}
       actions={
         <>
           <Button look="quiet" onPress={() => void forget()}>
-            Discard it
+            Discard
           </Button>
           <Button
             look="primary"
@@ -121,12 +123,12 @@ function RecoveryDialog({ request, onClose }: RecoveryDialogProps) {
               if (open) showProject(editor, { ...open, files: request.files, recovery: null, openElsewhere: false }, request.files, false);
             }}
           >
-            Restore it
+            Restore
           </Button>
         </>
       }
     >
-      Scrim was closed before this project was saved. Restoring puts that work on the canvas; nothing is written until you save.
+      Scrim ended before this project was saved. Restore the changes to continue; files stay as they are until you save.
     </Dialog>
   );
 }
@@ -135,7 +137,7 @@ function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   return (
     <Dialog
-      title="The project changed on disk"
+      title="Project changed on disk"
       onClose={onClose}
       actions={
         <>
@@ -149,7 +151,7 @@ function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
               void reload(editor);
             }}
           >
-            Take the version on disk
+            Load from disk
           </Button>
           <Button
             look="primary"
@@ -159,13 +161,52 @@ function ChangedOutsideDialog({ onClose }: { readonly onClose: () => void }) {
               void save(editor, true);
             }}
           >
-            Save over it
+            Overwrite
           </Button>
         </>
       }
     >
-      Another program, or another window, has written to this project since it was opened here. Nothing has been lost yet: decide which
-      version stays.
+      Another program or window changed this project after you opened it. Nothing is lost yet. Load the version on disk, or overwrite it
+      with yours.
+    </Dialog>
+  );
+}
+
+function LockedDialog({ overwrite, onClose }: { readonly overwrite: boolean; readonly onClose: () => void }) {
+  const editor = useEditor();
+  return (
+    <Dialog
+      title="Project is locked"
+      onClose={onClose}
+      actions={
+        <>
+          <Button look="quiet" onPress={onClose}>
+            Not now
+          </Button>
+          <Button
+            look="danger"
+            onPress={() => {
+              onClose();
+              void breakLockAndSave(editor, overwrite);
+            }}
+          >
+            Break lock
+          </Button>
+          <Button
+            look="primary"
+            autoFocus
+            onPress={() => {
+              onClose();
+              void save(editor, overwrite);
+            }}
+          >
+            Try again
+          </Button>
+        </>
+      }
+    >
+      Another window or machine is saving this project, or ended during a save. Nothing was saved. Try again in a minute, when the lock
+      expires. Break the lock only if nobody else is saving.
     </Dialog>
   );
 }

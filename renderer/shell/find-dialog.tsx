@@ -1,9 +1,9 @@
 import { useMemo, useState } from 'react';
-import { findNodes, goToFound, titleOfGraph } from '../state/find.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { findNodes, goToFound, titleOfGraph } from '../state/graph/find.ts';
 import { SearchDialog } from '../ui/search-dialog.tsx';
-import { useDocument, useEditor } from './editor-context.ts';
 
-/** Finds nodes of all graphs by name or value. */
+/** Finds nodes of all graphs by name, id or parameter. */
 export function FindDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const state = useDocument((document) => document);
@@ -14,8 +14,8 @@ export function FindDialog({ onClose }: { readonly onClose: () => void }) {
       title="Find in the graph"
       label="Name or value"
       listLabel="Nodes"
-      placeholder="Name, id or value of a node"
-      none="Nothing is called so."
+      placeholder="Name, id or parameter of a node"
+      none="No matching node."
       query={query}
       onQuery={setQuery}
       found={found}

@@ -1,8 +1,8 @@
 import { useId, useState } from 'react';
-import { exportPage } from '../state/export-page.ts';
-import { saveAs } from '../state/files.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { exportPage } from '../state/files/export-page.ts';
+import { saveAs } from '../state/files/files.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
-import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
 
 interface FolderDialogProps {
@@ -25,7 +25,7 @@ const WORDS = {
   },
 } as const;
 
-/** Asks for a folder where the shell has no dialog of its own. */
+/** Asks for a folder on hosts without a native folder dialog. */
 export function FolderDialog({ purpose, onClose }: FolderDialogProps) {
   const editor = useEditor();
   const id = useId();

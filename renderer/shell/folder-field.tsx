@@ -1,21 +1,21 @@
 import type { HostInput } from '../../app/contract/contract.ts';
-import { askForFolder } from '../state/files.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { askForFolder } from '../state/files/files.ts';
 import { Button } from '../ui/button.tsx';
-import { useDocument, useEditor } from './editor-context.ts';
 import './folder-field.css';
 
 interface FolderFieldProps {
   readonly id: string;
   readonly label: string;
   readonly path: string;
-  /** A path of the kind that is asked for. */
+  /** Example path, shown as placeholder. */
   readonly example?: string;
-  /** What the shell's own dialog asks it for, where it has one; absent: it is typed alone. */
+  /** Purpose for the native folder dialog. Absent: the path can only be typed. */
   readonly purpose?: HostInput<'folder.pick'>['purpose'];
   readonly onChange: (path: string) => void;
 }
 
-/** A folder by its path: what a dialog begins with. */
+/** Field for the path of a folder, with a button for the native folder dialog. */
 export function FolderField({ id, label, path, example = '/home/me/projects/my-effect', purpose, onChange }: FolderFieldProps) {
   const editor = useEditor();
   const canPick = useDocument((state) => state.canPickFolders);

@@ -1,11 +1,11 @@
 import { useId, useState } from 'react';
-import { titleOfName } from '../state/library.ts';
-import { removeFromLibrary, saveToLibrary, titleProblem, usesInWords } from '../state/subgraph-library.ts';
-import { renameSubgraph } from '../state/subgraphs.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { titleOfName } from '../state/editor/library.ts';
+import { removeFromLibrary, saveToLibrary, titleProblem, usesInWords } from '../state/graph/subgraph-library.ts';
+import { renameSubgraph } from '../state/graph/subgraphs.ts';
 import { Button } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { FormDialog } from '../ui/form-dialog.tsx';
-import { useDocument, useEditor } from './editor-context.ts';
 
 interface LibraryNameDialogProps {
   readonly name: string;
@@ -13,7 +13,7 @@ interface LibraryNameDialogProps {
   readonly onClose: () => void;
 }
 
-/** What a subgraph is called in the library. */
+/** Names or renames a subgraph of the library. */
 export function LibraryNameDialog({ name, rename, onClose }: LibraryNameDialogProps) {
   const editor = useEditor();
   const id = useId();
@@ -47,14 +47,14 @@ export function LibraryNameDialog({ name, rename, onClose }: LibraryNameDialogPr
       <p id={`${id}-note`} className="dialog-note" aria-live="polite">
         {problem ??
           (uses === null
-            ? 'A node of this project’s own: Tab finds it by this name.'
-            : `A node of this project’s own: Tab finds it by this name. Used by ${uses}, where the name changes, too.`)}
+            ? 'The node search finds it by this name.'
+            : `The node search finds it by this name. Used by ${uses}; the name changes there, too.`)}
       </p>
     </FormDialog>
   );
 }
 
-/** Says what uses a subgraph before it goes. */
+/** Confirms the removal of a subgraph, and lists its instances. */
 export function LibraryRemoveDialog({ name, onClose }: { readonly name: string; readonly onClose: () => void }) {
   const editor = useEditor();
   const uses = useDocument(({ project }) => usesInWords(project, name));
@@ -75,12 +75,12 @@ export function LibraryRemoveDialog({ name, onClose }: { readonly name: string; 
               removeFromLibrary(editor, name);
             }}
           >
-            Unpack and remove
+            Ungroup and remove
           </Button>
         </>
       }
     >
-      {uses === null ? 'Nothing uses it.' : `It is used by ${uses}. What is in it takes their place, so that the picture stays as it is.`}
+      {uses === null ? 'Not used.' : `Used by ${uses}. Each is replaced by its contents, so the output does not change.`}
     </Dialog>
   );
 }

@@ -1,4 +1,4 @@
-/** A cloth half drawn aside. */
+/** The logo: a half-open curtain. */
 export function Logo() {
   return (
     <svg className="logo" width="22" height="22" viewBox="0 0 32 32" fill="none" aria-hidden="true" focusable="false">

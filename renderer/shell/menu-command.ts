@@ -1,8 +1,8 @@
-import { type AppCommandId, runCommand } from '../state/app-commands.ts';
-import type { Editor } from '../state/editor.ts';
-import { isTyping } from './chord.ts';
+import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
+import { isTyping } from '../state/commands/show-keybinding.ts';
+import type { Editor } from '../state/editor/editor.ts';
 
-/** What the browser does to a text field, for commands that a person means for the text there. */
+/** Browser editing commands that replace commands while a text field has the focus. */
 const OF_TEXT: Partial<Record<AppCommandId, string>> = {
   'edit.undo': 'undo',
   'edit.redo': 'redo',
@@ -10,12 +10,12 @@ const OF_TEXT: Partial<Record<AppCommandId, string>> = {
   'edit.select-all': 'selectAll',
 };
 
-/** A command of the window's own menu. A question that is open goes on waiting for its answer. */
+/** Runs a command of the native menu: on a focused text field, or on the project unless a dialog or the palette is open. */
 export function runFromMenu(editor: Editor, id: AppCommandId): void {
   const { dialog, palette } = editor.ui.getState();
   const field = document.activeElement;
   const ofText = OF_TEXT[id];
-  // The only way to the browser's own list of what was typed. The shader editor keeps a list of its own, out of its reach.
+  // `execCommand` is the only access to the undo history of text fields. The shader editor has its own history.
   if (ofText !== undefined && isTyping(field) && field?.closest('[data-typing]') === null) document.execCommand(ofText);
   else if (dialog === null && palette === null) runCommand(editor, id);
 }

@@ -1,18 +1,18 @@
 import { useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { createProject } from '../state/files.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { createProject } from '../state/files/files.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
-import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
 import './new-dialog.css';
 
 interface NewDialogProps {
-  /** The template that is chosen already. */
+  /** Preselected template. */
   readonly chosen?: string;
   readonly onClose: () => void;
 }
 
-/** What to begin with, and the folder it goes to. */
+/** Creates a project from a template in a folder. */
 export function NewDialog({ chosen, onClose }: NewDialogProps) {
   const editor = useEditor();
   const id = useId();
@@ -28,7 +28,7 @@ export function NewDialog({ chosen, onClose }: NewDialogProps) {
   return (
     <FormDialog title="New project" action="Create" ready={ready} onGo={() => void go()} onClose={onClose}>
       <fieldset className="new-templates">
-        <legend>Begin with</legend>
+        <legend>Template</legend>
         {templates.map(({ name, title, description }) => (
           <label key={name} className="new-template">
             <input type="radio" name={`${id}-template`} checked={name === template} onChange={() => setTemplate(name)} />

@@ -1,13 +1,13 @@
 import './no-host.css';
 import { Logo } from './logo.tsx';
 
-/** The page was opened from an address without the launch's token. */
-export function NoHost() {
+/** Shown instead of the editor if the server refuses the address. */
+export function NoHost({ why }: { readonly why: string }) {
   return (
     <main className="no-host">
       <Logo />
-      <h1>This address is not complete</h1>
-      <p>Open the one that Scrim printed when it was started. It ends in a token that lets only you in.</p>
+      <h1>Invalid address</h1>
+      <p>{why}</p>
     </main>
   );
 }

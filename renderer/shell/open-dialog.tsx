@@ -1,17 +1,17 @@
 import { type FormEvent, useId, useState } from 'react';
 import { useStore } from 'zustand';
-import { askForFolder, openPath } from '../state/files.ts';
-import { forgetProject } from '../state/preferences.ts';
-import { startTour } from '../state/tour.ts';
+import { startTour } from '../state/commands/tour.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { forgetProject } from '../state/editor/preferences.ts';
+import { askForFolder, openPath } from '../state/files/files.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { Dialog } from '../ui/dialog.tsx';
 import { Icon } from '../ui/icon.tsx';
-import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
 import './open-dialog.css';
-import { PictureCard } from './picture-card.tsx';
+import { ImageCard } from '../ui/image-card.tsx';
 
-/** Where a session with Scrim begins: what was worked on last, something new, an example, or a folder. */
+/** Start screen: recent projects, templates, examples, or a folder. */
 export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const id = useId();
@@ -37,7 +37,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
   };
   return (
     <Dialog
-      title={isStart ? 'Scrim' : 'Open a project'}
+      title={isStart ? 'Scrim' : 'Open project'}
       size="large"
       onClose={onClose}
       actions={
@@ -72,16 +72,16 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
         <Recent busy={busy} onOpen={open} />
         <section aria-labelledby={`${id}-new`}>
           <h3 id={`${id}-new`} className="folder-heading">
-            Begin something new
+            New project
           </h3>
           <ul className="open-cards">
             {templates.map(({ name, title, description, picture }) => (
               <li key={name}>
-                <PictureCard
+                <ImageCard
                   purpose="New project"
                   title={title}
                   text={description}
-                  picture={picture}
+                  image={picture}
                   disabled={busy}
                   onPress={() => editor.ui.setState({ dialog: { kind: 'new', template: name } })}
                 />
@@ -97,7 +97,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
             <ul className="open-cards open-cards-small">
               {examples.map((example) => (
                 <li key={example.path}>
-                  <PictureCard title={example.title} picture={example.picture} disabled={busy} onPress={() => void open(example.path)} />
+                  <ImageCard title={example.title} image={example.picture} disabled={busy} onPress={() => void open(example.path)} />
                 </li>
               ))}
             </ul>
@@ -105,7 +105,7 @@ export function OpenDialog({ onClose }: { readonly onClose: () => void }) {
         )}
       </div>
       <form className="dialog-form open-folder" onSubmit={submit}>
-        <FolderField id={id} label="Folder of the project" path={path} onChange={setPath} />
+        <FolderField id={id} label="Project folder" path={path} onChange={setPath} />
       </form>
     </Dialog>
   );
@@ -116,8 +116,8 @@ function Recent({ busy, onOpen }: { readonly busy: boolean; readonly onOpen: (pa
   const recent = useStore(editor.preferences, (state) => state.recent);
   if (recent.length === 0) return null;
   return (
-    <section aria-label="Worked on last">
-      <h3 className="folder-heading">Worked on last</h3>
+    <section aria-label="Recent">
+      <h3 className="folder-heading">Recent</h3>
       <ul className="folder-list open-recent">
         {recent.map(({ path, title }) => (
           <li key={path}>
@@ -126,7 +126,7 @@ function Recent({ busy, onOpen }: { readonly busy: boolean; readonly onOpen: (pa
               <span className="open-title">{title}</span>
               <span className="open-path">{path}</span>
             </button>
-            <IconButton icon="close" label={`Forget ${title}`} small onPress={() => forgetProject(editor, path)} />
+            <IconButton icon="close" label={`Remove ${title} from recent projects`} small onPress={() => forgetProject(editor, path)} />
           </li>
         ))}
       </ul>

@@ -1,15 +1,15 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { DocumentState } from '../state/document.ts';
-import { plainWords } from '../state/plain-words.ts';
-import { goToProblem, problemKey } from '../state/problems.ts';
-import { quickFixOf } from '../state/quick-fixes.ts';
+import { plainWords } from '../state/document/plain-words.ts';
+import type { DocumentState } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { goToProblem, problemKey } from '../state/problems/problems.ts';
+import { quickFixOf } from '../state/problems/quick-fixes.ts';
+import { useProblems } from '../state/problems/use-problems.ts';
 import { Button } from '../ui/button.tsx';
 import { Icon } from '../ui/icon.tsx';
-import { useDocument, useEditor } from './editor-context.ts';
-import { useProblems } from './use-problems.ts';
 import './problems-panel.css';
 
-/** Everything wrong with the project, errors first; each leads to its node, port or line. */
+/** Problems of the project, errors first. Each links to its node, port or line. */
 export function ProblemsPanel() {
   const editor = useEditor();
   const problems = useProblems();
@@ -18,7 +18,7 @@ export function ProblemsPanel() {
     return (
       <div className="problems-none">
         <Icon name="check" />
-        Nothing is wrong.
+        No problems.
       </div>
     );
   }

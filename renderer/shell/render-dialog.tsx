@@ -1,20 +1,20 @@
 import { type ReactNode, useId, useState } from 'react';
 import { useStore } from 'zustand';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
-import { lastFrame, playedRange } from '../state/playing.ts';
-import { type FramesWish, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/render-frames.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { lastFrame, playedRange } from '../state/preview/playback.ts';
+import { type FramesWish, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
-import { useEditor } from './editor-context.ts';
 import { FolderField } from './folder-field.tsx';
 import './render-dialog.css';
 
 const RATES_HZ = [24, 25, 30, 50, 60];
 const MOST_PX = 8192;
 const MOST_FRAMES = 100_000;
-/** Three seconds. */
+/** Default range in an emulated room: three seconds. */
 const ROOM_RANGE = { from: 0, to: 3 * ROOM_RATE_HZ - 1 };
 
-/** What frames to render, and as what. */
+/** Options of a frame render: range, frame rate, size and format. */
 export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const { preview } = editor;
@@ -45,15 +45,15 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
       onClose={onClose}
       wide
     >
-      <Choice label="As" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
-        <option value="pictures">Pictures (PNG)</option>
+      <Choice label="Format" value={what} onChange={(value) => setWhat(value === 'video' ? 'video' : 'pictures')}>
+        <option value="pictures">Images (PNG)</option>
         <option value="video">Video</option>
       </Choice>
       <div className="render-row">
-        <Whole label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
-        <Whole label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
-        <Choice label="Frames a second" value={rate} onChange={setRate}>
-          {frames && <option value="own">The recording’s ({rateOf(frames)})</option>}
+        <WholeNumber label="First frame" text={range.from} wrong={from === null} onChange={(text) => setRange({ ...range, from: text })} />
+        <WholeNumber label="Last frame" text={range.to} wrong={to === null} onChange={(text) => setRange({ ...range, to: text })} />
+        <Choice label="Frame rate (fps)" value={rate} onChange={setRate}>
+          {frames && <option value="own">Same as recording ({rateOf(frames)})</option>}
           {RATES_HZ.map((hz) => (
             <option key={hz} value={hz}>
               {hz}
@@ -62,19 +62,19 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
         </Choice>
       </div>
       <div className="render-row">
-        <Whole label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
-        <Whole label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
+        <WholeNumber label="Width" text={size.width} wrong={widthPx === null} onChange={(text) => setSize({ ...size, width: text })} />
+        <WholeNumber label="Height" text={size.height} wrong={heightPx === null} onChange={(text) => setSize({ ...size, height: text })} />
       </div>
       {what === 'pictures' && (
         <FolderField id={`${id}-folder`} label="Folder" path={out} example="/home/me/frames/my-effect" purpose="render" onChange={setOut} />
       )}
       <p className="dialog-note" role="status">
-        {wish ? `${lengthWords(frames, wish)}. ` : 'Numbers are missing, or out of range. '}
-        {inRoom && 'The room is seen from where the preview stands now, as on a phone. '}
-        {frames && to !== null && to > lastFrame({ frames }) && 'Behind its end the recording begins anew. '}
+        {wish ? `${lengthWords(frames, wish)}. ` : 'A number is missing or out of range. '}
+        {inRoom && 'Frames show the room from the preview’s current position, as on a phone. '}
+        {frames && to !== null && to > lastFrame({ frames }) && 'The recording repeats after its end. '}
         {what === 'video'
-          ? 'The video comes with your downloads, without sound.'
-          : 'The folder must be new, empty, or hold frames of before.'}
+          ? 'The video is saved to your downloads, without sound.'
+          : 'The folder must be new or empty, or contain previously rendered frames.'}
       </p>
     </FormDialog>
   );
@@ -99,14 +99,14 @@ function Choice({ label, value, onChange, children }: ChoiceProps) {
   );
 }
 
-interface WholeProps {
+interface WholeNumberProps {
   readonly label: string;
   readonly text: string;
   readonly wrong: boolean;
   readonly onChange: (text: string) => void;
 }
 
-function Whole({ label, text, wrong, onChange }: WholeProps) {
+function WholeNumber({ label, text, wrong, onChange }: WholeNumberProps) {
   const id = useId();
   return (
     <div className="render-field">
@@ -138,7 +138,7 @@ function asTexts({ from, to }: { readonly from: number; readonly to: number }) {
   return { from: String(from), to: String(to) };
 }
 
-/** The preview's, which shows what will be in the picture. */
+/** Size of the preview in pixels, or 1280 × 720. */
 function sizeOf(status: { readonly widthPx: number; readonly heightPx: number } | null) {
   return { width: String(status?.widthPx ?? 1280), height: String(status?.heightPx ?? 720) };
 }

@@ -1,14 +1,14 @@
 import { useId, useMemo, useState } from 'react';
 import { convertShadertoy } from '../../export/glsl/shadertoy/convert-shadertoy.ts';
-import { importShadertoy } from '../state/import-shadertoy.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { importShadertoy } from '../state/shaders/import-shadertoy.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
-import { useEditor } from './editor-context.ts';
 import './shadertoy-dialog.css';
 
 const DEFAULT_NAME = 'Shadertoy';
 const SEVERAL_TABS = 'Of several tabs, put a line such as “// Buffer A” before each.';
 
-/** A field to paste into; what would come of it is said while it changes. */
+/** Imports pasted Shadertoy code, and previews the result while typing. */
 export function ShadertoyDialog({ onClose }: { readonly onClose: () => void }) {
   const editor = useEditor();
   const id = useId();
@@ -46,7 +46,7 @@ export function ShadertoyDialog({ onClose }: { readonly onClose: () => void }) {
         onChange={(event) => setName(event.target.value)}
       />
       <div aria-live="polite">
-        {output !== null && <p className="dialog-note">{`Credit: ${output.credit}. Licence: ${output.licence}.`}</p>}
+        {output !== null && <p className="dialog-note">{`Credit: ${output.credit}. License: ${output.licence}.`}</p>}
         {diagnostics.map(({ severity, message, fix = '' }) => (
           <p key={message} className={`shadertoy-${severity}`}>
             {message} {fix}

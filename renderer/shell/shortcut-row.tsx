@@ -1,21 +1,21 @@
 import { type KeyboardEvent, useState } from 'react';
 import { useStore } from 'zustand';
-import { chordOf } from '../key-chord.ts';
-import { type AppCommandId, appCommand } from '../state/app-commands.ts';
-import { bindChord, chordsOf, isRebindable, ownerOfChord } from '../state/chords.ts';
-import { showChord } from './chord.ts';
-import { useEditor } from './editor-context.ts';
+import { keybindingOf } from '../keybinding.ts';
+import { type AppCommandId, appCommand } from '../state/commands/app-commands.ts';
+import { isRebindable, keybindingsOf, ownerOfKeybinding, setKeybinding } from '../state/commands/keybindings.ts';
+import { showKeybinding } from '../state/commands/show-keybinding.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 
 const MODIFIERS = ['Control', 'Shift', 'Alt', 'Meta', 'AltGraph', 'CapsLock'];
 
-/** A command and its keys; pressed, it waits for others. Backspace takes them away, Escape leaves them. */
+/** A command and its keybinding. A press records a new one; Backspace removes it, Escape cancels. */
 export function ShortcutRow({ id }: { readonly id: AppCommandId }) {
   const editor = useEditor();
-  useStore(editor.preferences, (state) => state.chords);
+  useStore(editor.preferences, (state) => state.keybindings);
   const [waiting, setWaiting] = useState(false);
   const [lost, setLost] = useState<string | null>(null);
   const label = appCommand(id).label.replace('…', '');
-  const chords = chordsOf(editor, id);
+  const keybindings = keybindingsOf(editor, id);
 
   const onKeyDown = (event: KeyboardEvent) => {
     if (!waiting) return;
@@ -24,24 +24,24 @@ export function ShortcutRow({ id }: { readonly id: AppCommandId }) {
     if (MODIFIERS.includes(event.key)) return;
     setWaiting(false);
     if (event.key === 'Escape') return;
-    const chord = event.key === 'Backspace' ? null : chordOf(event, editor.mac);
-    const loser = chord === null ? null : ownerOfChord(editor, chord, id);
+    const keybinding = event.key === 'Backspace' ? null : keybindingOf(event, editor.mac);
+    const loser = keybinding === null ? null : ownerOfKeybinding(editor, keybinding, id);
     setLost(loser === null ? null : appCommand(loser).label.replace('…', ''));
-    bindChord(editor, id, chord);
+    setKeybinding(editor, id, keybinding);
   };
 
   return (
     <div>
       <dt>
         {label}
-        {lost !== null && <span className="shortcuts-lost">taken from {lost}</span>}
+        {lost !== null && <span className="shortcuts-lost">removed from {lost}</span>}
       </dt>
       <dd>
         {isRebindable(id) ? (
           <button
             type="button"
             className="shortcuts-keys"
-            data-tip="Press for other keys"
+            data-tip="Press to change the keys"
             onClick={() => setWaiting(true)}
             onBlur={() => setWaiting(false)}
             onKeyDown={onKeyDown}
@@ -49,12 +49,12 @@ export function ShortcutRow({ id }: { readonly id: AppCommandId }) {
             <span className="visually-hidden">Keys for {label}: </span>
             {waiting
               ? 'Press keys…'
-              : chords.length === 0
+              : keybindings.length === 0
                 ? '–'
-                : chords.map((chord) => <kbd key={chord}>{showChord(chord, editor.mac)}</kbd>)}
+                : keybindings.map((keybinding) => <kbd key={keybinding}>{showKeybinding(keybinding, editor.mac)}</kbd>)}
           </button>
         ) : (
-          chords.map((chord) => <kbd key={chord}>{showChord(chord, editor.mac)}</kbd>)
+          keybindings.map((keybinding) => <kbd key={keybinding}>{showKeybinding(keybinding, editor.mac)}</kbd>)
         )}
       </dd>
     </div>

@@ -1,12 +1,12 @@
 import { useStore } from 'zustand';
-import { runCommand } from '../state/app-commands.ts';
-import { countProblems } from '../state/problems.ts';
+import { runCommand } from '../state/commands/app-commands.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { countProblems } from '../state/problems/problems.ts';
 import { Icon } from '../ui/icon.tsx';
-import { useEditor } from './editor-context.ts';
 import './status-bar.css';
-import { useProblems } from './use-problems.ts';
+import { useProblems } from '../state/problems/use-problems.ts';
 
-/** One line: problems, what the compiler does, how the preview runs. */
+/** Status bar: problems, compiler and preview. */
 export function StatusBar() {
   const editor = useEditor();
   const { error, warning, info } = countProblems(useProblems());
@@ -41,7 +41,7 @@ function PreviewStatus() {
   const status = useStore(preview, (state) => state.status);
   if (!status) return null;
   return (
-    <span className="status-quiet" data-tip="Size of the preview’s picture, and time on the processor per frame">
+    <span className="status-quiet" data-tip="Preview size in pixels, and CPU time per frame">
       {status.widthPx} × {status.heightPx} · {status.frameMs.toFixed(1)} ms
     </span>
   );

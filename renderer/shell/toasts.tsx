@@ -1,16 +1,16 @@
 import { useEffect } from 'react';
 import { useStore } from 'zustand';
-import type { Toast } from '../state/ui.ts';
-import { removeToast } from '../state/ui.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import type { Toast } from '../state/editor/ui.ts';
+import { removeToast } from '../state/editor/ui.ts';
 import { IconButton } from '../ui/button.tsx';
 import { Icon, type IconName } from '../ui/icon.tsx';
-import { useEditor } from './editor-context.ts';
 import './toasts.css';
 
 const SHOWN_MS = { info: 5000, success: 5000, warning: 8000, error: 12_000 } as const;
 const ICONS: Readonly<Record<Toast['tone'], IconName>> = { info: 'info', success: 'check', warning: 'warning', error: 'error' };
 
-/** Short messages at the bottom; refusals of the host say their reason here. */
+/** Short messages at the bottom, such as errors of the host. */
 export function Toasts() {
   const { ui } = useEditor();
   const toasts = useStore(ui, (state) => state.toasts);

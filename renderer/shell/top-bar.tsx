@@ -1,16 +1,16 @@
 import { useEffect, useState } from 'react';
 import { useStore } from 'zustand';
-import { type AppCommandId, runCommand } from '../state/app-commands.ts';
-import { isDirty } from '../state/document.ts';
-import { cancelExport } from '../state/export-page.ts';
-import { MENUS } from '../state/menus.ts';
+import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
+import { commandItem } from '../state/commands/command-item.ts';
+import { MENUS } from '../state/commands/menus.ts';
+import { isDirty } from '../state/editor/document.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { cancelExport } from '../state/files/export-page.ts';
 import { Button, IconButton } from '../ui/button.tsx';
 import { MenuButton, type MenuItem } from '../ui/menu.tsx';
-import { commandItem } from './command-item.ts';
-import { useDocument, useEditor } from './editor-context.ts';
 import { Logo } from './logo.tsx';
 import './top-bar.css';
-import { useKeys } from './use-keys.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
 
 export function TopBar() {
   return (

@@ -1,12 +1,12 @@
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { endTour, goOnTour, TOUR, type TourStep } from '../state/tour.ts';
+import { endTour, goOnTour, TOUR, type TourStep } from '../state/commands/tour.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 import { uiScale } from '../ui/appearance.ts';
 import { Button } from '../ui/button.tsx';
-import { useEditor } from './editor-context.ts';
 import './tour-card.css';
 
-/** The step of the tour that is shown, if one is. */
+/** The current step of the tour, if any. */
 export function Tour() {
   const { ui } = useEditor();
   const tour = useStore(ui, (state) => state.tour);
@@ -21,7 +21,7 @@ interface Box {
   readonly height: number;
 }
 
-/** Beside what it is about, which is framed. It blocks nothing: what is talked of can be tried at once. */
+/** Card beside its subject, which is outlined. It is not modal, so that the subject stays usable. */
 function TourCard({ step, number }: { readonly step: TourStep; readonly number: number }) {
   const editor = useEditor();
   const card = useRef<HTMLElement>(null);
@@ -77,7 +77,7 @@ function TourCard({ step, number }: { readonly step: TourStep; readonly number: 
   );
 }
 
-/** Where an element is, also when the window changes its size. */
+/** Client rectangle of an element, updated on resize; null if there is none. */
 function useBox(selector: string): Box | null {
   const [box, setBox] = useState<Box | null>(null);
   useEffect(() => {
@@ -96,7 +96,7 @@ function useBox(selector: string): Box | null {
   return box;
 }
 
-/** Client pixels as the card, which is scaled, counts. */
+/** Converts client pixels to CSS pixels of the scaled card. */
 function inOwnPx({ left, top }: { readonly left: number; readonly top: number }) {
   const scale = uiScale();
   return { left: left / scale, top: top / scale };
@@ -105,7 +105,7 @@ function inOwnPx({ left, top }: { readonly left: number; readonly top: number })
 const GAP_PX = 14;
 const EDGE_PX = 16;
 
-/** Left of it, below it, or else inside its corner: wherever there is room. */
+/** Position left of the subject, else below it, else in its corner. Client pixels. */
 function placeBeside(about: Box, size: { readonly width: number; readonly height: number }) {
   const within = (value: number, most: number) => Math.max(EDGE_PX, Math.min(value, most - EDGE_PX));
   const top = within(about.top, window.innerHeight - size.height);

@@ -1,35 +1,47 @@
 import { useEffect } from 'react';
-import { chordOf } from '../key-chord.ts';
-import { appCommand, runCommand } from '../state/app-commands.ts';
-import { chordsOf, commandOfChord } from '../state/chords.ts';
-import { copyInEvent, cutSelection, pasteText } from '../state/clipboard.ts';
-import type { Editor } from '../state/editor.ts';
-import { isTyping } from './chord.ts';
-import { useEditor } from './editor-context.ts';
+import { keybindingOf } from '../keybinding.ts';
+import { copyInEvent, cutSelection, pasteText } from '../state/clipboard/clipboard.ts';
+import { appCommand, runCommand } from '../state/commands/app-commands.ts';
+import { commandOfKeybinding, keybindingsOf } from '../state/commands/keybindings.ts';
+import { isTyping } from '../state/commands/show-keybinding.ts';
+import type { Editor } from '../state/editor/editor.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
 
 /**
- * Keys of the whole window. Text fields and the shader editor keep the keys that edit text; a dialog or the palette keeps all.
- * Copy and paste come as the browser's own events, which need no permission.
+ * Keybindings of the window. Text fields and the shader editor keep the keys that edit text; a dialog or the palette keeps all keys.
+ * Copy and paste use the clipboard events of the browser, which need no permission.
  */
 export function useShortcuts(): void {
   const editor = useEditor();
   useEffect(() => {
     const blocked = () => editor.ui.getState().dialog !== null || editor.ui.getState().palette !== null;
-    /** The last press of the pointer was on the canvas: Tab then asks for a node, else it moves the focus. */
+    /** Whether the last pointer press was on the canvas: then Tab opens the palette, else it moves the focus. */
     let pointedAtCanvas = false;
     const onPointerDown = (event: PointerEvent) => {
       pointedAtCanvas = isOnCanvas(event.target);
     };
     const onKeyDown = (event: KeyboardEvent) => {
       if (event.defaultPrevented || blocked()) return;
-      const chord = chordOf(event, editor.mac);
+      const keybinding = keybindingOf(event, editor.mac);
       const where = isOnTime(event.target) ? 'time' : 'canvas';
-      const id = commandOfChord(editor, chord, isTyping(event.target) && !(isUndo(editor, chord) && isClean(event.target)), where);
+      const id = commandOfKeybinding(
+        editor,
+        keybinding,
+        isTyping(event.target) && !(isUndo(editor, keybinding) && isClean(event.target)),
+        where,
+      );
       const takesTab = pointedAtCanvas && isOnCanvas(event.target);
-      if (chord === 'Tab' && !takesTab) pointedAtCanvas = false;
+      if (keybinding === 'Tab' && !takesTab) pointedAtCanvas = false;
       if (id === null || !appCommand(id).enabled(editor)) return;
       const isOfTime = appCommand(id).where === 'time';
-      if (isOfTime ? isPress(chord, event.target) : chord === 'Tab' ? !takesTab : !hasModifier(chord) && !isOnCanvas(event.target)) return;
+      if (
+        isOfTime
+          ? isPress(keybinding, event.target)
+          : keybinding === 'Tab'
+            ? !takesTab
+            : !hasModifier(keybinding) && !isOnCanvas(event.target)
+      )
+        return;
       event.preventDefault();
       runCommand(editor, id);
     };
@@ -63,9 +75,9 @@ export function useShortcuts(): void {
   }, [editor]);
 }
 
-/** Bare keys are the canvas's; the others, and those that no text is typed with, the window's. */
-function hasModifier(chord: string): boolean {
-  return chord.startsWith('Mod+') || /^F\d+$/.test(chord);
+/** Whether a keybinding works in the whole window: with a modifier, or a function key. Others work on the canvas only. */
+function hasModifier(keybinding: string): boolean {
+  return keybinding.startsWith('Mod+') || /^F\d+$/.test(keybinding);
 }
 
 function isOnCanvas(target: EventTarget | null): boolean {
@@ -76,16 +88,16 @@ function isOnTime(target: EventTarget | null): boolean {
   return target instanceof Element && target.closest('.timeline, .stage') !== null;
 }
 
-/** Space on a button is for the button. */
-function isPress(chord: string, target: EventTarget | null): boolean {
-  return chord === 'Space' && target instanceof HTMLButtonElement;
+/** Whether the key presses the focused button. */
+function isPress(keybinding: string, target: EventTarget | null): boolean {
+  return keybinding === 'Space' && target instanceof HTMLButtonElement;
 }
 
-function isUndo(editor: Editor, chord: string): boolean {
-  return chordsOf(editor, 'edit.undo').includes(chord) || chordsOf(editor, 'edit.redo').includes(chord);
+function isUndo(editor: Editor, keybinding: string): boolean {
+  return keybindingsOf(editor, 'edit.undo').includes(keybinding) || keybindingsOf(editor, 'edit.redo').includes(keybinding);
 }
 
-/** A number field without text that waits to be taken over has nothing of its own to undo. */
+/** A field without pending text has nothing to undo, so undo goes to the document. */
 function isClean(target: EventTarget | null): boolean {
   return target instanceof HTMLElement && target.dataset.clean !== undefined;
 }

@@ -1,15 +1,15 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { endGesture, redo, undo } from './apply.ts';
-import type { WireInHand } from './canvas.ts';
-import { clipSelection, duplicateSelection, parseClipping, pasteClipping } from './clipboard.ts';
-import { graphOf, isDirty, layoutOf } from './document.ts';
-import { addNodeFromPalette, connect, deleteSelection, refusalOf, rewire, toggleMuted } from './edit-graph.ts';
-import { editParam, resetParam, setExposed } from './edit-params.ts';
-import type { Editor } from './editor.ts';
-import { filesOf, save } from './files.ts';
-import { moveAll } from './layout-items.ts';
-import { selectOnly } from './selection.ts';
+import { clipSelection, duplicateSelection, parseClipping, pasteClipping } from './clipboard/clipboard.ts';
+import { endGesture, redo, undo } from './document/apply.ts';
+import type { WireInHand } from './editor/canvas-state.ts';
+import { graphOf, isDirty, layoutOf } from './editor/document.ts';
+import type { Editor } from './editor/editor.ts';
+import { selectOnly } from './editor/selection.ts';
+import { filesOf, save } from './files/files.ts';
+import { addNodeFromPalette, connect, deleteSelection, refusalOf, rewire, toggleMuted } from './graph/edit-graph.ts';
+import { moveAll } from './graph/layout-items.ts';
+import { editParam, resetParam, setExposed } from './params/edit-params.ts';
 
 function add(editor: Editor, type: string, inHand: WireInHand | null = null, port: string | null = null): string {
   const definition = editor.document.getState().library.definition(type);

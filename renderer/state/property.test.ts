@@ -3,11 +3,16 @@ import fc from 'fast-check';
 import type { PortAddress } from '../../export/graph/project.ts';
 import { stretchesOf } from '../../export/graph/routes.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
-import { endGesture, redo, undo } from './apply.ts';
-import { align, distribute } from './arrange.ts';
-import { bindExpression, unbind } from './bind-params.ts';
-import { clipSelection, duplicateSelection, pasteClipping } from './clipboard.ts';
-import { graphOf, layoutOf, nodeOf } from './document.ts';
+import { clipSelection, duplicateSelection, pasteClipping } from './clipboard/clipboard.ts';
+import { endGesture, redo, undo } from './document/apply.ts';
+import { addVertex, editShader, removeVertex, shaderOf, takesVertex } from './document/edit-shader.ts';
+import { graphOf, layoutOf, nodeOf } from './editor/document.ts';
+import type { Editor } from './editor/editor.ts';
+import { itemId, itemIds } from './editor/item-ids.ts';
+import { selectOnly } from './editor/selection.ts';
+import { filesOf } from './files/files.ts';
+import { align, distribute } from './graph/arrange.ts';
+import { connectPorts, refusalOfEnds } from './graph/connect-ports.ts';
 import {
   addNodeFromPalette,
   connect,
@@ -17,27 +22,22 @@ import {
   swapType,
   toggleCollapsed,
   toggleMuted,
-} from './edit-graph.ts';
-import { editParam, resetParam, setExposed } from './edit-params.ts';
-import { addVertex, editShader, removeVertex, shaderOf, takesVertex } from './edit-shader.ts';
-import type { Editor } from './editor.ts';
-import { filesOf } from './files.ts';
-import { dropOnWire } from './insert-on-wire.ts';
-import { itemId, itemIds } from './item-ids.ts';
-import { joinEnds, refusalOfEnds } from './join-ends.ts';
-import { animatedParams, setEasing, toggleKey } from './keyframes.ts';
-import { addFrame, addNote, contentOf, editItemText, moveAll, resizeItem } from './layout-items.ts';
-import { addReroute, addRerouteToSelected } from './reroutes.ts';
-import { selectOnly } from './selection.ts';
+} from './graph/edit-graph.ts';
+import { dropOnWire } from './graph/insert-on-wire.ts';
+import { addFrame, addNote, contentOf, editItemText, moveAll, resizeItem } from './graph/layout-items.ts';
+import { addReroute, addRerouteToSelected } from './graph/reroutes.ts';
 import {
+  createSubgraph,
   leaveSubgraph,
-  makeIndependent,
-  makeSubgraph,
+  makeUnique,
   openSubgraph,
   renameSubgraph,
-  setShownOutside,
-  unpackSelected,
-} from './subgraphs.ts';
+  setPortExposed,
+  ungroupSelected,
+} from './graph/subgraphs.ts';
+import { bindExpression, unbind } from './params/bind-params.ts';
+import { editParam, resetParam, setExposed } from './params/edit-params.ts';
+import { animatedParams, setEasing, toggleKey } from './params/keyframes.ts';
 
 const TYPES = [
   'source/camera-video',
@@ -181,21 +181,21 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
     if (takesVertex(editor.document.getState(), id)) addVertex(editor, id);
     else removeVertex(editor, id);
   },
-  pack: ({ editor }) => void makeSubgraph(editor),
-  unpack: ({ editor }) => void unpackSelected(editor),
-  independent: ({ editor }) => void makeIndependent(editor),
+  pack: ({ editor }) => void createSubgraph(editor),
+  unpack: ({ editor }) => void ungroupSelected(editor),
+  independent: ({ editor }) => void makeUnique(editor),
   enter: ({ editor, of }) =>
     openSubgraph(editor, of(Object.keys(editor.document.getState().project.graphs).filter((name) => name !== 'main')) ?? ''),
   leave: ({ editor }) => leaveSubgraph(editor),
   rename: ({ editor, of }) => {
     const name = of(Object.keys(editor.document.getState().project.graphs).filter((graph) => graph !== 'main'));
-    if (name !== undefined) renameSubgraph(editor, name, of(['Look', 'Film grain', '!']) ?? 'Look');
+    if (name !== undefined) renameSubgraph(editor, name, of(['Look', 'FrameRender grain', '!']) ?? 'Look');
   },
   show: (hand) => {
     ACTIONS.enter?.(hand);
     const node = hand.node();
     const side = hand.of(['inputs', 'outputs'] as const) ?? 'inputs';
-    setShownOutside(hand.editor, side, { node, port: portOf(hand, node, side) }, hand.of([true, true, false]) ?? true);
+    setPortExposed(hand.editor, side, { node, port: portOf(hand, node, side) }, hand.of([true, true, false]) ?? true);
     leaveSubgraph(hand.editor);
   },
   frame: ({ editor }) => void addFrame(editor, { x: 10.4, y: -0.2 }),
@@ -220,7 +220,7 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
   branch: (hand) => {
     const from = { node: rerouteIn(hand), port: 'knob' };
     const to = endFor(hand, from);
-    if (to) joinEnds(hand.editor, from, to);
+    if (to) connectPorts(hand.editor, from, to);
   },
   moveReroute: (hand) => void moveAll(hand.editor, { [rerouteIn(hand)]: { x: hand.of([5, 50.5]) ?? 0, y: 6 } }),
   selectReroute: (hand) => selectOnly(hand.editor.selection, [hand.node()], [], [rerouteIn(hand)]),

@@ -1,14 +1,16 @@
 import { debounce } from '../clock.ts';
-import { type AppCommandId, appCommandIds, runCommand } from './app-commands.ts';
-import { isDirty } from './document.ts';
-import { finishTyping } from './edit-shader.ts';
-import type { Editor } from './editor.ts';
-import { showExportProgress } from './export-page.ts';
-import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files.ts';
-import { followShaders } from './outside.ts';
+import { type AppCommandId, appCommandIds, runCommand } from './commands/app-commands.ts';
+import { finishTyping } from './document/edit-shader.ts';
+import { isDirty } from './editor/document.ts';
+import type { Editor } from './editor/editor.ts';
+import { showExportProgress } from './files/export-page.ts';
+import { followShaders } from './files/external-changes.ts';
+import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files/files.ts';
 
-/** Unsaved work is on disk at most this long after it was done. */
+/** Unsaved work goes to the disk when nothing was done for so long… */
 const AUTOSAVE_MS = 2000;
+/** …and after so long in any case: five seconds are lost at most, with the time that writing takes. */
+const AUTOSAVE_AT_MOST_MS = 4000;
 
 /** Asks the host what it is. Returns the preview's address, and whether the window has a menu of its own. */
 export async function start(editor: Editor): Promise<{ readonly previewUrl: string; readonly hasMenu: boolean }> {
@@ -26,7 +28,7 @@ export async function openFirst(editor: Editor): Promise<void> {
 /** Keeps unsaved work where it is found again after a crash. */
 export function autosave(editor: Editor): () => void {
   let last = '';
-  const keep = debounce(editor.clock, AUTOSAVE_MS, () => {
+  const write = () => {
     const state = editor.document.getState();
     if (state.open === null || !isDirty(state)) return;
     const work = `${state.open.handle} ${state.history.state}`;
@@ -35,7 +37,8 @@ export function autosave(editor: Editor): () => void {
     editor.host
       .call('project.autosave', { handle: state.open.handle, files: filesOf(editor) })
       .catch((error: unknown) => showRefusal(editor, error));
-  });
+  };
+  const keep = debounce(editor.clock, AUTOSAVE_MS, write, AUTOSAVE_AT_MOST_MS);
   const stop = editor.document.subscribe((state, before) => {
     if (state.history.state !== before.history.state) keep.trigger();
   });

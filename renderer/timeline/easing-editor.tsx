@@ -10,27 +10,27 @@ interface EasingEditorProps extends EditHandlers<Handles> {
   readonly value: Handles;
 }
 
-const SIDES = ['Out of this key', 'Into the next key'] as const;
+const SIDES = ['Start control point', 'End control point'] as const;
 
-/** A key's way to the next one: two handles that are dragged, moved by keys, or set by numbers. */
+/** Edits the Bézier control points of an easing by dragging, arrow keys or numbers. */
 export function EasingEditor({ value, ...gesture }: EasingEditorProps) {
   const { onEdit, onEnd, onCancel } = gesture;
   const square = useRef<HTMLDivElement>(null);
   const held = useRef<{ readonly side: 0 | 1; readonly by: CurvePoint } | null>(null);
-  const givingUp = useEscape();
+  const escapeKey = useEscape();
   const move = (side: 0 | 1, to: CurvePoint) => onEdit(withHandle(value, side, to));
 
   const onPointerDown = (event: PointerEvent<HTMLElement>) => {
     const box = square.current;
     if (event.button !== 0 || !box) return;
     event.preventDefault();
-    // There are but two: the nearer one is meant.
+    // A press anywhere drags the nearer control point.
     const [out, into] = [handleOf(value, 0), handleOf(value, 1)];
     const side = pixelsFrom(box, out, event) <= pixelsFrom(box, into, event) ? 0 : 1;
     const [at, from] = [placeIn(box, event), side === 0 ? out : into];
     event.currentTarget.setPointerCapture(event.pointerId);
     held.current = { side, by: { x: from.x - at.x, y: from.y - at.y } };
-    givingUp.listen(() => {
+    escapeKey.listen(() => {
       held.current = null;
       onCancel?.();
     });
@@ -42,7 +42,7 @@ export function EasingEditor({ value, ...gesture }: EasingEditorProps) {
     move(held.current.side, { x: at.x + held.current.by.x, y: at.y + held.current.by.y });
   };
   const onPointerUp = () => {
-    givingUp.stop();
+    escapeKey.stop();
     if (held.current) onEnd();
     held.current = null;
   };
@@ -99,7 +99,7 @@ function handleOf([x1, y1, x2, y2]: Handles, side: 0 | 1): CurvePoint {
   return side === 0 ? { x: round(x1), y: round(y1) } : { x: round(x2), y: round(y2) };
 }
 
-/** As far as it may go. */
+/** Moves a control point, clamped to its range. */
 function withHandle([x1, y1, x2, y2]: Handles, side: 0 | 1, { x, y }: CurvePoint): Handles {
   const at = [round(clamp(x, 0, 1)), round(clamp(y, -OVERSHOOT, 1 + OVERSHOOT))] as const;
   return side === 0 ? [...at, x2, y2] : [x1, y1, ...at];
@@ -109,7 +109,7 @@ function armsPath([x1, y1, x2, y2]: Handles): string {
   return `M0 1L${x1} ${1 - y1}M1 0L${x2} ${1 - y2}`;
 }
 
-/** To a thousandth, as the file has it; zero has one sign there. */
+/** Rounds to a thousandth, the precision of the file. `+ 0` turns -0 into 0. */
 function round(number: number): number {
   return Math.round(number * 1000) / 1000 + 0;
 }

@@ -1,10 +1,10 @@
 import { type KeyboardEvent, type PointerEvent, useRef } from 'react';
 import { useStore } from 'zustand';
 import { frameAtTime, timeOfFrame } from '../../nodes/kit/frame-times.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { nearestFrame, playedRange, setIn, setOut } from '../state/playing.ts';
-import type { PreviewState } from '../state/preview.ts';
-import { frameWords } from './frame-words.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import type { PreviewState } from '../state/editor/preview-state.ts';
+import { nearestFrame, playedRange, setIn, setOut } from '../state/preview/playback.ts';
+import { frameLabel } from './frame-label.ts';
 import { percentOf, timeAt } from './time-scale.ts';
 
 interface Lengthy {
@@ -14,7 +14,7 @@ interface Lengthy {
 const fromOf = (state: PreviewState) => playedRange(state).from;
 const toOf = (state: PreviewState) => playedRange(state).to;
 
-/** What is not played. */
+/** Shades the time outside the play range. */
 export function RangeShade({ lengthS }: Lengthy) {
   const { preview } = useEditor();
   const frames = useStore(preview, (state) => state.frames);
@@ -30,7 +30,7 @@ export function RangeShade({ lengthS }: Lengthy) {
   );
 }
 
-/** Where playing begins and ends: dragged on the ruler, or moved by keys. */
+/** In and out point on the ruler. A drag or arrow keys move them. */
 export function RangeHandles({ lengthS }: Lengthy) {
   return (
     <>
@@ -63,7 +63,7 @@ function Handle({ which, lengthS }: Lengthy & { readonly which: 'in' | 'out' }) 
   const onPointerMove = (event: PointerEvent<HTMLElement>) => {
     const box = event.currentTarget.parentElement?.getBoundingClientRect();
     if (!box || !event.currentTarget.hasPointerCapture(event.pointerId)) return;
-    // The out point stands at the end of its frame.
+    // The out point lies at the end of its frame.
     const border = nearestFrame(frames, timeAt(event.clientX, box, lengthS));
     const next = which === 'in' ? border : border - 1;
     if (next === frame && !dragged.current) return;
@@ -91,7 +91,7 @@ function Handle({ which, lengthS }: Lengthy & { readonly which: 'in' | 'out' }) 
       aria-valuemin={least}
       aria-valuemax={most}
       aria-valuenow={frame}
-      aria-valuetext={frameWords(frame, timeOfFrame(frames, frame))}
+      aria-valuetext={frameLabel(frame, timeOfFrame(frames, frame))}
       style={{ left: percentOf(Math.min(timeOfFrame(frames, which === 'in' ? frame : frame + 1), lengthS), lengthS) }}
       onPointerDown={onPointerDown}
       onPointerMove={onPointerMove}

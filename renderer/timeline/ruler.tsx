@@ -1,13 +1,13 @@
 import type { PointerEvent } from 'react';
 import { useStore } from 'zustand';
 import { frameAtTime, timeOfFrame } from '../../nodes/kit/frame-times.ts';
-import { useEditor } from '../shell/editor-context.ts';
-import { goToFrame } from '../state/playing.ts';
-import { frameOf, timeOf } from '../state/preview.ts';
-import { frameWords } from './frame-words.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { frameOf, timeOf } from '../state/editor/preview-state.ts';
+import { goToFrame } from '../state/preview/playback.ts';
+import { frameLabel } from './frame-label.ts';
 import { marksOf, percentOf, timeAt } from './time-scale.ts';
 
-/** Seconds. Pressed or dragged, recordings go to that frame and hold. */
+/** Ruler in seconds. A press or drag pauses the recording at that frame. */
 export function Ruler({ lengthS }: { readonly lengthS: number }) {
   const editor = useEditor();
   const frames = useStore(editor.preview, (state) => state.frames);
@@ -22,7 +22,7 @@ export function Ruler({ lengthS }: { readonly lengthS: number }) {
       <span />
       <div
         className="timeline-ruler"
-        data-tip={frames === null ? 'Only recordings have moments to go to' : 'Go to a frame'}
+        data-tip={frames === null ? 'Only recordings have frames to go to' : 'Go to a frame'}
         onPointerDown={(event) => {
           if (event.button !== 0) return;
           event.currentTarget.setPointerCapture(event.pointerId);
@@ -42,14 +42,14 @@ export function Ruler({ lengthS }: { readonly lengthS: number }) {
   );
 }
 
-/** The frame that is shown. Its keys are those of the whole panel. */
+/** Marks the current frame. The panel handles its keys. */
 export function Playhead({ lengthS }: { readonly lengthS: number }) {
   const { preview } = useEditor();
   const timeS = useStore(preview, timeOf);
   const frame = useStore(preview, frameOf);
   const frames = useStore(preview, (state) => state.frames);
   if (frames === null) return timeS <= lengthS && <span className="timeline-head" style={{ left: percentOf(timeS, lengthS) }} />;
-  // All rounds of a recording look alike where no key goes on behind the first.
+  // Loops of a recording are shown as one unless a keyframe lies after the first.
   const shownS = timeS < lengthS ? timeS : timeS % frames.durationS;
   return (
     <div
@@ -61,7 +61,7 @@ export function Playhead({ lengthS }: { readonly lengthS: number }) {
       aria-valuemin={0}
       aria-valuemax={frameAtTime(frames, lengthS) - 1}
       aria-valuenow={frame}
-      aria-valuetext={frameWords(frame, timeS)}
+      aria-valuetext={frameLabel(frame, timeS)}
       style={{ left: percentOf(shownS, lengthS) }}
     />
   );

@@ -1,12 +1,12 @@
 import { useStore } from 'zustand';
-import { useEditor } from '../shell/editor-context.ts';
-import { useKeys } from '../shell/use-keys.ts';
-import { type AppCommandId, runCommand } from '../state/app-commands.ts';
-import { isHeld, playedRange } from '../state/playing.ts';
+import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { isHeld, playedRange } from '../state/preview/playback.ts';
 import { IconButton } from '../ui/button.tsx';
 import type { IconName } from '../ui/icon.tsx';
 
-/** Moves through the recording, and says which part of it is played. */
+/** Transport of the timeline: playback, in and out point, and loop. */
 export function TimeBar() {
   const { preview } = useEditor();
   const held = useStore(preview, isHeld);
@@ -21,10 +21,10 @@ export function TimeBar() {
       <Act command="play.next" icon="step" label="Next frame" />
       <Act command="play.last" icon="last" label="Last frame" disabled={!hasFrames} />
       <span className="timeline-gap" />
-      <Act command="play.in" icon="mark-in" label="Begin the range here" disabled={!hasFrames} />
-      <Act command="play.out" icon="mark-out" label="End the range here" disabled={!hasFrames} />
+      <Act command="play.in" icon="mark-in" label="Set in point" disabled={!hasFrames} />
+      <Act command="play.out" icon="mark-out" label="Set out point" disabled={!hasFrames} />
       <Act command="play.loop" icon="loop" label="Loop" disabled={!hasFrames} pressed={loop} />
-      {hasFrames && hasRange && <Act command="play.whole" icon="close" label="Play all of the recording" />}
+      {hasFrames && hasRange && <Act command="play.whole" icon="close" label="Clear play range" />}
       <RangeWords />
     </div>
   );
@@ -49,13 +49,13 @@ function Act({ command, icon, label, disabled = false, pressed }: ActProps) {
 function RangeWords() {
   const { preview } = useEditor();
   const words = useStore(preview, (state) => {
-    if (state.frames === null) return 'Only recordings are played in parts.';
+    if (state.frames === null) return 'Only recordings have a play range.';
     const { from, to } = playedRange(state);
     const count = to - from + 1;
     return `${from}–${to} · ${count} ${count === 1 ? 'frame' : 'frames'}`;
   });
   return (
-    <output className="timeline-words" data-tip="Frames that are played" aria-label="Range">
+    <output className="timeline-words" data-tip="Frames in the play range" aria-label="Play range">
       {words}
     </output>
   );

@@ -1,30 +1,30 @@
 import { useMemo, useState } from 'react';
 import { useStore } from 'zustand';
-import { useDocument, useEditor } from '../shell/editor-context.ts';
-import { animatedParams } from '../state/keyframes.ts';
-import { selectOnly } from '../state/selection.ts';
-import { ChosenBar } from './chosen-bar.tsx';
-import { type ChosenKey, KeyMark } from './key-mark.tsx';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { selectOnly } from '../state/editor/selection.ts';
+import { animatedParams } from '../state/params/keyframes.ts';
+import { KeyframeBar } from './keyframe-bar.tsx';
+import { type ChosenKeyframe, KeyframeMark } from './keyframe-mark.tsx';
 import { RangeHandles, RangeShade } from './range-handles.tsx';
 import { Playhead, Ruler } from './ruler.tsx';
 import { TimeBar } from './time-bar.tsx';
 import { lengthOf } from './time-scale.ts';
 import './timeline.css';
 
-/** The session's time, what of it is played, and all keyframes of the open graph over it. */
+/** Timeline: transport, ruler with play range, and the tracks of the open graph. */
 export function TimelinePanel() {
   const { preview } = useEditor();
   const state = useDocument((document) => document);
   const tracks = useMemo(() => animatedParams(state), [state]);
-  const [chosen, setChosen] = useState<ChosenKey | null>(null);
+  const [chosen, setChosen] = useState<ChosenKeyframe | null>(null);
   const frames = useStore(preview, ({ frames }) => frames);
   const lengthS = lengthOf(tracks, frames);
   return (
-    // Focusable, so that its keys work wherever it was pressed.
+    // Focusable, so that shortcuts work after a press anywhere in it.
     <div className="timeline" tabIndex={-1}>
       <div className="timeline-bar">
         <TimeBar />
-        <ChosenBar chosen={chosen} tracks={tracks} />
+        <KeyframeBar chosen={chosen} tracks={tracks} />
       </div>
       <div className="timeline-rows scroll">
         <Ruler lengthS={lengthS} />
@@ -33,8 +33,8 @@ export function TimelinePanel() {
             <TrackName node={node} label={label} />
             <fieldset className="timeline-lane" aria-label={`Keyframes of ${label}`}>
               {Object.entries(track.keys).map(([at, key]) => (
-                <KeyMark
-                  // A key keeps its place among the others while it is dragged.
+                <KeyframeMark
+                  // A keyframe keeps its index while it is dragged.
                   key={at}
                   node={node}
                   param={param}
@@ -48,9 +48,7 @@ export function TimelinePanel() {
             </fieldset>
           </div>
         ))}
-        {tracks.length === 0 && (
-          <p className="timeline-none">Nothing moves by keyframes yet. Press the diamond beside a value to set the first one.</p>
-        )}
+        {tracks.length === 0 && <p className="timeline-none">No keyframes yet. Press the diamond beside a parameter to set one.</p>}
         <div className="timeline-over timeline-under">
           <RangeShade lengthS={lengthS} />
         </div>

@@ -1,13 +1,27 @@
-import type { Preferences, PreferencesStore } from '../state/preferences.ts';
-
 const LIGHT = '(prefers-color-scheme: light)';
 const STILL = '(prefers-reduced-motion: reduce)';
 
+/** Settings of the appearance. */
+export interface Appearance {
+  readonly theme: 'system' | 'light' | 'dark';
+  readonly motion: 'system' | 'reduced';
+  /** UI scale, a factor on the size of text and controls. */
+  readonly scale: number;
+}
+
+/** Observable store of the appearance settings. */
+export interface AppearanceStore {
+  getState(): Appearance;
+  subscribe(onChange: () => void): () => void;
+}
+
 /**
- * Puts theme and motion, chosen or the system's, and the chosen scale onto the page, and keeps them there. Styles and scripts read them
- * as `data-theme`, `data-motion` and `--ui-scale`.
+ * Applies theme, motion and UI scale to the page as `data-theme`, `data-motion` and `--ui-scale`, and follows changes of the settings and
+ * of the system.
+ *
+ * @returns A function that stops following.
  */
-export function followAppearance(preferences: PreferencesStore, page: Window): () => void {
+export function followAppearance(preferences: AppearanceStore, page: Window): () => void {
   const light = page.matchMedia(LIGHT);
   const still = page.matchMedia(STILL);
   const apply = () => show(page.document.documentElement, preferences.getState(), light.matches, still.matches);
@@ -20,7 +34,7 @@ export function followAppearance(preferences: PreferencesStore, page: Window): (
   };
 }
 
-function show(root: HTMLElement, { theme, motion, scale }: Preferences, light: boolean, still: boolean): void {
+function show(root: HTMLElement, { theme, motion, scale }: Appearance, light: boolean, still: boolean): void {
   root.dataset.theme = theme === 'system' ? (light ? 'light' : 'dark') : theme;
   root.style.setProperty('--ui-scale', String(scale));
   root.dataset.motion = motion === 'reduced' || still ? 'reduced' : 'full';
@@ -34,7 +48,7 @@ export function isStill(root: HTMLElement = document.documentElement): boolean {
   return root.dataset.motion === 'reduced';
 }
 
-/** How many client pixels one CSS pixel of an element is, whose `zoom` and that of what it is in are counted (css-viewport-1, §9). */
+/** Client pixels per CSS pixel of an element: the product of its `zoom` and that of its ancestors (css-viewport-1, §9). */
 export function zoomOf(element: Element): number {
   return element.currentCSSZoom || 1;
 }

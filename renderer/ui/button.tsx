@@ -8,7 +8,7 @@ interface ButtonProps {
   readonly icon?: IconName;
   readonly look?: 'plain' | 'primary' | 'quiet' | 'danger';
   readonly disabled?: boolean;
-  /** For buttons that stay down. */
+  /** State of a toggle button. */
   readonly pressed?: boolean;
   readonly tip?: string;
   readonly autoFocus?: boolean;
@@ -33,13 +33,13 @@ export function Button({ children, onPress, icon, look = 'plain', disabled = fal
 
 interface IconButtonProps {
   readonly icon: IconName;
-  /** Read out, and shown as the tooltip. */
+  /** Accessible name and tooltip. */
   readonly label: string;
   readonly onPress: () => void;
-  /** Shown behind the label in the tooltip. */
+  /** Keybinding, shown after the label in the tooltip. */
   readonly keys?: string | undefined;
   readonly disabled?: boolean;
-  /** For buttons that stay down. */
+  /** State of a toggle button. */
   readonly pressed?: boolean | undefined;
   readonly small?: boolean;
 }

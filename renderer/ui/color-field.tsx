@@ -7,11 +7,11 @@ import { Slider } from './slider.tsx';
 interface ColorFieldProps extends EditHandlers<Rgba> {
   readonly value: Rgba;
   readonly label: string;
-  /** A button that takes the colour from elsewhere. */
+  /** Button that picks a color from elsewhere. */
   readonly pipette?: ReactNode;
 }
 
-/** Swatch with the browser's own picker, hexadecimal text, and a slider for the alpha. */
+/** Color picker of the browser, hexadecimal text, and a slider for alpha. */
 export function ColorField({ value, label, pipette, onEdit, onEnd, onCancel }: ColorFieldProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const [r, g, b, a] = value;

@@ -1,7 +1,7 @@
 /** Display-referred sRGB, straight alpha, [0, 1]. */
 export type Rgba = readonly [number, number, number, number];
 
-/** `#rrggbb`; the alpha is not part of it. */
+/** `#rrggbb`, without alpha. */
 export function hexFromColor([r, g, b]: Rgba): string {
   const channel = (value: number) =>
     Math.round(Math.min(Math.max(value, 0), 1) * 255)
@@ -10,7 +10,7 @@ export function hexFromColor([r, g, b]: Rgba): string {
   return `#${channel(r)}${channel(g)}${channel(b)}`;
 }
 
-/** Three, six or eight hexadecimal digits, with or without `#`; null for anything else. Eight bring their own alpha. */
+/** Parses 3, 6 or 8 hexadecimal digits, with or without `#`. Eight digits include alpha, else `alpha` is used. Returns null if invalid. */
 export function colorFromHex(text: string, alpha: number): Rgba | null {
   const digits = text.trim().replace(/^#/, '').toLowerCase();
   if (!/^([0-9a-f]{3}|[0-9a-f]{6}|[0-9a-f]{8})$/.test(digits)) return null;

@@ -5,7 +5,7 @@ import './menu.css';
 
 interface ContextMenuProps {
   readonly label: string;
-  /** Client pixels; moved inside the window as far as needed. */
+  /** Client pixels, clamped to the window. */
   readonly at: { readonly x: number; readonly y: number };
   readonly items: readonly MenuItem[];
   readonly onClose: () => void;
@@ -13,7 +13,7 @@ interface ContextMenuProps {
 
 const EDGE_PX = 8;
 
-/** A menu where the pointer, or the button that asked for it, is. */
+/** A menu at the pointer or at the button that opened it. */
 export function ContextMenu({ label, at, items, onClose }: ContextMenuProps) {
   const element = useRef<HTMLDivElement>(null);
   const [place, setPlace] = useState({ left: at.x, top: at.y });

@@ -1,7 +1,7 @@
 import { type PointerEvent, useRef, useState } from 'react';
 import { type Curve, curveAt } from '../../nodes/kit/curve.ts';
 import { type CurvePoint, canLosePoint, curvePath, pointsOf, withoutPoint, withPoint, withPointAt } from './curve-points.ts';
-import { CurveDrawing, CurveHandle, pixelsFrom, placeIn, reachPx } from './curve-square.tsx';
+import { CurveDrawing, CurveHandle, hitRadiusPx, pixelsFrom, placeIn } from './curve-square.tsx';
 import { useEscape } from './escape.ts';
 import type { EditHandlers } from './number-field.tsx';
 
@@ -13,7 +13,7 @@ interface CurveEditorProps extends EditHandlers<Curve> {
   readonly onRemove: (index: number) => void;
 }
 
-/** A point in hand: the curve as it was when it was taken, so that one that is dragged out and back in is the same point. */
+/** A drag of a point. `curve` is the curve at its start, so that a point dragged out and back in keeps its identity. */
 interface Drag {
   readonly curve: Curve;
   readonly index: number;
@@ -21,39 +21,39 @@ interface Drag {
   changed: boolean;
 }
 
-/** This far outside, the pointer takes a point with it. */
+/** A point dragged this far outside the square is removed. Fraction of the side. */
 const OUT = 0.12;
 
-/** The square: press the line to add a point, drag points, double-click them or drag them out to take them away; Escape gives a drag up. */
+/** Curve in a square. A press on the line adds a point, a drag moves it, a double-click or a drag out of the square removes it; Escape cancels. */
 export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, onEnd, onCancel }: CurveEditorProps) {
   const square = useRef<HTMLFieldSetElement>(null);
   const drag = useRef<Drag | null>(null);
-  /** Which of the last two presses made their point: a double-click takes away only what was there before it. */
+  /** Whether each of the last two presses added a point: a double-click removes only a point that existed before it. */
   const made = useRef<readonly boolean[]>([]);
   const [ghost, setGhost] = useState<CurvePoint | null>(null);
-  const givingUp = useEscape();
+  const escapeKey = useEscape();
   const points = pointsOf(value);
 
   const nearest = (event: PointerEvent<HTMLElement>): number => {
     const far = points.map((point) => pixelsFrom(event.currentTarget, point, event));
     const least = Math.min(...far);
-    return least <= reachPx(event) ? far.indexOf(least) : -1;
+    return least <= hitRadiusPx(event) ? far.indexOf(least) : -1;
   };
-  /** The place on the line above or below the pointer, where that is near. */
+  /** The point of the curve at the x of the pointer, if it is near enough to add one. */
   const onLine = (event: PointerEvent<HTMLElement>): CurvePoint | null => {
     const { x } = placeIn(event.currentTarget, event);
     const place = { x, y: curveAt(value, x) };
-    return pixelsFrom(event.currentTarget, place, event) <= reachPx(event) && withPoint(value, x) ? place : null;
+    return pixelsFrom(event.currentTarget, place, event) <= hitRadiusPx(event) && withPoint(value, x) ? place : null;
   };
   const focus = (index: number) => {
     onChoose(index);
-    // One that was just added is there when React has drawn it.
+    // React has mounted a new point by then.
     queueMicrotask(() => square.current?.querySelectorAll<HTMLElement>('.curve-handle')[index]?.focus());
   };
 
   const onPointerDown = (event: PointerEvent<HTMLElement>) => {
     if (event.button !== 0) return;
-    // The focus goes to the point.
+    // Keeps the focus for the point.
     event.preventDefault();
     const at = placeIn(event.currentTarget, event);
     const index = nearest(event);
@@ -64,7 +64,7 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
     event.currentTarget.setPointerCapture(event.pointerId);
     const point = pointsOf(taken.curve)[taken.index] ?? at;
     drag.current = { ...taken, by: { x: point.x - at.x, y: point.y - at.y }, changed: added !== null };
-    givingUp.listen(() => {
+    escapeKey.listen(() => {
       if (drag.current?.changed) onCancel?.();
       drag.current = null;
     });
@@ -90,7 +90,7 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
     }
   };
   const onPointerUp = () => {
-    givingUp.stop();
+    escapeKey.stop();
     if (drag.current?.changed) onEnd();
     drag.current = null;
   };
@@ -115,7 +115,7 @@ export function CurveEditor({ label, value, chosen, onChoose, onRemove, onEdit, 
       {ghost && <span className="curve-ghost" style={{ left: `${ghost.x * 100}%`, bottom: `${ghost.y * 100}%` }} />}
       {Object.entries(points).map(([key, point]) => (
         <CurveHandle
-          // A point keeps its place among the others while it is dragged.
+          // A point keeps its index while it is dragged.
           key={key}
           at={point}
           label={`${label}, point ${Number(key) + 1} of ${points.length}`}

@@ -12,7 +12,7 @@ interface CurveFieldProps extends EditHandlers<Curve> {
   readonly value: Curve;
 }
 
-/** A curve as a strip, which opens to the square in which it is edited. */
+/** A thumbnail strip of a curve that expands to its editor. */
 export function CurveField({ label, id, value, ...gesture }: CurveFieldProps) {
   const [open, setOpen] = useState(false);
   const editor = useId();
@@ -25,7 +25,7 @@ export function CurveField({ label, id, value, ...gesture }: CurveFieldProps) {
         aria-label={`Edit the curve ${label}`}
         aria-expanded={open}
         aria-controls={editor}
-        data-tip={open ? 'Fold the curve' : 'Edit the curve'}
+        data-tip={open ? 'Collapse the curve' : 'Edit the curve'}
         onClick={() => setOpen(!open)}
       >
         <CurveDrawing path={curvePath(value)} />
@@ -41,7 +41,7 @@ function OpenCurve({ label, value, ...gesture }: Omit<CurveFieldProps, 'id'>) {
   const { onEdit, onEnd } = gesture;
   const [asked, choose] = useState(0);
   const points = pointsOf(value);
-  // An undo may take away the last one.
+  // An undo may remove the last point.
   const chosen = Math.min(asked, points.length - 1);
   const at = points[chosen] ?? { x: 0, y: 0 };
   const remove = (index: number) => {

@@ -20,7 +20,7 @@ describe('a point', () => {
     expect(withPointInGap(FULL)).toBeNull();
   });
 
-  test('goes as far as its neighbours and the square let it', () => {
+  test('goes as far as its neighbors and the square let it', () => {
     expect(withPointAt(BOW, 1, { x: 2, y: 3 })).toEqual([0, 0, 0.999, 1, 1, 1]);
     expect(withPointAt(BOW, 1, { x: -1, y: -1 })).toEqual([0, 0, 0.001, 0, 1, 1]);
     expect(withPointAt(BOW, 0, { x: -1, y: 0.12345 })).toEqual([0, 0.123, 0.25, 0.5, 1, 1]);

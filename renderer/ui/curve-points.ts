@@ -1,19 +1,19 @@
 import { type Curve, curveAt, findSlopes, MAX_CURVE_POINTS, MIN_CURVE_POINTS } from '../../nodes/kit/curve.ts';
 
-/** A place in the square of a curve: from (0, 0) at the bottom left to (1, 1). */
+/** A point in the unit square of a curve, from (0, 0) at the bottom left to (1, 1). */
 export interface CurvePoint {
   readonly x: number;
   readonly y: number;
 }
 
-/** Places are kept to a thousandth; two points are at least that far apart. */
+/** Precision of coordinates, and least distance of two points in x. */
 const STEP = 0.001;
 
 export function pointsOf(curve: Curve): readonly CurvePoint[] {
   return Array.from({ length: curve.length / 2 }, (_, i) => ({ x: curve[2 * i] ?? 0, y: curve[2 * i + 1] ?? 0 }));
 }
 
-/** The curve with a point on it more, and which one that is; null where it has as many as it can or one so near. */
+/** Adds a point on the curve at `x`. Returns the curve and the index of the point, or null if it is full or has a point there. */
 export function withPoint(curve: Curve, x: number): { readonly curve: Curve; readonly index: number } | null {
   const points = pointsOf(curve);
   const at = round(x);
@@ -22,7 +22,7 @@ export function withPoint(curve: Curve, x: number): { readonly curve: Curve; rea
   return { curve: [...curve.slice(0, 2 * index), at, round(curveAt(curve, at)), ...curve.slice(2 * index)], index };
 }
 
-/** The same in the middle of the widest gap between points, or of a wider one beside them. */
+/** Adds a point in the middle of the widest gap, including those to the edges. */
 export function withPointInGap(curve: Curve): { readonly curve: Curve; readonly index: number } | null {
   const borders = [0, ...pointsOf(curve).map(({ x }) => x), 1];
   const gaps = borders.slice(1).map((to, i) => ({ to, from: borders[i] ?? 0 }));
@@ -38,14 +38,14 @@ export function withoutPoint(curve: Curve, index: number): Curve {
   return canLosePoint(curve) ? curve.filter((_, i) => i >> 1 !== index) : curve;
 }
 
-/** As far as the points beside it and the square let it go. */
+/** Moves a point, clamped to its neighbors and the square. */
 export function withPointAt(curve: Curve, index: number, { x, y }: CurvePoint): Curve {
   const least = index === 0 ? 0 : (curve[2 * index - 2] ?? 0) + STEP;
   const most = 2 * index + 2 < curve.length ? (curve[2 * index + 2] ?? 1) - STEP : 1;
   return curve.map((number, i) => (i >> 1 !== index ? number : i % 2 === 0 ? round(clamp(x, least, most)) : round(clamp(y, 0, 1))));
 }
 
-/** For the `d` of a path in a square of 1 by 1, y down: each of its cubics as the Bézier curve that it is. */
+/** SVG path data in a unit square, y down. Each cubic of the curve becomes an equal Bézier curve. */
 export function curvePath(curve: Curve): string {
   const slopes = new Float64Array(MAX_CURVE_POINTS);
   findSlopes(curve, slopes);

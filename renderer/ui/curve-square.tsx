@@ -6,13 +6,13 @@ import type { CurvePoint } from './curve-points.ts';
 const GRID = 'M.25 0V1M.5 0V1M.75 0V1M0 .25H1M0 .5H1M0 .75H1';
 
 interface CurveDrawingProps {
-  /** In a square of 1 by 1, y down. */
+  /** SVG path data in a unit square, y down. */
   readonly path: string;
-  /** What else is drawn, under the curve. */
+  /** More SVG, drawn under the curve. */
   readonly children?: ReactNode;
 }
 
-/** A curve over a grid with the diagonal, as large as what it stands in. */
+/** A curve over a grid with the diagonal. Fills its parent. */
 export function CurveDrawing({ path, children }: CurveDrawingProps) {
   return (
     <svg className="curve-drawing" viewBox="0 0 1 1" preserveAspectRatio="none" aria-hidden="true" focusable="false">
@@ -24,13 +24,13 @@ export function CurveDrawing({ path, children }: CurveDrawingProps) {
   );
 }
 
-/** Where in the square the pointer is. */
+/** Position of the pointer in the unit square. */
 export function placeIn(square: HTMLElement, event: { readonly clientX: number; readonly clientY: number }): CurvePoint {
   const box = square.getBoundingClientRect();
   return { x: (event.clientX - box.left) / box.width, y: (box.bottom - event.clientY) / box.height };
 }
 
-/** How far the pointer is from a place of the square, in CSS pixels. */
+/** Distance from the pointer to a point of the square, in CSS pixels. */
 export function pixelsFrom(
   square: HTMLElement,
   { x, y }: CurvePoint,
@@ -40,24 +40,24 @@ export function pixelsFrom(
   return Math.hypot(event.clientX - box.left - x * box.width, event.clientY - box.bottom + y * box.height);
 }
 
-/** What counts as being on a thing: a finger is broader than a mouse. */
-export function reachPx({ pointerType }: PointerEvent): number {
+/** Hit radius in CSS pixels: larger for a finger than for a mouse. */
+export function hitRadiusPx({ pointerType }: PointerEvent): number {
   return pointerType === 'mouse' ? 10 : 22;
 }
 
 interface CurveHandleProps {
   readonly at: CurvePoint;
   readonly label: string;
-  /** How far below 0 and above 1 it may be. */
+  /** Allowed distance below 0 and above 1 in y. */
   readonly beyond?: number;
   readonly chosen?: boolean;
-  /** Has the keyboard first, where it is in a popover. */
+  /** Takes the focus first in a popover. */
   readonly first?: boolean;
   readonly onChoose?: () => void;
-  /** By arrow keys; to a place that may be outside. */
+  /** Called on arrow keys. The point may lie outside the square. */
   readonly onMove: (to: CurvePoint) => void;
   readonly onEnd: () => void;
-  /** By Delete. */
+  /** Called on Delete. */
   readonly onRemove?: () => void;
 }
 
@@ -68,7 +68,7 @@ const ARROWS: Readonly<Record<string, CurvePoint>> = {
   ArrowDown: { x: 0, y: -1 },
 };
 
-/** What is taken hold of in a square. The square looks after the pointer, this after the keys. */
+/** A point or control point in a square. Handles keys; the square handles the pointer. */
 export function CurveHandle({ at, label, beyond = 0, chosen = true, first = false, onChoose, onMove, onEnd, onRemove }: CurveHandleProps) {
   return (
     <div

@@ -5,14 +5,14 @@ interface DialogProps {
   readonly title: string;
   readonly children: ReactNode;
   readonly onClose: () => void;
-  /** Buttons, least to most likely. */
+  /** Buttons; the default action is last. */
   readonly actions?: ReactNode;
   readonly wide?: boolean;
-  /** Larger than most questions. */
+  /** Larger than other dialogs. */
   readonly size?: 'large';
 }
 
-/** A modal question. The browser's own dialog keeps the focus inside, gives it back and closes on Escape. */
+/** A modal `<dialog>`. The browser traps the focus, restores it and closes on Escape. */
 export function Dialog({ title, children, onClose, actions, wide = false, size }: DialogProps) {
   const element = useRef<HTMLDialogElement>(null);
   const titleId = useId();

@@ -1,7 +1,7 @@
 import type { ReactNode } from 'react';
 import './doc-text.css';
 
-/** The Markdown that docs of definitions use: paragraphs, lists with `-`, `code`, *emphasis*, **strong** and links as their text. */
+/** Renders the Markdown of definition docs: paragraphs, lists with `-`, `code`, *emphasis*, **strong**; links as their text. */
 export function DocText({ text }: { readonly text: string }) {
   const blocks = text.split(/\n{2,}/).filter((block) => block.trim() !== '');
   return (

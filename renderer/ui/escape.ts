@@ -1,6 +1,6 @@
 import { useEffect, useRef } from 'react';
 
-/** Until the returned function is called, Escape means this, and nothing else hears of it: a drag that is given up. */
+/** Captures Escape, such as to cancel a drag, until the returned function is called. */
 export function onEscape(run: () => void): () => void {
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.key !== 'Escape') return;
@@ -12,7 +12,7 @@ export function onEscape(run: () => void): () => void {
   return () => window.removeEventListener('keydown', onKeyDown, true);
 }
 
-/** `onEscape` for the drags of one control: one at a time, and none when the control is gone. */
+/** `onEscape` for the drags of one control: one listener at a time, removed on unmount. */
 export function useEscape(): { readonly listen: (run: () => void) => void; readonly stop: () => void } {
   const stop = useRef<(() => void) | null>(null);
   useEffect(() => () => stop.current?.(), []);

@@ -4,9 +4,9 @@ import { Dialog } from './dialog.tsx';
 
 interface FormDialogProps {
   readonly title: string;
-  /** What the button says that does it. */
+  /** Label of the default button. */
   readonly action: string;
-  /** Whether there is enough to do it; Enter asks, too. */
+  /** Enables the default button and Enter. */
   readonly ready: boolean;
   readonly onGo: () => void;
   readonly onClose: () => void;
@@ -15,7 +15,7 @@ interface FormDialogProps {
   readonly children: ReactNode;
 }
 
-/** A question that is answered by filling in fields. */
+/** A dialog with a form. */
 export function FormDialog({ title, action, ready, onGo, onClose, wide = false, children }: FormDialogProps) {
   const go = () => {
     if (ready) onGo();
@@ -44,7 +44,7 @@ export function FormDialog({ title, action, ready, onGo, onClose, wide = false, 
         }}
       >
         {children}
-        {/* Without one, Enter asks only in forms of a single field. */}
+        {/* Without a submit button, Enter submits only forms with a single field. */}
         <button type="submit" hidden aria-label={action} />
       </form>
     </Dialog>

@@ -8,7 +8,7 @@ export type MenuItem =
       readonly label: string;
       readonly keys?: string;
       readonly disabled?: boolean;
-      /** One of several, of which one holds. */
+      /** State of a radio item. */
       readonly checked?: boolean;
       readonly run: () => void;
     }
@@ -18,12 +18,12 @@ export type MenuItem =
 interface MenuButtonProps {
   readonly label: string;
   readonly items: readonly MenuItem[];
-  /** Menus of one bar: while one is open, moving to another opens that. */
+  /** Open menu of the bar. While one is open, hovering another opens that. */
   readonly openInBar?: string | null;
   readonly onOpenInBar?: (label: string | null) => void;
 }
 
-/** A button that drops a menu, with the keys of WAI-ARIA's menu button: arrows, Home, End, first letters, Escape. */
+/** A button with a drop-down menu, with the keys of the WAI-ARIA menu button pattern: arrows, Home, End, first letters, Escape. */
 export function MenuButton({ label, items, openInBar = null, onOpenInBar }: MenuButtonProps) {
   const [openAlone, setOpenAlone] = useState(false);
   const inBar = onOpenInBar !== undefined;
@@ -46,7 +46,7 @@ export function MenuButton({ label, items, openInBar = null, onOpenInBar }: Menu
         aria-expanded={open}
         aria-controls={open ? menuId : undefined}
         onClick={() => setOpen(!open)}
-        // Not entering: a menu that comes to lie under a resting pointer is not pointed at.
+        // `pointerenter` would also fire when the menu opens under a resting pointer.
         onPointerMove={() => {
           if (inBar && openInBar !== null && !open) setOpen(true);
         }}
@@ -68,7 +68,7 @@ interface MenuProps {
   readonly label: string;
   readonly items: readonly MenuItem[];
   readonly onClose: () => void;
-  /** The focus went elsewhere by itself. */
+  /** Called when the focus leaves the menu. */
   readonly onLeave: () => void;
 }
 

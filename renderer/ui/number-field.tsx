@@ -2,11 +2,11 @@ import { type KeyboardEvent, type PointerEvent, useRef, useState } from 'react';
 import { useEscape } from './escape.ts';
 import './fields.css';
 
-/** How edits are told apart: those of one gesture become one undo step, which `end` closes. */
+/** Callbacks of an edit. All edits until `onEnd` form one undo step. */
 export interface EditHandlers<T> {
   readonly onEdit: (value: T) => void;
   readonly onEnd: () => void;
-  /** The gesture is given up: all is to be as it was before it. */
+  /** Called when the gesture is canceled: restores the state before it. */
   readonly onCancel?: () => void;
 }
 
@@ -17,17 +17,20 @@ interface NumberFieldProps extends EditHandlers<number> {
   readonly step: number;
   readonly suffix: string;
   readonly format: (value: number) => string;
-  /** Null where the text is no number. */
+  /** Returns null if the text is not a number. */
   readonly parse: (text: string) => number | null;
   readonly clamp: (value: number) => number;
-  /** `=` and something that is no number was typed; false where it will not do, and the text stays to be mended. */
+  /** Called with the text after `=` if it is not a number. Returns false if it is invalid; the text then stays to be fixed. */
   readonly onExpression?: (text: string) => boolean;
 }
 
 const SCRUB_START_PX = 3;
 const PX_PER_STEP = 2;
 
-/** A number as text. Dragging it sideways, or the arrow keys, change it by steps; Shift makes ten of them, Alt a tenth; Escape gives a drag up. Sums are worked out; `=` begins an expression. */
+/**
+ * Number field. A sideways drag or arrow keys change the value by steps: ten with Shift, a tenth with Alt. Escape cancels a drag.
+ * Evaluates typed arithmetic; `=` begins an expression.
+ */
 export function NumberField(props: NumberFieldProps) {
   const { value, label, id, step, suffix, format, parse, clamp, onExpression, onEdit, onEnd, onCancel } = props;
   const [typed, setTyped] = useState<string | null>(null);
@@ -35,9 +38,9 @@ export function NumberField(props: NumberFieldProps) {
   const field = useRef<HTMLInputElement>(null);
   const scrub = useRef<{ x: number; value: number; moving: boolean } | null>(null);
   const edited = useRef(false);
-  const givingUp = useEscape();
+  const escapeKey = useEscape();
 
-  /** What cannot be read stays to be mended, until the field is left. */
+  /** Applies the typed text. Invalid text stays until the field loses focus. */
   const finish = (leaving: boolean) => {
     if (typed !== null) {
       const parsed = parse(typed);
@@ -75,13 +78,13 @@ export function NumberField(props: NumberFieldProps) {
   };
   const onPointerDown = (event: PointerEvent<HTMLInputElement>) => {
     if (document.activeElement === field.current || event.button !== 0) return;
-    // The focus, and with it the keyboard, comes only when this turns out to be a click.
+    // Focuses on a click only, not on a drag, so that no on-screen keyboard opens.
     event.preventDefault();
     event.currentTarget.setPointerCapture(event.pointerId);
     scrub.current = { x: event.clientX, value, moving: false };
-    if (onCancel) givingUp.listen(() => giveUp(onCancel));
+    if (onCancel) escapeKey.listen(() => cancelScrub(onCancel));
   };
-  const giveUp = (cancel: () => void) => {
+  const cancelScrub = (cancel: () => void) => {
     if (scrub.current?.moving) cancel();
     scrub.current = null;
   };
@@ -93,16 +96,16 @@ export function NumberField(props: NumberFieldProps) {
     from.moving = true;
     onEdit(clamp(round(from.value + Math.round(byPx / PX_PER_STEP) * stepOf(step, event))));
   };
-  /** The browser took the finger for something else. */
+  /** The browser took over the gesture, such as for scrolling. */
   const onPointerCancel = () => {
-    givingUp.stop();
+    escapeKey.stop();
     if (scrub.current?.moving) onEnd();
     scrub.current = null;
   };
   const onPointerUp = () => {
     const from = scrub.current;
     scrub.current = null;
-    givingUp.stop();
+    escapeKey.stop();
     if (from?.moving) onEnd();
     else if (from) field.current?.focus();
   };
@@ -119,7 +122,7 @@ export function NumberField(props: NumberFieldProps) {
         aria-label={label}
         aria-invalid={refused}
         data-clean={typed === null ? '' : undefined}
-        data-tip={refused ? 'That is no number.' : undefined}
+        data-tip={refused ? 'Not a number' : undefined}
         value={typed ?? format(value)}
         onChange={(event) => changeTyped(event.target.value)}
         onFocus={(event) => event.target.select()}
@@ -144,7 +147,7 @@ function stepOf(step: number, event: { readonly shiftKey: boolean; readonly altK
   return event.shiftKey ? step * 10 : event.altKey ? step / 10 : step;
 }
 
-/** Takes the noise of binary fractions off sums of decimal steps. */
+/** Removes binary rounding errors from sums of decimal steps. */
 function round(value: number): number {
   return Number(value.toPrecision(12));
 }

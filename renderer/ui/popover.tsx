@@ -4,7 +4,7 @@ import './popover.css';
 
 interface PopoverProps {
   readonly label: string;
-  /** What it was opened from: it lies below it where there is room, else above, and gives the focus back. */
+  /** Element that opened it. The popover lies below it if it fits, else above, and returns the focus to it. */
   readonly from: RefObject<HTMLElement | null>;
   readonly onClose: () => void;
   readonly children: ReactNode;
@@ -13,7 +13,7 @@ interface PopoverProps {
 const GAP_PX = 6;
 const EDGE_PX = 8;
 
-/** A small panel beside what opened it; Escape and a press elsewhere close it. */
+/** A small panel beside the element that opened it. Escape and a press elsewhere close it. */
 export function Popover({ label, from, onClose, children }: PopoverProps) {
   const element = useRef<HTMLDivElement>(null);
   const [place, setPlace] = useState<{ left: number; top: number } | null>(null);
@@ -30,7 +30,7 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
   }, [from]);
   const placed = place !== null;
   useLayoutEffect(() => {
-    // What is hidden takes no focus.
+    // A hidden element cannot take the focus.
     if (placed) element.current?.querySelector<HTMLElement>('[data-autofocus], input')?.focus();
   }, [placed]);
   useEffect(() => {
@@ -38,7 +38,7 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
       const target = event.target as Node;
       if (!element.current?.contains(target) && !from.current?.contains(target)) onClose();
     };
-    // Wherever the focus is: a button that was pressed may be disabled by it, and lose it.
+    // Listens on the window, because a pressed button may become disabled and lose the focus.
     const onKey = (event: KeyboardEvent) => {
       if (event.key !== 'Escape') return;
       event.stopPropagation();
@@ -47,7 +47,7 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
     };
     window.addEventListener('keydown', onKey, true);
     window.addEventListener('pointerdown', onDown, true);
-    // A press in the preview goes to a page of its own.
+    // The preview is an iframe: a press in it only blurs the window.
     window.addEventListener('blur', onClose);
     return () => {
       window.removeEventListener('keydown', onKey, true);
@@ -62,7 +62,7 @@ export function Popover({ label, from, onClose, children }: PopoverProps) {
       role="dialog"
       aria-label={label}
       style={place ?? { visibility: 'hidden' }}
-      // Chords are the window's all the same: what is done in here can be undone from here.
+      // Keys with modifiers go on to the window, so that undo works in here.
       onKeyDown={(event) => {
         if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
       }}

@@ -8,7 +8,7 @@ export interface SearchDialogProps<Item> {
   readonly label: string;
   readonly listLabel: string;
   readonly placeholder: string;
-  /** Says that nothing was found. */
+  /** Text for an empty result. */
   readonly none: string;
   readonly query: string;
   readonly onQuery: (query: string) => void;
@@ -16,12 +16,12 @@ export interface SearchDialogProps<Item> {
   readonly keyOf: (item: Item) => string;
   readonly isEnabled?: (item: Item) => boolean;
   readonly children: (item: Item) => ReactNode;
-  /** The dialogue is closed by then. */
+  /** Called after the dialog has closed. */
   readonly onPick: (item: Item) => void;
   readonly onClose: () => void;
 }
 
-/** A list that is narrowed down by what is typed: type, arrows, Enter. */
+/** A dialog with a list that a search field filters. Arrow keys select, Enter chooses. */
 export function SearchDialog<Item>(props: SearchDialogProps<Item>) {
   const { found, onClose, onQuery, isEnabled = () => true } = props;
   const [chosen, setChosen] = useState(0);
@@ -68,7 +68,7 @@ export function SearchDialog<Item>(props: SearchDialogProps<Item>) {
       />
       <div ref={list} id={listId} className="search-list scroll" role="listbox" aria-label={props.listLabel}>
         {found.map((item, index) => (
-          // Keys are the field's: the list is only ever pointed at.
+          // The search field handles all keys; rows handle only the pointer.
           <div
             key={props.keyOf(item)}
             id={`${listId}-${index}`}

@@ -12,23 +12,23 @@ interface SliderProps extends EditHandlers<number> {
   readonly valueText: string;
 }
 
-/** The browser's own, whose drag Escape gives up. */
+/** A range input whose drag Escape cancels. */
 export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd, onCancel }: SliderProps) {
   const filled = max > min ? Math.min(Math.max((value - min) / (max - min), 0), 1) : 0;
-  /** The browser goes on dragging until the pointer is let go. */
-  const givenUp = useRef(false);
-  const givingUp = useEscape();
+  /** The browser continues the drag after Escape; its edits are ignored until the pointer is released. */
+  const canceled = useRef(false);
+  const escapeKey = useEscape();
   const begin = () => {
-    givenUp.current = false;
+    canceled.current = false;
     if (!onCancel) return;
-    givingUp.listen(() => {
-      givenUp.current = true;
+    escapeKey.listen(() => {
+      canceled.current = true;
       onCancel();
     });
   };
   const end = () => {
-    givingUp.stop();
-    givenUp.current = false;
+    escapeKey.stop();
+    canceled.current = false;
     onEnd();
   };
   return (
@@ -43,12 +43,12 @@ export function Slider({ value, min, max, step, label, valueText, onEdit, onEnd,
       value={value}
       style={{ ['--filled' as string]: `${filled * 100}%` }}
       onChange={(event) => {
-        if (!givenUp.current) onEdit(event.target.valueAsNumber);
+        if (!canceled.current) onEdit(event.target.valueAsNumber);
       }}
       onPointerDown={begin}
       onPointerUp={end}
-      // The browser moves it for a finger, of which no more is heard.
-      onPointerCancel={givingUp.stop}
+      // The browser takes over a touch without a `pointerup`.
+      onPointerCancel={escapeKey.stop}
       onKeyUp={onEnd}
       onBlur={end}
     />

@@ -5,29 +5,29 @@ export interface SplitProps {
   /** `columns`: side by side. `rows`: one above the other. */
   readonly direction: 'columns' | 'rows';
   readonly first: ReactNode;
-  /** Null leaves all the room to the first. */
+  /** Null gives all space to the first. */
   readonly second: ReactNode;
   /** Which of the two keeps its size when the window changes. */
   readonly fixed: 'first' | 'second';
-  /** Of the fixed side, CSS pixels. */
+  /** Size of the fixed side in CSS pixels. */
   readonly sizePx: number;
   readonly minPx: number;
-  /** Left to the other side at least, CSS pixels. */
+  /** Minimum size of the other side in CSS pixels. */
   readonly otherMinPx: number;
   readonly onResize: (sizePx: number) => void;
-  /** What the handle moves, for screen readers. */
+  /** Accessible name of the handle. */
   readonly label: string;
 }
 
 const KEY_STEP_PX = 24;
 
-/** Two panes with a handle between them that pointer and arrow keys move. */
+/** Two panes with a handle between them, moved by pointer or arrow keys. */
 export function Split(props: SplitProps) {
   const { direction, first, second, fixed, sizePx, minPx, otherMinPx, onResize, label } = props;
   const frame = useRef<HTMLDivElement>(null);
   const drag = useRef<{ from: number; sizePx: number } | null>(null);
   const columns = direction === 'columns';
-  /** Pointer towards the end makes the first pane larger, and the second smaller. */
+  /** A drag toward the end grows the first pane and shrinks the second. */
   const sign = fixed === 'first' ? 1 : -1;
 
   const resize = (wanted: number) => {

@@ -3,7 +3,7 @@ import type { EditorClock } from '../clock.ts';
 import { zoomOf } from './appearance.ts';
 import './tooltip.css';
 
-/** Long enough that crossing a toolbar stays quiet. */
+/** Long enough that no tooltip opens when the pointer crosses a toolbar. */
 const DELAY_MS = 450;
 const GAP_PX = 8;
 const EDGE_PX = 6;
@@ -15,8 +15,8 @@ interface Tip {
 }
 
 /**
- * One tooltip for the whole page, shown for whatever element carries `data-tip`: ports and buttons need no element of their own
- * for it. It only repeats names and docs that assistive technology gets otherwise, so it is hidden from it.
+ * The tooltip of the page, shown for elements with `data-tip`, so that ports and buttons need no element of their own. It is hidden from
+ * assistive technology, which gets the same names and docs elsewhere.
  */
 export function TooltipLayer({ clock }: { readonly clock: EditorClock }) {
   const [tip, setTip] = useState<Tip | null>(null);
@@ -30,7 +30,7 @@ export function TooltipLayer({ clock }: { readonly clock: EditorClock }) {
       setTip(null);
     };
     const consider = (event: Event) => {
-      // While something is dragged, what the gesture itself says must stay in sight.
+      // No tooltip covers the feedback of a drag.
       const isDrag = event instanceof PointerEvent && event.buttons !== 0;
       const next = event.target instanceof Element && !isDrag ? event.target.closest('[data-tip]') : null;
       if (next === target) return;
@@ -67,9 +67,9 @@ function Bubble({ tip }: { readonly tip: Tip }) {
     const zoom = zoomOf(element.current);
     const { anchor } = tip;
     const below = anchor.bottom + GAP_PX + box.height < window.innerHeight;
-    const centred = anchor.left + anchor.width / 2 - box.width / 2;
+    const centered = anchor.left + anchor.width / 2 - box.width / 2;
     setPlace({
-      left: Math.min(Math.max(centred, EDGE_PX), window.innerWidth - box.width - EDGE_PX) / zoom,
+      left: Math.min(Math.max(centered, EDGE_PX), window.innerWidth - box.width - EDGE_PX) / zoom,
       top: (below ? anchor.bottom + GAP_PX : anchor.top - GAP_PX - box.height) / zoom,
     });
   }, [tip]);

@@ -2,7 +2,7 @@
   "ISFVSN": "2",
   "DESCRIPTION": "Paints the picture with strokes that follow its shapes: along hair and edges they are long and thin, elsewhere round.",
   "CREDIT": "Scrim. J. E. Kyprianidis, H. Kang and J. Döllner 2009, Computer Graphics Forum 28, 1955; weights: J. E. Kyprianidis et al. 2010, GPU Pro, 247",
-  "CATEGORIES": ["Style", "Painterly", "Oil", "Brush", "Kuwahara", "Watercolour"],
+  "CATEGORIES": ["Style", "Painterly", "Oil", "Brush", "Kuwahara", "Watercolor"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
@@ -29,12 +29,12 @@ const int SMOOTH_REACH = 6;
 // Keeps squares of small differences out of the least steps of 16-bit floats.
 const float SCALE = 1000.0;
 
-// Half the angle that neighbouring sectors share: 3 pi / 16.
+// Half the angle that neighboring sectors share: 3 pi / 16.
 const float SHARED = 0.58904862;
 const float STEPS = 255.0;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
-vec4 readLayer(vec2 offsetPx) {
+// Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+vec4 readOffset(vec2 offsetPx) {
   vec4 color = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord + offsetPx / RENDERSIZE);
 #ifndef SCRIM
   color.rgb *= color.a;
@@ -44,12 +44,12 @@ vec4 readLayer(vec2 offsetPx) {
 
 // How much the picture changes in x, in y and in both (structure tensor), by Sobel's differences.
 vec4 structure() {
-  vec4 leftUp = readLayer(vec2(-1.0, 1.0));
-  vec4 rightUp = readLayer(vec2(1.0, 1.0));
-  vec4 leftDown = readLayer(vec2(-1.0, -1.0));
-  vec4 rightDown = readLayer(vec2(1.0, -1.0));
-  vec4 x = (rightUp + 2.0 * readLayer(vec2(1.0, 0.0)) + rightDown - leftUp - 2.0 * readLayer(vec2(-1.0, 0.0)) - leftDown) / 4.0;
-  vec4 y = (leftUp + 2.0 * readLayer(vec2(0.0, 1.0)) + rightUp - leftDown - 2.0 * readLayer(vec2(0.0, -1.0)) - rightDown) / 4.0;
+  vec4 leftUp = readOffset(vec2(-1.0, 1.0));
+  vec4 rightUp = readOffset(vec2(1.0, 1.0));
+  vec4 leftDown = readOffset(vec2(-1.0, -1.0));
+  vec4 rightDown = readOffset(vec2(1.0, -1.0));
+  vec4 x = (rightUp + 2.0 * readOffset(vec2(1.0, 0.0)) + rightDown - leftUp - 2.0 * readOffset(vec2(-1.0, 0.0)) - leftDown) / 4.0;
+  vec4 y = (leftUp + 2.0 * readOffset(vec2(0.0, 1.0)) + rightUp - leftDown - 2.0 * readOffset(vec2(0.0, -1.0)) - rightDown) / 4.0;
   return vec4(SCALE * vec3(dot(x, x), dot(y, y), dot(x, y)), 1.0);
 }
 
@@ -90,7 +90,7 @@ vec4 paint(vec3 tensor) {
       vec2 v = vec2(dot(offset, way) / longer, dot(offset, vec2(-way.y, way.x)) / shorter);
       float far = dot(v, v);
       if (far >= 1.0) continue;
-      vec4 color = readLayer(offset);
+      vec4 color = readOffset(offset);
       float share[SECTORS];
       float whole = 0.0;
       vec2 turned = v;

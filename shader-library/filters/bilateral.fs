@@ -1,19 +1,19 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Smooths areas and keeps edges: neighbours count less the further away they are and the more their colour differs.",
-  "CREDIT": "Scrim. C. Tomasi and R. Manduchi 1998, Bilateral Filtering for Gray and Color Images, with the colour distance of OpenCV",
+  "DESCRIPTION": "Smooths areas and keeps edges: neighbors count less the further away they are and the more their color differs.",
+  "CREDIT": "Scrim. C. Tomasi and R. Manduchi 1998, Bilateral Filtering for Gray and Color Images, with the color distance of OpenCV",
   "CATEGORIES": ["Blur", "Smooth", "Denoise", "Edge-preserving", "Skin"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to smooth." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "How far it reaches, in whole pixels of the layer: twice the standard deviation. The cost grows with its square.", "MIN": 0.0, "MAX": 10.0, "DEFAULT": 6.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },
-    { "NAME": "colorRange", "TYPE": "float", "LABEL": "Colour range", "DOC": "Differences of red, green and blue together, up to which colours are taken for one area; 0.1 smooths noise, 1 begins to blur edges.", "MIN": 0.01, "MAX": 2.0, "DEFAULT": 0.2, "UNIT": "ratio" }
+    { "NAME": "colorRange", "TYPE": "float", "LABEL": "Color range", "DOC": "Differences of red, green and blue together, up to which colors are taken for one area; 0.1 smooths noise, 1 begins to blur edges.", "MIN": 0.01, "MAX": 2.0, "DEFAULT": 0.2, "UNIT": "ratio" }
   ]
 }*/
 
 const int MAX_RADIUS = 10;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM

@@ -24,15 +24,17 @@ const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 const float REACH = 3.0;
 const int MAX_REACH = 90;
 
+// Linear light from display-referred sRGB (IEC 61966-2-1), per channel.
 vec3 linearFromDisplay(vec3 color) {
   return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, vec3(lessThanEqual(color, vec3(0.04045))));
 }
 
+// Display-referred sRGB from linear light (IEC 61966-2-1), per channel.
 vec3 displayFromLinear(vec3 color) {
   return mix(1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, color * 12.92, vec3(lessThanEqual(color, vec3(0.0031308))));
 }
 
-// Linear light, multiplied with alpha. Scrim hands colours over multiplied (SCRIM_ALPHA), other hosts do not.
+// Linear light, multiplied with alpha. Scrim hands colors over multiplied (SCRIM_ALPHA), other hosts do not.
 vec4 lightAt(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifdef SCRIM
@@ -41,7 +43,7 @@ vec4 lightAt(vec2 uv) {
   return vec4(linearFromDisplay(min(color.rgb, 1.0)) * color.a, color.a);
 }
 
-// The part above the level, in the colour that the light has.
+// The part above the level, in the color that the light has.
 vec3 brightAt(vec2 uv) {
   vec3 light = lightAt(uv).rgb;
   float luminance = dot(light, LUMA_709);
@@ -52,6 +54,7 @@ vec3 lightOf(vec2 uv) {
   return PASSINDEX == 1 ? IMG_NORM_PIXEL(bright, uv).rgb : IMG_NORM_PIXEL(across, uv).rgb;
 }
 
+// The weight of a pixel in a Gaussian blur, relative to the pixel in the middle. `sigma` is the standard deviation, in pixels.
 float weight(int distancePx, float sigma) {
   float x = float(distancePx) / sigma;
   return exp(-0.5 * x * x);
@@ -89,7 +92,7 @@ void main() {
   } else {
     vec4 light = lightAt(isf_FragNormCoord);
     vec3 added = strength * IMG_NORM_PIXEL(glow, isf_FragNormCoord).rgb;
-    // Where the layer is transparent, glow is as opaque as its brightest colour.
+    // Where the layer is transparent, glow is as opaque as its brightest color.
     vec3 shown = displayFromLinear(min(added, 1.0));
     float alpha = light.a + (1.0 - light.a) * max(shown.r, max(shown.g, shown.b));
     vec3 straight = displayFromLinear(min((light.rgb + added) / max(alpha, 0.0001), 1.0));

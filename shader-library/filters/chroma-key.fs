@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Makes one colour transparent, such as a green screen, whatever its brightness, and takes its reflection out of the rest.",
-  "CREDIT": "Scrim. Colour differences: Rec. ITU-R BT.709",
+  "DESCRIPTION": "Makes one color transparent, such as a green screen, whatever its brightness, and takes its reflection out of the rest.",
+  "CREDIT": "Scrim. Color differences: Rec. ITU-R BT.709",
   "CATEGORIES": ["Key", "Green screen", "Greenscreen", "Blue screen", "Matte", "Cut out"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to cut out of its background." },
-    { "NAME": "keyColor", "TYPE": "color", "LABEL": "Key colour", "DOC": "Colour of the background.", "DEFAULT": [0.0, 0.7, 0.2, 1.0] },
-    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a colour may differ from the key and still be fully transparent. 0.5 is as far as full blue is from grey.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.15, "UNIT": "ratio" },
+    { "NAME": "keyColor", "TYPE": "color", "LABEL": "Key color", "DOC": "Color of the background.", "DEFAULT": [0.0, 0.7, 0.2, 1.0] },
+    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a color may differ from the key and still be fully transparent. 0.5 is as far as full blue is from gray.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.15, "UNIT": "ratio" },
     { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How much further it is to fully opaque: smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.1, "UNIT": "ratio" },
-    { "NAME": "spill", "TYPE": "float", "LABEL": "Spill removal", "DOC": "How much of the key colour is taken out of what stays.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" }
+    { "NAME": "spill", "TYPE": "float", "LABEL": "Spill removal", "DOC": "How much of the key color is taken out of what stays.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" }
   ]
 }*/
 
@@ -17,7 +17,7 @@ const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 // Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), so that both reach from -0.5 to 0.5.
 const vec2 RANGE = vec2(1.8556, 1.5748);
 
-// A quarter of a step of 8 bits: a hard edge. A key with less colour than this is grey and has no spill.
+// A quarter of a step of 8 bits: a hard edge. A key with less color than this is gray and has no spill.
 const float LEAST = 0.001;
 
 vec2 chromaOf(vec3 color) {

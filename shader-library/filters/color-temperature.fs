@@ -1,12 +1,12 @@
 /*{
   "ISFVSN": "2",
-  "SCRIM_TITLE": "Colour temperature",
-  "DESCRIPTION": "Shows the picture as if its light had another colour: warm like a candle or cool like the sky in the shade. The picture's own light is taken to be 6500 K, so 6500 K changes nothing; lower is warmer. White keeps its brightness.",
+  "SCRIM_TITLE": "Color temperature",
+  "DESCRIPTION": "Shows the picture as if its light had another color: warm like a candle or cool like the sky in the shade. The picture's own light is taken to be 6500 K, so 6500 K changes nothing; lower is warmer. White keeps its brightness.",
   "CREDIT": "Scrim. Planckian locus: Kang et al. 2002, J. Korean Physical Society 41, 865. Adaptation: Bradford, as in ICC.1:2022 annex E",
-  "CATEGORIES": ["Colour", "White balance", "Warm", "Cool", "Colour correction"],
+  "CATEGORIES": ["Color", "White balance", "Warm", "Cool", "Color correction"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolour." },
-    { "NAME": "temperature", "TYPE": "float", "LABEL": "Temperature", "DOC": "Colour temperature of the light: candle 1900 K, bulb 2700 K, noon 5500 K, shade 8000 K.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 6500.0, "IDENTITY": 6500.0, "STEP": 50.0, "UNIT": "K" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolor." },
+    { "NAME": "temperature", "TYPE": "float", "LABEL": "Temperature", "DOC": "Color temperature of the light: candle 1900 K, bulb 2700 K, noon 5500 K, shade 8000 K.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 6500.0, "IDENTITY": 6500.0, "STEP": 50.0, "UNIT": "K" }
   ]
 }*/
 
@@ -17,10 +17,12 @@ const mat3 CONES_FROM_LINEAR = mat3(0.42266086, 0.05561593, 0.02135054, 0.491378
 const mat3 LINEAR_FROM_CONES = mat3(2.53818388, -0.14578260, -0.04222865, -1.29334181, 1.11646529, -0.07162372, -0.04030699, -0.02232524, 1.02254160);
 const mat3 CONES_FROM_XYZ = mat3(0.8951, -0.7502, 0.0389, 0.2664, 1.7135, -0.0685, -0.1614, 0.0367, 1.0296);
 
+// Linear light from display-referred sRGB (IEC 61966-2-1), per channel.
 vec3 linearFromDisplay(vec3 color) {
   return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, vec3(lessThanEqual(color, vec3(0.04045))));
 }
 
+// Display-referred sRGB from linear light (IEC 61966-2-1), per channel.
 vec3 displayFromLinear(vec3 color) {
   return mix(1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, color * 12.92, vec3(lessThanEqual(color, vec3(0.0031308))));
 }
@@ -39,7 +41,7 @@ vec2 planckianLocus(float kelvin) {
   return vec2(x, y);
 }
 
-// White of luminance 1, as seen by the three cones.
+// Cone responses (LMS) to white light of luminance 1 with this color temperature, in kelvin.
 vec3 conesOfWhite(float kelvin) {
   vec2 xy = planckianLocus(kelvin);
   return CONES_FROM_XYZ * vec3(xy.x / xy.y, 1.0, (1.0 - xy.x - xy.y) / xy.y);

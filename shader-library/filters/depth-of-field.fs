@@ -7,7 +7,7 @@
   "SCRIM_DEPTH": "same",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to focus, with depth." },
-    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth such as the camera's picture.", "OPTIONAL": true },
+    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth, such as the camera video.", "OPTIONAL": true },
     { "NAME": "focus", "TYPE": "float", "LABEL": "Focus", "DOC": "Distance of what is sharp.", "MIN": 0.1, "MAX": 50.0, "DEFAULT": 1.5, "UNIT": "m" },
     { "NAME": "fStop", "TYPE": "float", "LABEL": "F-stop", "DOC": "Focal length over the width of the opening: low numbers blur more.", "MIN": 0.7, "MAX": 32.0, "DEFAULT": 1.8 },
     { "NAME": "focalLength", "TYPE": "float", "LABEL": "Focal length", "DOC": "Of the lens: 0.05 m is a 50 mm lens.", "MIN": 0.001, "MAX": 0.3, "DEFAULT": 0.05, "STEP": 0.001, "UNIT": "m" },
@@ -23,7 +23,7 @@ const float GOLDEN_ANGLE = 2.39996323;
 // Where nothing was drawn is as good as infinity.
 const float SKY_M = 10000.0;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM
@@ -32,7 +32,7 @@ vec4 readLayer(vec2 uv) {
   return color;
 }
 
-float metresAt(vec2 uv) {
+float metersAt(vec2 uv) {
 #ifdef SCRIM
   float layer = LAYER_DEPTH(inputImage, uv);
   float m = layer > 0.0 ? layer : ROOM_DEPTH(room, uv);
@@ -42,7 +42,7 @@ float metresAt(vec2 uv) {
 #endif
 }
 
-// Radius of the circle that a point at m metres becomes, in pixels. On the sensor its width is A f |m - s| / (m (s - f)), with the
+// Radius of the circle that a point at m meters becomes, in pixels. On the sensor its width is A f |m - s| / (m (s - f)), with the
 // opening A = f / N and the focus s.
 float circlePx(float m) {
   float opening = focalLength / fStop;
@@ -56,17 +56,17 @@ float sharePerPixel(float circle) {
 }
 
 void main() {
-  float here = metresAt(isf_FragNormCoord);
+  float here = metersAt(isf_FragNormCoord);
   float own = circlePx(here);
   float weights = sharePerPixel(own);
   vec4 sum = readLayer(isf_FragNormCoord) * weights;
   float ring = most / float(SAMPLES);
   for (int i = 0; i < SAMPLES; i++) {
-    // Close together in the middle, where small circles end; each stands for the area between it and its neighbours.
+    // Close together in the middle, where small circles end; each stands for the area between it and its neighbors.
     float away = (float(i) + 0.5) * ring;
     float turned = float(i) * GOLDEN_ANGLE;
     vec2 uv = isf_FragNormCoord + vec2(cos(turned), sin(turned)) * away / RENDERSIZE;
-    float m = metresAt(uv);
+    float m = metersAt(uv);
     float circle = circlePx(m);
     // What lies behind does not spread over what is sharper before it.
     if (m > here) circle = min(circle, own);

@@ -11,8 +11,8 @@
     { "NAME": "strength", "TYPE": "float", "LABEL": "Line strength", "DOC": "How much edges are exaggerated before the threshold: 0 is a threshold alone, 20 draws fine lines.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 20.0 },
     { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "What is lighter than this, from 0 to 1, stays paper.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.6, "UNIT": "ratio" },
     { "NAME": "hardness", "TYPE": "float", "LABEL": "Hardness", "DOC": "How quickly paper turns to ink below the level: 1 gives shades as a pencil, 20 the black and white of ink.", "MIN": 0.2, "MAX": 40.0, "DEFAULT": 4.0 },
-    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Colour of the lines.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
-    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the lines.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
+    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the lines.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the lines.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
     { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the picture", "DOC": "Draw the lines over the picture instead of over the paper.", "DEFAULT": false }
   ],
   "PASSES": [{ "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "DESCRIPTION": "Blurs along x, twice." }, { "DESCRIPTION": "Blurs along y, twice, and draws." }]
@@ -30,7 +30,7 @@ const int MAX_REACH = 39;
 // 16-bit floats keep 11 bits, and `strength` makes their rounding visible. Steps of 1/256 and the rest apart keep 19.
 const float STEPS = 256.0;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM
@@ -64,6 +64,7 @@ vec2 blurred(vec2 stepUv) {
   return sum / total;
 }
 
+// Premultiplied from straight alpha.
 vec4 premultiplied(vec4 color) {
   return vec4(color.rgb * color.a, color.a);
 }

@@ -7,7 +7,7 @@
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to add grain to." },
     { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Standard deviation of the grain, where full brightness is 1. Phone cameras in a room have about 0.02.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "size", "TYPE": "float", "LABEL": "Grain size", "DOC": "Side of a grain, in pixels of the layer.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 1.0, "STEP": 1.0, "UNIT": "px" },
-    { "NAME": "color", "TYPE": "float", "LABEL": "Colour", "DOC": "0 is grey grain, as film has; 1 is grain of all colours, as sensors have.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "color", "TYPE": "float", "LABEL": "Color", "DOC": "0 is gray grain, as film has; 1 is grain of all colors, as sensors have.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
     { "NAME": "midtones", "TYPE": "float", "LABEL": "Only midtones", "DOC": "0 gives the same grain everywhere, 1 none in black and white.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
     { "NAME": "rate", "TYPE": "float", "LABEL": "Rate", "DOC": "How often the grain changes. 0 keeps it still.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 24.0, "UNIT": "Hz" }
   ]
@@ -21,15 +21,17 @@ const float PERIOD = 289.0;
 // The sum of four random numbers from 0 to 1 has a variance of 4 / 12.
 const float SPREAD = 1.7320508;
 
-// Half a unit more keeps a quotient of whole numbers from falling just below the one that it is.
+// A whole number modulo PERIOD. The added half keeps a rounded quotient from falling just below the exact one.
 float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
+// A permutation of the whole numbers below PERIOD, the base of the noise (McEwan et al., “Efficient computational noise in GLSL”).
 float permute(float x) {
   return wrap((34.0 * x + 1.0) * x);
 }
 
+// A whole number below PERIOD that looks random, for a cell of a grid in a frame.
 float seedOf(vec2 cell, float frame) {
   return permute(wrap(permute(wrap(permute(wrap(cell.x)) + cell.y)) + wrap(frame)));
 }

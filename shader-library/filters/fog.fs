@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Lets things fade into fog with their distance in metres, by the depth of the layer, or of the room where the layer has none.",
+  "DESCRIPTION": "Lets things fade into fog with their distance in meters, by the depth of the layer, or of the room where the layer has none.",
   "CREDIT": "Scrim. Formulas: those of OpenGL 1.0 §3.10, set by the distance at which 95 % is hidden",
   "CATEGORIES": ["Depth", "Fog", "Mist", "Haze", "Atmosphere"],
   "SCRIM_DEPTH": "same",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to lay fog over, with depth." },
-    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth such as the camera's picture.", "OPTIONAL": true },
-    { "NAME": "color", "TYPE": "color", "LABEL": "Colour", "DOC": "Colour of the fog; its opacity is that of the thickest fog.", "DEFAULT": [0.75, 0.79, 0.84, 1.0] },
+    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth, such as the camera video.", "OPTIONAL": true },
+    { "NAME": "color", "TYPE": "color", "LABEL": "Color", "DOC": "Color of the fog; its opacity is that of the thickest fog.", "DEFAULT": [0.75, 0.79, 0.84, 1.0] },
     { "NAME": "near", "TYPE": "float", "LABEL": "From", "DOC": "Distance at which the fog begins.", "MIN": 0.0, "MAX": 50.0, "DEFAULT": 0.5, "UNIT": "m" },
     { "NAME": "far", "TYPE": "float", "LABEL": "Hidden at", "DOC": "Distance at which the fog hides 95 % of what is there; all of it, where it grows evenly.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 6.0, "UNIT": "m" },
     { "NAME": "falloff", "TYPE": "long", "LABEL": "Growth", "DOC": "Exponential is as real fog; squared is clear up close and dense behind; even is a plain ramp.", "VALUES": [0, 1, 2], "LABELS": ["Exponential", "Exponential squared", "Even"], "DEFAULT": 0 },

@@ -18,7 +18,7 @@ const int MAX_REACH = 180;
 // Below this no pixel but the middle one counts, and dividing by it is still safe.
 const float MIN_SIGMA = 0.1;
 
-// Colours multiplied with their alpha keep what is invisible from darkening edges. Scrim hands them over like that
+// Colors multiplied with their alpha keep what is invisible from darkening edges. Scrim hands them over like that
 // (SCRIM_ALPHA), other hosts do not.
 vec4 tap(vec2 uv) {
   if (PASSINDEX == 1) return IMG_NORM_PIXEL(across, uv);
@@ -29,6 +29,7 @@ vec4 tap(vec2 uv) {
   return color;
 }
 
+// The weight of a pixel in a Gaussian blur, relative to the pixel in the middle. `sigma` is the standard deviation, in pixels.
 float weight(int distancePx, float sigma) {
   float x = float(distancePx) / sigma;
   return exp(-0.5 * x * x);

@@ -6,10 +6,10 @@
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to print." },
     { "NAME": "size", "TYPE": "float", "LABEL": "Dot distance", "DOC": "From one dot to the next, in pixels of the layer.", "MIN": 3.0, "MAX": 64.0, "DEFAULT": 8.0, "UNIT": "px" },
-    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "How far the rows of dots are turned, counter-clockwise.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.78539816, "UNIT": "rad" },
-    { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Colour of the dots.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
-    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the dots.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
-    { "NAME": "pictureColors", "TYPE": "bool", "LABEL": "Colours of the picture", "DOC": "Print the dots in the picture's own colours instead of the ink.", "DEFAULT": false }
+    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Rotation of the rows of dots, counter-clockwise.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.78539816, "UNIT": "rad" },
+    { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the dots.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the dots.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
+    { "NAME": "pictureColors", "TYPE": "bool", "LABEL": "Colors of the picture", "DOC": "Print the dots in the picture's own colors instead of the ink.", "DEFAULT": false }
   ]
 }*/
 

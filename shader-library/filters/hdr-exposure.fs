@@ -1,9 +1,9 @@
 /*{
   "ISFVSN": "2",
-  "SCRIM_TITLE": "HDR exposure",
+  "SCRIM_TITLE": "Exposure",
   "DESCRIPTION": "Shows the picture as if it had been exposed for longer or shorter: light doubles with every stop. Short exposures darken, long ones burn out, or keep their highlights as HDR pictures do.",
   "CREDIT": "Scrim. Highlights: E. Reinhard et al. 2002, Photographic Tone Reproduction for Digital Images, equation 4. Transfer function: IEC 61966-2-1",
-  "CATEGORIES": ["Light", "Exposure", "HDR", "Brightness", "Photograph"],
+  "CATEGORIES": ["Light", "HDR exposure", "HDR", "Brightness", "Photograph"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to expose again." },
     { "NAME": "stops", "TYPE": "float", "LABEL": "Exposure", "DOC": "In stops: 1 doubles the light, -1 halves it. Below 0 is a short exposure, above a long one.", "MIN": -5.0, "MAX": 5.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.1 },
@@ -11,10 +11,12 @@
   ]
 }*/
 
+// Linear light from display-referred sRGB (IEC 61966-2-1), per channel.
 vec3 linearFromDisplay(vec3 color) {
   return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, vec3(lessThanEqual(color, vec3(0.04045))));
 }
 
+// Display-referred sRGB from linear light (IEC 61966-2-1), per channel.
 vec3 displayFromLinear(vec3 color) {
   return mix(1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, color * 12.92, vec3(lessThanEqual(color, vec3(0.0031308))));
 }

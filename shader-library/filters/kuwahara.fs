@@ -1,8 +1,8 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Paints the picture: areas become flat strokes and edges stay sharp. Every pixel takes the mean colour of that side of it which varies least.",
+  "DESCRIPTION": "Paints the picture: areas become flat strokes and edges stay sharp. Every pixel takes the mean color of that side of it which varies least.",
   "CREDIT": "Scrim. M. Kuwahara et al. 1976. Weights: G. Papari et al. 2007, IEEE Trans. Image Processing 16, 2449, in the form of J. E. Kyprianidis et al. 2009",
-  "CATEGORIES": ["Style", "Painterly", "Oil", "Smooth", "Watercolour"],
+  "CATEGORIES": ["Style", "Painterly", "Oil", "Smooth", "Watercolor"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
@@ -16,7 +16,7 @@ const int MAX_RADIUS = 8;
 // Deviations count in steps of 8 bits, as in the paper: below one step all sides are equally calm.
 const float STEPS = 255.0;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM

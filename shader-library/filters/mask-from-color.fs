@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Makes a mask of what has one colour: white there, black elsewhere. Shadow and light on a thing change its brightness more than its colour, so brightness may count less.",
-  "CREDIT": "Scrim. Colour differences: Rec. ITU-R BT.709",
-  "CATEGORIES": ["Mask", "Key", "Colour range", "Matte", "Select"],
+  "DESCRIPTION": "Makes a mask of what has one color: white there, black elsewhere. Shadow and light on a thing change its brightness more than its color, so brightness may count less.",
+  "CREDIT": "Scrim. Color differences: Rec. ITU-R BT.709",
+  "CATEGORIES": ["Mask", "Key", "Color range", "Matte", "Select"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to look at, such as the camera's picture." },
-    { "NAME": "keyColor", "TYPE": "color", "LABEL": "Colour", "DOC": "The colour to find.", "DEFAULT": [0.8, 0.15, 0.1, 1.0] },
-    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a colour may differ and still be white in the mask. 0.5 is as far as full blue is from grey.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.12, "UNIT": "ratio" },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to read, such as the camera video." },
+    { "NAME": "keyColor", "TYPE": "color", "LABEL": "Color", "DOC": "The color to find.", "DEFAULT": [0.8, 0.15, 0.1, 1.0] },
+    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a color may differ and still be white in the mask. 0.5 is as far as full blue is from gray.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.12, "UNIT": "ratio" },
     { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How much further it is to black: smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "UNIT": "ratio" },
-    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness counts", "DOC": "How much a difference in brightness counts: 0 not at all, 1 as much as one in colour.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Change black and white over.", "DEFAULT": false }
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness counts", "DOC": "How much a difference in brightness counts: 0 not at all, 1 as much as one in color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swaps black and white.", "DEFAULT": false }
   ]
 }*/
 

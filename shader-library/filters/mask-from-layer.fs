@@ -5,10 +5,10 @@
   "CATEGORIES": ["Mask", "Matte", "Luma key", "Alpha", "Channel", "Levels", "Invert"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to make a mask of: a picture, a shadow, another effect." },
-    { "NAME": "source", "TYPE": "long", "LABEL": "By", "DOC": "What of the layer counts. Brightness and the colours count times alpha, so that transparent is black.", "VALUES": [0, 1, 2, 3, 4], "LABELS": ["Brightness", "Alpha", "Red", "Green", "Blue"], "DEFAULT": 0 },
+    { "NAME": "source", "TYPE": "long", "LABEL": "By", "DOC": "What of the layer counts. Brightness and the colors count times alpha, so that transparent is black.", "VALUES": [0, 1, 2, 3, 4], "LABELS": ["Brightness", "Alpha", "Red", "Green", "Blue"], "DEFAULT": 0 },
     { "NAME": "low", "TYPE": "float", "LABEL": "Black from", "DOC": "Up to here the mask is black.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
     { "NAME": "high", "TYPE": "float", "LABEL": "White from", "DOC": "From here on the mask is white. At or below the other number the mask has a hard edge there.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Change black and white over.", "DEFAULT": false }
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swaps black and white.", "DEFAULT": false }
   ]
 }*/
 

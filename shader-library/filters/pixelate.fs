@@ -1,6 +1,6 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Draws the picture in large square blocks. Each has the mean colour of what it covers, so that moving pictures do not flicker.",
+  "DESCRIPTION": "Draws the picture in large square blocks. Each has the mean color of what it covers, so that moving pictures do not flicker.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Style", "Mosaic", "Blocks", "Censor"],
   "SCRIM_ALPHA": "premultiplied",
@@ -17,7 +17,7 @@
 
 const int MAX_SIZE = 128;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM

@@ -1,20 +1,21 @@
 /*{
   "ISFVSN": "2",
+  "SCRIM_TITLE": "Zoom blur",
   "DESCRIPTION": "Blurs the picture away from a point, as if the camera had zoomed while the picture was taken.",
   "CREDIT": "Scrim. Effect named in the mixed-reality rendering framework with osgART, figure 12",
-  "CATEGORIES": ["Blur", "Zoom blur", "Speed", "Motion"],
+  "CATEGORIES": ["Blur", "Radial blur", "Speed", "Motion"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Centre", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much the picture was zoomed: with 0.2, every pixel is smeared over the fifth of its way to the centre.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.2, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much the picture was zoomed: with 0.2, every pixel is smeared over the fifth of its way to the center.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.2, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 
 // One sample for each pixel of the smear, as far as a phone keeps up; longer ones are sampled more coarsely.
 const int MAX_SAMPLES = 64;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM

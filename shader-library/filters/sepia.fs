@@ -2,14 +2,14 @@
   "ISFVSN": "2",
   "DESCRIPTION": "Gives the picture the brown tint of old photographs. Full strength is the sepia of CSS and SVG filters.",
   "CREDIT": "Scrim. Matrix: W3C Filter Effects Module Level 1, sepia()",
-  "CATEGORIES": ["Colour", "Style", "Vintage"],
+  "CATEGORIES": ["Color", "Style", "Vintage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to tint." },
     { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the picture as it is, 1 is full sepia.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 
-// Rows for red, green and blue, at full strength. They are meant for display-referred colours, as W3C defines the filter.
+// Rows for red, green and blue, at full strength. They are meant for display-referred colors, as W3C defines the filter.
 const vec3 RED = vec3(0.393, 0.769, 0.189);
 const vec3 GREEN = vec3(0.349, 0.686, 0.168);
 const vec3 BLUE = vec3(0.272, 0.534, 0.131);

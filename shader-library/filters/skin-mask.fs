@@ -1,17 +1,17 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Finds what has the colour of skin, of any shade, and makes a mask of it: white where there is skin. Wood, sand and orange cloth may look like skin to it.",
+  "DESCRIPTION": "Finds what has the color of skin, of any shade, and makes a mask of it: white where there is skin. Wood, sand and orange cloth may look like skin to it.",
   "CREDIT": "Scrim. Rule: D. Chai and K. N. Ngan 1999, IEEE Trans. Circuits and Systems for Video Technology 9, 551. YCbCr: Rec. ITU-R BT.601",
   "CATEGORIES": ["Mask", "Key", "Skin", "Face", "Hand"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to look at, such as the camera's picture." },
-    { "NAME": "show", "TYPE": "long", "LABEL": "Show", "DOC": "Mask: white skin on black, for the operator Mask. Cut out: the picture, transparent where there is no skin.", "VALUES": [0, 1], "LABELS": ["Mask", "Cut out"], "DEFAULT": 0 },
-    { "NAME": "widen", "TYPE": "float", "LABEL": "Widen", "DOC": "Takes in more colours around those of the rule, or fewer below 0; in steps of 8 bits of Cb and Cr.", "MIN": -15.0, "MAX": 30.0, "DEFAULT": 0.0 },
-    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How far a colour may be outside and still be skin a little, in the same steps. 0 is the published rule.", "MIN": 0.0, "MAX": 30.0, "DEFAULT": 4.0 }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to read, such as the camera video." },
+    { "NAME": "show", "TYPE": "long", "LABEL": "Show", "DOC": "Mask: white skin on black, for the Mask node. Cut out: the picture, transparent where there is no skin.", "VALUES": [0, 1], "LABELS": ["Mask", "Cut out"], "DEFAULT": 0 },
+    { "NAME": "widen", "TYPE": "float", "LABEL": "Widen", "DOC": "Takes in more colors around those of the rule, or fewer below 0; in steps of 8 bits of Cb and Cr.", "MIN": -15.0, "MAX": 30.0, "DEFAULT": 0.0 },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How far a color may be outside and still be skin a little, in the same steps. 0 is the published rule.", "MIN": 0.0, "MAX": 30.0, "DEFAULT": 4.0 }
   ]
 }*/
 
-// Cb and Cr of BT.601 in the 8-bit code values that the rule is given in: 128 is no colour.
+// Cb and Cr of BT.601 in the 8-bit code values that the rule is given in: 128 is no color.
 const vec3 CB_601 = vec3(-37.7965, -74.2035, 112.0);
 const vec3 CR_601 = vec3(112.0, -93.7860, -18.2140);
 const float NO_COLOR = 128.0;

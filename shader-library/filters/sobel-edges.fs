@@ -7,8 +7,8 @@
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to find edges in. Where it is transparent it counts as black." },
     { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "With 1, a straight edge between black and white is drawn at full strength.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "ratio" },
-    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Lines", "DOC": "Colour of the edges.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
-    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the edges.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
+    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Lines", "DOC": "Color of the edges.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the edges.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
     { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the picture", "DOC": "Draw the edges over the picture instead of over the paper.", "DEFAULT": false }
   ]
 }*/
@@ -18,7 +18,7 @@ const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 // The Sobel kernels weigh one side of an edge with 1 + 2 + 1.
 const float FULL_EDGE = 4.0;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM
@@ -27,6 +27,7 @@ vec4 readLayer(vec2 uv) {
   return color;
 }
 
+// Premultiplied from straight alpha.
 vec4 premultiplied(vec4 color) {
   return vec4(color.rgb * color.a, color.a);
 }
@@ -42,7 +43,7 @@ void main() {
   vec2 top = tap(0.0, 1.0);
   vec2 topRight = tap(1.0, 1.0);
   vec2 left = tap(-1.0, 0.0);
-  vec4 centre = readLayer(isf_FragNormCoord);
+  vec4 center = readLayer(isf_FragNormCoord);
   vec2 right = tap(1.0, 0.0);
   vec2 bottomLeft = tap(-1.0, -1.0);
   vec2 bottom = tap(0.0, -1.0);
@@ -53,9 +54,9 @@ void main() {
   float edge = clamp(strength * length(vec2(gradientX, gradientY)) / FULL_EDGE, 0.0, 1.0);
 
   // The paper and the lines reach one pixel over the layer's own edge, where half of its outline is.
-  float reach = max(centre.a, max(max(max(topLeft.y, topRight.y), max(bottomLeft.y, bottomRight.y)), max(max(top.y, bottom.y), max(left.y, right.y))));
+  float reach = max(center.a, max(max(max(topLeft.y, topRight.y), max(bottomLeft.y, bottomRight.y)), max(max(top.y, bottom.y), max(left.y, right.y))));
   vec4 line = premultiplied(lineColor) * reach;
-  vec4 paper = overPicture ? centre : premultiplied(paperColor) * reach;
+  vec4 paper = overPicture ? center : premultiplied(paperColor) * reach;
   vec4 result = mix(paper, line, edge);
 #ifndef SCRIM
   if (result.a > 0.0) result.rgb /= result.a;

@@ -6,7 +6,7 @@
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Centre", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
     { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "How far the picture was turned, half of it in each direction.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.17453293, "IDENTITY": 0.0, "UNIT": "rad" }
   ]
 }*/
@@ -14,7 +14,7 @@
 // One sample for each pixel of the smear, as far as a phone keeps up; longer ones are sampled more coarsely.
 const int MAX_SAMPLES = 64;
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readLayer(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifndef SCRIM

@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Darkens the picture towards its corners, as old lenses do, or tints them with another colour.",
+  "DESCRIPTION": "Darkens the picture towards its corners, as old lenses do, or tints them with another color.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Style", "Light", "Lens", "Corners"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to darken." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much of the colour lies over the corners. 0 changes nothing.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much of the color lies over the corners. 0 changes nothing.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "start", "TYPE": "float", "LABEL": "Start", "DOC": "Where it begins: 0 is the middle of the picture, 1 its corners.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },
     { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How far it takes to reach its full strength, on the same scale.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.65, "UNIT": "ratio" },
     { "NAME": "roundness", "TYPE": "float", "LABEL": "Roundness", "DOC": "0 follows the shape of the picture with an ellipse, 1 is a circle.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "tint", "TYPE": "color", "LABEL": "Colour", "DOC": "Colour of the corners; its opacity counts too.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] }
+    { "NAME": "tint", "TYPE": "color", "LABEL": "Color", "DOC": "Color of the corners; its opacity counts too.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] }
   ]
 }*/
 
@@ -18,9 +18,9 @@ const float MIN_SOFTNESS = 0.0001;
 
 void main() {
   vec4 color = IMG_THIS_PIXEL(inputImage);
-  vec2 fromCentre = 2.0 * isf_FragNormCoord - 1.0;
+  vec2 fromCenter = 2.0 * isf_FragNormCoord - 1.0;
   vec2 shape = mix(vec2(1.0), RENDERSIZE / max(RENDERSIZE.x, RENDERSIZE.y), roundness);
-  float distanceToCorner = length(fromCentre * shape) / length(shape);
+  float distanceToCorner = length(fromCenter * shape) / length(shape);
   float t = clamp((distanceToCorner - start) / max(softness, MIN_SOFTNESS), 0.0, 1.0);
   float cover = amount * tint.a * t * t * (3.0 - 2.0 * t);
   gl_FragColor = vec4(mix(color.rgb, tint.rgb, cover), color.a);

@@ -1,12 +1,12 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Goes from one colour of light to another, such as from warm lamplight to a cold morning: by hand, or to and fro by itself. In between, the colour changes evenly to the eye (in steps of one over the temperature).",
+  "DESCRIPTION": "Goes from one color of light to another, such as from warm lamplight to a cold morning: by hand, or back and forth by itself. In between, the color changes evenly to the eye (in steps of one over the temperature).",
   "CREDIT": "Scrim. Planckian locus: Kang et al. 2002, J. Korean Physical Society 41, 865. Adaptation: Bradford, as in ICC.1:2022 annex E. Even steps: D. B. Judd 1933, J. Optical Society of America 23, 7",
-  "CATEGORIES": ["Colour", "White balance", "Warm", "Cold", "Cool", "Temperature", "Animation"],
+  "CATEGORIES": ["Color", "White balance", "Warm", "Cold", "Cool", "Temperature", "Animation"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolour; its own light is taken to be 6500 K." },
-    { "NAME": "warm", "TYPE": "float", "LABEL": "Warm", "DOC": "Colour temperature of the warm light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 3200.0, "STEP": 50.0, "UNIT": "K" },
-    { "NAME": "cold", "TYPE": "float", "LABEL": "Cold", "DOC": "Colour temperature of the cold light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 9500.0, "STEP": 50.0, "UNIT": "K" },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolor; its own light is taken to be 6500 K." },
+    { "NAME": "warm", "TYPE": "float", "LABEL": "Warm", "DOC": "Color temperature of the warm light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 3200.0, "STEP": 50.0, "UNIT": "K" },
+    { "NAME": "cold", "TYPE": "float", "LABEL": "Cold", "DOC": "Color temperature of the cold light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 9500.0, "STEP": 50.0, "UNIT": "K" },
     { "NAME": "balance", "TYPE": "float", "LABEL": "Balance", "DOC": "0 is warm, 1 is cold. A track or a slider of the page can move it.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
     { "NAME": "swing", "TYPE": "float", "LABEL": "Swing", "DOC": "How long it takes to the other light and back, by itself, beginning at the balance; 0 stays there.", "MIN": 0.0, "MAX": 120.0, "DEFAULT": 0.0, "UNIT": "s" }
   ]
@@ -20,10 +20,12 @@ const mat3 CONES_FROM_LINEAR = mat3(0.42266086, 0.05561593, 0.02135054, 0.491378
 const mat3 LINEAR_FROM_CONES = mat3(2.53818388, -0.14578260, -0.04222865, -1.29334181, 1.11646529, -0.07162372, -0.04030699, -0.02232524, 1.02254160);
 const mat3 CONES_FROM_XYZ = mat3(0.8951, -0.7502, 0.0389, 0.2664, 1.7135, -0.0685, -0.1614, 0.0367, 1.0296);
 
+// Linear light from display-referred sRGB (IEC 61966-2-1), per channel.
 vec3 linearFromDisplay(vec3 color) {
   return mix(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, vec3(lessThanEqual(color, vec3(0.04045))));
 }
 
+// Display-referred sRGB from linear light (IEC 61966-2-1), per channel.
 vec3 displayFromLinear(vec3 color) {
   return mix(1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, color * 12.92, vec3(lessThanEqual(color, vec3(0.0031308))));
 }
@@ -42,7 +44,7 @@ vec2 planckianLocus(float kelvin) {
   return vec2(x, y);
 }
 
-// White of luminance 1, as seen by the three cones.
+// Cone responses (LMS) to white light of luminance 1 with this color temperature, in kelvin.
 vec3 conesOfWhite(float kelvin) {
   vec2 xy = planckianLocus(kelvin);
   return CONES_FROM_XYZ * vec3(xy.x / xy.y, 1.0, (1.0 - xy.x - xy.y) / xy.y);

@@ -7,7 +7,7 @@
   "INPUTS": [
     { "NAME": "sound", "TYPE": "audioFFT", "MAX": 1024, "LABEL": "Sound", "DOC": "What to draw; nothing where no wire is." },
     { "NAME": "bars", "TYPE": "long", "DEFAULT": 32, "MIN": 1, "MAX": 64, "LABEL": "Bars", "DOC": "How many bars there are." },
-    { "NAME": "barColor", "TYPE": "color", "DEFAULT": [0.2, 0.8, 1.0, 1.0], "LABEL": "Bars' colour", "DOC": "Colour of the bars." },
+    { "NAME": "barColor", "TYPE": "color", "DEFAULT": [0.2, 0.8, 1.0, 1.0], "LABEL": "Bars' color", "DOC": "Color of the bars." },
     { "NAME": "gap", "TYPE": "float", "DEFAULT": 0.2, "MIN": 0.0, "MAX": 0.9, "UNIT": "ratio", "LABEL": "Gap", "DOC": "Empty part between two bars." },
     { "NAME": "quietest", "TYPE": "float", "DEFAULT": -60.0, "MIN": -96.0, "MAX": -12.0, "LABEL": "Quietest", "DOC": "Decibels below the loudest sound at which a bar has no height." }
   ]

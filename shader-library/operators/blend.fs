@@ -1,6 +1,6 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Mixes the colours of one layer into those of another, by the mode chosen. Where either is transparent, the other one shows as it is.",
+  "DESCRIPTION": "Mixes the colors of one layer into those of another, by the mode chosen. Where either is transparent, the other one shows as it is.",
   "CREDIT": "Scrim. Modes: W3C Compositing and Blending Level 1, sections 9.1.13 and 10",
   "CATEGORIES": ["Composite", "Mix", "Blend mode", "Layer", "Multiply", "Screen", "Overlay", "Add"],
   "SCRIM_ALPHA": "premultiplied",
@@ -8,14 +8,14 @@
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front: the source." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind: the backdrop." },
-    { "NAME": "mode", "TYPE": "long", "LABEL": "Mode", "DOC": "What the top does to the colours below it. Multiply and the burns darken, screen and the dodges lighten, overlay and the lights do both, difference and exclusion invert, the last four take hue, saturation and luminosity apart. Plus lighter adds.", "VALUES": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16], "LABELS": ["Normal", "Multiply", "Screen", "Overlay", "Darken", "Lighten", "Color dodge", "Color burn", "Hard light", "Soft light", "Difference", "Exclusion", "Hue", "Saturation", "Color", "Luminosity", "Plus lighter"], "DEFAULT": 1 },
+    { "NAME": "mode", "TYPE": "long", "LABEL": "Mode", "DOC": "What the top does to the colors below it. Multiply and the burns darken, screen and the dodges lighten, overlay and the lights do both, difference and exclusion invert, the last four take hue, saturation and luminosity apart. Plus lighter adds.", "VALUES": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16], "LABELS": ["Normal", "Multiply", "Screen", "Overlay", "Darken", "Lighten", "Color dodge", "Color burn", "Hard light", "Soft light", "Difference", "Exclusion", "Hue", "Saturation", "Color", "Luminosity", "Plus lighter"], "DEFAULT": 1 },
     { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "How much of the top layer counts: 0 is none of it, 1 is all.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 
-// The names are those of the specification, section 10: cs is the colour of the source, cb that of the backdrop, both straight.
+// The names are those of the specification, section 10: cs is the color of the source, cb that of the backdrop, both straight.
 
-// Half a step of 8 bits: what a division by alpha leaves of a colour that was full is still full.
+// Half a step of 8 bits: what a division by alpha leaves of a color that was full is still full.
 const float FULL = 1.0 - 0.5 / 255.0;
 
 float hardLight(float cb, float cs) {
@@ -107,7 +107,7 @@ vec3 blended(vec3 cb, vec3 cs) {
 void main() {
   vec4 source = IMG_THIS_PIXEL(top);
   vec4 backdrop = IMG_THIS_PIXEL(bottom);
-  // Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
 #ifndef SCRIM
   source.rgb *= source.a;
   backdrop.rgb *= backdrop.a;

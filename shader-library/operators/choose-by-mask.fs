@@ -1,8 +1,9 @@
 /*{
   "ISFVSN": "2",
+  "SCRIM_TITLE": "Matte",
   "DESCRIPTION": "Shows one layer where a mask is bright and another one in the rest: black and white in this region, charcoal around it.",
   "CREDIT": "Scrim. Mask values: W3C CSS Masking Module Level 1, section 6.10",
-  "CATEGORIES": ["Composite", "Mask", "Matte", "Local", "Region", "Switch", "Select"],
+  "CATEGORIES": ["Composite", "Choose by mask", "Mask", "Local", "Region", "Switch", "Select"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "INPUTS": [
@@ -10,7 +11,7 @@
     { "NAME": "outside", "TYPE": "image", "LABEL": "Outside", "DOC": "The layer to show in the rest." },
     { "NAME": "mask", "TYPE": "image", "LABEL": "Mask", "DOC": "Which of them shows where: any layer, such as an Object mask, a picture, a key or a shadow." },
     { "NAME": "source", "TYPE": "long", "LABEL": "Mask by", "DOC": "Brightness: white is inside and black outside, as Rec. 709 luma times alpha. Alpha: opaque is inside and transparent outside.", "VALUES": [0, 1], "LABELS": ["Brightness", "Alpha"], "DEFAULT": 0 },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Change inside and outside over.", "DEFAULT": false }
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swaps inside and outside.", "DEFAULT": false }
   ]
 }*/
 
@@ -20,7 +21,7 @@ void main() {
   vec4 within = IMG_THIS_PIXEL(inside);
   vec4 around = IMG_THIS_PIXEL(outside);
   vec4 stencil = IMG_THIS_PIXEL(mask);
-  // Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
 #ifndef SCRIM
   within.rgb *= within.a;
   around.rgb *= around.a;

@@ -1,9 +1,9 @@
 /*{
   "ISFVSN": "2",
-  "SCRIM_TITLE": "Colour table",
-  "DESCRIPTION": "Grades a layer by a colour table (LUT). Drop a .cube file on the canvas to get its table as a picture; pictures of tables from other programs fit too: one row of squares, or eight rows of eight.",
+  "SCRIM_TITLE": "LUT",
+  "DESCRIPTION": "Grades a layer by a color table (LUT). Drop a .cube file on the canvas to get its table as a picture; pictures of tables from other programs fit too: one row of squares, or eight rows of eight.",
   "CREDIT": "Scrim. Tables: Adobe, Cube LUT Specification 1.0",
-  "CATEGORIES": ["Colour", "Grading", "Colour correction", "LUT", "Look", "Film", "Cube"],
+  "CATEGORIES": ["Color", "Grading", "Color correction", "Color table", "Look", "Film", "Cube"],
   "SCRIM_FIT": "stretch",
   "SCRIM_DEPTH": "same",
   "INPUTS": [

@@ -103,10 +103,10 @@ vec2 slopeAt(vec2 px) {
 // Logarithms of the rise along a direction, through the narrow and the wide Gaussian.
 vec2 risesAt(vec2 px, vec2 along) {
   vec2 rises = vec2(0.0);
-  vec2 centre = floor(px) + 0.5;
+  vec2 center = floor(px) + 0.5;
   for (int y = -SEEN_PX; y <= SEEN_PX; y++) {
     for (int x = -SEEN_PX; x <= SEEN_PX; x++) {
-      vec2 tap = centre + vec2(float(x), float(y));
+      vec2 tap = center + vec2(float(x), float(y));
       vec2 away = tap - px;
       vec2 sigmas = vec2(NEAR_SIGMA, FAR_SIGMA);
       vec2 weights = exp(-0.5 * dot(away, away) / (sigmas * sigmas)) / (sigmas * sigmas * sigmas * sigmas);
@@ -205,7 +205,7 @@ vec4 measureAll() {
   return before.a == 0.0 ? now : mix(before, now, follow);
 }
 
-// Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
 vec4 tap(vec2 uv) {
   if (PASSINDEX == 4) return IMG_NORM_PIXEL(across, uv);
   vec4 color = IMG_NORM_PIXEL(drawn, uv);
@@ -230,14 +230,17 @@ vec4 blurred(vec2 stepUv) {
   return sum / total;
 }
 
+// A whole number modulo PERIOD. The added half keeps a rounded quotient from falling just below the exact one.
 float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
+// A permutation of the whole numbers below PERIOD, the base of the noise (McEwan et al., “Efficient computational noise in GLSL”).
 float permute(float x) {
   return wrap((34.0 * x + 1.0) * x);
 }
 
+// A whole number below PERIOD that looks random, for a cell of a grid in a frame.
 float seedOf(vec2 cell, float frame) {
   return permute(wrap(permute(wrap(permute(wrap(cell.x)) + cell.y)) + wrap(frame)));
 }

@@ -1,5 +1,6 @@
 /*{
   "ISFVSN": "2",
+  "SCRIM_TITLE": "Alpha over",
   "DESCRIPTION": "Lays one layer over another. Where the upper one is transparent, the lower one shows.",
   "CREDIT": "Scrim. Source-over: W3C Compositing and Blending Level 1, section 9.1.4",
   "CATEGORIES": ["Composite", "Merge", "Blend", "Layer"],
@@ -15,7 +16,7 @@
 void main() {
   vec4 source = IMG_THIS_PIXEL(top);
   vec4 backdrop = IMG_THIS_PIXEL(bottom);
-  // Scrim hands colours over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
 #ifndef SCRIM
   source.rgb *= source.a;
   backdrop.rgb *= backdrop.a;

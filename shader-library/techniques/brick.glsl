@@ -5,9 +5,9 @@
   "INPUTS": [
     { "NAME": "brickM", "TYPE": "point2D", "LABEL": "Brick", "DOC": "Length and height of a brick with its share of mortar, in the room.", "MIN": [0.002, 0.002], "MAX": [2.0, 1.0], "DEFAULT": [0.064, 0.024], "UNIT": "m" },
     { "NAME": "mortarM", "TYPE": "float", "LABEL": "Mortar", "DOC": "How wide the joints between bricks are.", "MIN": 0.0, "MAX": 0.1, "DEFAULT": 0.004, "STEP": 0.001, "UNIT": "m" },
-    { "NAME": "brickColor", "TYPE": "color", "LABEL": "Brick colour", "DOC": "Colour of the bricks.", "DEFAULT": [0.58, 0.28, 0.21, 1.0] },
-    { "NAME": "mortarColor", "TYPE": "color", "LABEL": "Mortar colour", "DOC": "Colour of the joints.", "DEFAULT": [0.78, 0.74, 0.68, 1.0] },
-    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own colour", "DOC": "How much of the object's own colour the bricks take.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "brickColor", "TYPE": "color", "LABEL": "Brick color", "DOC": "Color of the bricks.", "DEFAULT": [0.58, 0.28, 0.21, 1.0] },
+    { "NAME": "mortarColor", "TYPE": "color", "LABEL": "Mortar color", "DOC": "Color of the joints.", "DEFAULT": [0.78, 0.74, 0.68, 1.0] },
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much of the object's own color the bricks take.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "variation", "TYPE": "float", "LABEL": "Variation", "DOC": "How much bricks differ from each other, and how rough they are.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "bump", "TYPE": "float", "LABEL": "Depth", "DOC": "How far bricks stand out of the mortar, as a part of its width.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
@@ -16,7 +16,7 @@
 #include <noise/value-3d>
 #include <bump/perturb-normal>
 
-// Where on the wall a point lies, in metres, in its row: x along the row, y up.
+// Where on the wall a point lies, in meters, in its row: x along the row, y up.
 vec2 inBrick(const in vec2 wall) {
   float row = floor(wall.y / brickM.y);
   float shift = mod(row, 2.0) * 0.5 * brickM.x;

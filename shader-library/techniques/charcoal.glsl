@@ -9,9 +9,9 @@
     { "NAME": "grain", "TYPE": "float", "LABEL": "Grain", "DOC": "How rough the paper is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "grainPx", "TYPE": "float", "LABEL": "Grain size", "DOC": "How large the grain is on screen.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 2.5, "UNIT": "px" },
     { "NAME": "smudge", "TYPE": "float", "LABEL": "Smudge", "DOC": "How much the charcoal is rubbed into the paper, in uneven strokes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "charcoalColor", "TYPE": "color", "LABEL": "Charcoal", "DOC": "Colour of the charcoal.", "DEFAULT": [0.1, 0.09, 0.09, 1.0] },
-    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour of the paper. With less opacity what is behind the object shows through.", "DEFAULT": [0.95, 0.93, 0.88, 1.0] },
-    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colours of the object are drawn darker.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "charcoalColor", "TYPE": "color", "LABEL": "Charcoal", "DOC": "Color of the charcoal.", "DEFAULT": [0.1, 0.09, 0.09, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color of the paper. With less opacity what is behind the object shows through.", "DEFAULT": [0.95, 0.93, 0.88, 1.0] },
+    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colors of the object are drawn darker.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
   ]
 }*/

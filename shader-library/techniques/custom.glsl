@@ -1,9 +1,9 @@
 /*{
-  "DESCRIPTION": "A technique to make your own of: it bands the object's colour with light, and shows what a technique can use. Open its code and change it; the project then has a copy of its own.",
+  "DESCRIPTION": "A technique to make your own of: it bands the object's color with light, and shows what a technique can use. Open its code and change it; the project then has a copy of its own.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Custom", "Template", "Own", "New", "Shader", "GLSL", "Code"],
   "INPUTS": [
-    { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "Colour of the rim.", "DEFAULT": [0.3, 0.75, 1.0, 1.0] },
+    { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "Color of the rim.", "DEFAULT": [0.3, 0.75, 1.0, 1.0] },
     { "NAME": "rim", "TYPE": "float", "LABEL": "Rim", "DOC": "How much of the object the rim takes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },
     { "NAME": "wave", "TYPE": "float", "LABEL": "Wave", "DOC": "How far the object breathes.", "MIN": 0.0, "MAX": 0.05, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "m" },
     { "NAME": "picture", "TYPE": "image", "LABEL": "Picture", "DOC": "A layer that lies on the object, as seen from the eye.", "OPTIONAL": true }
@@ -16,7 +16,7 @@ void vertex(inout Vertex v) {
   v.position += v.normal * (wave * sin(TIME * 2.0 + v.rest.y * 20.0));
 }
 
-// Gives the colour of a point that is seen: red, green and blue in linear light, and opacity.
+// Gives the color of a point that is seen: red, green and blue in linear light, and opacity.
 vec4 surface(const in Surface s) {
   vec3 color = s.color.rgb * diffuseLight(s.normal);
   vec4 layer = IMG_THIS_PIXEL(picture);

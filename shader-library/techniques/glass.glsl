@@ -1,6 +1,6 @@
 /*{
   "DESCRIPTION": "Makes objects of clear glass: what is behind them is seen bent by both of their surfaces, edges mirror more than the middle, and lights shine on them. Wire the layer that is behind them, such as the camera's video; where that cannot be had, the glass is see-through and bends nothing.",
-  "CREDIT": "Scrim. Refraction: Snell's law at the near and the far side, taking the object for a ball or a pane; Fresnel's equations for glass; colour: Beer's law",
+  "CREDIT": "Scrim. Refraction: Snell's law at the near and the far side, taking the object for a ball or a pane; Fresnel's equations for glass; color: Beer's law",
   "CATEGORIES": ["Glass", "Refraction", "Fresnel", "Lens", "Crystal", "Water", "Transparent", "Ice"],
   "PASSES": [{ "SIDE": "front" }],
   "INPUTS": [
@@ -10,7 +10,7 @@
     { "NAME": "thicknessM", "TYPE": "float", "LABEL": "Thickness", "DOC": "From the near to the far side where the object is thickest.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.1, "UNIT": "m" },
     { "NAME": "behindM", "TYPE": "float", "LABEL": "Distance behind", "DOC": "How far from the eye that is which is seen through the glass.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 2.5, "UNIT": "m" },
     { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "What white looks like through the whole thickness.", "DEFAULT": [0.93, 0.985, 0.97, 1.0] },
-    { "NAME": "dispersion", "TYPE": "float", "LABEL": "Dispersion", "DOC": "How far the index differs between red and blue: colours at edges.", "MIN": 0.0, "MAX": 0.2, "DEFAULT": 0.01, "IDENTITY": 0.0 },
+    { "NAME": "dispersion", "TYPE": "float", "LABEL": "Dispersion", "DOC": "How far the index differs between red and blue: colors at edges.", "MIN": 0.0, "MAX": 0.2, "DEFAULT": 0.01, "IDENTITY": 0.0 },
     { "NAME": "shine", "TYPE": "float", "LABEL": "Shine", "DOC": "Brightness of the lights' reflections.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "mirror", "TYPE": "float", "LABEL": "Mirror", "DOC": "Brightness of the surroundings in the glass, bright above and dark below.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "haze", "TYPE": "float", "LABEL": "Haze", "DOC": "How milky the glass is. Shadows fall on it.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.03, "IDENTITY": 0.0, "UNIT": "ratio" }
@@ -44,8 +44,8 @@ vec4 layerAt(const in vec2 uv) {
 vec4 seenBehind(const in Way way) {
   float depth = VIEW_DEPTH(way.end);
   // What turns away from the view goes on to its edge.
-  float perMetre = max(VIEW_DEPTH(way.end + way.direction) - depth, 0.05);
-  vec2 uv = VIEW_UV(way.end + way.direction * (max(behindM - depth, 0.0) / perMetre));
+  float perMeter = max(VIEW_DEPTH(way.end + way.direction) - depth, 0.05);
+  vec2 uv = VIEW_UV(way.end + way.direction * (max(behindM - depth, 0.0) / perMeter));
   // Where the glass makes what is behind it small, one pixel sees many of the layer's.
   vec2 apartX = clamp(0.25 * dFdx(uv), -0.02, 0.02);
   vec2 apartY = clamp(0.25 * dFdy(uv), -0.02, 0.02);

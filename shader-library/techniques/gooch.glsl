@@ -6,12 +6,12 @@
   "INPUTS": [
     { "NAME": "coolColor", "TYPE": "color", "LABEL": "Cool", "DOC": "Tone of what faces away from the light.", "DEFAULT": [0.1, 0.2, 0.75, 1.0] },
     { "NAME": "warmColor", "TYPE": "color", "LABEL": "Warm", "DOC": "Tone of what faces the light.", "DEFAULT": [0.85, 0.7, 0.15, 1.0] },
-    { "NAME": "coolShare", "TYPE": "float", "LABEL": "Own colour, cool", "DOC": "How much of the object's own colour is added to the cool tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
-    { "NAME": "warmShare", "TYPE": "float", "LABEL": "Own colour, warm", "DOC": "How much of it is added to the warm tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "coolShare", "TYPE": "float", "LABEL": "Own color, cool", "DOC": "How much of the object's own color is added to the cool tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
+    { "NAME": "warmShare", "TYPE": "float", "LABEL": "Own color, warm", "DOC": "How much of it is added to the warm tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
     { "NAME": "highlight", "TYPE": "float", "LABEL": "Highlight", "DOC": "Strength of the white highlight.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How small the highlight is: Phong's exponent.", "MIN": 1.0, "MAX": 200.0, "DEFAULT": 40.0 },
     { "NAME": "linePx", "TYPE": "float", "LABEL": "Silhouette", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 2.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
-    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Silhouette colour", "DOC": "Colour of the lines around shapes.", "DEFAULT": [0.02, 0.02, 0.04, 1.0] }
+    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Silhouette color", "DOC": "Color of the lines around shapes.", "DEFAULT": [0.02, 0.02, 0.04, 1.0] }
   ]
 }*/
 #include <light/strongest>

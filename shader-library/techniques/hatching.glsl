@@ -9,10 +9,10 @@
     { "NAME": "turn", "TYPE": "float", "LABEL": "Direction", "DOC": "How the first strokes are turned on the object.", "MIN": -3.14159, "MAX": 3.14159, "DEFAULT": 0.6, "UNIT": "rad" },
     { "NAME": "mapping", "TYPE": "long", "LABEL": "Laid by", "DOC": "Whether strokes follow the object's axes, or the coordinates of its pictures, for models that have good ones.", "VALUES": [0, 1], "LABELS": ["Axes", "Picture coordinates"], "DEFAULT": 0 },
     { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Lightens or darkens the drawing: how much of the tone is left out.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.05, "UNIT": "ratio" },
-    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colours of the object are hatched as well.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Colour of the strokes.", "DEFAULT": [0.09, 0.08, 0.12, 1.0] },
-    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Colour between the strokes. With less opacity what is behind the object shows through.", "DEFAULT": [0.97, 0.95, 0.9, 1.0] },
-    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own colour", "DOC": "How much the ink takes the object's own colour.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colors of the object are hatched as well.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the strokes.", "DEFAULT": [0.09, 0.08, 0.12, 1.0] },
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the strokes. With less opacity what is behind the object shows through.", "DEFAULT": [0.97, 0.95, 0.9, 1.0] },
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much the ink takes the object's own color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
   ]
 }*/

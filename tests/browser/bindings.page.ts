@@ -15,12 +15,12 @@ const MODULES: Readonly<Record<string, NodeModule>> = {
 };
 
 export interface Played {
-  readonly centre: readonly number[];
+  readonly center: readonly number[];
   readonly diagnostics: readonly unknown[];
   readonly error: number;
 }
 
-/** Plays a compiled program over a camera picture of one colour; the frame is the first one drawn. */
+/** Plays a compiled program over a camera picture of one color; the frame is the first one drawn. */
 export async function play(program: Program, timeS: number, camera: number[]): Promise<Played> {
   const gl = createGl();
   const { player, diagnostics } = await stand(program, { gl, modules: MODULES });
@@ -28,7 +28,7 @@ export async function play(program: Program, timeS: number, camera: number[]): P
   const cameraImage = { texture: texture(gl, 1, 1, camera), widthPx: 1, heightPx: 1, uvFromViewUv };
   player.setSession({ world: 'image', blend: 'opaque' });
   player.draw(frame(0, [view(0, 0, WIDTH, HEIGHT, { cameraImage })], { timeS }));
-  const played = { centre: pixel(gl, WIDTH / 2, HEIGHT / 2), diagnostics: diagnostics(), error: gl.getError() };
+  const played = { center: pixel(gl, WIDTH / 2, HEIGHT / 2), diagnostics: diagnostics(), error: gl.getError() };
   player.dispose();
   return played;
 }

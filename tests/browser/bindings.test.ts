@@ -14,7 +14,7 @@ const page = useModule('tests/browser/bindings.page.ts');
 
 const CAMERA = [100, 150, 200, 255];
 
-/** W3C Filter Effects, `sepia()`, of the camera's colour, laid over itself by that much. */
+/** W3C Filter Effects, `sepia()`, of the camera's color, laid over itself by that much. */
 function sepia(amount: number, color: readonly number[] = CAMERA): number[] {
   const [r = 0, g = 0, b = 0] = color;
   const full = [0.393 * r + 0.769 * g + 0.189 * b, 0.349 * r + 0.686 * g + 0.168 * b, 0.272 * r + 0.534 * g + 0.131 * b];
@@ -28,7 +28,7 @@ async function shown(studio: TestStudio, timeS = 0): Promise<readonly number[]> 
   expect(diagnostics).toEqual([]);
   const played = await page.call<Played>('play', output, timeS, CAMERA);
   expect({ diagnostics: played.diagnostics, error: played.error }).toEqual({ diagnostics: [], error: 0 });
-  return played.centre;
+  return played.center;
 }
 
 const empty = () => new TestStudio({ library: LIBRARY, readShader });
@@ -60,14 +60,14 @@ describe('a param bound to', () => {
     expect(await shown(studio, 7)).toEqual(sepia(0.5));
   });
 
-  test('an expression of four numbers has a colour that moves; what is no number there is as the param has it', async () => {
+  test('an expression of four numbers has a color that moves; what is no number there is as the param has it', async () => {
     const studio = empty()
       .add('video-a', 'source/camera-video')
       .add('edges-a', 'filter/sobel-edges')
       .add('screen-a', 'output/screen')
       .wire('video-a.layer -> edges-a.inputImage', 'edges-a.layer -> screen-a.layer')
       .bind('edges-a.paperColor', { expression: '[time, 1 - time, 0 / 0, 1]' });
-    // A picture of one colour has no edges: the drawing is all paper.
+    // A picture of one color has no edges: the drawing is all paper.
     expect(await shown(studio, 0.2)).toEqual([51, 204, 0, 255]);
   });
 });
@@ -81,7 +81,7 @@ test('a value node with an expression of its own, a param bound to another, and 
   expect(await shown(studio, 2)).toEqual(sepia(0.5));
 });
 
-test('a subgraph within a subgraph, used twice, its ports and params shown outside', async () => {
+test('a subgraph within a subgraph, used twice, its ports and params exposed', async () => {
   const looks = empty()
     .in('look')
     .add('sepia-a', 'filter/sepia')

@@ -9,7 +9,7 @@ import { drawPicture, made, PAGE, paint, toPage } from './glsl-kit.ts';
 
 type Rgb = readonly [number, number, number];
 
-/** W3C Compositing and Blending Level 1, section 10, written from the text: one channel of `B(Cb, Cs)`, colours straight. */
+/** W3C Compositing and Blending Level 1, section 10, written from the text: one channel of `B(Cb, Cs)`, colors straight. */
 const SEPARABLE: Readonly<Record<string, (cb: number, cs: number) => number>> = {
   normal: (_, cs) => cs,
   multiply: (cb, cs) => cb * cs,
@@ -118,7 +118,7 @@ function straight(picture: Picture, x: number, y: number): { rgb: Rgb; alpha: nu
 
 const SIZE = 64;
 
-/** Every corner of the colour cube over every other, and colours from all over it, at the alphas given. */
+/** Every corner of the color cube over every other, and colors from all over it, at the alphas given. */
 function swatches(seed: number, alphas: readonly number[]): Picture {
   let state = seed;
   const next = (): number => {
@@ -136,7 +136,7 @@ function swatches(seed: number, alphas: readonly number[]): Picture {
 }
 
 const OPAQUE = { top: swatches(1, [255]), bottom: swatches(2, [255]) };
-/** Colours of low alpha are known to few bits only, and what is made of them differs by as much. */
+/** Colors of low alpha are known to few bits only, and what is made of them differs by as much. */
 const CLEAR = { top: swatches(1, [255, 0, 200, 128, 160]), bottom: swatches(2, [128, 255, 230, 0]) };
 
 const chromium = useBrowser();

@@ -10,7 +10,7 @@ export function compositeInCanvas(top: Picture, bottom: Picture, mode: GlobalCom
   return encode(data.map((value, i) => (i % 4 === 3 ? value : Math.round((value * alphaAt(data, i)) / 255))));
 }
 
-/** A canvas keeps premultiplied colours but takes and gives straight ones: rounding there and back loses nothing. */
+/** A canvas keeps premultiplied colors but takes and gives straight ones: rounding there and back loses nothing. */
 function canvasOf({ width, height, rgba }: Picture): CanvasRenderingContext2D {
   const context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d', { willReadFrequently: true });
   if (!context) throw new Error('This browser has no 2D canvas.');

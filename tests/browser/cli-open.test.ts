@@ -62,9 +62,9 @@ describe('scrim open', () => {
 
   (linux ? test : test.skip)('says in one line why there is no window, and serves the same editor, until Ctrl-C', async () => {
     const { child, nextLine } = scrim('open', project);
-    expect(await nextLine()).toBe('Electron cannot run here (there is no display): the editor opens in the browser instead.');
+    expect(await nextLine()).toBe('Electron cannot run here (there is no display). The editor opens in the browser instead.');
     const url = (await nextLine()) ?? '';
-    expect(url).toMatch(/^http:\/\/127\.0\.0\.1:\d+\/#token=[0-9a-f]{64}$/);
+    expect(url).toMatch(/^http:\/\/127\.0\.0\.1:\d+\/#code=[0-9a-f]{32}$/);
     const page = await chromium.browser.newPage();
     await page.goto(url);
     await page.getByText('Opened here').first().waitFor();
@@ -73,9 +73,45 @@ describe('scrim open', () => {
     await expect(fetch(url)).rejects.toThrow();
   });
 
+  test('ends and says so when the address is opened a second time', async () => {
+    const { child, nextLine, errors } = scrim('open', project, '--browser');
+    const url = (await nextLine()) ?? '';
+    const ended = new Promise((done) => child.once('exit', done));
+    const first = await chromium.browser.newPage();
+    await first.goto(url);
+    await first.getByText('Opened here').first().waitFor();
+    const second = await chromium.browser.newPage();
+    await second.goto(url);
+    await second.getByText('The session has ended because its address was opened a second time.').waitFor();
+    expect(await ended).toBe(1);
+    expect(errors.join('')).toContain('SCR075');
+    await first.close();
+    await second.close();
+  });
+
+  test('has its preview at the port after its own, or at the one it is given', async () => {
+    const port = await twoFreePorts();
+    const first = scrim('open', project, '--browser', '--port', String(port));
+    expect(await previewOf(await first.nextLine())).toBe(`http://127.0.0.1:${port + 1}`);
+    await end(first.child);
+    const second = scrim('open', project, '--browser', '--port', String(port + 1), '--preview-port', String(port));
+    expect(await previewOf(await second.nextLine())).toBe(`http://127.0.0.1:${port}`);
+    await end(second.child);
+  });
+
+  /** The origin that the editor's page may show in its frame. */
+  async function previewOf(url: string | undefined): Promise<string | undefined> {
+    const policy = (await fetch(url ?? '')).headers.get('content-security-policy') ?? '';
+    return /frame-src ([^;]+)/.exec(policy)?.[1];
+  }
+
+  async function twoFreePorts(): Promise<number> {
+    for (let port = 21_000; ; port += 2) if ((await isFree(port)) && (await isFree(port + 1))) return port;
+  }
+
   test('prints one JSON value for a program that opens the address itself', async () => {
     const { nextLine, child } = scrim('open', project, '--browser', '--json');
-    expect(JSON.parse((await nextLine()) ?? '')).toMatchObject({ ok: true, shell: 'server', url: expect.stringContaining('#token=') });
+    expect(JSON.parse((await nextLine()) ?? '')).toMatchObject({ ok: true, shell: 'server', url: expect.stringContaining('#code=') });
     await end(child);
     expect(await nextLine()).toBeUndefined();
   });
@@ -90,7 +126,7 @@ describe('scrim open', () => {
     expect(refused.errors.join('')).toContain(`Port ${port} is taken`);
     await new Promise((done) => blocker.close(done));
     const { nextLine } = scrim('open', project, '--browser', '--port', String(port));
-    expect(await nextLine()).toContain(`http://127.0.0.1:${port}/#token=`);
+    expect(await nextLine()).toContain(`http://127.0.0.1:${port}/#code=`);
   });
 
   test('has the same address at every start, so that browsers find what was chosen; beside another one, a free address', async () => {

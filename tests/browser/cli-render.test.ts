@@ -14,9 +14,9 @@ const FRAMES = 4;
 /** One second between frames makes their numbers easy to read in a picture. */
 const FRAME_S = 1;
 
-/** A box of half a metre straight ahead, two metres away: its front at 1.75 m. */
+/** A box of half a meter straight ahead, two meters away: its front at 1.75 m. */
 const BOX_FRONT_M = 1.75;
-/** Room depth: a wall on the left half at one metre, hiding the box; on the right at three. */
+/** Room depth: a wall on the left half at one meter, hiding the box; on the right at three. */
 const WALL_MM = [1000, 3000] as const;
 
 const BOX: ProjectText = {
@@ -59,8 +59,8 @@ beforeEach(() => {
 });
 afterAll(() => rm(base, { recursive: true, force: true }));
 
-/** The colour that a frame's picture has at a pixel: different everywhere and in every frame. */
-function colourAt(frame: number, x: number, y: number): readonly [number, number, number] {
+/** The color that a frame's picture has at a pixel: different everywhere and in every frame. */
+function colorAt(frame: number, x: number, y: number): readonly [number, number, number] {
   return [x * 7, y * 9, 40 + frame * 50];
 }
 
@@ -85,7 +85,7 @@ function recording(): Record<string, string | Uint8Array> {
   };
   const files: Record<string, string | Uint8Array> = { 'session.json': JSON.stringify(file) };
   for (let i = 0; i < FRAMES; i++) {
-    const pixels = Array.from({ length: WIDTH * HEIGHT }, (_, at) => [...colourAt(i, at % WIDTH, Math.floor(at / WIDTH)), 255]);
+    const pixels = Array.from({ length: WIDTH * HEIGHT }, (_, at) => [...colorAt(i, at % WIDTH, Math.floor(at / WIDTH)), 255]);
     const depth = Array.from({ length: WIDTH * HEIGHT }, (_, at) => WALL_MM[at % WIDTH < WIDTH / 2 ? 0 : 1]);
     files[`${i}.png`] = encode({ width: WIDTH, height: HEIGHT, data: Uint8Array.from(pixels.flat()), channels: 4, depth: 8 });
     files[`${i}.depth.png`] = encode({ width: WIDTH, height: HEIGHT, data: Uint16Array.from(depth), channels: 1, depth: 16 });
@@ -123,10 +123,10 @@ describe('scrim render', () => {
       [0, HEIGHT - 1],
       [3, 20],
     ] as const)
-      expect(png.at(x, y)).toEqual([...colourAt(0, x, y), 255]);
+      expect(png.at(x, y)).toEqual([...colorAt(0, x, y), 255]);
     const [red = 0, , blue = 255] = png.at(WIDTH / 2 + 2, HEIGHT / 2);
     expect(red - blue).toBeGreaterThan(80);
-    expect(png.at(WIDTH / 2 - 3, HEIGHT / 2)).toEqual([...colourAt(0, WIDTH / 2 - 3, HEIGHT / 2), 255]);
+    expect(png.at(WIDTH / 2 - 3, HEIGHT / 2)).toEqual([...colorAt(0, WIDTH / 2 - 3, HEIGHT / 2), 255]);
   });
 
   test('writes the same bytes each time, and a range that is the same as its frames alone', async () => {
@@ -136,7 +136,7 @@ describe('scrim render', () => {
     const [first, again] = await Promise.all([out, `${out}-again`].map((folder) => readFile(join(folder, '000002.png'))));
     expect(Buffer.compare(first as Buffer, again as Buffer)).toBe(0);
     const png = await readPng(join(out, '000003.png'));
-    expect(png.at(1, 2)).toEqual([...colourAt(3, 1, 2), 255]);
+    expect(png.at(1, 2)).toEqual([...colorAt(3, 1, 2), 255]);
   });
 
   test('writes a node’s layer with straight alpha, before anything behind it is drawn', async () => {
@@ -149,7 +149,7 @@ describe('scrim render', () => {
     expect(alpha).toBe(255);
   });
 
-  test('writes depth in millimetres', async () => {
+  test('writes depth in millimeters', async () => {
     const file = `${out}.png`;
     await render(project, '--depth', 'scene-a1b2.layer', '--out', file);
     const png = await readPng(file);

@@ -10,7 +10,7 @@ import {
   lights,
   loadUrl,
   lookingAt,
-  normalising,
+  normalizing,
   objects,
   type Stand,
   sun,
@@ -48,7 +48,7 @@ interface Facts {
 async function show(place: Stand, url: string, clip: string | null, timeS: number): Promise<{ pixels: Uint8Array; facts: Facts }> {
   const model = await loadUrl(place.backend, url);
   const root = model.instantiate();
-  const at = normalising(root);
+  const at = normalizing(root);
   const wanted = model.clips.find(({ name }) => name === clip);
   if (wanted) {
     const mixer = new AnimationMixer(root);

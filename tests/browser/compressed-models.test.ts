@@ -75,7 +75,7 @@ async function writeDraco(name: string): Promise<Uint8Array> {
   return bytes;
 }
 
-/** What nobody sees: two grey levels on average, where some are of rounding at edges and of texture filtering. */
+/** An invisible difference: two gray levels on average, some of it from rounding at edges and texture filtering. */
 function expectSame({ covered, mean, far, before, after, error }: Comparison): void {
   expect(covered).toBeGreaterThan(3000);
   expect(mean).toBeLessThan(2.5);

@@ -4,7 +4,7 @@ import { DISC } from './page-kit.ts';
 const [pass] = DISC.operations;
 if (pass?.kind !== 'pass') throw new Error('The disc is one pass.');
 
-/** A disc whose size, presence, colour and green are what visitors set. */
+/** A disc whose size, presence, color and green are what visitors set. */
 export const LAMP: Program = {
   ...DISC,
   title: 'Lamp',

@@ -36,7 +36,7 @@ export interface PlayedFrames {
 }
 
 /**
- * Plays frames of a held player over cameras of one colour per view, with a worker of ours in the node's place (`node` is its own).
+ * Plays frames of a held player over cameras of one color per view, with a worker of ours in the node's place (`node` is its own).
  * `acts` is what to do before a frame.
  */
 export async function playHeld(
@@ -62,7 +62,7 @@ export async function playHeld(
 }
 
 export interface Running {
-  /** How many frames were drawn until the screen showed the worker's picture of the camera's new colour. */
+  /** How many frames were drawn until the screen showed the worker's picture of the camera's new color. */
   readonly framesLate: readonly number[];
   /** How many buffers of pixels were made in all. */
   readonly buffers: number;
@@ -71,7 +71,7 @@ export interface Running {
   readonly error: number;
 }
 
-/** Plays as a page does, a frame a repaint, and changes the camera's colour whenever the last has come through. */
+/** Plays as a page does, a frame a repaint, and changes the camera's color whenever the last has come through. */
 export async function playRunning(program: Program, colors: readonly number[][]): Promise<Running> {
   const gl = createGl();
   const tracked = trackGl(gl);

@@ -51,7 +51,7 @@ function one({ shown }: PlayedFrames): Color[] {
 }
 
 describe('frame by frame, as in a render', () => {
-  test('the screen shows the frame before, changed; the first as it is', async () => {
+  test('the screen shows the previous frame, filtered; the first frame unchanged', async () => {
     const played = await play('swap', [[RED], [BLUE], [GREEN], [RED]]);
     expect(one(played)).toEqual([RED, FROM_RED, FROM_BLUE, GREEN]);
     expect(played).toMatchObject({ diagnostics: [], error: 0 });
@@ -116,6 +116,6 @@ test('as a page plays, frames never wait, few are late, one buffer serves all, a
 
 test('a plan says so in words', () => {
   expect(describeProgram(compiled(studio()))).toContain(
-    'cpu-a: sends cpu-a.picture to a worker, and draws what came back of an earlier one into cpu-a.layer',
+    'cpu-a: sends cpu-a.picture to a worker and draws the result of an earlier frame into cpu-a.layer',
   );
 });

@@ -4,7 +4,7 @@ import { TINTED } from '../support/tinted.ts';
 
 const openEditor = useEditor();
 
-test('by keys alone, the shader’s text completes a call, renames an input with its wire, and turns a colour', async () => {
+test('by keys alone, the shader’s text completes a call, renames an input with its wire, and turns a color', async () => {
   const { page, editor } = await openEditor(TINTED);
   await editor.settled();
   await editor.openCode('tint-aaaa');

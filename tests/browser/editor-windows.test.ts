@@ -37,7 +37,7 @@ afterEach(async () => {
 async function openTab(): Promise<Page> {
   const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 800 } });
   pages.push(page);
-  await page.goto(server.url);
+  await page.goto(server.invite());
   await page.locator('.top-title h1').filter({ hasText: 'Shared' }).waitFor();
   await page.getByRole('textbox', { name: 'Title' }).waitFor();
   return page;
@@ -69,7 +69,7 @@ const menu = async (page: Page, name: string, item: string) => {
 };
 
 describe('two tabs on one project', () => {
-  test('the second is told, follows the first, and nobody’s work is replaced unasked', async () => {
+  test('the second window is notified and follows the first, and no work is replaced without asking', async () => {
     const first = await openTab();
     const second = await openTab();
     await second.getByText('This project is open in another window, too.').waitFor();
@@ -82,7 +82,7 @@ describe('two tabs on one project', () => {
     await retitle(second, 'From the second');
     await retitle(first, 'First again');
     await save(first);
-    const question = second.getByRole('dialog', { name: 'The project changed on disk' });
+    const question = second.getByRole('dialog', { name: 'Project changed on disk' });
     await question.waitFor();
     expect(await titleOnDisk()).toBe('First again');
     await shows(second, 'From the second');
@@ -92,7 +92,7 @@ describe('two tabs on one project', () => {
     await second.keyboard.press('Control+s');
     await question.waitFor();
     expect(await titleOnDisk()).toBe('First again');
-    await question.getByRole('button', { name: 'Save over it' }).click();
+    await question.getByRole('button', { name: 'Overwrite' }).click();
     await second.locator('.unsaved').waitFor({ state: 'detached' });
     expect(await titleOnDisk()).toBe('From the second');
     await shows(first, 'From the second');
@@ -107,8 +107,8 @@ describe('a project that another program writes', () => {
     await shows(page, 'Written outside');
     await retitle(page, 'Mine');
     await write('Written again');
-    const question = page.getByRole('dialog', { name: 'The project changed on disk' });
-    await question.getByRole('button', { name: 'Take the version on disk' }).click();
+    const question = page.getByRole('dialog', { name: 'Project changed on disk' });
+    await question.getByRole('button', { name: 'Load from disk' }).click();
     await shows(page, 'Written again');
     await page.locator('.unsaved').waitFor({ state: 'detached' });
   });
@@ -121,10 +121,10 @@ describe('unsaved work', () => {
     await untilUnsavedIs(1);
     await page.close();
     const next = await openTab();
-    const offer = next.getByRole('dialog', { name: 'Unsaved work was found' });
+    const offer = next.getByRole('dialog', { name: 'Unsaved changes found' });
     // Only an answer closes the question: going on without one would write over that work.
     await next.keyboard.press('Escape');
-    await offer.getByRole('button', { name: 'Restore it' }).click();
+    await offer.getByRole('button', { name: 'Restore' }).click();
     await shows(next, 'Not saved');
 
     await menu(next, 'File', 'New…');
@@ -162,7 +162,7 @@ describe('a new project', () => {
     await question.getByRole('radio', { name: /^Filter/ }).check();
     await question.getByRole('textbox', { name: 'Folder' }).fill('not/whole');
     await question.getByRole('button', { name: 'Create' }).click();
-    await page.getByText('not/whole is not a whole path.').waitFor();
+    await page.getByText('not/whole is not a full path.').waitFor();
     const errors = collectErrors(page);
     const folder = join(base, 'ink-room');
     await question.getByRole('textbox', { name: 'Folder' }).fill(folder);

@@ -1,7 +1,7 @@
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { encodePicture } from '../support/picture.ts';
 
@@ -22,28 +22,28 @@ const start = (graph: GraphText = SIMPLE) => openEditor(graph);
 describe('wires', () => {
   test('a wire that cannot be is dimmed, says why beside the pointer, and again when let go', async () => {
     const { page, editor } = await start();
-    const from = await centreOf(editor.port('number-aaaa', 'number', 'source'));
+    const from = await centerOf(editor.port('number-aaaa', 'number', 'source'));
     const target = editor.port('screen-aaaa', 'layer', 'target');
-    const to = await centreOf(target);
+    const to = await centerOf(target);
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
     await page.mouse.move(to.x - 60, to.y, { steps: 5 });
     await page.locator('[data-node="screen-aaaa"].node-dimmed').waitFor();
     await page.mouse.move(to.x, to.y, { steps: 5 });
     const hint = page.locator('.connection-hint');
-    expect(await hint.textContent()).toMatch(/gives “Number”, but .* takes “Layer”/);
+    expect(await hint.textContent()).toMatch(/outputs “Number”, but .* takes “Layer”/);
     await page.mouse.up();
     await hint.waitFor({ state: 'detached' });
     await page
       .getByRole('log', { name: 'Messages' })
-      .getByText(/gives “Number”/)
+      .getByText(/outputs “Number”/)
       .waitFor();
     expect(await page.locator('.react-flow__edge').count()).toBe(1);
   });
 
   test('let go over the canvas, it asks for a node that fits and wires it, all in one step', async () => {
     const { page, editor } = await start();
-    await editor.drag(await centreOf(editor.port('video-aaaa', 'layer', 'source')), await editor.emptyPlace());
+    await editor.drag(await centerOf(editor.port('video-aaaa', 'layer', 'source')), await editor.emptyPlace());
     const list = page.getByRole('listbox', { name: 'Node types' });
     await list.waitFor();
     const offered = await list.getByRole('option').allTextContents();
@@ -60,7 +60,7 @@ describe('wires', () => {
 
   test('pulled off its port and let go, it is gone; undo brings it back', async () => {
     const { page, editor } = await start();
-    const end = await centreOf(editor.port('screen-aaaa', 'layer', 'target'));
+    const end = await centerOf(editor.port('screen-aaaa', 'layer', 'target'));
     await editor.drag({ x: end.x - 24, y: end.y }, await editor.emptyPlace());
     await page.locator('.react-flow__edge').waitFor({ state: 'detached' });
     await page.keyboard.press('Control+z');
@@ -70,7 +70,7 @@ describe('wires', () => {
   test('without a pointer, the inspector wires', async () => {
     const { page, editor } = await start();
     await editor.addNode('gaussian');
-    await page.getByRole('combobox', { name: 'Wire to Layer' }).selectOption({ label: 'Camera video · Layer' });
+    await page.getByRole('combobox', { name: 'Connect to Layer' }).selectOption({ label: 'Camera video · Layer' });
     await editor.inspector.getByRole('button', { name: /Camera video · Layer/ }).waitFor();
     expect(await page.locator('.react-flow__edge').count()).toBe(2);
   });
@@ -87,11 +87,11 @@ describe('nodes', () => {
     await page.keyboard.press('Enter');
     const node = editor.node('sobel');
     await page.locator('.react-flow__node:focus').waitFor();
-    const before = await centreOf(node);
+    const before = await centerOf(node);
     for (let i = 0; i < 4; i++) await page.keyboard.press('ArrowRight');
-    expect((await centreOf(node)).x).toBeGreaterThan(before.x + 20);
+    expect((await centerOf(node)).x).toBeGreaterThan(before.x + 20);
     await page.keyboard.press('Control+z');
-    expect((await centreOf(node)).x).toBeCloseTo(before.x, 0);
+    expect((await centerOf(node)).x).toBeCloseTo(before.x, 0);
     await page.keyboard.press('Delete');
     await node.waitFor({ state: 'detached' });
   });
@@ -113,12 +113,12 @@ describe('nodes', () => {
 
   test('dragged, they move in one step that undo takes back', async () => {
     const { page, editor } = await start();
-    const before = await centreOf(editor.node('number-aaaa').locator('.node-title'));
+    const before = await centerOf(editor.node('number-aaaa').locator('.node-title'));
     await editor.drag(before, { x: before.x + 160, y: before.y + 64 });
-    const after = await centreOf(editor.node('number-aaaa').locator('.node-title'));
+    const after = await centerOf(editor.node('number-aaaa').locator('.node-title'));
     expect(after.x - before.x).toBeGreaterThan(100);
     await page.keyboard.press('Control+z');
-    expect((await centreOf(editor.node('number-aaaa').locator('.node-title'))).x).toBeCloseTo(before.x, 0);
+    expect((await centerOf(editor.node('number-aaaa').locator('.node-title'))).x).toBeCloseTo(before.x, 0);
   });
 
   test('a Shadertoy source is pasted into its dialogue, and becomes a shader with its credit', async () => {
@@ -129,7 +129,7 @@ describe('nodes', () => {
     const dialog = page.getByRole('dialog', { name: 'Import Shadertoy' });
     const source = dialog.getByLabel('Code or JSON');
     await source.fill('// Buffer A\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }');
-    await dialog.getByText('There is no Image tab in it.').waitFor();
+    await dialog.getByText('The Image tab is missing.').waitFor();
     expect(await dialog.getByRole('button', { name: 'Import' }).isDisabled()).toBe(true);
     await source.fill('// Created by Ada Example\nvoid mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p / iResolution.xy); }');
     await dialog.getByText(/Created by Ada Example.*CC BY-NC-SA 3\.0/).waitFor();
@@ -149,7 +149,7 @@ describe('nodes', () => {
     await page.evaluate(
       ({ bytes, x, y }) => {
         const data = new DataTransfer();
-        data.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], 'grey.png', { type: 'image/png' }));
+        data.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], 'gray.png', { type: 'image/png' }));
         const target = document.elementFromPoint(x, y);
         for (const kind of ['dragover', 'drop']) {
           target?.dispatchEvent(new DragEvent(kind, { dataTransfer: data, clientX: x, clientY: y, bubbles: true, cancelable: true }));
@@ -158,8 +158,8 @@ describe('nodes', () => {
       { bytes: png, ...place },
     );
     await editor.node('image-file').waitFor();
-    expect(await readdir(join(project, 'assets'))).toEqual(['grey.png']);
-    expect(await editor.inspector.getByRole('combobox').first().inputValue()).toMatch(/^grey-/);
+    expect(await readdir(join(project, 'assets'))).toEqual(['gray.png']);
+    expect(await editor.inspector.getByRole('combobox').first().inputValue()).toMatch(/^gray-/);
   });
 });
 
@@ -179,7 +179,7 @@ describe('values', () => {
     expect(await field.inputValue()).toBe('12');
     await page.mouse.click(400, 500);
     await editor.node('gaussian').locator('.node-title').click();
-    const at = await centreOf(field);
+    const at = await centerOf(field);
     await editor.drag(at, { x: at.x + 40, y: at.y });
     expect(Number(await field.inputValue())).toBeGreaterThan(12);
     await page.keyboard.press('Control+z');
@@ -217,7 +217,7 @@ describe('files', () => {
     await kept;
     page.on('dialog', (dialog) => void dialog.accept());
     await page.reload();
-    await page.getByRole('dialog', { name: 'Unsaved work was found' }).getByRole('button', { name: 'Restore it' }).click();
+    await page.getByRole('dialog', { name: 'Unsaved changes found' }).getByRole('button', { name: 'Restore' }).click();
     await editor.node('sepia').waitFor();
     expect(await page.locator('.unsaved').count()).toBe(1);
   });
@@ -230,8 +230,8 @@ describe('files', () => {
     await page.getByRole('heading', { name: 'Changed elsewhere' }).waitFor();
     await editor.addNode('sepia');
     await writeFile(path, text.replace('"Test"', '"Changed again"'));
-    await page.getByRole('dialog', { name: 'The project changed on disk' }).waitFor();
-    await page.getByRole('button', { name: 'Take the version on disk' }).click();
+    await page.getByRole('dialog', { name: 'Project changed on disk' }).waitFor();
+    await page.getByRole('button', { name: 'Load from disk' }).click();
     await page.getByRole('heading', { name: 'Changed again' }).waitFor();
     expect(await editor.node('sepia').count()).toBe(0);
   });
@@ -255,14 +255,45 @@ describe('the preview', () => {
     await editor.pictureSameAs(before);
   });
 
+  test('waits to be started where the device was lost the last time, and where Shift was held on opening', async () => {
+    const { page, editor } = await start();
+    await editor.settled();
+    const frame = page.frames().find((candidate) => candidate !== page.mainFrame());
+    await frame?.evaluate(() => {
+      document.querySelector<HTMLCanvasElement>('#picture')?.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+    });
+    await page.getByText('The graphics device was lost').waitFor();
+    await page.reload();
+    await page.getByText('the graphics device was lost when this project was last open').waitFor();
+    expect(await page.locator('iframe[title="Preview"]').count()).toBe(0);
+    // The graph can be edited meanwhile.
+    await page.locator('.react-flow__node').first().waitFor();
+    await page.getByRole('button', { name: 'Start preview' }).click();
+    await editor.settled();
+    await editor.rewind();
+    await page.reload();
+    await editor.settled();
+    expect(await page.getByRole('button', { name: 'Start preview' }).count()).toBe(0);
+
+    await page.keyboard.press('Control+o');
+    await page
+      .getByRole('region', { name: 'Recent' })
+      .locator('.open-project')
+      .first()
+      .click({ modifiers: ['Shift'] });
+    await page.getByText('Shift was held while the project opened').waitFor();
+    await page.getByRole('button', { name: 'Start preview' }).click();
+    await editor.settled();
+  });
+
   test('steps frame by frame, and shows two views as a headset does', async () => {
     const { page, editor } = await start();
     await editor.settled();
     await editor.rewind();
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
-    await editor.press('One frame on');
+    await editor.press('Next frame');
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '1');
-    await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+    await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
     await editor.settled();
     const one = await editor.picture();
     await editor.press('Two views, as in a headset');

@@ -1,6 +1,7 @@
 /// <reference types="webxr" />
 import { Matrix4, Raycaster, Vector3 } from 'three';
-import type { DepthFormat, DepthOptions, DepthUsage, EmulatorOptions } from '../../export/emulator/options.ts';
+import type { DepthOptions, EmulatorOptions } from '../../export/emulator/options.ts';
+import type { DepthFormat, DepthUsage } from '../../export/emulator/profiles.ts';
 import { createRoom, type RoomSource } from '../../export/emulator/rooms/room-source.ts';
 import { enter, first, lookAt, type Stage, type Triple } from './emulator-kit.ts';
 
@@ -13,7 +14,7 @@ export interface DepthTrial {
 }
 
 export interface DepthErrors {
-  /** Of |measured − ray cast|, metres, over the sampled texels of all views. */
+  /** Of |measured − ray cast|, meters, over the sampled texels of all views. */
   readonly medianM: number;
   readonly maxM: number;
   readonly samples: number;
@@ -35,7 +36,7 @@ export async function compareWithRays(trial: DepthTrial, stride: number): Promis
   for (const view of views) {
     for (let row = 1; row < view.height; row += stride) {
       for (let column = 1; column < view.width; column += stride) {
-        const measured = view.metres[row * view.width + column] ?? 0;
+        const measured = view.meters[row * view.width + column] ?? 0;
         const error = errorAt(measured, (dx, dy) => cast(view, (column + 0.5 + dx) / view.width, (row + 0.5 + dy) / view.height));
         if (Number.isFinite(error)) errors.push(error);
         else disagreements++;
@@ -54,7 +55,7 @@ export async function compareWithRays(trial: DepthTrial, stride: number): Promis
   };
 }
 
-/** Drivers snap corners to a fraction of a pixel, so an edge may fall on the other side of a texel's centre. */
+/** Drivers snap corners to a fraction of a pixel, so an edge may fall on the other side of a texel's center. */
 const NUDGES = [
   [-0.1, 0],
   [0.1, 0],
@@ -81,7 +82,7 @@ interface ReadDepth {
   readonly width: number;
   readonly height: number;
   /** Row-major as the buffer or texture has them. */
-  readonly metres: Float32Array;
+  readonly meters: Float32Array;
   readonly bufferFromView: Matrix4;
   readonly worldFromView: Matrix4;
   readonly clipFromView: Matrix4;
@@ -99,7 +100,7 @@ function readDepth({ session, gl, binding }: Stage, frame: XRFrame, view: XRView
   return {
     width,
     height,
-    metres: raw.map((value) => value * rawValueToMeters),
+    meters: raw.map((value) => value * rawValueToMeters),
     bufferFromView: new Matrix4().fromArray([...info.normDepthBufferFromNormView.matrix]),
     worldFromView: new Matrix4().fromArray([...view.transform.matrix]),
     clipFromView: new Matrix4().fromArray([...view.projectionMatrix]),

@@ -97,8 +97,8 @@ describe('the matrix of a transformed buffer finds the same place of the view', 
     ['turned, mirrored and cut', { turnDeg: 90, flipY: true, covers: { x: 0.05, y: 0.05, width: 0.9, height: 0.9 } }],
   ])('%s', async (_, transform) => {
     const found = await page.call<number[]>('depthAtPlaces', transform, places);
-    found.forEach((metres, i) => {
-      expect(metres).toBeCloseTo(expected[i] ?? 0, 3);
+    found.forEach((meters, i) => {
+      expect(meters).toBeCloseTo(expected[i] ?? 0, 3);
     });
   });
 });

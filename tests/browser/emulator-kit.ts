@@ -151,7 +151,7 @@ export function forward(m: ArrayLike<number> | undefined): number[] {
   return [8, 9, 10].map((i) => round(-(m?.[i] ?? 0)));
 }
 
-/** To a tenth of a millimetre, without negative zero. */
+/** To a tenth of a millimeter, without negative zero. */
 export function round(x: number): number {
   return Math.round(x * 1e4) / 1e4 + 0;
 }

@@ -17,7 +17,7 @@ type LightFrame = XRFrame & {
 };
 type CameraBinding = XRWebGLBinding & { getCameraImage(camera: XrCamera): WebGLTexture };
 
-/** Grey walls all around, and a red, a green and a blue cube in front of the viewer. */
+/** Gray walls all around, and a red, a green and a blue cube in front of the viewer. */
 const LANDMARKS: readonly (readonly [Triple, Triple])[] = [
   [
     [-0.9, 1.9, -2.4],
@@ -47,7 +47,7 @@ export interface Landmark {
   readonly depthErrorM: number;
 }
 
-/** What stands at the projected centre of each landmark, per view: camera image, composite and depth. */
+/** What stands at the projected center of each landmark, per view: camera image, composite and depth. */
 export async function landmarks(options: EmulatorOptions): Promise<Landmark[]> {
   const stage = await enter(
     { room: LANDMARK_ROOM, extra: ['camera-access'], depth: { usages: ['cpu-optimized'], formats: ['float32'] }, ...options },
@@ -188,7 +188,7 @@ const CARDINAL = [
 ] as const;
 
 /**
- * Light in a room whose six walls have six colours: the estimate, and for each direction the colour that a page's shader finds
+ * Light in a room whose six walls have six colors: the estimate, and for each direction the color that a page's shader finds
  * in the reflection cube map there (a little off the axes, so that a mirrored face shows).
  */
 export async function light() {

@@ -27,7 +27,7 @@ describe('camera image, picture and depth agree', () => {
     found.forEach(({ cameraChannel, pictureChannel, depthErrorM }, i) => {
       // Red, green, blue in this order.
       expect([cameraChannel, pictureChannel]).toEqual([i % 3, i % 3]);
-      // The cube's front is up to half its diagonal nearer than its centre.
+      // The cube's front is up to half its diagonal nearer than its center.
       expect(depthErrorM).toBeLessThan(-0.03);
       expect(depthErrorM).toBeGreaterThan(-0.11);
     });
@@ -104,7 +104,7 @@ test('light is estimated from the room', async () => {
   const [redX = 0, greenX = 0] = found.harmonics.slice(9, 11);
   expect(redX).toBeGreaterThan(0.1);
   expect(greenX).toBeLessThan(-0.1);
-  // Each wall of the cube map in its own colour, at four corners: red, green, blue, yellow, cyan, magenta.
+  // Each wall of the cube map in its own color, at four corners: red, green, blue, yellow, cyan, magenta.
   const walls = [
     [true, false, false],
     [false, true, false],

@@ -2,8 +2,9 @@
 import { Matrix4, Vector3 } from 'three';
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
-import type { Capability, ProgramNeed } from '../../export/program/program.ts';
+import type { ProgramNeed } from '../../export/program/program.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
+import type { Capability } from '../../nodes/kit/definition.ts';
 import type { Session, SessionEvent, SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 import { createContext, lookAt } from './emulator-kit.ts';
 
@@ -26,7 +27,7 @@ export interface SeenBySession {
   readonly capabilities: readonly string[];
   readonly viewCount: number;
   readonly ownFramebuffer: boolean;
-  /** Room depth of the session less a ray cast into the room, metres, per view and place. */
+  /** Room depth of the session less a ray cast into the room, meters, per view and place. */
   readonly depthErrorsM: readonly number[];
   readonly depthsM: readonly number[];
   /** Largest difference of a byte between the session's camera image and the room as shown, at the places. */
@@ -60,7 +61,7 @@ export async function seeThroughSession(options: EmulatorOptions): Promise<SeenB
   emulator.setTracked(true);
   emulator.recenter();
   await emulator.stepFrame();
-  // Before the world was re-centred: the room is where the session says.
+  // Before the world was re-centered: the room is where the session says.
   const seen = frames[1];
   const glError = gl.getError();
   await output.end();
@@ -97,22 +98,22 @@ function readFrame(gl: WebGL2RenderingContext, emulator: Emulator, frame: Sessio
     viewCount: frame.viewCount,
     ownFramebuffer: frame.framebuffer !== null,
     depthErrorsM: depths.map(({ errorM }) => errorM),
-    depthsM: depths.map(({ metres }) => metres),
+    depthsM: depths.map(({ meters }) => meters),
     cameraError: Math.max(...camera),
     hasReflection: gl.isTexture(frame.light?.reflection?.texture ?? null),
     light: frame.light && [...frame.light.sphericalHarmonics.slice(0, 3), ...frame.light.primaryDirectionWorld],
   };
 }
 
-/** The session's depth at a place of the view, against a ray through the centre of the texel that it reads. */
+/** The session's depth at a place of the view, against a ray through the center of the texel that it reads. */
 function depthAt(gl: WebGL2RenderingContext, emulator: Emulator, view: ViewFrame, u: number, v: number) {
   const { depth } = view;
-  if (!depth) return { metres: Number.NaN, errorM: Number.NaN };
+  if (!depth) return { meters: Number.NaN, errorM: Number.NaN };
   const m = depth.uvFromViewUv;
   const texelOf = (row: number, size: number): number => Math.floor(((m[row] ?? 0) * u + (m[row + 3] ?? 0) * v + (m[row + 6] ?? 0)) * size);
   const [column, row] = [texelOf(0, depth.widthPx), texelOf(1, depth.heightPx)];
-  const [metres = Number.NaN] = readTexel(gl, depth.texture, column, row, gl.FLOAT);
-  // Back from the texel's centre to the view: the inverse of the 3 × 3 as a 4 × 4.
+  const [meters = Number.NaN] = readTexel(gl, depth.texture, column, row, gl.FLOAT);
+  // Back from the texel's center to the view: the inverse of the 3 × 3 as a 4 × 4.
   const full = new Matrix4().set(m[0] ?? 0, m[3] ?? 0, 0, m[6] ?? 0, m[1] ?? 0, m[4] ?? 0, 0, m[7] ?? 0, 0, 0, 1, 0, 0, 0, 0, 1);
   const inView = new Vector3((column + 0.5) / depth.widthPx, (row + 0.5) / depth.heightPx, 0).applyMatrix4(full.invert());
   const p = view.clipFromView;
@@ -121,7 +122,7 @@ function depthAt(gl: WebGL2RenderingContext, emulator: Emulator, view: ViewFrame
   const worldFromView = new Matrix4().fromArray([...view.worldFromView]);
   const origin = new Vector3().setFromMatrixPosition(worldFromView);
   const cast = emulator.measure(origin.toArray(), direction.transformDirection(worldFromView).toArray());
-  return { metres, errorM: metres - (cast ?? Number.NaN) / length };
+  return { meters, errorM: meters - (cast ?? Number.NaN) / length };
 }
 
 function readTexel(gl: WebGL2RenderingContext, texture: WebGLTexture, x: number, y: number, type: GLenum): number[] {

@@ -51,7 +51,7 @@ test.each<readonly [string, EmulatorOptions, number, readonly string[]]>([
   expect(seen.diagnostics).toHaveLength(3 - capabilities.length);
   expect(seen.depthErrorsM).toHaveLength(5 * views);
   for (const error of seen.depthErrorsM) expect(Math.abs(error)).toBeLessThan(0.002);
-  for (const metres of seen.depthsM) expect(metres).toBeGreaterThan(0.3);
+  for (const meters of seen.depthsM) expect(meters).toBeGreaterThan(0.3);
   expect(seen.cameraError).toBe(0);
   expect(seen.hasReflection).toBe(capabilities.includes('light-estimation'));
   if (capabilities.includes('light-estimation')) {

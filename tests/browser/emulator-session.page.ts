@@ -32,7 +32,7 @@ export function requests() {
     const errors = {
       refusedRequired: await refusal({ requiredFeatures: ['camera-access'] }),
       unknownRequired: await refusal({ requiredFeatures: ['telepathy'] }),
-      inline: await refusal({}, 'inline'),
+      localOnThePage: await refusal({}, 'inline'),
       depthWithoutWishes: await refusal({ requiredFeatures: ['depth-sensing'] }),
       depthInAnotherFormat: await refusal({
         requiredFeatures: ['depth-sensing'],

@@ -23,7 +23,7 @@ describe('requestSession', () => {
     expect(errors).toEqual({
       refusedRequired: 'NotSupportedError',
       unknownRequired: 'NotSupportedError',
-      inline: 'NotSupportedError',
+      localOnThePage: 'NotSupportedError',
       depthWithoutWishes: 'NotSupportedError',
       depthInAnotherFormat: 'NotSupportedError',
       overlayWithoutRoot: 'NotSupportedError',

@@ -26,10 +26,10 @@ export async function spaces() {
   emulator.setPose(lookAt([2, 1.6, 0], [2, 1.6, -1]));
   const after = await ask();
   emulator.recenter();
-  const recentred = await ask();
+  const recentered = await ask();
   await stage.leave();
   await emulator.uninstall();
-  return { before, after, recentred };
+  return { before, after, recentered };
 }
 
 export function hits() {

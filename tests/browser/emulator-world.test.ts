@@ -15,15 +15,15 @@ function ask<T>(name: string, ...args: readonly unknown[]): Promise<T> {
   return page.call<T>(name, ...args);
 }
 
-test('spaces are level and stay where they are until re-centred', async () => {
-  const { before, after, recentred } = await ask<Record<string, Record<string, number[]>>>('spaces');
+test('spaces are level and stay where they are until re-centered', async () => {
+  const { before, after, recentered } = await ask<Record<string, Record<string, number[]>>>('spaces');
   // The head looks along −x and down; `local` begins there, upright.
   expect(before).toMatchObject({ floor: [1, 1.5, 2], local: [0, 0, 0], localUp: [0, 1, 0], localForward: [-1, 0, 0], viewer: [0, 0, 0] });
   // In a space moved by (1, 0, 2) and turned by 90° about y.
   expect(before?.shifted).toEqual([0, 1.5, 0]);
   // From (1, 1.5, 2) to (2, 1.6, 0): 2 m to the right and 1 m back of someone facing −x.
   expect(after).toMatchObject({ floor: [2, 1.6, 0], local: [2, 0.1, 1], viewer: [0, 0, 0] });
-  expect(recentred).toMatchObject({ floor: [0, 1.6, 0], local: [0, 0, 0], localUp: [0, 1, 0], localForward: [0, 0, -1] });
+  expect(recentered).toMatchObject({ floor: [0, 1.6, 0], local: [0, 0, 0], localUp: [0, 1, 0], localForward: [0, 0, -1] });
 });
 
 test('hit tests find planes by default and solids when asked, in this frame', async () => {

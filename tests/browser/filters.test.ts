@@ -32,8 +32,8 @@ const CASES: Readonly<Record<string, Readonly<Record<string, Params>>>> = {
   'chroma-key': { green: {}, red: { keyColor: [0.8, 0.2, 0.1, 1], tolerance: 0.1, softness: 0.2, spill: 1 } },
   'skin-mask': { soft: {}, cut: { softness: 20, widen: 3, show: 1 } },
   'hdr-exposure': { long: {}, kept: { stops: 2.5, highlights: 1 }, short: { stops: -2 } },
-  'film-grain': { grey: {}, colour: { amount: 0.15, size: 3, color: 0.7, midtones: 1 } },
-  halftone: { ink: {}, colour: { size: 13.5, angle: 0.3, pictureColors: 1 } },
+  'film-grain': { gray: {}, color: { amount: 0.15, size: 3, color: 0.7, midtones: 1 } },
+  halftone: { ink: {}, color: { size: 13.5, angle: 0.3, pictureColors: 1 } },
   pixelate: { 8: { size: 8 }, 13: { size: 13 } },
   swirl: { left: { angle: 1.5, radius: 60 }, right: { angle: -2, radius: 200 } },
   tile: { plain: { columns: 4, rows: 2 }, mirrored: { columns: 2, rows: 8, mirror: 1 } },
@@ -110,11 +110,11 @@ test.each(Object.entries(IDENTITIES))('%s changes nothing at its identity', asyn
   await expectSamePixels(`identity-${filter}`, await apply(filter, picture, params), picture, { tolerance: 1 });
 });
 
-/** What nobody can do in one pixel: 64 by 64 pixels, with a distance for each. */
+/** Needs more than one pixel: 64 × 64 pixels, each with a distance. */
 async function applyWithDepth(
   filter: string,
   inputImage: Picture,
-  metres: (x: number, y: number) => number,
+  meters: (x: number, y: number) => number,
   params: Params,
   of: 'inputImage' | 'room' = 'inputImage',
 ): Promise<Picture> {
@@ -122,7 +122,7 @@ async function applyWithDepth(
   const shader = made(readIsf(SHADERS[file] ?? '', file));
   const { width, height } = inputImage;
   // Bottom row first.
-  const values = Array.from({ length: width * height }, (_, i) => metres(i % width, height - 1 - Math.floor(i / width)));
+  const values = Array.from({ length: width * height }, (_, i) => meters(i % width, height - 1 - Math.floor(i / width)));
   return drawPicture(page, {
     width,
     height,
@@ -147,7 +147,7 @@ describe('fog', () => {
     ['exponential', 0],
     ['exponential squared', 1],
     ['even', 2],
-  ] as const)('grows %s with metres, of the layer and of the room alike', async (_, falloff) => {
+  ] as const)('grows %s with meters, of the layer and of the room alike', async (_, falloff) => {
     const [near, far] = [2, 10];
     const fogged = (m: number) => GROWTH[falloff](Math.max(m - near, 0) / (far - near)) * 0.8;
     const expected = paint(64, 4, (x) => {
@@ -182,7 +182,7 @@ describe('depth of field', () => {
     expect(RADIUS_PX).toBeCloseTo(6.35, 2);
     const drawn = await applyWithDepth('depth-of-field', edge, () => 3, LENS);
     for (let x = 20; x < 44; x++) {
-      // How much of a disc about the pixel's centre lies left of the edge.
+      // How much of a disc about the pixel's center lies left of the edge.
       const t = Math.max(-1, Math.min(1, (32 - (x + 0.5)) / RADIUS_PX));
       const left = 0.5 + (t * Math.sqrt(1 - t * t) + Math.asin(t)) / Math.PI;
       expect(Math.abs((pixelAt(drawn, x, 32)[0] ?? 0) - 255 * left)).toBeLessThan(10);
@@ -198,13 +198,13 @@ describe('depth of field', () => {
 });
 
 test('white balance swings from one light to the other and back', async () => {
-  const grey = paint(2, 2, () => [128, 128, 128, 255]);
+  const gray = paint(2, 2, () => [128, 128, 128, 255]);
   const swing = { warm: 3000, cold: 10_000, swing: 0.1 };
   const at = async (params: Params, frames: number) => {
     const file = 'filters/white-balance.fs';
     const shader = made(readIsf(SHADERS[file] ?? '', file));
     const defaults = Object.fromEntries(shader.inputs.map((input) => [input.name, input.default]));
-    const job = { width: 2, height: 2, passes: made(linkIsf(shader, { node: 'test' })), pictures: { inputImage: toPage(grey) }, frames };
+    const job = { width: 2, height: 2, passes: made(linkIsf(shader, { node: 'test' })), pictures: { inputImage: toPage(gray) }, frames };
     return [...pixelAt(await drawPicture(page, { ...job, params: { ...defaults, ...params } }), 0, 0)];
   };
   const [warm, cold] = [await at({ ...swing, swing: 0, balance: 0 }, 1), await at({ ...swing, swing: 0, balance: 1 }, 1)];

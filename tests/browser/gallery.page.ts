@@ -19,7 +19,7 @@ export interface Deed {
 }
 
 export interface CellLook {
-  /** Middle of what is bright in the cell, metres from the foot of its rail; null where nothing is. */
+  /** Middle of what is bright in the cell, meters from the foot of its rail; null where nothing is. */
   readonly ball: readonly [number, number] | null;
   /** In the middle of the cell, bytes. */
   readonly color: readonly number[];
@@ -30,7 +30,7 @@ const HEIGHT_PX = 600;
 /** The wall is looked at straight on, from this far in front of it; so much is seen of it from top to bottom. */
 const AWAY_M = 1.8;
 const SEEN_M = 1.26;
-const METRES_PER_PX = SEEN_M / HEIGHT_PX;
+const METERS_PER_PX = SEEN_M / HEIGHT_PX;
 /** What belongs to a cell around the foot of its rail, in heights of the rail. */
 const CELL = { side: 0.75, below: 0.25, above: 1.25 } as const;
 /** A ball, but no rail and no background. */
@@ -104,7 +104,7 @@ export function look(feet: readonly Place[]): CellLook[] {
         sumY += y + 0.5;
       }
     }
-    const ball = count === 0 ? null : ([metresX(sumX / count) - footX, metresY(sumY / count) - footY] as const);
+    const ball = count === 0 ? null : ([metersX(sumX / count) - footX, metersY(sumY / count) - footY] as const);
     return { ball, color: [...colorAt(picture, pixelX(footX), pixelY(footY + RAIL_M / 2))] };
   });
 }
@@ -119,7 +119,7 @@ export interface Piece {
 /** Pieces of the wall of this size around these places. */
 export function piecesAt(middles: readonly Place[], [widthM, heightM]: readonly [number, number]): Piece[] {
   const picture = readWall();
-  const [widthPx, heightPx] = [Math.round(widthM / METRES_PER_PX), Math.round(heightM / METRES_PER_PX)];
+  const [widthPx, heightPx] = [Math.round(widthM / METERS_PER_PX), Math.round(heightM / METERS_PER_PX)];
   return middles.map(([xM, yM]) => {
     const [left, bottom] = [pixelX(xM - widthM / 2), pixelY(yM - heightM / 2)];
     const rgb: number[] = [];
@@ -139,10 +139,10 @@ function colorAt(picture: Uint8Array, x: number, y: number): Uint8Array {
   return picture.subarray((y * WIDTH_PX + x) * 4, (y * WIDTH_PX + x) * 4 + 3);
 }
 
-const pixelX = (metres: number): number => Math.round(WIDTH_PX / 2 + (metres - MIDDLE_M[0]) / METRES_PER_PX);
-const pixelY = (metres: number): number => Math.round(HEIGHT_PX / 2 + (metres - MIDDLE_M[1]) / METRES_PER_PX);
-const metresX = (pixels: number): number => (pixels - WIDTH_PX / 2) * METRES_PER_PX + MIDDLE_M[0];
-const metresY = (pixels: number): number => (pixels - HEIGHT_PX / 2) * METRES_PER_PX + MIDDLE_M[1];
+const pixelX = (meters: number): number => Math.round(WIDTH_PX / 2 + (meters - MIDDLE_M[0]) / METERS_PER_PX);
+const pixelY = (meters: number): number => Math.round(HEIGHT_PX / 2 + (meters - MIDDLE_M[1]) / METERS_PER_PX);
+const metersX = (pixels: number): number => (pixels - WIDTH_PX / 2) * METERS_PER_PX + MIDDLE_M[0];
+const metersY = (pixels: number): number => (pixels - HEIGHT_PX / 2) * METERS_PER_PX + MIDDLE_M[1];
 
 export function problems(): readonly unknown[] {
   return [...told(), ...(gl.getError() === 0 ? [] : ['GL error'])];

@@ -187,7 +187,7 @@ describe('the gallery', () => {
     expect(changes).toEqual([90]);
   });
 
-  test('paints boxes by colours', async () => {
+  test('paints boxes by colors', async () => {
     const looks = await lookAt(110);
     const hues = Object.fromEntries(['c4', 'd1', 'd3', 'd5', 'e5'].map((key) => [key, hueOf(looks[key]?.color ?? [])]));
     // 110 frames are 1.667 s of two: five sixths of the way around; the beat is the seventh, so the second of two.
@@ -217,7 +217,7 @@ describe('the gallery', () => {
     expect(looks.f6 && placeIn(looks.f6)).toEqual([0.12, -0.32].map(near));
   });
 
-  test('keeps what its nodes remember when it is compiled anew, with another wire into a counter', async () => {
+  test('keeps the state of its nodes when it is recompiled with another wire into a counter', async () => {
     const { graphs, ...rest } = bare(loadGallery());
     const { controls } = graphs;
     if (!controls) throw new Error('There is no subgraph of the controls.');

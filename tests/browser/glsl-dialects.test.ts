@@ -64,9 +64,9 @@ describe('older and looser GLSL runs as its author meant it', () => {
     ['globals set from what is not constant', 'vec2 middle = RENDERSIZE * 0.5; float later = middle.x / 8.0;', 'later', 0.5],
     ['a const that is not constant', 'float f(float x) { const float twice = x * 2.0; return twice; }', 'f(0.25)', 0.5],
     ['a global const from an input’s size', 'const float third = 3.0; const float part = third / RENDERSIZE.x;', 'part * 8.0 / 6.0', 0.5],
-    ['a parameter declared anew', 'float f(float x) { float x = 0.5; return x; }', 'f(1.0)', 0.5],
+    ['a redeclared parameter', 'float f(float x) { float x = 0.5; return x; }', 'f(1.0)', 0.5],
     [
-      'a loop variable declared anew',
+      'a redeclared loop variable',
       'float f() { float s = 0.0; for (int i = 0; i < 2; i++) { float i = 0.25; s += i; } return s; }',
       'f()',
       0.5,

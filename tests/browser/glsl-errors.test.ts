@@ -40,7 +40,7 @@ function marked(text: string): { source: string; line: number; column: number } 
 
 describe('what the driver refuses is shown at the quoted token', () => {
   test.each([
-    ['a name that is not declared', 'void main() {\n  vec2 uv = isf_FragNormCoord;\n  gl_FragColor = vec4(uv, «colour, 1.0);\n}', 'colour'],
+    ['a name that is not declared', 'void main() {\n  vec2 uv = isf_FragNormCoord;\n  gl_FragColor = vec4(uv, «color, 1.0);\n}', 'color'],
     ['a function that does not exist', 'void main() {\n  gl_FragColor = «blurr(isf_FragNormCoord);\n}', 'blurr'],
     [
       'arguments that fit no overload',
@@ -119,6 +119,11 @@ describe('what the driver refuses is shown at the quoted token', () => {
     }
   });
 
+  test('a return without a value is told once, where it stands', async () => {
+    const { source, line, column } = marked('float f() {\n  «return;\n}\nvoid main() { gl_FragColor = vec4(f()); }');
+    expect(await diagnose(source)).toMatchObject([{ code: 'SCR042', line, column }]);
+  });
+
   test('all mistakes of a file are told, each once', async () => {
     const diagnostics = await diagnose(
       `${HEADER}\nvoid main() {\n  float a = one;\n  float b = two;\n  gl_FragColor = vec4(a, b, 0.0, 1.0);\n}`,
@@ -130,7 +135,7 @@ describe('what the driver refuses is shown at the quoted token', () => {
   });
 });
 
-describe('what the parser refuses is shown where it is to be mended', () => {
+describe('a syntax error is shown where it has to be fixed', () => {
   test.each([
     ['a missing semicolon', 'void main() {\n  float x = 1.0«\n  gl_FragColor = vec4(x);\n}', ';'],
     ['a missing bracket', 'void main() {\n  gl_FragColor = vec4(1.0«;\n}', ')'],
@@ -166,7 +171,7 @@ describe('what the parser refuses is shown where it is to be mended', () => {
   test('what Scrim cannot give yet is said so, and nothing is drawn', async () => {
     for (const [text, word] of [
       ['attribute vec2 «left;\nvoid main() { gl_FragColor = vec4(left, 0.0, 1.0); }', 'left'],
-      ['uniform sampler2D «other;\nvoid main() { gl_FragColor = texture2D(other, vec2(0.5)); }', 'other'],
+      ['uniform sampler3D «other;\nvoid main() { gl_FragColor = vec4(1.0); }', 'other'],
       ['void main() { gl_FragColor = «textureCube(inputImage, vec3(1.0)); }', 'textureCube'],
       ['#extension «GL_EXT_nothing : require\nvoid main() { gl_FragColor = vec4(1.0); }', 'GL_EXT_nothing'],
     ] as const) {

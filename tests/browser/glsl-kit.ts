@@ -29,7 +29,7 @@ export function toPage(picture: Picture): PagePicture {
   return { width, height, rgba: Buffer.from(data).toString('base64') };
 }
 
-/** A picture from a colour per pixel, premultiplied, each channel from 0 to 255; (0, 0) is the top left. */
+/** A picture from a color per pixel, premultiplied, each channel from 0 to 255; (0, 0) is the top left. */
 export function paint(width: number, height: number, color: (x: number, y: number) => readonly [number, number, number, number]): Picture {
   const data = new Uint8Array(width * height * 4);
   for (let y = 0; y < height; y++) for (let x = 0; x < width; x++) data.set(color(x, y), (y * width + x) * 4);

@@ -80,7 +80,7 @@ describe('images', () => {
     expect(pixelAt(asStored, 1, 1)).toEqual([64, 0, 0, 128]);
   });
 
-  test('every premultiplied colour of 8 bits comes through a filter that changes nothing', async () => {
+  test('every premultiplied color of 8 bits comes through a filter that changes nothing', async () => {
     const all = paint(256, 256, (x, y) => [Math.min(x, y), Math.floor(Math.min(x, y) / 2), y, y]);
     const source = `${header({ INPUTS: [IMAGE] })}void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }`;
     expect(await render(source, { width: 256, height: 256, pictures: { inputImage: toPage(all) } })).toEqual(all);
@@ -94,7 +94,7 @@ describe('images', () => {
       height: 8,
       pictures: { inputImage: { ...toPage(squares), uvFromViewUv } },
     });
-    // The view's bottom left pixel centre is (1/8, 1/16): texture (15/16, 5/16), pixel 7 from the left, 2 from the bottom.
+    // The view's bottom left pixel center is (1/8, 1/16): texture (15/16, 5/16), pixel 7 from the left, 2 from the bottom.
     expect(pixelAt(picture, 0, 7)).toEqual([210, 150, 0, 255]);
   });
 
@@ -119,7 +119,7 @@ describe('images', () => {
     expect(pixelAt(await render(source, { passes }), 1, 1)).toEqual([0, 255, 255, 255]);
   });
 
-  test('layer and room depth come in metres, for Scrim alone', async () => {
+  test('layer and room depth come in meters, for Scrim alone', async () => {
     const source = `${header({ INPUTS: [IMAGE, { NAME: 'room', TYPE: 'depth' }] })}
 void main() {
   gl_FragColor = vec4(1.0);

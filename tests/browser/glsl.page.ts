@@ -29,7 +29,7 @@ export interface Picture {
 export interface DepthPicture {
   readonly width: number;
   readonly height: number;
-  /** Bottom row first: metres, or what a depth buffer holds. */
+  /** Bottom row first: meters, or what a depth buffer holds. */
   readonly values: readonly number[];
   readonly decode?: readonly [number, number, number, number];
 }
@@ -41,7 +41,7 @@ export interface DrawJob {
   readonly pictures?: Readonly<Record<string, Picture>>;
   /** Layer depth by the layer's input, room depth by its own. */
   readonly depths?: Readonly<Record<string, DepthPicture>>;
-  /** Imported cubes by name: a colour per side. */
+  /** Imported cubes by name: a color per side. */
   readonly cubes?: Readonly<Record<string, readonly (readonly number[])[]>>;
   /** Events too: 1 where they happen. */
   readonly params?: Readonly<Record<string, number | readonly number[]>>;

@@ -43,7 +43,7 @@ beforeEach(async () => {
 afterEach(() => page.close());
 
 async function openEditor(): Promise<void> {
-  await page.goto(server.url);
+  await page.goto(server.invite());
   await page.getByText('Secret').first().waitFor();
 }
 
@@ -71,6 +71,21 @@ describe('the editor on loopback, in a browser', () => {
     await page.reload();
     await page.getByText('Secret').first().waitFor();
     expect(await page.evaluate(() => document.cookie)).toBe('');
+  });
+
+  test('opens in another tab of the same browser without a code, and in no other browser', async () => {
+    const browser = await chromium.browser.newContext();
+    const first = await browser.newPage();
+    await first.goto(server.invite());
+    await first.getByText('Secret').first().waitFor();
+    const beside = await browser.newPage();
+    await beside.goto(server.editorOrigin);
+    await beside.getByText('Secret').first().waitFor();
+    await browser.close();
+    const stranger = await chromium.browser.newPage();
+    await stranger.goto(server.editorOrigin);
+    await stranger.getByText('Its code works once.').waitFor();
+    await stranger.close();
   });
 
   test('shows nothing without the token', async () => {
@@ -114,7 +129,7 @@ describe('another site in the same browser', () => {
 
   test('cannot show the editor, or its preview, in a frame of its own', async () => {
     await page.goto(evil.origin);
-    for (const url of [server.url, `${server.previewOrigin}/`, `${evil.origin}/`]) {
+    for (const url of [server.invite(), `${server.previewOrigin}/`, `${evil.origin}/`]) {
       await page.evaluate(
         (address) =>
           new Promise((done) => {

@@ -39,9 +39,9 @@ describe('an ISF file of a project, in the player', () => {
     };
     const shown = ['flash-a1b2.layer -> screen-a1b2.layer'];
     const wired = compileProject(nodes, ['start-a1b2.pulse -> flash-a1b2.flash', ...shown], { 'flash.fs': flash });
-    expect((await play(wired)).centre).toEqual([255, 255, 255, 255]);
+    expect((await play(wired)).center).toEqual([255, 255, 255, 255]);
     const alone = compileProject({ 'flash-a1b2': nodes['flash-a1b2'], 'screen-a1b2': SCREEN }, shown, { 'flash.fs': flash });
-    expect((await play(alone)).centre).toEqual([255, 0, 0, 255]);
+    expect((await play(alone)).center).toEqual([255, 0, 0, 255]);
   });
 
   test('is drawn with the vertex shader beside it', async () => {
@@ -54,9 +54,9 @@ describe('an ISF file of a project, in the player', () => {
           'varying vec3 tint;\nvoid main() { isf_vertShaderInit(); tint = vec3(isf_FragNormCoord.x > 0.5 ? 1.0 : 0.0, 0.2, 0.4); }',
       },
     );
-    const { centre, corner } = await play(program);
-    expect(centre.slice(1)).toEqual([51, 102, 255]);
-    expect(Math.abs((centre[0] ?? 0) - 128)).toBeLessThan(4);
+    const { center, corner } = await play(program);
+    expect(center.slice(1)).toEqual([51, 102, 255]);
+    expect(Math.abs((center[0] ?? 0) - 128)).toBeLessThan(4);
     expect(corner[0]).toBeLessThan(10);
   });
 
@@ -71,7 +71,7 @@ void main() {
     const nodes = { 'leak-a1b2': { type: 'generator/leak', version: 1 }, 'screen-a1b2': SCREEN };
     const program = compileProject(nodes, ['leak-a1b2.layer -> screen-a1b2.layer'], { 'leak.fs': leak.replaceAll('SIDE', 'sticker.png') });
     expect(program.assets).toEqual([{ id: 'imported:assets/sticker.png', kind: 'image', path: 'assets/sticker.png' }]);
-    expect((await play(program)).centre).toEqual([255, 205, 60, 255]);
+    expect((await play(program)).center).toEqual([255, 205, 60, 255]);
   });
 
   test('a transition stands between two layers', async () => {
@@ -88,6 +88,6 @@ void main() {
       'fade-a1b2.layer -> screen-a1b2.layer',
     ];
     const red = '/*{ "ISFVSN": "2" }*/\nvoid main() { gl_FragColor = vec4(1.0, 0.0, 0.0, 1.0); }';
-    expect((await play(compileProject(nodes, wires, { 'red.fs': red, 'fade.glsl': fade }))).centre).toEqual([178, 75, 100, 255]);
+    expect((await play(compileProject(nodes, wires, { 'red.fs': red, 'fade.glsl': fade }))).center).toEqual([178, 75, 100, 255]);
   });
 });

@@ -14,7 +14,7 @@ import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import { createPassDrawer } from '../../export/runtime/gl/pass-drawer.ts';
 import { createProgramCache } from '../../export/runtime/gl/program-cache.ts';
 import { createCameraMean } from '../../export/runtime/light/camera-mean.ts';
-import type { LightItem, ObjectItem, ProbeLightItem } from '../../nodes/kit/runtime.ts';
+import type { LightItem, ObjectItem, ProbeLightItem } from '../../nodes/kit/scene-lists.ts';
 import type { LightEstimate, ReflectionCube, SessionFrame } from '../../nodes/kit/session.ts';
 import { definition } from '../../nodes/world/light-estimate/definition.ts';
 import { create } from '../../nodes/world/light-estimate/runtime.ts';
@@ -43,7 +43,7 @@ function sharedStand(): Stand {
   return made;
 }
 
-/** Nine coefficients with colours of their own, bright from above and from the right, nowhere below zero. */
+/** Nine coefficients with colors of their own, bright from above and from the right, nowhere below zero. */
 const HARMONICS = Float32Array.of(
   ...[1.1, 0.9, 0.8],
   ...[0.3, 0.25, 0.4],
@@ -260,12 +260,12 @@ export function shadowSides(towards: readonly Triple[]) {
       sum += alpha;
     }
     // Seen from above, up in the picture is away from the camera's feet: -z. 4 m away, 50° are 2 · 4 · tan 25° high.
-    const metresPerPx = (8 * Math.tan((25 * Math.PI) / 180)) / HEIGHT;
-    return { x: (sumX / sum - WIDTH / 2) * metresPerPx, z: -(sumY / sum - HEIGHT / 2) * metresPerPx };
+    const metersPerPx = (8 * Math.tan((25 * Math.PI) / 180)) / HEIGHT;
+    return { x: (sumX / sum - WIDTH / 2) * metersPerPx, z: -(sumY / sum - HEIGHT / 2) * metersPerPx };
   });
 }
 
-/** The mean of a picture that is half one grey and half another, cut to one of them, and none. */
+/** The mean of a picture that is half one gray and half another, cut to one of them, and none. */
 export async function cameraMeans(held: boolean) {
   const gl = createGl();
   const objectsOfGl = createGlObjects(gl);

@@ -92,10 +92,10 @@ describe('the light estimate', () => {
       left_over: number;
       error: number;
     }>('cameraMeans', held);
-    const grey = ((128 / 255 + 0.055) / 1.055) ** 2.4;
+    const gray = ((128 / 255 + 0.055) / 1.055) ** 2.4;
     // The mean goes through 8 bits.
     expect(whole?.[0]).toBeCloseTo(0.5, 2);
-    expect(whole?.[1]).toBeCloseTo(grey, 2);
+    expect(whole?.[1]).toBeCloseTo(gray, 2);
     expect(whole?.[2]).toBe(0);
     expect(left?.[0]).toBeCloseTo(1, 2);
     expect(none).toBeNull();

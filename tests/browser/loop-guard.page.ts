@@ -62,7 +62,7 @@ void main() {
   gl_FragColor = IMG_THIS_PIXEL(inputImage) * f(TIME);
 }`;
 
-/** Its text says how often it goes round. */
+/** Its count is constant. */
 const COUNTED = COUNTING.replace('i < n; i++) rounds += 1;', 'i < 150; i++) for (int j = 0; j < 200; j++) rounds += 1;').replace(
   'rounds >= 0',
   'rounds == 30000',
@@ -120,7 +120,7 @@ export async function tooLong() {
   return { heavy, atOnce, again, error: gl.getError() };
 }
 
-/** Loops that are long, but counted: drawn at once and on, and told of. */
+/** Long loops with a constant count: drawn from the first frame on, and reported. */
 export async function counted() {
   const { gl, player, diagnostics } = await stand(behind(COUNTED, 1));
   player.draw(frame(0));

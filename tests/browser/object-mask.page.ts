@@ -1,6 +1,6 @@
 import { BoxGeometry, DataTexture, Group, Mesh, MeshLambertMaterial, type Object3D, PlaneGeometry, SphereGeometry } from 'three';
 import type { DrawBinding } from '../../export/runtime/scene-backend.ts';
-import type { ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   createStand,
@@ -39,7 +39,7 @@ function shoot(items: readonly ObjectItem[], look: SceneLook, occlusion: DrawBin
 const mask = (shows: Shows = () => true): SceneLook => ({ kind: 'mask', shows });
 const mesh = (geometry: Mesh['geometry'], material = new MeshLambertMaterial()): Mesh => new Mesh(geometry, material);
 
-/** Colours of a mask, and in how many pixels it covers others than a picture of the same objects. */
+/** Colors of a mask, and in how many pixels it covers others than a picture of the same objects. */
 function compare(white: Uint8Array, picture: Uint8Array) {
   const colors = new Set<string>();
   let differ = 0;

@@ -82,7 +82,7 @@ describe('what every exported page has', () => {
     const { page, errors } = await open({ viewport: { width, height } });
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
     expect(await axeFindings(page)).toEqual([]);
-    await page.getByText('What is missing compared with AR').first().click();
+    await page.getByText('Missing compared with AR').first().click();
     await page.getByRole('button', { name: 'Use the camera' }).click();
     await page.getByRole('button', { name: 'Stop the camera' }).waitFor();
     expect(await axeFindings(page)).toEqual([]);
@@ -105,7 +105,7 @@ describe('what every exported page has', () => {
       'Warm light: drag or use the arrow keys to look around',
       'About this page',
       'Use the camera',
-      'What is missing compared with AR',
+      'Missing compared with AR',
       'Credits',
       'Controls',
       'Size',

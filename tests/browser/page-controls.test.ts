@@ -26,41 +26,41 @@ async function open(width = 1280, height = 720) {
   return { page, errors };
 }
 
-type Colour = readonly [red: number, green: number, blue: number];
+type Color = readonly [red: number, green: number, blue: number];
 
-async function colourAt(page: Page, x: number, y: number): Promise<Colour> {
+async function colorAt(page: Page, x: number, y: number): Promise<Color> {
   const [r, g, b] = pixelAt(decodePicture(await page.screenshot({ clip: { x, y, width: 1, height: 1 } })), 0, 0);
   return [r, g, b];
 }
 
 /** A set value is drawn with the next frame, whenever that comes. */
-async function untilColour(page: Page, x: number, y: number, is: (colour: Colour) => boolean): Promise<void> {
-  while (!is(await colourAt(page, x, y)));
+async function untilColor(page: Page, x: number, y: number, is: (color: Color) => boolean): Promise<void> {
+  while (!is(await colorAt(page, x, y)));
 }
 
-const red = ([r, g, b]: Colour) => r > 200 && g < 60 && b < 60;
-const blue = ([r, g, b]: Colour) => b > 200 && r < 60 && g < 60;
-const empty = ([r, g, b]: Colour) => Math.max(r, g, b) < 110;
+const red = ([r, g, b]: Color) => r > 200 && g < 60 && b < 60;
+const blue = ([r, g, b]: Color) => b > 200 && r < 60 && g < 60;
+const empty = ([r, g, b]: Color) => Math.max(r, g, b) < 110;
 
 describe('controls of an exported page', () => {
   test('change the picture, by pointer, and say what they are set to', async () => {
     const { page, errors } = await open();
     // The middle is within the disc; a quarter of the page's height above it, only within a larger one.
-    await untilColour(page, 640, 360, red);
-    expect(empty(await colourAt(page, 640, 60))).toBe(true);
+    await untilColor(page, 640, 360, red);
+    expect(empty(await colorAt(page, 640, 60))).toBe(true);
     const slider = page.getByRole('slider', { name: 'Size' });
     expect(await page.locator('output').textContent()).toBe('0.3');
     await slider.fill('0.5');
-    await untilColour(page, 640, 60, red);
+    await untilColor(page, 640, 60, red);
     expect(await page.locator('output').textContent()).toBe('0.5');
 
     await page.getByRole('radio', { name: 'Cold' }).click();
-    await untilColour(page, 640, 360, blue);
+    await untilColor(page, 640, 360, blue);
     expect(await page.getByRole('radio', { name: 'Cold' }).isChecked()).toBe(true);
     await page.getByRole('button', { name: 'Greener' }).click({ clickCount: 4 });
-    await untilColour(page, 640, 360, ([, g]) => g > 200);
+    await untilColor(page, 640, 360, ([, g]) => g > 200);
     await page.getByRole('switch', { name: 'Light' }).click();
-    await untilColour(page, 640, 360, empty);
+    await untilColor(page, 640, 360, empty);
     expect(errors).toEqual([]);
   });
 
@@ -72,14 +72,14 @@ describe('controls of an exported page', () => {
     expect(await page.locator('output').textContent()).toBe('0.4');
     await page.keyboard.press('Tab');
     await page.keyboard.press('Space');
-    await untilColour(page, 640, 360, empty);
+    await untilColor(page, 640, 360, empty);
     await page.keyboard.press('Space');
     await page.keyboard.press('Tab');
     await page.keyboard.press('ArrowDown');
-    await untilColour(page, 640, 360, blue);
+    await untilColor(page, 640, 360, blue);
     await page.keyboard.press('Tab');
     for (let i = 0; i < 4; i++) await page.keyboard.press('Enter');
-    await untilColour(page, 640, 360, ([, g]) => g > 200);
+    await untilColor(page, 640, 360, ([, g]) => g > 200);
   });
 
   test('keep what they are set to with the camera, and when the graphics were lost', async () => {
@@ -87,19 +87,19 @@ describe('controls of an exported page', () => {
     await page.getByRole('radio', { name: 'Cold' }).click();
     await page.getByRole('button', { name: 'Use the camera' }).click();
     await page.getByRole('button', { name: 'Stop the camera' }).waitFor();
-    await untilColour(page, 640, 360, blue);
+    await untilColor(page, 640, 360, blue);
     await page.getByRole('radio', { name: 'Warm' }).click();
-    await untilColour(page, 640, 360, red);
+    await untilColor(page, 640, 360, red);
     await page.getByRole('radio', { name: 'Cold' }).click();
     await page.evaluate(() => {
       const lose = document.querySelector('canvas')?.getContext('webgl2')?.getExtension('WEBGL_lose_context');
       Object.assign(window, { lose });
       lose?.loseContext();
     });
-    await page.getByRole('alert').getByText('The graphics were interrupted').waitFor();
+    await page.getByRole('alert').getByText('Graphics were interrupted').waitFor();
     await page.evaluate(() => (window as unknown as { lose: WEBGL_lose_context }).lose.restoreContext());
-    await page.getByText('The graphics were interrupted').waitFor({ state: 'detached' });
-    await untilColour(page, 640, 360, blue);
+    await page.getByText('Graphics were interrupted').waitFor({ state: 'detached' });
+    await untilColor(page, 640, 360, blue);
     expect(errors).toEqual([]);
   });
 

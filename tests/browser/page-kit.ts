@@ -106,17 +106,17 @@ void main() {
       why: 'to hide the light behind furniture',
       without: 'it shines through everything',
     },
-    { capability: 'camera-image', required: false, nodes: ['b-1'], why: 'to tint the room', without: 'the room keeps its colours' },
+    { capability: 'camera-image', required: false, nodes: ['b-1'], why: 'to tint the room', without: 'the room keeps its colors' },
   ],
   tiers: [
     { id: 'ar-camera', without: [] },
-    { id: 'ar', without: [{ capability: 'camera-image', effect: 'the room keeps its colours' }] },
+    { id: 'ar', without: [{ capability: 'camera-image', effect: 'the room keeps its colors' }] },
     { id: 'camera', without: [{ capability: 'depth', effect: 'it shines through everything' }] },
     {
       id: 'orbit',
       without: [
         { capability: 'depth', effect: 'it shines through everything' },
-        { capability: 'camera-image', effect: 'the room keeps its colours' },
+        { capability: 'camera-image', effect: 'the room keeps its colors' },
       ],
     },
   ],

@@ -60,7 +60,7 @@ describe('a page that was visited once', () => {
     const { context, page, errors } = await visit(url);
     await untilKept(page);
     await context.setOffline(true);
-    // Emulated offline is said to spare workers: nobody answers any more.
+    // Emulated offline does not apply to workers, so the server stops answering.
     await host.close();
     await page.reload();
     await page.getByText('look around').waitFor();
@@ -71,7 +71,7 @@ describe('a page that was visited once', () => {
     expect(errors).toEqual([]);
   });
 
-  test('is seen in its new version at once; the old one’s files go, those of its neighbours stay', async () => {
+  test('is seen in its new version at once; the old one’s files go, those of its neighbors stay', async () => {
     const folder = `${served.folder}-host`;
     const first = await servePage(DISC);
     const second = await servePage({ ...DISC, title: 'Warmer light' });
@@ -82,7 +82,7 @@ describe('a page that was visited once', () => {
       const { context, page, errors } = await visit(`${host.origin}/pages/light/`);
       await untilKept(page);
       const before = await cacheNames(page);
-      await page.evaluate(() => caches.open('a neighbour’s'));
+      await page.evaluate(() => caches.open('a neighbor’s'));
       await rm(join(folder, 'light'), { recursive: true });
       await cp(second.folder, join(folder, 'light'), { recursive: true });
       await page.reload();
@@ -93,7 +93,7 @@ describe('a page that was visited once', () => {
         while (registration.installing) await new Promise((resolve) => setTimeout(resolve, 50));
       });
       await page.close();
-      // The new worker waits until nobody has the old page open any more, which the browser notices in its own time.
+      // The new worker waits until the old page is closed everywhere, which the browser notices after a while.
       let again = await context.newPage();
       for (;;) {
         await again.goto(`${host.origin}/pages/light/`);
@@ -105,7 +105,7 @@ describe('a page that was visited once', () => {
       const after = await cacheNames(again);
       expect(before).toHaveLength(1);
       expect(after).toHaveLength(2);
-      expect(after).toContain('a neighbour’s');
+      expect(after).toContain('a neighbor’s');
       await context.setOffline(true);
       await again.reload();
       await again.getByRole('heading', { name: 'Warmer light' }).waitFor();
@@ -137,7 +137,7 @@ describe('a page that was visited once', () => {
 });
 
 describe('a page in one file', () => {
-  test('is one file, that asks nobody for anything', async () => {
+  test('is one file that requests nothing', async () => {
     expect((await readdir(single.folder)).sort()).toEqual(['index.html', 'report.json']);
     const html = await readFile(join(single.folder, 'index.html'), 'utf8');
     const policy = /http-equiv="content-security-policy" content="([^"]+)"/.exec(html)?.[1];

@@ -29,7 +29,7 @@ async function open(options: BrowserContextOptions = {}, url = served.url) {
 }
 
 /** `[r, g, b]` of the page as it is seen, at a fraction of its size. */
-async function colourAt(page: Page, x: number, y: number): Promise<number[]> {
+async function colorAt(page: Page, x: number, y: number): Promise<number[]> {
   const { width, data, channels, height } = decode(await page.screenshot());
   const at = (Math.floor(y * height) * width + Math.floor(x * width)) * channels;
   return [...data.slice(at, at + 3)];
@@ -41,14 +41,14 @@ describe('an exported page where there is no AR', () => {
     await page.getByText('This browser has no AR').or(page.getByText('This device offers no AR')).waitFor();
     expect(await page.getByRole('button', { name: 'Enter AR' }).isVisible()).toBe(false);
     expect(await page.getByRole('heading', { name: 'Warm light' }).isVisible()).toBe(true);
-    const [red = 0, , blue = 0] = await colourAt(page, 0.5, 0.5);
+    const [red = 0, , blue = 0] = await colorAt(page, 0.5, 0.5);
     expect(red - blue).toBeGreaterThan(100);
-    const corner = await colourAt(page, 0.98, 0.98);
+    const corner = await colorAt(page, 0.98, 0.98);
     expect(Math.max(...corner)).toBeLessThan(80);
     expect(errors).toEqual([]);
   });
 
-  test('asks for nothing but its own files, and only for those it needs', async () => {
+  test('requests only its own files, and only those that it needs', async () => {
     const page = await chromium.browser.newPage();
     opened.push(page);
     const asked: string[] = [];
@@ -128,7 +128,7 @@ describe('an exported page in trouble', () => {
     const name = (await readdir(broken.folder)).find((file) => file.startsWith('program-')) as string;
     await rename(join(broken.folder, name), join(broken.folder, 'gone.json'));
     const { page } = await open({}, broken.url);
-    await page.getByText('could not be loaded whole').waitFor();
+    await page.getByText('did not load completely').waitFor();
     await broken.close();
   });
 
@@ -139,7 +139,7 @@ describe('an exported page in trouble', () => {
     const { page } = await open({}, broken.url);
     await page.getByRole('alert').getByText('robot').waitFor();
     await page.getByText('look around').waitFor();
-    const [red = 0, green = 255] = await colourAt(page, 0.5, 0.5);
+    const [red = 0, green = 255] = await colorAt(page, 0.5, 0.5);
     expect(red - green).toBeGreaterThan(60);
     await broken.close();
   });
@@ -164,10 +164,10 @@ describe('an exported page in trouble', () => {
       Object.assign(window, { lose: gl?.getExtension('WEBGL_lose_context') });
       (window as unknown as { lose: WEBGL_lose_context }).lose.loseContext();
     });
-    await page.getByRole('alert').getByText('The graphics were interrupted').waitFor();
+    await page.getByRole('alert').getByText('Graphics were interrupted').waitFor();
     await page.evaluate(() => (window as unknown as { lose: WEBGL_lose_context }).lose.restoreContext());
-    await page.getByText('The graphics were interrupted').waitFor({ state: 'detached' });
-    const [red = 0, , blue = 0] = await colourAt(page, 0.5, 0.5);
+    await page.getByText('Graphics were interrupted').waitFor({ state: 'detached' });
+    const [red = 0, , blue = 0] = await colorAt(page, 0.5, 0.5);
     expect(red - blue).toBeGreaterThan(100);
   });
 

@@ -9,7 +9,7 @@ const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 export type Act = 'nothing' | 'reset' | 'recompile';
 
 /**
- * Plays a program over camera pictures of one colour, each view its own, and gives for every frame what each view shows on screen,
+ * Plays a program over camera pictures of one color, each view its own, and gives for every frame what each view shows on screen,
  * and what the tap shows of the first. `cameras` is by frame and view.
  */
 export async function play(first: Program, second: Program, cameras: readonly number[][][], acts: readonly Act[], tap: string) {

@@ -19,7 +19,7 @@ const NOTHING = [0, 0, 0, 0];
 /** A screen that shows the layer's own premultiplied pixels, and no world behind them. */
 const TRANSPARENT = { background: 'color', color: NOTHING };
 
-/** The camera, at a part of its opacity, over the frame before. */
+/** The camera, at a part of its opacity, over the previous frame. */
 function trail(opacity: number, more: (studio: TestStudio) => TestStudio = (studio) => studio): Program {
   const studio = new TestStudio({ library: LIBRARY, readShader })
     .add('video-a', 'source/camera-video')
@@ -57,7 +57,7 @@ async function play(first: Program, cameras: readonly (readonly Color[])[], acts
   return played;
 }
 
-/** `over` by hand, rounded to 8 bits in every frame as layers are. Premultiplied: alpha counts like a colour. */
+/** `over` by hand, rounded to 8 bits in every frame as layers are. Premultiplied: alpha counts like a color. */
 function byHand(cameras: readonly Color[], opacity: number, start: Color = NOTHING): Color[] {
   let kept = start;
   return cameras.map((camera) => {

@@ -3,7 +3,8 @@ import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import { createRandom } from '../../export/runtime/random.ts';
 import { createDepthReprojector } from '../../export/runtime/sessions/webxr/reproject-depth.ts';
 import { createViewSources } from '../../export/runtime/sessions/webxr/view-sources.ts';
-import type { AssetService, NodeRuntime } from '../../nodes/kit/runtime.ts';
+import type { AssetService } from '../../nodes/kit/assets.ts';
+import type { NodeRuntime } from '../../nodes/kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 import depthViewSource from '../../nodes/layer/depth-view/depth-view.fs';
 import { definition } from '../../nodes/world/depth/definition.ts';
@@ -15,8 +16,7 @@ import { createGl, room } from './scenes-kit.ts';
 
 /** The node without a player: depth goes in, depth comes out, and its numbers are read back. */
 
-const W = 32;
-const H = 18;
+const [W, H] = [32, 18];
 const VIEW_W = 128;
 const VIEW_H = 72;
 const UPRIGHT = [1, 0, 0, 0, 1, 0, 0, 0, 1];
@@ -52,7 +52,7 @@ function seen(depth: RoomDepth | null, more: Partial<ViewFrame> = {}): ViewFrame
 }
 
 /** Row by row from the bottom. */
-function metresOf(gl: WebGL2RenderingContext, depth: RoomDepth | null | undefined): number[] {
+function metersOf(gl: WebGL2RenderingContext, depth: RoomDepth | null | undefined): number[] {
   if (!depth) return [];
   const framebuffer = gl.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -64,11 +64,11 @@ function metresOf(gl: WebGL2RenderingContext, depth: RoomDepth | null | undefine
   return Array.from({ length: rgba.length / 4 }, (_, i) => rgba[i * 4] ?? 0);
 }
 
-function samples(metresAt: (x: number, y: number) => number): number[] {
-  return Array.from({ length: W * H }, (_, i) => metresAt(i % W, Math.floor(i / W)));
+function samples(metersAt: (x: number, y: number) => number): number[] {
+  return Array.from({ length: W * H }, (_, i) => metersAt(i % W, Math.floor(i / W)));
 }
 
-/** A sensor that is uploaded anew for every frame into the same texture, as sessions have it. */
+/** A sensor whose depth is uploaded to the same texture in each frame, as sessions do. */
 function createSensor(gl: WebGL2RenderingContext, uvFromViewUv = UPRIGHT) {
   const depth = room(
     gl,
@@ -77,13 +77,13 @@ function createSensor(gl: WebGL2RenderingContext, uvFromViewUv = UPRIGHT) {
     samples(() => 0),
     uvFromViewUv,
   );
-  return (metres: readonly number[]): RoomDepth => {
+  return (meters: readonly number[]): RoomDepth => {
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
     gl.pixelStorei(gl.UNPACK_ROW_LENGTH, 0);
     gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, 0);
     gl.bindTexture(gl.TEXTURE_2D, depth.texture);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, W, H, gl.RED, gl.FLOAT, Float32Array.from(metres));
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, W, H, gl.RED, gl.FLOAT, Float32Array.from(meters));
     return depth;
   };
 }
@@ -93,10 +93,10 @@ export function holes() {
   const isHole = (x: number, y: number): boolean => (x === 3 && y === 3) || y === 9 || (x > 18 && x < 31 && y > 10 && y < 17);
   const near = (x: number): boolean => x < W / 2;
   const pitted = samples((x, y) => (isHole(x, y) ? 0 : near(x) ? 1 : 3));
-  const fill = (params: Params, metres: number[]) => {
+  const fill = (params: Params, meters: number[]) => {
     const { gl, step, node } = stand(params);
-    const [depth] = step([seen(room(gl, W, H, metres))]);
-    const found = metresOf(gl, depth);
+    const [depth] = step([seen(room(gl, W, H, meters))]);
+    const found = metersOf(gl, depth);
     node.dispose();
     return { found, error: gl.getError() };
   };
@@ -148,7 +148,7 @@ export function moving(smoothingS: number) {
   for (let t = 0; t < 60; t++) {
     const isSlab = (x: number): boolean => x >= t - 20 && x < t - 12;
     const [depth] = step([seen(sensor(samples((x) => (isSlab(x) ? 1 : 2) + noise())))]);
-    last = metresOf(gl, depth);
+    last = metersOf(gl, depth);
     last.forEach((m, i) => {
       if (!isSlab(i % W) && m < 1.9) trail++;
       if (isSlab(i % W) && m > 1.1) missing++;
@@ -181,7 +181,7 @@ export function walking(smoothingS: number) {
     });
     const [depth] = step([seen(sensor(truth.map((m) => m + noise())), { worldFromView, viewFromWorld })]);
     if (t < 20) continue;
-    const found = metresOf(gl, depth);
+    const found = metersOf(gl, depth);
     errors.push(...found.map((m, i) => m - (truth[i] ?? 0)));
   }
   node.dispose();
@@ -204,7 +204,7 @@ export function edges(withCamera: boolean) {
     ? { texture: texture(gl, VIEW_W, VIEW_H, picture), widthPx: VIEW_W, heightPx: VIEW_H, uvFromViewUv: Float32Array.from(UPRIGHT) }
     : null;
   const [depth] = step([seen(room(gl, W, H, sensed), { cameraImage })]);
-  const found = metresOf(gl, depth);
+  const found = metersOf(gl, depth);
   const row = found.slice(VIEW_W * 30, VIEW_W * 31);
   node.dispose();
   return {
@@ -216,7 +216,7 @@ export function edges(withCamera: boolean) {
   };
 }
 
-/** Black, grey, white and nothing, from the left, at 1 m to 4 m; the picture is wider than the view. */
+/** Black, gray, white and nothing, from the left, at 1 m to 4 m; the picture is wider than the view. */
 export function painted(shades: string, fillHoles: boolean) {
   const gl = createGl();
   const row = [0, 0, 0, 255, 0, 0, 0, 255, 128, 128, 128, 255, 255, 255, 255, 255, 0, 0, 0, 0, 255, 255, 255, 255];
@@ -227,7 +227,7 @@ export function painted(shades: string, fillHoles: boolean) {
   const { step, node } = stand(params, { gl, assets });
   const [left, right] = step([seen(null), seen(null)]);
   const result = {
-    metres: metresOf(gl, left).map((m) => Math.round(m * 1000) / 1000),
+    meters: metersOf(gl, left).map((m) => Math.round(m * 1000) / 1000),
     uv: [...(right?.uvFromViewUv ?? [])].map((v) => Math.round(v * 1000) / 1000),
     error: gl.getError(),
   };
@@ -252,7 +252,7 @@ export function leftBehind() {
   return { flat, left: leaks.report(), error: gl.getError() };
 }
 
-/** Colours of the depth view over a room of 0.5, 2.25, 4 and no metres from the left, and how much of its scale is ink. */
+/** Colors of the depth view over a room of 0.5, 2.25, 4 and no meters from the left, and how much of its scale is ink. */
 export async function depthView() {
   const shader = readIsf(depthViewSource, 'depth-view.fs').output;
   const [linked] = (shader && linkIsf(shader, { node: 'seen' }).output) ?? [];
@@ -321,17 +321,17 @@ export function reprojected() {
   const clipFromDepth = Float32Array.of(1 / tanX, 0, 0, 0, 0, 1 / tanY, 0, 0, 0, 0, -1, -1, 0, 0, -0.1, 0);
   // u = v of the view, v = 1 - u of the view.
   const turned = [0, -1, 0, 1, 0, 0, 0, 1, 1];
-  const metres = Array.from({ length: columns * rows }, (_, i) => {
+  const meters = Array.from({ length: columns * rows }, (_, i) => {
     const viewV = ((i % columns) + 0.5) / columns;
     const viewU = 1 - (Math.floor(i / columns) + 0.5) / rows;
     const [x, y] = [(viewU * 2 - 1) * tanX, (viewV * 2 - 1) * tanY];
     return hitM(eyeX, 0, c * x - s, y, -s * x - c);
   });
-  const from = room(gl, columns, rows, metres, turned);
+  const from = room(gl, columns, rows, meters, turned);
   upset(gl);
   const wanted = view(0, 0, VIEW_W, VIEW_H);
   const depth = reprojector.reproject(from, { worldFromDepth, clipFromDepth }, wanted);
-  const found = metresOf(gl, depth);
+  const found = metersOf(gl, depth);
   const tally = { right: 0, wrong: 0, unknown: 0, between: 0 };
   found.forEach((m, i) => {
     // A view of 90 degrees each way.
@@ -394,7 +394,7 @@ export function withoutFloats() {
       ),
     ),
   ]);
-  const found = metresOf(gl, depth);
+  const found = metersOf(gl, depth);
   node.dispose();
   return { first: found.slice(0, 3), interpolate: depth?.interpolate };
 }

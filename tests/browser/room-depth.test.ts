@@ -16,7 +16,7 @@ describe('room depth is cleaned before anything reads it', () => {
     const calm = await page.call<{ trail: number; missing: number; spreadM: number; error: number }>('moving', 0.3);
     expect(calm).toMatchObject({ trail: 0, missing: 0, error: 0 });
     expect(raw.spreadM).toBeGreaterThan(0.0085);
-    // The mean of an endless exponential window: σ √((1 - k) / (1 + k)), k = exp(-1/9), which is 0.236 σ. Some have just begun anew.
+    // The mean of an endless exponential window: σ √((1 - k) / (1 + k)), k = exp(-1/9), which is 0.236 σ. Some have just restarted.
     expect(calm.spreadM).toBeLessThan(0.236 * 0.01 * 1.4);
   });
 
@@ -43,7 +43,7 @@ describe('room depth is cleaned before anything reads it', () => {
     const half = (4 * (255 - 128) + 128) / 255;
     const byDistance = await page.call('painted', 'distance', false);
     expect(byDistance).toEqual({
-      metres: [4, 4, expect.closeTo(half, 2), 1, 0, 1],
+      meters: [4, 4, expect.closeTo(half, 2), 1, 0, 1],
       // A view of 16 to 9 cut from the middle of a picture of 6 to 1.
       uv: [0.296, 0, 0, 0, 1, 0, 0.352, 0, 1],
       error: 0,
@@ -51,10 +51,10 @@ describe('room depth is cleaned before anything reads it', () => {
     // What is not painted stays unknown also where holes of sensors are filled, as they are by default.
     expect(await page.call('painted', 'distance', true)).toEqual(byDistance);
     const inverse = 1 / (0.25 * (1 - 128 / 255) + 128 / 255);
-    expect(await page.call('painted', 'inverse', false)).toMatchObject({ metres: [4, 4, expect.closeTo(inverse, 2), 1, 0, 1] });
+    expect(await page.call('painted', 'inverse', false)).toMatchObject({ meters: [4, 4, expect.closeTo(inverse, 2), 1, 0, 1] });
   });
 
-  test('makes nothing anew from frame to frame, and leaves nothing behind', async () => {
+  test('creates no GPU objects per frame, and leaks none', async () => {
     expect(await page.call('leftBehind')).toEqual({ flat: true, left: [], error: 0 });
   });
 
@@ -63,7 +63,7 @@ describe('room depth is cleaned before anything reads it', () => {
   });
 });
 
-test('the depth view is red near, green midway, blue far and grey where nothing is known, with a scale that can be turned off', async () => {
+test('the depth view is red near, green midway, blue far and gray where nothing is known, with a scale that can be turned off', async () => {
   const { colors, ink, bar, error } = await page.call<{ colors: number[][]; ink: number[]; bar: number[][]; error: number }>('depthView');
   expect(colors.slice(0, 3)).toEqual([
     [255, 0, 0, 255],

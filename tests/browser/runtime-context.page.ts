@@ -43,7 +43,7 @@ export async function contextLoss() {
 
 /**
  * Three losses: a node that counts goes on where it was, with its param as it was set, while one that holds something of the GPU's
- * is made anew; the same objects are made each time. Then a program that came while nothing could be drawn, and a reset.
+ * is created again; the same objects are made each time. Then a program that came while nothing could be drawn, and a reset.
  */
 export async function stateOutlivesContext() {
   const log: string[] = [];

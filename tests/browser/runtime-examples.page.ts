@@ -9,13 +9,13 @@ import { createGl, frame, HEIGHT, pixel, stand, texture, view, WIDTH } from './r
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
 export interface Played {
-  readonly centre: readonly number[];
+  readonly center: readonly number[];
   readonly corner: readonly number[];
   readonly diagnostics: readonly unknown[];
   readonly error: number;
 }
 
-/** Plays a compiled example over a camera picture of one colour, in a room of one depth, looking at the origin from 1 m. */
+/** Plays a compiled example over a camera picture of one color, in a room of one depth, looking at the origin from 1 m. */
 export async function play(program: Program, assetUrl: string, timeS: number, camera: number[], roomM: number): Promise<Played> {
   const gl = createGl({ depth: true });
   const assets = createFetchAssetSource(new URL(assetUrl, location.href).href, (...args) => fetch(...args));
@@ -32,7 +32,7 @@ export async function play(program: Program, assetUrl: string, timeS: number, ca
   player.setSession({ world: 'image', blend: 'opaque' });
   await player.drawSettled(frame(0, [seen], { timeS }));
   const result = {
-    centre: pixel(gl, WIDTH / 2, HEIGHT / 2),
+    center: pixel(gl, WIDTH / 2, HEIGHT / 2),
     corner: pixel(gl, 1, 1),
     diagnostics: diagnostics(),
     error: gl.getError(),

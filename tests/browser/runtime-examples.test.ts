@@ -32,7 +32,7 @@ async function play(type: string, timeS = 0, roomM = 0): Promise<Played> {
   return played;
 }
 
-/** W3C Filter Effects, `sepia()`, of the camera's colour. */
+/** W3C Filter Effects, `sepia()`, of the camera's color. */
 function sepia(amount: number): number[] {
   const [r = 0, g = 0, b = 0] = CAMERA;
   const full = [0.393 * r + 0.769 * g + 0.189 * b, 0.349 * r + 0.686 * g + 0.168 * b, 0.272 * r + 0.534 * g + 0.131 * b];
@@ -41,24 +41,24 @@ function sepia(amount: number): number[] {
 
 describe('the example of', () => {
   test('output/screen shows the camera picture', async () => {
-    expect((await play('output/screen')).centre).toEqual(CAMERA);
+    expect((await play('output/screen')).center).toEqual(CAMERA);
   });
 
   test('source/camera-video shows it in sepia', async () => {
-    expect((await play('source/camera-video')).centre).toEqual(sepia(1));
+    expect((await play('source/camera-video')).center).toEqual(sepia(1));
   });
 
   test('source/image-file shows a yellow sticker before it', async () => {
-    const { centre, corner } = await play('source/image-file');
-    expect(centre).toEqual([255, 205, 60, 255]);
+    const { center, corner } = await play('source/image-file');
+    expect(center).toEqual([255, 205, 60, 255]);
     expect(corner).toEqual(CAMERA);
   });
 
-  test('source/video-file shows its see-through ball before it, at any moment', async () => {
+  test('source/video-file shows its transparent ball in front, at any moment', async () => {
     for (const timeS of [0, 0.7, 2.3]) {
-      const { centre, corner } = await play('source/video-file', timeS);
+      const { center, corner } = await play('source/video-file', timeS);
       // Within what the codec leaves of it.
-      expect([timeS, centre.map((value, i) => Math.abs(value - ([255, 139, 60, 255][i] ?? 0)) <= 8)]).toEqual([
+      expect([timeS, center.map((value, i) => Math.abs(value - ([255, 139, 60, 255][i] ?? 0)) <= 8)]).toEqual([
         timeS,
         [true, true, true, true],
       ]);
@@ -67,87 +67,87 @@ describe('the example of', () => {
   });
 
   test('source/audio-file shows its tones as bars: the octave above its lowest in the middle, nothing where it has no tone', async () => {
-    const { centre, corner } = await play('source/audio-file', 0.5);
-    expect(centre).toEqual([51, 204, 255, 255]);
+    const { center, corner } = await play('source/audio-file', 0.5);
+    expect(center).toEqual([51, 204, 255, 255]);
     expect(corner).toEqual(CAMERA);
   });
 
-  test('source/microphone shows a flat line while nobody allows it to hear', async () => {
-    const { centre, corner } = await play('source/microphone');
-    expect(centre[0]).toBeGreaterThan(150);
+  test('source/microphone shows a flat line without permission', async () => {
+    const { center, corner } = await play('source/microphone');
+    expect(center[0]).toBeGreaterThan(150);
     expect(corner).toEqual(CAMERA);
   });
 
   test.each(['light/point', 'light/spot'])('%s lights the floor below it, and not far away', async (type) => {
-    const { centre } = await play(type);
-    expect([Math.max(...centre.slice(0, 3)) > 60, centre]).not.toEqual([false, CAMERA]);
+    const { center } = await play(type);
+    expect([Math.max(...center.slice(0, 3)) > 60, center]).not.toEqual([false, CAMERA]);
   });
 
   test.each([
     ['source/panorama', 2 ** 0.5],
     ['light/environment', 1.2],
   ])('%s shows the sky around its object', async (type, brightness) => {
-    const { centre, corner } = await play(type);
+    const { center, corner } = await play(type);
     // Below is the sky's dark ground, as `tools/examples/sky.ts` paints it.
     const ground = [0.05, 0.045, 0.04].map((radiance) => 255 * (1.055 * (radiance * brightness) ** (1 / 2.4) - 0.055));
     expect(corner.slice(0, 3).map((value, i) => Math.abs(value - (ground[i] ?? 0)) <= 2)).toEqual([true, true, true]);
-    expect(centre).not.toEqual(CAMERA);
+    expect(center).not.toEqual(CAMERA);
   });
 
-  test('layer/object-mask shows the camera’s own colours through a window in the shape of a ball', async () => {
-    const { centre, corner } = await play('layer/object-mask');
-    expect(centre).toEqual(CAMERA);
+  test('layer/object-mask shows the camera’s own colors through a window in the shape of a ball', async () => {
+    const { center, corner } = await play('layer/object-mask');
+    expect(center).toEqual(CAMERA);
     expect(corner).toEqual(sepia(1));
   });
 
   test('layer/depth-mask shows what is near in sepia, and what is far or unknown as it is', async () => {
-    expect((await play('layer/depth-mask', 0, 0.7)).centre).toEqual(sepia(1));
-    expect((await play('layer/depth-mask', 0, 3)).centre).toEqual(CAMERA);
-    expect((await play('layer/depth-mask', 0, 0)).centre).toEqual(CAMERA);
+    expect((await play('layer/depth-mask', 0, 0.7)).center).toEqual(sepia(1));
+    expect((await play('layer/depth-mask', 0, 3)).center).toEqual(CAMERA);
+    expect((await play('layer/depth-mask', 0, 0)).center).toEqual(CAMERA);
   });
 
   test('objects/apply-technique shows a ball in warm tones where it faces the sun', async () => {
-    const { centre, corner } = await play('objects/apply-technique');
+    const { center, corner } = await play('objects/apply-technique');
     expect(corner).toEqual(CAMERA);
     // Gooch's warm tone: what faces the sun and the eye is yellow, which neither the ball nor the camera is.
-    expect(centre[0]).toBeGreaterThan((centre[2] ?? 0) + 20);
+    expect(center[0]).toBeGreaterThan((center[2] ?? 0) + 20);
   });
 
   test('value/number sets the strength of a filter', async () => {
-    expect((await play('value/number')).centre).toEqual(sepia(0.6));
+    expect((await play('value/number')).center).toEqual(sepia(0.6));
   });
 
   test('value/math does so with a number worked out', async () => {
-    expect((await play('value/math')).centre).toEqual(sepia(0.5));
+    expect((await play('value/math')).center).toEqual(sepia(0.5));
   });
 
   test('value/expression swings the strength of a filter around a number', async () => {
-    expect((await play('value/expression')).centre).toEqual(sepia(0.5));
-    expect((await play('value/expression', 1)).centre).toEqual(sepia(0.75));
-    expect((await play('value/expression', 3)).centre).toEqual(sepia(0.25));
+    expect((await play('value/expression')).center).toEqual(sepia(0.5));
+    expect((await play('value/expression', 1)).center).toEqual(sepia(0.75));
+    expect((await play('value/expression', 3)).center).toEqual(sepia(0.25));
   });
 
-  test('value/color gives a filter its colour', async () => {
-    // A picture of one colour has no edges: the drawing is all paper.
-    expect((await play('value/color')).centre).toEqual([0, 0, 0, 255]);
+  test('value/color gives a filter its color', async () => {
+    // A picture of one color has no edges: the drawing is all paper.
+    expect((await play('value/color')).center).toEqual([0, 0, 0, 255]);
   });
 
   test('value/time moves the strength of a filter with time', async () => {
-    expect((await play('value/time', 1)).centre).toEqual(sepia(0.25));
-    expect((await play('value/time', 6)).centre).toEqual(sepia(0.5));
+    expect((await play('value/time', 1)).center).toEqual(sepia(0.25));
+    expect((await play('value/time', 6)).center).toEqual(sepia(0.5));
   });
 
   test.each(['world/depth', 'layer/depth-occlusion'])('%s shows a thing before the room, and not behind it', async (type) => {
     const before = await play(type, 0, 3);
-    expect(before.centre).not.toEqual(CAMERA);
+    expect(before.center).not.toEqual(CAMERA);
     expect(before.corner).toEqual(CAMERA);
-    expect((await play(type, 0, 0.5)).centre).toEqual(CAMERA);
+    expect((await play(type, 0, 0.5)).center).toEqual(CAMERA);
     // Unknown depth hides nothing.
-    expect((await play(type, 0, 0)).centre).toEqual(before.centre);
+    expect((await play(type, 0, 0)).center).toEqual(before.center);
   });
 });
 
-/** The camera's picture in grey within a region, and as a drawing in the rest. The region is a ball that moves away after a second. */
+/** The camera's picture in gray within a region, and as a drawing in the rest. The region is a ball that moves away after a second. */
 const REGIONS = JSON.stringify({
   format: 'scrim-project',
   version: 1,
@@ -186,11 +186,11 @@ test('black and white in this region and ink in the rest is three wires, and the
     return played;
   };
   const first = await playRegions(0);
-  const grey = Math.round(0.2126 * 100 + 0.7152 * 150 + 0.0722 * 200);
-  expect(first.centre.map((value, i) => Math.abs(value - ([grey, grey, grey, 255][i] ?? 0)) <= 1)).toEqual([true, true, true, true]);
+  const gray = Math.round(0.2126 * 100 + 0.7152 * 150 + 0.0722 * 200);
+  expect(first.center.map((value, i) => Math.abs(value - ([gray, gray, gray, 255][i] ?? 0)) <= 1)).toEqual([true, true, true, true]);
   const later = await playRegions(1);
-  expect(later.centre).toEqual(later.corner);
+  expect(later.center).toEqual(later.corner);
   expect(first.corner).toEqual(later.corner);
-  // A picture of one colour has no lines: it is paper, or as dark as its tone.
-  expect(first.corner).not.toEqual(first.centre);
+  // A picture of one color has no lines: it is paper, or as dark as its tone.
+  expect(first.corner).not.toEqual(first.center);
 });

@@ -61,7 +61,7 @@ export async function seen(): Promise<TapSeen[]> {
   return all;
 }
 
-/** What is told of the right half of a gamepad that is plugged in, with its stick up and its trigger half pulled. */
+/** The reported state of the right half of a connected gamepad, with its stick up and its trigger half pulled. */
 export async function gamepad() {
   const buttons = Array.from({ length: 16 }, (_, i) => ({ pressed: i === 0, touched: false, value: i === 7 ? 0.5 : 0 }));
   const pad = { connected: true, mapping: 'standard', axes: [0, 0, 0.25, -1], buttons };

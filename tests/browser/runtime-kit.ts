@@ -1,8 +1,10 @@
 import type { NodeOperation, PassOperation, Program, Resource, TargetSize } from '../../export/program/program.ts';
 import { createPlayer, type Player, type PlayerOptions } from '../../export/runtime/player.ts';
+import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
 import { createSessionInput } from '../../export/runtime/sessions/input/session-input.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { NodeModule, RoomDepthOutput } from '../../nodes/kit/runtime.ts';
+import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
 import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 
 /** Hand-written programs and frames for pages that test the player; no compiler, no session. */
@@ -187,6 +189,7 @@ export async function stand(first: Program, options: Partial<PlayerOptions> & { 
     createScenes: null,
     assets: { load: () => Promise.reject(new Error('there is no such file')) },
     seed: 1,
+    createLoopGuard,
     onDiagnostics: (list) => {
       diagnostics = list;
     },

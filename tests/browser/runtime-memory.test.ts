@@ -38,17 +38,17 @@ test('a frame of two views allocates nothing', async () => {
   const page = await openModule(chromium.browser, 'tests/browser/runtime-memory.page.ts');
   const devtools = await page.page.context().newCDPSession(page.page);
   expect(await page.call('setUp')).toBe(0);
-  // Until the optimising compiler is done: before it, every fraction between two steps of a sum is an object.
+  // Until the optimizing compiler is done: before it, every fraction between two steps of a sum is an object.
   await page.call('run', 2500);
   await page.call('runCareless', 500);
   await devtools.send('HeapProfiler.enable');
-  // What allocates is seen; beside it, whatever the optimising compiler has not come to yet.
+  // What allocates is seen; beside it, whatever the optimizing compiler has not come to yet.
   expect(await allocators(devtools, () => page.call('runCareless', FRAMES))).toContainEqual(expect.stringMatching(/careless/i));
   let found: string[] = [];
   for (let attempt = 0; attempt < 4; attempt++) {
     found = await allocators(devtools, () => page.call('run', FRAMES));
     if (found.length === 0) break;
-    // The optimising compiler works beside the page, and comes late on a busy machine.
+    // The optimizing compiler works beside the page, and comes late on a busy machine.
     await page.call('run', 3000);
   }
   expect(found).toEqual([]);

@@ -65,13 +65,13 @@ export async function camera() {
   const transparent = pixel(gl, 3, 3);
   await player.replaceProgram(showing('color'));
   player.draw(frame(2));
-  const colour = pixel(gl, 3, 3);
+  const color = pixel(gl, 3, 3);
   player.setParam('source/camera-video', 'color', [0, 0, 1, 1]);
   player.draw(frame(3));
   const changed = pixel(gl, 3, 3);
   player.dispose();
   gl.deleteTexture(picture);
-  return { seen, transparent, colour, changed, leaks: leaks.report(), error: gl.getError() };
+  return { seen, transparent, color, changed, leaks: leaks.report(), error: gl.getError() };
 }
 
 /** A picture of two by two pixels, from the top left: red, green, half-transparent blue, nothing. */
@@ -152,7 +152,7 @@ export async function hide(biasM: number, softnessM: number, roomM: number[]) {
   const samplerOf = ({ name, source: from }: LinkedSampler): PassSampler => {
     if (from.kind === 'room-depth') return { name, source: { kind: 'room-depth', resource: 'room' }, fit: 'none' };
     if (from.kind === 'input-depth')
-      return { name, source: { kind: 'depth', depth: { resource: 'metres', encoding: 'metres' } }, fit: 'none' };
+      return { name, source: { kind: 'depth', depth: { resource: 'meters', encoding: 'meters' } }, fit: 'none' };
     return { name, source: { kind: 'color', resource: 'layer' }, fit: 'none' };
   };
   const slotOf: Record<string, number> = { biasM: 0, softnessM: 1, borderPx: 2 };
@@ -168,12 +168,12 @@ export async function hide(biasM: number, softnessM: number, roomM: number[]) {
       slots: [0, 1, 2].map((offset) => ({ type: 'number' as const, offset })),
       params: {},
     },
-    resources: [target('layer'), target('metres', { format: 'r32f' }), { id: 'room', kind: 'room-depth' }],
-    shaders: [shader('red', 'color = vec4(1.0, 0.0, 0.0, 1.0);'), shader('metres', 'color = vec4(floor(uv.x * 4.0));'), linked.shader],
+    resources: [target('layer'), target('meters', { format: 'r32f' }), { id: 'room', kind: 'room-depth' }],
+    shaders: [shader('red', 'color = vec4(1.0, 0.0, 0.0, 1.0);'), shader('meters', 'color = vec4(floor(uv.x * 4.0));'), linked.shader],
     operations: [
       sourceOperation('world/depth', 'depth', 'room'),
       pass('red', 0, 'layer'),
-      pass('metres', 1, 'metres'),
+      pass('meters', 1, 'meters'),
       pass('hide', 2, 'screen', { samplers: linked.samplers.map(samplerOf), uniforms }),
     ],
   });

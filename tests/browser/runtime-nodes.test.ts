@@ -6,7 +6,7 @@ const page = useModule('tests/browser/runtime-nodes.page.ts');
 const NO_ERROR = 0;
 const NOTHING = [0, 0, 0, 0];
 
-test('the camera picture lies as the session says; without it the world shows, or a colour', async () => {
+test('the camera picture lies as the session says; without it the world shows, or a color', async () => {
   expect(await page.call('camera')).toEqual({
     seen: [
       [0, 255, 0, 255],
@@ -14,7 +14,7 @@ test('the camera picture lies as the session says; without it the world shows, o
     ],
     transparent: NOTHING,
     // Orange at half alpha, premultiplied.
-    colour: [128, 64, 0, 128],
+    color: [128, 64, 0, 128],
     changed: [0, 0, 255, 255],
     leaks: [],
     error: NO_ERROR,
@@ -79,7 +79,7 @@ describe('depth occlusion', () => {
     ]);
   });
 
-  test('fades over the softness, colour and alpha alike', async () => {
+  test('fades over the softness, color and alpha alike', async () => {
     const [biasM, softnessM, roomM] = [0.1, 4, [0.7, 1.5]];
     const { alphas, reds } = await page.call<Hidden>('hide', biasM, softnessM, roomM);
     const expected = roomM.map((room) =>

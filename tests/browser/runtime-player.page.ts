@@ -25,7 +25,7 @@ function uniform(name: string, type: PassUniform['type'], source: PassUniform['s
   return { name, type, source };
 }
 
-/** Two passes and a colour param, on a context whose state is as bad as can be. */
+/** Two passes and a color param, on a context whose state is as bad as can be. */
 export async function playsPasses() {
   const { gl, player } = await stand(
     program({
@@ -136,7 +136,7 @@ export async function asideFromPicture() {
   };
 }
 
-/** Runs a manual clock until what hangs on it is there; drivers answer in their own time, and promises need turns in between. */
+/** Runs a manual clock until its result is there; drivers answer after an unknown time, and promises need turns in between. */
 async function runUntil<T>(clock: { advance(s: number): void }, awaited: Promise<T>): Promise<T> {
   let there = false;
   const note = () => {
@@ -184,7 +184,7 @@ export async function persistent() {
   return { left, right, resized, restarted, error: gl.getError() };
 }
 
-/** Sizes are found anew each frame, from the view, other targets, pictures and slots. */
+/** Sizes are computed in each frame, from the view, other targets, pictures and slots. */
 export async function sizes() {
   const show = 'color = vec4(vec2(textureSize(picture, 0)) / 255.0, 0.0, 1.0);';
   const first = program({
@@ -242,9 +242,9 @@ export async function views() {
   const device = [pixel(gl, 4, 4), pixel(gl, 28, 4)];
   await player.replaceProgram({ ...first, presentation: { ...first.presentation, background: [1, 1, 0, 0.4] } });
   player.draw(frame(2, [view(0, 0, WIDTH, HEIGHT), view(WIDTH, 0, 0, HEIGHT)]));
-  const coloured = [pixel(gl, 4, 4), pixel(gl, 60, 4)];
+  const colored = [pixel(gl, 4, 4), pixel(gl, 60, 4)];
   player.dispose();
-  return { world, device, coloured, error: gl.getError() };
+  return { world, device, colored, error: gl.getError() };
 }
 
 /** Fills the left or right half of its view at a window depth, tested against what the target holds. */

@@ -19,7 +19,7 @@ describe('passes', () => {
     expect(await page.call('builtins')).toEqual({ result: [0, 255, 0, 255], error: NO_ERROR });
   });
 
-  test('are told of a picture what they ask, though they never look at it', async () => {
+  test('get the properties of an image without sampling it', async () => {
     expect(await page.call('asideFromPicture')).toEqual({ size: [20, 10, 0, 255], placement: [51, 102, 0, 255], decode: [0, 255, 0, 255] });
   });
 
@@ -52,7 +52,7 @@ test('each view has its own part of the screen and its own world behind', async 
       [0, 0, 0, 0],
       [0, 0, 51, 51],
     ],
-    coloured: [
+    colored: [
       [102, 102, 0, 102],
       [82, 82, 51, 133],
     ],

@@ -7,7 +7,7 @@ import { createGl, MEASURED_DEPTH, pass, pixel, program, shader, stand } from '.
 
 const files = (url: string) => createFetchAssetSource(new URL(url, location.href).href, (...args) => fetch(...args));
 
-/** Metres as bytes: red whole tenths, green hundredths beyond; blue where unknown. */
+/** Meters as bytes: red whole tenths, green hundredths beyond; blue where unknown. */
 const DEPTH = `
   vec2 at = (room_uvFromViewUv * vec3(uv, 1.0)).xy;
   float cm = floor(texture(room, at).r * 100.0 + 0.5);

@@ -3,7 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { encode } from 'fast-png';
-import type { SessionFile } from '../../export/runtime/sessions/format.ts';
+import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
 import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 import type { Shot } from './runtime-recorded.page.ts';
 
@@ -20,7 +20,7 @@ const DEPTH = {
   kind: 'z',
 } as const;
 
-/** A picture whose colours say where they stand, and depth that does: 1 m and 1 cm per column and 20 cm per row. */
+/** A picture whose colors say where they stand, and depth that does: 1 m and 1 cm per column and 20 cm per row. */
 const color = (x: number, y: number): number[] => [x * 6, y * 8, 128];
 const depthMm = (x: number, y: number): number => (x === 0 && y === 0 ? 0 : 1000 + 10 * x + 200 * y);
 
@@ -121,18 +121,18 @@ describe.each(SHAPES)('on a canvas of %d × %d', (widthPx, heightPx) => {
     [widthPx - 2, heightPx - 2],
     [Math.floor(widthPx / 3), Math.floor(heightPx / 2)],
   ];
-  /** Where a canvas pixel's centre lies in the colour picture, y down. */
+  /** Where a canvas pixel's center lies in the color picture, y down. */
   const inPicture = ([x, y]: readonly [number, number]): [number, number] => [
     crop.x + ((x + 0.5) / widthPx) * crop.width,
     crop.y + (1 - (y + 0.5) / heightPx) * crop.height,
   ];
 
-  test('the colour picture covers it, cut to its shape', async () => {
+  test('the color picture covers it, cut to its shape', async () => {
     const { shots, error } = await page.call<Stepped>('step', 'sessions/ramp/', 'color', [widthPx, heightPx], [0], at);
     expect(error).toBe(0);
     at.forEach((place, i) => {
       const [px, py] = inPicture(place);
-      // The ramp stays a ramp between pixel centres.
+      // The ramp stays a ramp between pixel centers.
       const [red = 0, green = 0, blue, alpha] = shots[0]?.pixels[i] ?? [];
       expect(Math.abs(red - (px - 0.5) * 6)).toBeLessThanOrEqual(1);
       expect(Math.abs(green - (py - 0.5) * 8)).toBeLessThanOrEqual(1);
@@ -152,7 +152,7 @@ describe.each(SHAPES)('on a canvas of %d × %d', (widthPx, heightPx) => {
     expect(drawnAt[1]).toBeCloseTo(cyPx - (fyPx * 0.05) / 0.8, 4);
   });
 
-  test('depth lies where the depth camera measured it, to the millimetre stored', async () => {
+  test('depth lies where the depth camera measured it, to the millimeter stored', async () => {
     const { shots, error } = await page.call<Stepped>('step', 'sessions/ramp/', 'depth', [widthPx, heightPx], [0], at);
     expect(error).toBe(0);
     at.forEach((place, i) => {

@@ -38,7 +38,7 @@ export async function keepsTheLastGood() {
   return { good, meanwhile, broken: outcome(broken), log, after, mended: outcome(mended), end, error: gl.getError() };
 }
 
-/** With no good program before, passes with a broken shader hand their picture on, and the mended one takes over. */
+/** Without an earlier working program, passes with a broken shader pass their image through until a fixed one replaces them. */
 export async function startsBroken() {
   const first = program({
     resources: [target('red.out'), target('broken.out')],
@@ -129,7 +129,7 @@ export function counting(slots: { step: number; result: number; value: number },
   });
 }
 
-/** A node keeps its state while its values move to other slots, and starts anew when its structure changes. */
+/** A node keeps its state while its values move to other slots, and restarts when its structure changes. */
 export async function nodesLiveOn() {
   const log: string[] = [];
   const { gl, player } = await stand(counting({ step: 0, result: 1, value: 10 }), { modules: { count: countingModule(log) } });
@@ -236,7 +236,7 @@ export async function leaks() {
   return { start, end, own, outcomes, after: leaks.report(), error: gl.getError() };
 }
 
-/** Layers can be read while they are tapped: colour, scaled colour, depth, per view. */
+/** Layers can be read while they are tapped: color, scaled color, depth, per view. */
 export async function taps() {
   const drawing: NodeModule = {
     create: (ctx) => {
@@ -244,7 +244,7 @@ export async function taps() {
       return {
         update: () => {},
         draw: ({ viewIndex, viewport }) => {
-          // Left half of the layer: a flat colour per view at window depth 0.5.
+          // Left half of the layer: a flat color per view at window depth 0.5.
           gl.enable(gl.SCISSOR_TEST);
           gl.scissor(viewport.x, viewport.y, viewport.widthPx / 2, viewport.heightPx);
           gl.clearBufferfv(gl.COLOR, 0, new Float32Array([viewIndex, 1, 0, 1]));
@@ -258,10 +258,10 @@ export async function taps() {
   const first = program({
     resources: [
       target('scene.layer', { samples: 4, depth: 'window' }),
-      target('metres', { format: 'r32f' }),
+      target('meters', { format: 'r32f' }),
       { id: 'outside', kind: 'external', domain: 'image' },
     ],
-    shaders: [shader('metres', 'color = vec4(uv.y < 0.5 ? 2.5 : 0.0);'), shader('half', 'color = vec4(uv.y < 0.5 ? 1.0 : 0.0);')],
+    shaders: [shader('meters', 'color = vec4(uv.y < 0.5 ? 2.5 : 0.0);'), shader('half', 'color = vec4(uv.y < 0.5 ? 1.0 : 0.0);')],
     operations: [
       {
         ...valueNode('draw', 0),
@@ -272,12 +272,12 @@ export async function taps() {
         shadowMaps: null,
         occlusion: null,
       } as DrawOperation,
-      pass('metres', 0, 'metres'),
+      pass('meters', 0, 'meters'),
       pass('show', 1, 'screen'),
     ],
     taps: {
       'scene.layer': { color: 'scene.layer', depth: { resource: 'scene.layer', encoding: 'window' } },
-      'metres.layer': { color: 'metres', depth: { resource: 'metres', encoding: 'metres' } },
+      'meters.layer': { color: 'meters', depth: { resource: 'meters', encoding: 'meters' } },
       'outside.layer': { color: 'outside', depth: null },
     },
   });
@@ -290,15 +290,15 @@ export async function taps() {
   const right = readColor(player.inspect('scene.layer'), 1);
   const small = readColor(player.inspect('scene.layer'), 1, 8);
   const window = readDepth(player.inspect('scene.layer'), 1);
-  const metres = readDepth(player.inspect('metres.layer'), 0);
+  const meters = readDepth(player.inspect('meters.layer'), 0);
   const result = {
     undrawn,
     left: [at(left, 2, 2), at(left, 30, 2)],
     right: [at(right, 2, 2), at(right, 30, 2)],
     small: small && [small.widthPx, small.heightPx, at(small, 1, 1), at(small, 6, 1)],
-    window: window && [window.metres[2], window.metres[30]],
+    window: window && [window.meters[2], window.meters[30]],
     // Rows from the top: the upper half of the layer has no depth.
-    metres: metres && [metres.metres[0], metres.metres[metres.metres.length - 1]],
+    meters: meters && [meters.meters[0], meters.meters[meters.meters.length - 1]],
     missing: [
       readColor(player.inspect('nothing.layer'), 0),
       readColor(player.inspect('outside.layer'), 0),

@@ -59,8 +59,8 @@ describe('a running program is replaced', () => {
   });
 });
 
-test('tapped layers can be read, per view, with depth in metres', async () => {
-  // Window depth 0.5 of near 0.1 and far 100: 2·f·n / (f + n) metres.
+test('tapped layers can be read, per view, with depth in meters', async () => {
+  // Window depth 0.5 of near 0.1 and far 100: 2·f·n / (f + n) meters.
   const half = (2 * 100 * 0.1) / 100.1;
   expect(await page.call('taps')).toEqual({
     undrawn: null,
@@ -71,7 +71,7 @@ test('tapped layers can be read, per view, with depth in metres', async () => {
     ],
     small: [8, 8, [255, 255, 0, 255], [0, 0, 0, 0]],
     window: [expect.closeTo(half, 4), 0],
-    metres: [0, 2.5],
+    meters: [0, 2.5],
     missing: [null, null, null],
     error: NO_ERROR,
   });

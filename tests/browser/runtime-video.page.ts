@@ -1,8 +1,7 @@
 import { type LoadedVideo, loadVideo } from '../../export/runtime/assets/video/load-video.ts';
 import { createBrowserClock } from '../../export/runtime/clock.ts';
 import { createGlObjects, type GlObjects } from '../../export/runtime/gl/gl-objects.ts';
-import type { ImageAsset } from '../../nodes/kit/runtime.ts';
-import type { VideoAsset, VideoPlayback } from '../../nodes/kit/video.ts';
+import type { ImageAsset, VideoAsset, VideoPlayback } from '../../nodes/kit/assets.ts';
 import { encodeFilm, type FilmPicture } from '../../tools/examples/encode-film.ts';
 import { createGl } from './runtime-kit.ts';
 
@@ -10,13 +9,13 @@ const SIDE_PX = 32;
 const PER_S = 10;
 const COUNT = 20;
 
-/** Grey number `i` of the film, display-referred. */
-const greyOf = (i: number): number => 20 + i * 11;
+/** Gray number `i` of the film, display-referred. */
+const grayOf = (i: number): number => 20 + i * 11;
 
 const plane = (value: number, length = SIDE_PX * SIDE_PX): Uint8Array => new Uint8Array(length).fill(value);
 
 /** BT.601 video range. */
-function grey(value: number, alpha?: Uint8Array): FilmPicture {
+function gray(value: number, alpha?: Uint8Array): FilmPicture {
   const neutral = plane(128, (SIDE_PX * SIDE_PX) / 4);
   return { y: plane(Math.round(16 + (219 * value) / 255)), u: neutral, v: neutral, ...(alpha ? { alpha } : {}) };
 }
@@ -26,13 +25,13 @@ interface FilmOptions {
   readonly alpha?: Uint8Array;
 }
 
-/** Two seconds of ten greys each, a key frame every half second. */
-function greys({ timed = true, alpha }: FilmOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
-  const pictures = Array.from({ length: COUNT }, (_, i) => grey(alpha ? 200 : greyOf(i), alpha));
+/** Two seconds of ten grays each, a key frame every half second. */
+function grays({ timed = true, alpha }: FilmOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
+  const pictures = Array.from({ length: COUNT }, (_, i) => gray(alpha ? 200 : grayOf(i), alpha));
   return encodeFilm({ widthPx: SIDE_PX, heightPx: SIDE_PX, picturesPerS: PER_S, keyEvery: 5, bitrate: 2_000_000, pictures, timed });
 }
 
-/** A see-through film: its left half clear, its right half half covered, a covered strip at the bottom. */
+/** A transparent video: left half clear, right half half opaque, an opaque strip at the bottom. */
 function halves(): Uint8Array {
   const alpha = plane(0);
   for (let i = 0; i < alpha.length; i++) {
@@ -63,7 +62,7 @@ const ignore = (): void => {};
 const load = (objects: GlObjects, film: Uint8Array<ArrayBuffer>): Promise<LoadedVideo> =>
   loadVideo(objects, film.buffer, createBrowserClock().delay);
 
-/** A video that waits for its picture is kept by nobody but its player, which a test has none of. */
+/** Only the player keeps a video that waits for its image; a test has no player. */
 const kept = new Set<VideoPlayback>();
 
 function open(video: VideoAsset, onProblem: Parameters<VideoAsset['open']>[0] = ignore): VideoPlayback {
@@ -72,21 +71,21 @@ function open(video: VideoAsset, onProblem: Parameters<VideoAsset['open']>[0] = 
   return playback;
 }
 
-/** Which grey is shown at each time, sought in this order. */
+/** Which gray is shown at each time, sought in this order. */
 async function seek(playback: VideoPlayback, times: readonly number[], read: (picture: ImageAsset | null) => number[] | null) {
   const shown: number[] = [];
   for (const timeS of times) {
     playback.follow(timeS, 0, true);
     await playback.settle();
     const [red = -99] = read(playback.picture) ?? [];
-    shown.push((red - greyOf(0)) / 11);
+    shown.push((red - grayOf(0)) / 11);
   }
   return shown.map((index) => (Math.abs(index - Math.round(index)) < 0.35 ? Math.round(index) : index));
 }
 
 export async function held(times: readonly number[], timed: boolean) {
   const { objects, read, gl } = createStand();
-  const video = await load(objects, await greys({ timed }));
+  const video = await load(objects, await grays({ timed }));
   const playback = open(video);
   const shown = await seek(playback, times, read);
   const again = playback.settle();
@@ -111,7 +110,7 @@ export async function held(times: readonly number[], timed: boolean) {
 /** Asks for many times at once, as a dragged slider does; what is shown in the end is the last. */
 export async function dragged() {
   const { objects, read } = createStand();
-  const video = await load(objects, await greys());
+  const video = await load(objects, await grays());
   const playback = open(video);
   for (let i = 0; i < 15; i++) playback.follow(i / 10, 0, true);
   await playback.settle();
@@ -123,7 +122,7 @@ export async function dragged() {
 
 export async function transparency() {
   const { objects, read, gl } = createStand();
-  const video = await load(objects, await greys({ alpha: halves() }));
+  const video = await load(objects, await grays({ alpha: halves() }));
   const playback = open(video);
   playback.follow(0.5, 0, true);
   await playback.settle();
@@ -137,12 +136,12 @@ export async function transparency() {
 const nextFrame = (): Promise<number> => new Promise((resolve) => requestAnimationFrame(resolve));
 
 /**
- * Plays in time until it has shown `until` greys, in the order of their coming: no clock is measured, because a busy machine has
+ * Plays in time until it has shown `until` grays, in the order of their coming: no clock is measured, because a busy machine has
  * none to speak of.
  */
 export async function running(until: number) {
   const { objects, read } = createStand();
-  const video = await load(objects, await greys());
+  const video = await load(objects, await grays());
   const problems: string[] = [];
   const playback = open(video, ({ message }) => problems.push(message));
   const start = (await nextFrame()) / 1000;
@@ -152,7 +151,7 @@ export async function running(until: number) {
     playback.follow(timeS, 1, true);
     const [red] = read(playback.picture) ?? [];
     if (red === undefined) continue;
-    const index = Math.round((red - greyOf(0)) / 11);
+    const index = Math.round((red - grayOf(0)) / 11);
     if (seen.at(-1) !== index) seen.push(index);
   }
   // Held again, it is exact again.
@@ -165,7 +164,7 @@ export async function running(until: number) {
 /** A browser that lets nothing start by itself: pictures come all the same, and a tap lets it run. */
 export async function blocked() {
   const { objects, read } = createStand();
-  const video = await load(objects, await greys());
+  const video = await load(objects, await grays());
   const problems: { message: string; fix: string }[] = [];
   const { play } = HTMLMediaElement.prototype;
   let calls = 0;
@@ -180,7 +179,7 @@ export async function blocked() {
   }
   playback.follow(0.55, 1, true);
   await playback.settle();
-  const shown = Math.round(((read(playback.picture)?.[0] ?? 0) - greyOf(0)) / 11);
+  const shown = Math.round(((read(playback.picture)?.[0] ?? 0) - grayOf(0)) / 11);
   const before = calls;
   playback.follow(0.55, 1, true);
   const silent = calls === before;
@@ -199,7 +198,7 @@ export async function refusals() {
       () => 'taken',
       (error: Error) => `${error.message} | ${(error as { fix?: string }).fix}`,
     );
-  const film = await greys();
+  const film = await grays();
   const otherCodec = film.slice();
   // V_VP9 → V_XX9.
   const at = new TextDecoder('latin1').decode(film).indexOf('V_VP9');

@@ -51,8 +51,8 @@ describe('a video', () => {
     expect(await page.call('blocked')).toEqual({
       problems: [
         {
-          message: 'The browser does not let the video start by itself, so it is shown picture by picture until the page is tapped.',
-          fix: 'Tap or click the page. Phones that save power hold videos back.',
+          message: 'The browser blocks the video from starting by itself. It is shown frame by frame until the page is tapped.',
+          fix: 'Tap or click the page. If that does not help, turn power saving off.',
         },
       ],
       shown: 5,

@@ -3,9 +3,10 @@ import { metaQuest3, XRDevice } from 'iwer';
 import type { Emulator } from '../../export/emulator/emulator.ts';
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
-import type { Capability, Program, ProgramNeed } from '../../export/program/program.ts';
+import type { Program, ProgramNeed } from '../../export/program/program.ts';
 import type { Player } from '../../export/runtime/player.ts';
 import { requestWebXrSession, supportsWebXr } from '../../export/runtime/sessions/webxr/request-session.ts';
+import type { Capability } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { Session, SessionFrame } from '../../nodes/kit/session.ts';
@@ -13,7 +14,7 @@ import * as cameraVideo from '../../nodes/source/camera-video/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
 import { colorSampler, MEASURED_DEPTH, pass, program, shader, sourceOperation, stand } from './runtime-kit.ts';
 
-const MODULES = { 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } satisfies Record<string, NodeModule>;
+export const MODULES = { 'source/camera-video': cameraVideo, 'world/depth': MEASURED_DEPTH } satisfies Record<string, NodeModule>;
 
 export function need(capability: Capability, required = false): ProgramNeed {
   return { capability, required, nodes: [], why: 'to test', without: `There is no ${capability}.` };
@@ -91,7 +92,7 @@ const PLACES = program({
 });
 
 /** Pixels are counted from the top left of the whole framebuffer. */
-function at({ widthPx, rgba }: { widthPx: number; rgba: Uint8Array }, x: number, y: number): number[] {
+export function at({ widthPx, rgba }: { widthPx: number; rgba: Uint8Array }, x: number, y: number): number[] {
   return [...rgba.subarray((y * widthPx + x) * 4, (y * widthPx + x + 1) * 4)];
 }
 
@@ -119,7 +120,7 @@ export async function views(device: 'phone' | 'headset' | 'glasses') {
   return result;
 }
 
-/** Millimetres in red and green; blue where unknown. */
+/** Millimeters in red and green; blue where unknown. */
 const DEPTH = `
   vec3 at = room_uvFromViewUv * vec3(uv, 1.0);
   float mm = floor(texture(room, at.xy / at.z).r * 1000.0 + 0.5);
@@ -151,9 +152,9 @@ const ROOM = {
   })),
 };
 
-/** Millimetres found in the middle of each quarter, view by view. */
-export async function depth(options: EmulatorOptions, legacy = false, withoutExtensions: string[] = []) {
-  if (legacy) answerAsQuestDoes();
+/** Millimeters found in the middle of each quarter, view by view. */
+export async function depth(options: EmulatorOptions, legacy: QuestForm | null = null, withoutExtensions: string[] = []) {
+  if (legacy) answerAsQuestDoes(legacy);
   const { emulator, gl, frames, diagnostics, leave, leaks } = await enter({ room: ROOM, ...options }, SHOWS_DEPTH, withoutExtensions);
   emulator.setPose({ position: [0, 1.5, 0] });
   await emulator.stepFrame(3);
@@ -173,19 +174,21 @@ export async function depth(options: EmulatorOptions, legacy = false, withoutExt
 }
 
 /** Quest Browser's and iwer's form: window depth without a far plane, first row at the bottom, an array with a layer per eye. */
-function answerAsQuestDoes(): void {
+type QuestForm = 'whole' | 'without textureType and imageIndex' | 'not valid';
+
+function answerAsQuestDoes(form: QuestForm): void {
   // Put in place when the emulator has brought its interfaces.
   let Binding: typeof XRWebGLBinding | undefined;
   Object.defineProperty(globalThis, 'XRWebGLBinding', {
     configurable: true,
     get: () => Binding,
     set: (real: (new (...args: never[]) => object) | undefined) => {
-      Binding = real && (questBinding(real) as unknown as typeof XRWebGLBinding);
+      Binding = real && (questBinding(real, form) as unknown as typeof XRWebGLBinding);
     },
   });
 }
 
-function questBinding(Real: new (...args: never[]) => object) {
+function questBinding(Real: new (...args: never[]) => object, form: QuestForm) {
   return class extends (Real as new (session: XRSession, gl: WebGL2RenderingContext) => object) {
     private readonly texture: WebGLTexture;
     constructor(
@@ -199,8 +202,8 @@ function questBinding(Real: new (...args: never[]) => object) {
       for (let i = 0; i < values.length; i++) {
         const x = i % size < size / 2 ? -1 : 1;
         const y = Math.floor(i / size) % size < size / 2 ? -1 : 1;
-        const metres = QUARTERS.find((q) => q.x === x && q.y === y)?.distanceM ?? 0;
-        values[i] = 1 - nearM / metres;
+        const meters = QUARTERS.find((q) => q.x === x && q.y === y)?.distanceM ?? 0;
+        values[i] = 1 - nearM / meters;
       }
       this.texture = context.createTexture();
       context.bindTexture(context.TEXTURE_2D_ARRAY, this.texture);
@@ -211,8 +214,8 @@ function questBinding(Real: new (...args: never[]) => object) {
       const matrix = Float32Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
       return {
         texture: this.texture,
-        textureType: 'texture-array',
-        imageIndex: view.eye === 'right' ? 1 : 0,
+        ...(form !== 'without textureType and imageIndex' && { textureType: 'texture-array', imageIndex: view.eye === 'right' ? 1 : 0 }),
+        isValid: form !== 'not valid',
         width: 8,
         height: 8,
         rawValueToMeters: 1,
@@ -224,7 +227,7 @@ function questBinding(Real: new (...args: never[]) => object) {
   };
 }
 
-const SHOWS_CAMERA = program({
+export const SHOWS_CAMERA = program({
   needs: [need('camera-image')],
   resources: [{ id: 'video', kind: 'external', domain: 'view' }],
   shaders: [
@@ -249,14 +252,14 @@ export async function camera(refuse: string[]) {
   const room = emulator.readRoom();
   let largest = 0;
   const alphas = new Set<number | undefined>();
-  const colours = new Set<string>();
+  const colors = new Set<string>();
   for (let i = 0; i < layer.rgba.length; i += 4) {
     for (let c = i; c < i + 3; c++) largest = Math.max(largest, Math.abs((layer.rgba[c] ?? 0) - (room.rgba[c] ?? 0)));
     alphas.add(layer.rgba[i + 3]);
-    colours.add(layer.rgba.subarray(i, i + 3).join());
+    colors.add(layer.rgba.subarray(i, i + 3).join());
   }
   await leave();
-  return { largest, alphas: [...alphas], colours: colours.size, capabilities: [...session.capabilities], diagnostics, leaks: leaks() };
+  return { largest, alphas: [...alphas], colors: colors.size, capabilities: [...session.capabilities], diagnostics, leaks: leaks() };
 }
 
 /** The light that the device says there is. */
@@ -384,7 +387,6 @@ export async function plainIwer(stereo: boolean) {
       (frame) => {
         player.draw(frame);
         const rgba = new Uint8Array(4);
-        // It makes the canvas as large as the window.
         gl.readPixels(canvas.width - 1, canvas.height - 1, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
         const views = frame.views.slice(0, frame.viewCount);
         resolve({ viewports: views.map((v) => ({ ...v.viewport })), eyes: views.map((v) => v.eye), corner: [...rgba] });

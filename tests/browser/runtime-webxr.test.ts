@@ -73,7 +73,7 @@ describe('views of a WebXR session', () => {
     ]);
   });
 
-  test('see-through displays say that they add light', async () => {
+  test('additive displays report that they add light', async () => {
     const { world, blend } = await page.call<Views>('views', 'glasses');
     expect([world, blend]).toEqual(['device', 'additive']);
   });
@@ -100,7 +100,7 @@ interface Depths {
 
 const depth = (options: EmulatorOptions): Promise<Depths> => page.call<Depths>('depth', options);
 
-describe('room depth is metres where the view sees them', () => {
+describe('room depth is meters where the view sees them', () => {
   test.each(TURNS)('from a buffer that lies %s', async (_name, options) => {
     const { found, leaks, error } = await depth({ device: 'phone', depth: { ...options } });
     expect(found).toEqual([QUARTERS_MM]);
@@ -123,17 +123,32 @@ describe('room depth is metres where the view sees them', () => {
     expect(headset).toEqual({ found: [QUARTERS_MM, QUARTERS_MM], diagnostics: [], leaks: [], error: NO_ERROR });
   });
 
+  const QUEST = { device: 'headset', depth: { usages: ['gpu-optimized'] } } as const;
+
+  test('from an array of a layer per view, where the browser says neither that it is one nor which layer', async () => {
+    const whole = await inOwnPage<Depths>('depth', QUEST, 'whole');
+    const { found, error } = await inOwnPage<Depths>('depth', QUEST, 'without textureType and imageIndex');
+    expect(error).toBe(NO_ERROR);
+    expect(found).toEqual(whole.found);
+  });
+
+  test('and unknown where the browser says that it is not valid', async () => {
+    const { found, error } = await inOwnPage<Depths>('depth', QUEST, 'not valid');
+    expect(error).toBe(NO_ERROR);
+    expect(found.flat()).toEqual(Array.from({ length: 8 }, () => null));
+  });
+
   test('as window depth in an array, which Quest Browser and iwer give', async () => {
-    const { found, error } = await inOwnPage<Depths>('depth', { device: 'headset', depth: { usages: ['gpu-optimized'] } }, true);
+    const { found, error } = await inOwnPage<Depths>('depth', QUEST, 'whole');
     expect(error).toBe(NO_ERROR);
     const offMm = found.flatMap((view) => view.map((mm, i) => Math.abs(mm - (QUARTERS_MM[i] ?? 0))));
     expect(offMm).toHaveLength(8);
     expect(Math.max(...offMm)).toBeLessThanOrEqual(1);
   });
 
-  test('to a few millimetres where the GPU draws no more than half floats', async () => {
+  test('to a few millimeters where the GPU draws no more than half floats', async () => {
     const options = { device: 'phone', depth: { usages: ['gpu-optimized'] } } as const;
-    const { found, error } = await page.call<Depths>('depth', options, false, ['EXT_color_buffer_float']);
+    const { found, error } = await page.call<Depths>('depth', options, null, ['EXT_color_buffer_float']);
     expect(error).toBe(NO_ERROR);
     // 11 bits of mantissa: 2 mm between 2 m and 4 m, 4 mm beyond.
     found[0]?.forEach((mm, i) => {
@@ -157,7 +172,7 @@ describe('room depth is metres where the view sees them', () => {
 interface Camera {
   readonly largest: number;
   readonly alphas: number[];
-  readonly colours: number;
+  readonly colors: number;
   readonly capabilities: string[];
   readonly diagnostics: { readonly code: string }[];
   readonly leaks: string[];
@@ -165,16 +180,16 @@ interface Camera {
 
 describe('the camera picture', () => {
   test('is what the view shows of the world', async () => {
-    const { largest, alphas, colours, capabilities, leaks } = await page.call<Camera>('camera', []);
+    const { largest, alphas, colors, capabilities, leaks } = await page.call<Camera>('camera', []);
     expect(largest).toBeLessThanOrEqual(1);
     expect(alphas).toEqual([255]);
-    // The room is furnished: a picture upside down or of one colour would not do.
-    expect(colours).toBeGreaterThan(100);
+    // The room is furnished: a picture upside down or of one color would not do.
+    expect(colors).toBeGreaterThan(100);
     expect(capabilities).toEqual(['camera-image']);
     expect(leaks).toEqual([]);
   });
 
-  test('refused leaves the world to be seen through the page', async () => {
+  test('leaves the real world visible when it is refused', async () => {
     const { alphas, capabilities, diagnostics } = await page.call<Camera>('camera', ['camera-access']);
     expect(alphas).toEqual([0]);
     expect(capabilities).toEqual([]);
@@ -206,7 +221,7 @@ test('a context that is lost takes the session nowhere: it draws on when the gra
 describe('a session tells the page', () => {
   const HEARD = ['tracked false', 'tracked true', 'visible false', 'visible true', 'reset'];
 
-  test('of tracking, visibility and re-centring, and ends when the page wants', async () => {
+  test('of tracking, visibility and re-centering, and ends when the page wants', async () => {
     const { heard, whileLost, leaks } = await page.call<{ heard: string[]; whileLost: number; leaks: string[] }>('events', 'page');
     expect(heard).toEqual([...HEARD, 'ended by page']);
     expect(whileLost).toBe(0);

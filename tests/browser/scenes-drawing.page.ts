@@ -19,8 +19,10 @@ import {
   SphereGeometry,
   WebGLRenderer,
 } from 'three';
-import type { DrawnScene, LightList, NumberView, ObjectList } from '../../nodes/kit/runtime.ts';
+import type { DrawnScene } from '../../nodes/kit/runtime.ts';
+import type { LightList, ObjectList } from '../../nodes/kit/scene-lists.ts';
 import type { ViewFrame } from '../../nodes/kit/session.ts';
+import type { NumberView } from '../../nodes/kit/value-views.ts';
 import { upset } from './runtime-kit.ts';
 import {
   covered,
@@ -34,7 +36,7 @@ import {
   lights,
   loadUrl,
   lookingAt,
-  normalising,
+  normalizing,
   objects,
   pixel,
   readPixels,
@@ -66,7 +68,7 @@ function shoot(
   return pixels;
 }
 
-/** A sheet that fills the picture, `z` metres towards the camera. */
+/** A sheet that fills the picture, `z` meters towards the camera. */
 function sheet(material: Material, z = 0, options: ItemOptions = {}) {
   return item(new Mesh(new PlaneGeometry(9, 9), material), { ...options, at: translation(0, 0, z) });
 }
@@ -140,7 +142,7 @@ export async function placements(url: string) {
     return root;
   };
   const root = pose(0.3);
-  const unit = normalising(root).premultiply(new Matrix4().makeScale(0.5, 0.5, 0.5));
+  const unit = normalizing(root).premultiply(new Matrix4().makeScale(0.5, 0.5, 0.5));
   const left = new Matrix4().makeTranslation(-0.6, 0, 0).multiply(unit);
   const right = new Matrix4().makeTranslation(0.6, 0, 0).multiply(unit);
   const sunlight = [lights(sun([0.3, 1, 0.5]))];
@@ -163,7 +165,7 @@ export async function placements(url: string) {
   return { ...result, error: stand.gl.getError() };
 }
 
-/** Two eyes side by side in one framebuffer, off-centre, against each drawn alone. */
+/** Two eyes side by side in one framebuffer, off-center, against each drawn alone. */
 export function views() {
   const stand = createStand();
   const { backend, layer, gl } = stand;

@@ -25,7 +25,7 @@ test('a layer is premultiplied, whatever is blended in it', async () => {
   expect(await page.call('blending')).toEqual({
     opaque: [0, 255, 0, 255],
     veil: [102, 102, 102, 102],
-    // 0.4 of black over 0.4 of white: colour 0.6 × 0.4, alpha 0.4 + 0.6 × 0.4.
+    // 0.4 of black over 0.4 of white: color 0.6 × 0.4, alpha 0.4 + 0.6 × 0.4.
     darkVeilOverVeil: [61, 61, 61, 163],
     veilOverOpaque: [102, 255, 102, 255],
     // Added light covers nothing.

@@ -1,6 +1,6 @@
 import { type Material, Mesh, MeshLambertMaterial, MeshStandardMaterial, PlaneGeometry, SphereGeometry } from 'three';
 import type { LoadedEnvironment } from '../../export/runtime/scene-backend.ts';
-import type { EnvironmentLightItem, LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { EnvironmentLightItem, LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import { writeHdr } from '../../tools/examples/write-hdr.ts';
 import { writeExr } from '../support/write-exr.ts';
@@ -24,7 +24,7 @@ const SHADE: SceneLook = { kind: 'shaded', ambient: { value: 1 } };
 
 let made: Stand | null = null;
 
-/** One for all: each context compiles its shaders anew. */
+/** One for all tests: each context compiles its own shaders. */
 function sharedStand(): Stand {
   made ??= createStand();
   return made;
@@ -126,7 +126,7 @@ export async function brightSide() {
   return { ...result, error: stand.gl.getError() };
 }
 
-/** Red ahead, green to the right, blue behind, white to the left; dark above 45 degrees, bright grey below. */
+/** Red ahead, green to the right, blue behind, white to the left; dark above 45 degrees, bright gray below. */
 const QUARTERS = (x: number, y: number, z: number): Rgb => {
   if (y > 0.71) return [0.1, 0.1, 0.1];
   if (y < -0.71) return [0.6, 0.6, 0.6];

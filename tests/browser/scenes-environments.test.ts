@@ -47,7 +47,7 @@ describe('light from a panorama', () => {
     }>('directions', rotation);
     const names = (seen: Record<string, number[]>) =>
       Object.fromEntries(Object.entries(seen).map(([name, color]) => [name, nameOf(color)]));
-    const expected = { ahead, right, behind, left, up: 'dark', down: 'grey' };
+    const expected = { ahead, right, behind, left, up: 'dark', down: 'gray' };
     expect(names(backdrop)).toEqual(expected);
     expect(names(mirror)).toEqual(expected);
     // A matt ball is no picture of what is behind it.
@@ -89,10 +89,10 @@ const COLORS: Readonly<Record<string, readonly number[]>> = {
   blue: [0, 0, 255],
   white: [255, 255, 255],
   dark: [encode(0.1), encode(0.1), encode(0.1)],
-  grey: [encode(0.6), encode(0.6), encode(0.6)],
+  gray: [encode(0.6), encode(0.6), encode(0.6)],
 };
 
-/** Which of the panorama's colours it is, within 16 of 255: three adds to mirrors what their microfacets scatter twice. */
+/** Which of the panorama's colors it is, within 16 of 255: three adds to mirrors what their microfacets scatter twice. */
 function nameOf(color: readonly number[]): string | undefined {
   return Object.keys(COLORS).find((name) => COLORS[name]?.every((value, i) => Math.abs(value - (color[i] ?? 0)) <= 16));
 }

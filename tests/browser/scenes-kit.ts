@@ -1,16 +1,16 @@
 import { AnimationMixer, Box3, Matrix4, type Object3D, PerspectiveCamera, Sphere, Vector3 } from 'three';
 import type { CreateSceneBackend, LoadedModel, SceneBackend } from '../../export/runtime/scene-backend.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
+import type { DrawView } from '../../nodes/kit/runtime.ts';
 import type {
   DirectionalLightItem,
-  DrawView,
   LightItem,
   LightList,
   ObjectItem,
   ObjectList,
   PointLightItem,
   SpotLightItem,
-} from '../../nodes/kit/runtime.ts';
+} from '../../nodes/kit/scene-lists.ts';
 import type { RoomDepth, ViewFrame } from '../../nodes/kit/session.ts';
 
 /** A canvas, a layer to draw into and the scene backend over them: what the player would give, without the player. */
@@ -251,7 +251,7 @@ export function covered(pixels: Uint8Array): number {
 }
 
 /** Scales and moves a model into the unit sphere around the origin. */
-export function normalising(root: Object3D): Matrix4 {
+export function normalizing(root: Object3D): Matrix4 {
   root.updateMatrixWorld(true);
   const sphere = new Box3().setFromObject(root, true).getBoundingSphere(new Sphere());
   const scale = 1 / sphere.radius;
@@ -271,12 +271,12 @@ export async function loadUrl(backend: SceneBackend, url: string): Promise<Loade
 
 const IDENTITY = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-/** Room depth as sessions give it: metres per texel, bottom row first, 0 where unknown. */
-export function room(gl: WebGL2RenderingContext, widthPx: number, heightPx: number, metres: number[], uvFromViewUv = IDENTITY): RoomDepth {
+/** Room depth as sessions give it: meters per texel, bottom row first, 0 where unknown. */
+export function room(gl: WebGL2RenderingContext, widthPx: number, heightPx: number, meters: number[], uvFromViewUv = IDENTITY): RoomDepth {
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, new Float32Array(metres));
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, new Float32Array(meters));
   for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
   for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
   return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(uvFromViewUv), worldFromDepth: new Float32Array(16) };
@@ -290,7 +290,7 @@ export function midStride(model: LoadedModel): { readonly root: Object3D; readon
   if (clip) mixer.clipAction(clip).play();
   mixer.setTime(0.4);
   root.updateMatrixWorld(true);
-  const at = normalising(root)
+  const at = normalizing(root)
     .premultiply(new Matrix4().makeScale(0.45, 0.45, 0.45))
     .premultiply(translation(-0.3, 0.5, 0));
   return { root, at };

@@ -10,8 +10,8 @@ import {
   SRGBColorSpace,
   WebGLRenderer,
 } from 'three';
-import type { LampShadow, LightShadow } from '../../nodes/kit/light-shadow.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LightShadow, LocalLightShadow } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
@@ -39,12 +39,12 @@ import {
 const CAMERA = lookingAt([0, 2, 0.001], [0, 0, 0]);
 const SHADE: SceneLook = { kind: 'shaded', ambient: { value: 0 } };
 const CATCH: SceneLook = { kind: 'shadow-catcher', strength: { value: 0.5 }, color: { value: Float64Array.of(0, 0, 0, 1) } };
-const LAMP: LampShadow = { mapSizePx: 1024, biasPx: 2.5 };
+const LAMP: LocalLightShadow = { mapSizePx: 1024, biasPx: 2.5 };
 const SUN: LightShadow = { areaM: 5, mapSizePx: 2048, bias: 0, normalBiasM: (2.5 * 5) / 2048 };
 
 let made: Stand | null = null;
 
-/** One for all: each context compiles its shaders anew. */
+/** One for all tests: each context compiles its own shaders. */
 function sharedStand(): Stand {
   made ??= createStand();
   return made;
@@ -92,8 +92,8 @@ const at = (pixels: Uint8Array, x: number, z = 0): number[] => pixel(pixels, ...
 function pixelMiddle(x: number): number {
   const [column] = project(CAMERA, [x, 0, 0]);
   // 50 degrees high, 2 m above the floor.
-  const metresPerPixel = (2 * 2 * Math.tan((25 * Math.PI) / 180)) / HEIGHT;
-  return (column + 0.5 - WIDTH / 2) * metresPerPixel;
+  const metersPerPixel = (2 * 2 * Math.tan((25 * Math.PI) / 180)) / HEIGHT;
+  return (column + 0.5 - WIDTH / 2) * metersPerPixel;
 }
 
 const PLACES = [0, 0.2, 0.5, 0.8, 1.1];
@@ -133,7 +133,7 @@ export function cone(penumbra: number) {
   const share = columns.map((x) => linear(pixel(pixels, x, row)[0]) / linear(pixel(open, x, row)[0]));
   return {
     share,
-    metres: columns.map(
+    meters: columns.map(
       (x) => pixelMiddle(0) + ((x - WIDTH / 2) * (pixelMiddle(0.3) - pixelMiddle(0))) / (project(CAMERA, [0.3, 0, 0])[0] - WIDTH / 2),
     ),
     error: stand.gl.getError(),

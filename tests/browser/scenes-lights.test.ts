@@ -39,21 +39,21 @@ describe('a point light', () => {
 
 describe('a spot light', () => {
   test('ends at its angle', async () => {
-    const { share, metres, error } = await page.call<{ share: number[]; metres: number[]; error: number }>('cone', 0);
+    const { share, meters, error } = await page.call<{ share: number[]; meters: number[]; error: number }>('cone', 0);
     // 60 degrees wide, 1 m above the floor.
     const edgeM = Math.tan(Math.PI / 6);
-    const pixelM = (metres[1] ?? 0) - (metres[0] ?? 0);
-    metres.forEach((x, i) => {
+    const pixelM = (meters[1] ?? 0) - (meters[0] ?? 0);
+    meters.forEach((x, i) => {
       if (Math.abs(Math.abs(x) - edgeM) < pixelM) return;
       const expected = Math.abs(x) < edgeM ? 1 : 0;
       expect([x, Math.abs((share[i] ?? 0) - expected) < 0.02]).toEqual([x, true]);
     });
-    expect([metres.some((x) => x > edgeM), error]).toEqual([true, 0]);
+    expect([meters.some((x) => x > edgeM), error]).toEqual([true, 0]);
   });
 
   test('comes up over its penumbra', async () => {
-    const { share, metres } = await page.call<{ share: number[]; metres: number[] }>('cone', 0.5);
-    metres.forEach((x, i) => {
+    const { share, meters } = await page.call<{ share: number[]; meters: number[] }>('cone', 0.5);
+    meters.forEach((x, i) => {
       // Smooth between the cosines of the whole angle and of half of it.
       const [edge, full] = [Math.cos(Math.PI / 6), Math.cos(Math.PI / 12)];
       const t = Math.min(1, Math.max(0, (1 / Math.hypot(x, 1) - edge) / (full - edge)));
@@ -101,9 +101,9 @@ describe('several lights at once', () => {
     expect(error).toBe(0);
   });
 
-  test('beyond six shadows the others shine through, and the layer says so', async () => {
+  test('beyond six shadows the others cast none, and the layer says so', async () => {
     const { reports, seven, one, error } = await page.call<{ reports: string[]; seven: number; one: number; error: number }>('tooMany');
-    expect([...new Set(reports)]).toEqual(['7 lights cast shadows here, and 6 can: the first 6 do, the others shine through things.']);
+    expect([...new Set(reports)]).toEqual(['7 lights cast shadows here, and 6 can: the first 6 do, the others cast no shadows.']);
     expect([seven, error]).toEqual([one, 0]);
   });
 

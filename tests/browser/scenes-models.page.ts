@@ -13,7 +13,7 @@ import {
   lights,
   loadUrl,
   lookingAt,
-  normalising,
+  normalizing,
   objects,
   pixel,
   type Stand,
@@ -37,7 +37,7 @@ export async function forbidBlobs(): Promise<string> {
 
 function draw({ backend, layer }: Stand, root: Object3D): Uint8Array {
   const scene = backend.serviceFor({ shadowMaps: null, occlusion: null }).createScene({ kind: 'shaded', ambient: { value: 0.5 } });
-  scene.update([objects(item(root, { at: normalising(root) }))], [lights(sun([0.5, 1, 1]))]);
+  scene.update([objects(item(root, { at: normalizing(root) }))], [lights(sun([0.5, 1, 1]))]);
   layer.clear();
   backend.invalidateState();
   scene.draw(drawView(viewOf(lookingAt([0.8, 0.6, 2.4], [0, 0, 0])), layer.framebuffer));
@@ -178,7 +178,7 @@ export async function leaks(urls: readonly string[]) {
     const models: LoadedModel[] = [];
     for (const url of urls) models.push(await loadUrl(backend, url));
     const roots = models.map((model) => model.instantiate());
-    const list = objects(...roots.map((root, i) => item(root, { at: translation(i - 1, 0, 0).multiply(normalising(root)) })));
+    const list = objects(...roots.map((root, i) => item(root, { at: translation(i - 1, 0, 0).multiply(normalizing(root)) })));
     const floor = objects(...roots.map((root) => item(root, { role: 'phantom', at: new Matrix4() })));
     const sunlight = lights(sun([1, 1, 1], { shadow: { areaM: 5, mapSizePx: 512, bias: 0, normalBiasM: 0.01 } }));
     const maps = backend.createShadowMaps([list], [sunlight]);

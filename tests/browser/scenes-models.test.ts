@@ -23,7 +23,7 @@ describeWithData('real models', 'models', () => {
   test('are there', () => expect(names).toContain('Fox.glb'));
 
   describe.each(names)('%s', (name) => {
-    test('loads under a strict policy and is seen in its colours', async () => {
+    test('loads under a strict policy and is seen in its colors', async () => {
       const { covered, bright, colors, error } = await page.call<Record<string, number>>('show', `/models/${name}`);
       expect(covered).toBeGreaterThan(800);
       expect(bright).toBeGreaterThan(120);
@@ -41,7 +41,7 @@ describeWithData('real models', 'models', () => {
   test('instances share geometry and materials, and move by themselves', async () => {
     const { shared, apart } = await page.call<{ shared: boolean; apart: number }>('instances', '/models/Fox.glb');
     expect(shared).toBe(true);
-    // Fox is made in centimetres.
+    // Fox is made in centimeters.
     expect(apart).toBeGreaterThan(1);
   });
 

@@ -19,7 +19,7 @@ import {
   Points,
   PointsMaterial,
 } from 'three';
-import type { ObjectList, RoomDepthOutput } from '../../nodes/kit/runtime.ts';
+import type { ObjectList, RoomDepthOutput } from '../../nodes/kit/scene-lists.ts';
 import type { RoomDepth } from '../../nodes/kit/session.ts';
 import {
   covered,

@@ -290,10 +290,10 @@ export async function equalForms(params: Readonly<Record<string, number>>, roomP
   for (const form of ['early', 'late'] as const) {
     const gl = createGl();
     // From 1.2 m on the left to 2.6 m on the right, coarse, turned a little, and reaching beyond the view's edges.
-    const metres = Array.from({ length: 20 * 15 }, (_, i) => (i % 17 === 0 ? 0 : 1.2 + ((i % 20) / 19) * 1.4));
-    const left = room(gl, 20, 15, metres, [0.95, 0.1, 0, -0.1, 0.95, 0, 0.12, -0.03, 1]);
+    const meters = Array.from({ length: 20 * 15 }, (_, i) => (i % 17 === 0 ? 0 : 1.2 + ((i % 20) / 19) * 1.4));
+    const left = room(gl, 20, 15, meters, [0.95, 0.1, 0, -0.1, 0.95, 0, 0.12, -0.03, 1]);
     // Of the other eye: turned a quarter and cut.
-    const right = room(gl, 20, 15, metres, [0, 0.8, 0, -0.9, 0, 0, 0.95, 0.1, 1]);
+    const right = room(gl, 20, 15, meters, [0, 0.8, 0, -0.9, 0, 0, 0.95, 0.1, 1]);
     const cameraImage = { texture: texture(gl, 2, 2, STRIPES), widthPx: 2, heightPx: 2, uvFromViewUv: UPRIGHT };
     const half = { y: 0, widthPx: WIDTH / 2, heightPx: HEIGHT };
     const { player } = await stand(hidden(form, params, roomParams), { gl, modules: MODULES, createScenes });
@@ -320,7 +320,7 @@ export interface Example {
   readonly assetUrl: string;
 }
 
-/** Plays compiled examples one after the other; tells of each how much of the picture it covers, and in how many colours. */
+/** Plays compiled examples one after the other; tells of each how much of the picture it covers, and in how many colors. */
 export async function playExamples(examples: readonly Example[]) {
   const gl = createGl();
   const camera = lookingAt([0.3, 1, 0.8], [0, 0.3, -1]);

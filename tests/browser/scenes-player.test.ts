@@ -11,7 +11,7 @@ import type { Example } from './scenes-player.page.ts';
 const page = useModule('tests/browser/scenes-player.page.ts', { mounts: { '/nodes/': resolve('nodes') } });
 
 test('a scene and its shadow are played as layers, follow their params, and leave nothing behind', async () => {
-  // 0.8 of white light from 45 degrees on red: 0.8 × cos 45° = 0.566, encoded 198. All colours mirror a little light.
+  // 0.8 of white light from 45 degrees on red: 0.8 × cos 45° = 0.566, encoded 198. All colors mirror a little light.
   const sheen = expect.closeTo(24, -1);
   const first = { boxTop: [expect.closeTo(198, -1), sheen, sheen, 255], shadow: [0, 0, 0, 255], floor: [0, 255, 0, 255] };
   expect(await page.call('plays')).toEqual({

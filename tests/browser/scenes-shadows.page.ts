@@ -14,8 +14,9 @@ import {
   SphereGeometry,
 } from 'three';
 import type { LightShadow } from '../../nodes/kit/light-shadow.ts';
-import type { LightItem, ObjectItem, ObjectList, Writable } from '../../nodes/kit/runtime.ts';
+import type { LightItem, ObjectItem, ObjectList } from '../../nodes/kit/scene-lists.ts';
 import type { SceneLook } from '../../nodes/kit/scene-look.ts';
+import type { Writable } from '../../nodes/kit/value-views.ts';
 import {
   createStand,
   drawView,
@@ -156,13 +157,13 @@ function darker(picture: Uint8Array, than: Uint8Array, from = 0): number {
   return count;
 }
 
-/** A box on the floor: alpha of its shadow at these distances from its foot, metres. */
+/** A box on the floor: alpha of its shadow at these distances from its foot, meters. */
 export function contact() {
   const stand = createStand();
   const camera = lookingAt([0.5, 0.35, 0.5], [0.2, 0, 0]);
   const box = slab(new BoxGeometry(0.3, 0.3, 0.3), { at: translation(0, 0.15, 0) });
   const caught = shoot(stand, { casters: [box], receivers: [phantomFloor()], suns: [sun([-1, 1, 0], { shadow: SHADOW })], camera });
-  return [0.003, 0.01, 0.05, 0.2].map((metres) => pixel(caught, ...project(camera, [0.15 + metres, 0, 0]))[3]);
+  return [0.003, 0.01, 0.05, 0.2].map((meters) => pixel(caught, ...project(camera, [0.15 + meters, 0, 0]))[3]);
 }
 
 export function options() {

@@ -45,7 +45,7 @@ describe('a shadow', () => {
     expect(await page.call('contact')).toEqual([128, 128, 128, 128]);
   });
 
-  test('has its strength and colour, and comes only from what casts, on what receives, by light that arrives', async () => {
+  test('has its strength and color, and comes only from what casts, on what receives, by light that arrives', async () => {
     expect(await page.call('options')).toEqual({
       strengthAndColor: [204, 0, 0, 204],
       noCaster: NOTHING,
@@ -56,7 +56,7 @@ describe('a shadow', () => {
       fromBelow: NOTHING,
       behindWall: NOTHING,
       backOfThePlate: SHADOW,
-      // What is see-through dims the light by its alpha.
+      // A transparent object dims the light by its alpha.
       faint: [0, 0, 0, Math.round(255 * 0.5 * 0.3)],
       dense: [0, 0, 0, Math.round(255 * 0.5 * 0.7)],
       hole: NOTHING,

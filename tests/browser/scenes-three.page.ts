@@ -64,7 +64,7 @@ export function properties() {
   const layer = createLayer(gl, WIDTH, HEIGHT);
   const scene = new Scene().add(new Mesh(new PlaneGeometry(100, 100), new MeshBasicMaterial()));
   const material = (scene.children[0] as Mesh).material as MeshBasicMaterial;
-  // Mid-grey in linear light: 0.2159 encodes to 128.
+  // Mid-gray in linear light: 0.2159 encodes to 128.
   material.color.setRGB(0.2159, 0.2159, 0.2159);
   const draw = (framebuffer: WebGLFramebuffer | null) => {
     layer.clear();

@@ -6,14 +6,14 @@ const page = useModule('tests/browser/scenes-three.page.ts');
 describe('what scenes rest on in three.js', () => {
   test('a target takes a framebuffer from outside, its viewport, and encodes sRGB', async () => {
     const { toLayer, toCanvas, error } = await page.call<{ toLayer: number[][][]; toCanvas: number[][][]; error: number }>('properties');
-    const grey = [128, 128, 128, 255];
+    const gray = [128, 128, 128, 255];
     const nothing = [0, 0, 0, 0];
     expect(toLayer).toEqual([
       [nothing, nothing],
-      [nothing, grey],
+      [nothing, gray],
     ]);
     expect(toCanvas).toEqual([
-      [nothing, grey],
+      [nothing, gray],
       [nothing, nothing],
     ]);
     expect(error).toBe(0);

@@ -65,9 +65,9 @@ void main() {
   ],
 } as const;
 
-/** What hosts put up with, and public files are full of. */
+/** What other hosts accept and many public files contain. */
 const FINE = {
-  // Version 1, with stray commas, an initialiser that is not constant, a name of GLSL's own taken again, and whole numbers for fractions.
+  // Version 1, with stray commas, an initializer that is not constant, a name of GLSL's own taken again, and whole numbers for fractions.
   'old.fs': `/*{ "INPUTS": [ { "NAME": "inputImage", "TYPE": "image", }, ,
  ] }*/
 float start = TIME * 2.0;
@@ -105,7 +105,7 @@ beforeAll(async () => {
       'uniform ivec2 size; // = ivec2(4)\nvec4 transition(vec2 p) { return mix(getFromColor(p), getToColor(p), progress * size.x); }',
   });
   const including = (chunk: string, call: string) =>
-    `/*{ "DESCRIPTION": "One colour." }*/\n#include <${chunk}>\nvec4 surface(const in Surface s) { return vec4(vec3(${call}), 1.0); }`;
+    `/*{ "DESCRIPTION": "One color." }*/\n#include <${chunk}>\nvec4 surface(const in Surface s) { return vec4(vec3(${call}), 1.0); }`;
   await writeProject(join(folder, 'chunked'), {
     'fine.glsl': including('light/strength', 'lightStrength(0.5)'),
     'wrong.glsl': including('own/wrong', 'wrong()'),
@@ -146,7 +146,7 @@ describe('scrim shader check', () => {
     const alone = await check(join(folder, 'alone', 'x.vs'));
     expect([alone.status, alone.err]).toEqual([
       2,
-      expect.stringContaining('x.vs is the vertex shader of an ISF file x.fs, which is not beside'),
+      expect.stringContaining('x.vs is the vertex shader of an ISF file x.fs, which is missing'),
     ]);
   });
 
@@ -184,7 +184,50 @@ describe('scrim shader check', () => {
     );
   });
 
-  test('takes what the library ships, what other hosts put up with, and heavy loops that end', async () => {
+  test('tells what is wrong above a syntax error first, and nothing that only follows from it', async () => {
+    const above = {
+      'syntax.fs': `${FILTER}
+float later(float x);
+vec3 tint() {
+  vec3 c = vec2(1.0);
+  float d = later(1.0);
+  while (true) {
+    d += nothing;
+    d = = 2.0;
+    if (d > 9.0) break;
+  }
+  return c * below;
+}
+float later(float x) { return x; }
+void main() { gl_FragColor = vec4(tint(), 1.0); }`,
+      'input.fs': `${FILTER}\nfloat a = nowhere;\nattribute vec2 left;\nvoid main() { gl_FragColor = vec4(a) + other; }`,
+      'two.fs': `${FILTER}\nfloat a = nowhere;\nattribute vec2 left;\nvoid main() { gl_FragColor = vec4(a) }`,
+    };
+    await writeProject(join(folder, 'above'), above);
+    const { status, out } = await check(join(folder, 'above'), '--json');
+    const { files } = JSON.parse(out) as Report;
+    expect([status, files.map(({ diagnostics }) => diagnostics.map(({ code, line, column }) => [code, line, column]))]).toEqual([
+      1,
+      [
+        [
+          ['SCR042', 2, 11],
+          ['SCR043', 3, 16],
+        ],
+        [
+          ['SCR042', 4, 10],
+          ['SCR042', 7, 10],
+          ['SCR041', 8, 9],
+        ],
+        [
+          ['SCR042', 2, 11],
+          ['SCR043', 3, 16],
+          ['SCR041', 4, 38],
+        ],
+      ],
+    ]);
+  });
+
+  test('accepts the library, what other hosts accept, and heavy loops that end', async () => {
     const library = resolve(import.meta.dirname, '../../shader-library');
     const { status, out } = await check(join(folder, 'fine'), library, '--json');
     const { files } = JSON.parse(out) as Report;
@@ -200,7 +243,7 @@ describe('scrim shader check', () => {
     );
   });
 
-  test('prints one line per problem, file first, and no progress where nobody looks on', async () => {
+  test('prints one line per problem, file first, and no progress without a terminal', async () => {
     const [path] = [join(folder, 'broken', 'e-name.fs')];
     const { status, out, err } = await check(path, join(folder, 'fine', 'march.isf'));
     expect([status, err]).toEqual([1, '']);
@@ -255,7 +298,7 @@ describe('a project with shaders of its own', () => {
     expect([taken.status, JSON.parse(taken.out)]).toEqual([0, { ok: true, driver: 'yes', diagnostics: [] }]);
   });
 
-  test('is not exported with what a driver refuses, poster or not; unless nobody wants it asked', async () => {
+  test('is not exported with a shader that a driver rejects, with or without a poster, unless the check is off', async () => {
     const out = join(folder, 'page');
     const refused = await scrim('export', join(folder, 'refused'), '--out', out, '--no-poster');
     expect(refused.status).toBe(1);

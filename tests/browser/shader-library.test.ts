@@ -20,7 +20,7 @@ function apply(file: string, pictures: Readonly<Record<string, Picture>>, params
   return applyShader(page, file, pictures, params);
 }
 
-/** `formula` works on straight colours from 0 to 1; the layer around it is premultiplied and 8 bits. */
+/** `formula` works on straight colors from 0 to 1; the layer around it is premultiplied and 8 bits. */
 function each(picture: Picture, formula: (rgb: number[], alpha: number, x: number, y: number) => [rgb: number[], alpha: number]): Picture {
   return paint(picture.width, picture.height, (x, y) => {
     const [r, g, b, a] = pixelAt(picture, x, y);
@@ -135,7 +135,7 @@ describe.each(['photograph', 'generated'])('over the %s', (name) => {
     await expectSamePixels(`${name}-sepia-${amount}`, drawn, byFormula, { tolerance: 1 });
   });
 
-  test('a hard threshold gives the two colours and nothing between', async () => {
+  test('a hard threshold gives the two colors and nothing between', async () => {
     const picture = await expected(name);
     const drawn = await apply(
       'filters/threshold.fs',
@@ -198,7 +198,7 @@ describe.each(['photograph', 'generated'])('over the %s', (name) => {
     await expectSamePixels(`${name}-mask-from-layer-${source}`, drawn, byFormula, { tolerance: TOLERANCE });
   });
 
-  test.each([0, 1])('a mask of a colour is white within its tolerance, inverted %d', async (invert) => {
+  test.each([0, 1])('a mask of a color is white within its tolerance, inverted %d', async (invert) => {
     const picture = await expected(name);
     const [keyColor, tolerance, softness, brightness] = [[0.5, 0.4, 0.3, 1], 0.05, 0.2, 0.4];
     // Rec. ITU-R BT.709: Cb = (B - Y) / 1.8556, Cr = (R - Y) / 1.5748.
@@ -274,9 +274,9 @@ describe('facts', () => {
     await expectSamePixels('identity', await apply(file, { inputImage: picture }, params), picture, { tolerance: 0 });
   });
 
-  test('a lower colour temperature is warmer and white keeps its luminance', async () => {
-    const grey = paint(8, 8, () => [150, 150, 150, 255]);
-    const warm = pixelAt(await apply('filters/color-temperature.fs', { inputImage: grey }, { temperature: 3500 }), 4, 4);
+  test('a lower color temperature is warmer and white keeps its luminance', async () => {
+    const gray = paint(8, 8, () => [150, 150, 150, 255]);
+    const warm = pixelAt(await apply('filters/color-temperature.fs', { inputImage: gray }, { temperature: 3500 }), 4, 4);
     expect(warm[0]).toBeGreaterThan(170);
     expect(warm[2]).toBeLessThan(120);
     const linear = (v: number) => ((v / 255 + 0.055) / 1.055) ** 2.4;
@@ -293,7 +293,7 @@ describe('facts', () => {
     expect(pixelAt(drawn, 13, 8)).toEqual([200, 210, 220, 255]);
   });
 
-  test('over takes the depth of the top where that is more than half opaque, in metres from either encoding', async () => {
+  test('over takes the depth of the top where that is more than half opaque, in meters from either encoding', async () => {
     const shader = made(readIsf(over, 'operators/over.fs'));
     const top = paint(4, 1, (x) => {
       const alpha = [255, 200, 100, 0][x] ?? 0;
@@ -313,17 +313,17 @@ describe('facts', () => {
         bottom: { width: 4, height: 1, values: [7, 7, 7, 0] },
       },
     };
-    const metres = (opacity: number, withoutDepth: string[] = []) =>
+    const meters = (opacity: number, withoutDepth: string[] = []) =>
       drawFloats(page, { ...job, passes: [linkIsfDepth(shader, { node: 'test', withoutDepth })], params: { opacity } });
     for (const [opacity, wanted] of [
       [1, [2, 2, 7, 0]],
       [0.6, [2, 7, 7, 0]],
     ] as const) {
-      const found = await metres(opacity);
+      const found = await meters(opacity);
       found.forEach((value, i) => {
         expect(value).toBeCloseTo(wanted[i] ?? Number.NaN, 3);
       });
     }
-    expect(await metres(1, ['top'])).toEqual([0, 0, 7, 0]);
+    expect(await meters(1, ['top'])).toEqual([0, 0, 7, 0]);
   });
 });

@@ -32,7 +32,7 @@ async function pixel(source: string, scene: Scene = {}, x = 0, y = 0): Promise<r
 
 const image = (color: string) => `void mainImage(out vec4 fragColor, in vec2 fragCoord) { fragColor = ${color}; }`;
 
-test('fragCoord counts pixels from their centres at the bottom left, and the picture is opaque', async () => {
+test('fragCoord counts pixels from their centers at the bottom left, and the picture is opaque', async () => {
   const source = image('vec4(fragCoord / 32.0, iResolution.z, 0.25)');
   expect(await pixel(source, {}, 0, 7)).toEqual([4, 4, 255, 255]);
   expect(await pixel(source, {}, 15, 0)).toEqual([124, 60, 255, 255]);
@@ -88,7 +88,7 @@ float turn(float x) { return x * FACTOR; }
 void mainImage(out vec4 o, vec2 p) { o = turn(1.0) * vec4(LAST(p).x, texture(iChannel1, p / iResolution.xy).xy, 0.0); }
 `;
 
-test('buffers see what came before them in the frame, and of the rest the frame before', async () => {
+test('buffers read earlier buffers of this frame, and later ones of the previous frame', async () => {
   // Frame 32: A = 32/64, B = 16/64, and A saw the B of frame 31.
   expect(await pixel(BUFFERS, { frames: 33 })).toEqual([64, 128, Math.round((31 / 128) * 255), 255]);
 });

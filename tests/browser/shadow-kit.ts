@@ -13,8 +13,8 @@ import {
   Vector3,
 } from 'three';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { LampShadow, LightShadow } from '../../nodes/kit/light-shadow.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LightShadow, LocalLightShadow } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { ShadowCatcherLook } from '../../nodes/kit/scene-look.ts';
 import {
   bulb,
@@ -39,7 +39,7 @@ export type Method = 'map' | 'volume';
 
 export const CAMERA = lookingAt([0.2, 1.3, 1], [0.2, 0.1, 0]);
 export const SUN: LightShadow = { areaM: 2, mapSizePx: 1024, bias: 0, normalBiasM: (2.5 * 2) / 1024 };
-export const LAMP: LampShadow = { mapSizePx: 1024, biasPx: 2 };
+export const LAMP: LocalLightShadow = { mapSizePx: 1024, biasPx: 2 };
 export const LIGHTS: Readonly<Record<string, LightItem>> = {
   sun: sun([-1, 1.4, 0.5], { shadow: SUN }),
   spot: spot([-1.2, 1.8, 0.5], [0.1, 0.1, 0], 30, { shadow: LAMP, halfAngleRad: 0.7 }),

@@ -13,7 +13,7 @@ import {
   TorusGeometry,
 } from 'three';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import { item, loadUrl, lookingAt, midStride, sun, translation } from './scenes-kit.ts';
 import { type Agreement, bentArm, byBoth, compare, desk, LIGHTS, SIDES, SUN, stand, thing, toPicture } from './shadow-kit.ts';
 

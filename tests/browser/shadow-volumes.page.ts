@@ -1,6 +1,6 @@
 import { BoxGeometry, DataTexture, Matrix4, type Mesh, MeshLambertMaterial, SphereGeometry } from 'three';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import { bulb, drawView, item, lights, lookingAt, objects, spot, sun, translation, viewOf } from './scenes-kit.ts';
 import { ABOVE, bentArm, desk, LAMP, onFloor, plate, type Shot, SIDES, SUN, shoot, stand, thing } from './shadow-kit.ts';
 
@@ -69,7 +69,7 @@ export function lamps() {
     holes: alpha({ casters: [plate({ material: holes })], told }),
     told: [told, veiled]
       .flat()
-      .map(({ code, port, message }) => `${code} at ${port}: ${message.includes('see-through') ? 'see-through' : 'shape'}`),
+      .map(({ code, port, message }) => `${code} at ${port}: ${message.includes('ignores its transparency') ? 'see-through' : 'shape'}`),
     error: stand.gl.getError(),
   };
 }

@@ -46,7 +46,7 @@ function program(taps: readonly string[] = []): Program {
   return output;
 }
 
-/** The same, with a texture for every picture. */
+/** The same, with a texture for each layer. */
 function unshared(made: Program): Program {
   return { ...made, resources: made.resources.map((r) => (r.kind === 'target' ? (({ shares: _, ...own }) => own)(r) : r)) };
 }

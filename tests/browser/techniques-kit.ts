@@ -22,7 +22,7 @@ import { createGlObjects } from '../../export/runtime/gl/gl-objects.ts';
 import { createPictureStore } from '../../export/runtime/gl/picture-store.ts';
 import type { DrawBinding } from '../../export/runtime/scene-backend.ts';
 import { SHADERS } from '../../nodes/generated/definitions.gen.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import type { TechniqueUniformView, TechniqueView } from '../../nodes/kit/technique-view.ts';
 import { createStand, drawView, HEIGHT, item, lights, lookingAt, objects, sun, viewOf, WIDTH } from './scenes-kit.ts';
 

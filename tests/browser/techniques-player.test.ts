@@ -11,7 +11,7 @@ import type { Act } from './techniques-player.page.ts';
 
 const page = useModule('tests/browser/techniques-player.page.ts');
 
-const FLAT = `/*{ "DESCRIPTION": "One colour.", "INPUTS": [{ "NAME": "tint", "TYPE": "color", "DEFAULT": [0, 0.5, 0, 1] }] }*/
+const FLAT = `/*{ "DESCRIPTION": "One color.", "INPUTS": [{ "NAME": "tint", "TYPE": "color", "DEFAULT": [0, 0.5, 0, 1] }] }*/
 vec4 surface(const in Surface s) {
   return vec4(tint.rgb, 1.0);
 }
@@ -55,7 +55,7 @@ const GREEN = [0, 128, 0, 255];
 const RED = [255, 0, 0, 255];
 
 describe('a technique of the project', () => {
-  test('is drawn with its colours as the inspector shows them, and follows its params without a compile', async () => {
+  test('is drawn with its colors as the inspector shows them, and follows its params without a compile', async () => {
     const { shown } = await play(compiled(studio(FLAT)), [{ node: 'flat-a', param: 'tint', value: [1, 0, 0, 1] }]);
     expect(shown).toEqual([GREEN, RED]);
   });
@@ -148,7 +148,7 @@ test('an export holds the techniques that it uses, and nothing to try them with'
   expect(program.shaders).toEqual([]);
 });
 
-test('both techniques that ship take a ball from its own colour, and show an edge where the ball ends', async () => {
+test('both techniques that ship take a ball from its own color, and show an edge where the ball ends', async () => {
   for (const type of ['technique/gooch', 'technique/toon']) {
     const made = studio(FLAT).unwire('flat-a.technique -> apply-a.technique').add('style-a', type);
     const { shown, errors } = await play(compiled(made.wire('style-a.technique -> apply-a.technique')), []);

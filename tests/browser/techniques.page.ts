@@ -43,7 +43,7 @@ export function goochSphere(values: Values, lamp: readonly [number, number, numb
   return { samples, error: stand.gl.getError() };
 }
 
-/** The colours of a toon sphere, each with how often it is there, and whether the outline stands around it. */
+/** The colors of a toon sphere, each with how often it is there, and whether the outline stands around it. */
 export function toonSphere(levels: number, outlinePx: number) {
   const values = { levels, outlinePx, outlineColor: [1, 0, 0, 1] };
   const pixels = shoot({ items: [drawnWith(sphere(), technique('toon', values))] });
@@ -136,7 +136,7 @@ vec4 surface(const in Surface s) {
   return { center: pixel(pixels, WIDTH / 2, HEIGHT / 2), error: stand.gl.getError() };
 }
 
-/** One box of two materials, the second drawn by name; and a see-through sphere. */
+/** One box of two materials, the second drawn by name; and a transparent sphere. */
 export function parts() {
   const red = viewOfText('/*{ "INPUTS": [] }*/\nvec4 surface(const in Surface s) { return vec4(1.0, 0.0, 0.0, s.color.a); }', 'red');
   const box = new BoxGeometry(1, 1, 1);

@@ -78,7 +78,7 @@ interface ToonSphere {
 }
 
 describe('technique/toon', () => {
-  test.each([1, 2, 3, 5])('%d levels are that many colours on a sphere', async (levels) => {
+  test.each([1, 2, 3, 5])('%d levels are that many colors on a sphere', async (levels) => {
     const { colors, outside, error } = await page.call<ToonSphere>('toonSphere', levels, 0);
     expect(error).toBe(NO_ERROR);
     const steps = Array.from({ length: levels }, (_, i) => Math.round(encoded(levels === 1 ? 1 : 0.25 + (0.75 * i) / (levels - 1))));
@@ -151,7 +151,7 @@ describe('a technique is drawn', () => {
     const [faded = [], whole = []] = soft.styled;
     expect(faded[3]).toBeGreaterThan(100);
     expect(faded[3]).toBeLessThan(155);
-    // Premultiplied: colour fades with alpha.
+    // Premultiplied: color fades with alpha.
     expect(Math.abs((faded[0] ?? 0) - ((whole[0] ?? 0) * (faded[3] ?? 0)) / 255)).toBeLessThanOrEqual(1);
   });
 

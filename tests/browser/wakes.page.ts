@@ -4,14 +4,14 @@ import { Canvas } from '../../renderer/canvas/canvas.tsx';
 import { pageClock } from '../../renderer/clock.ts';
 import { HelpPanel } from '../../renderer/help/help-panel.tsx';
 import { Inspector } from '../../renderer/inspector/inspector.tsx';
-import { EditorProvider } from '../../renderer/shell/editor-context.ts';
-import { FeedProvider } from '../../renderer/shell/feed-context.ts';
 import { StatusBar } from '../../renderer/shell/status-bar.tsx';
 import { TopBar } from '../../renderer/shell/top-bar.tsx';
-import { addNodeFromPalette, connect } from '../../renderer/state/edit-graph.ts';
-import type { Editor } from '../../renderer/state/editor.ts';
-import type { Feed } from '../../renderer/state/feed.ts';
-import { selectOnly } from '../../renderer/state/selection.ts';
+import type { Editor } from '../../renderer/state/editor/editor.ts';
+import { EditorProvider } from '../../renderer/state/editor/editor-context.ts';
+import { selectOnly } from '../../renderer/state/editor/selection.ts';
+import { addNodeFromPalette, connect } from '../../renderer/state/graph/edit-graph.ts';
+import type { PreviewSync } from '../../renderer/state/preview-sync/preview-sync.ts';
+import { PreviewSyncProvider } from '../../renderer/state/preview-sync/preview-sync-context.ts';
 import { openTestEditor } from '../support/test-editor.ts';
 
 const drawn: Record<string, number> = {};
@@ -25,7 +25,7 @@ function counted(name: string, child: ReactNode): ReactNode {
   return createElement(Profiler, { id: name, onRender }, child);
 }
 
-const FEED: Feed = { attach: () => () => {}, receive: () => {}, send: () => {}, dispose: () => {} };
+const PREVIEW_SYNC: PreviewSync = { attach: () => () => {}, receive: () => {}, send: () => {}, dispose: () => {} };
 
 let editor: Editor | null = null;
 
@@ -53,7 +53,9 @@ export async function open(): Promise<string> {
   ];
   const element = document.createElement('div');
   document.body.append(element);
-  createRoot(element).render(createElement(EditorProvider, { value: here }, createElement(FeedProvider, { value: FEED }, ...parts)));
+  createRoot(element).render(
+    createElement(EditorProvider, { value: here }, createElement(PreviewSyncProvider, { value: PREVIEW_SYNC }, ...parts)),
+  );
   return blur;
 }
 

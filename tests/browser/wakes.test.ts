@@ -11,7 +11,7 @@ const STYLES = [
   ),
 ].map((path) => readFileSync(path, 'utf8'));
 
-describe('what people drag draws anew what shows it', () => {
+describe('a drag redraws every view of its value', () => {
   const module = useModule('tests/browser/wakes.page.ts', { width: 1280, height: 1400 });
   let blur = '';
   const drawn = () => module.call<Record<string, number>>('counts');

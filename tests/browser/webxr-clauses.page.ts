@@ -1,5 +1,5 @@
 /// <reference types="webxr" />
-import type { DepthUsage } from '../../export/emulator/options.ts';
+import type { DepthUsage } from '../../export/emulator/profiles.ts';
 import { createContext, enterWith, first, lookAt, nameOfError, nameOfThrow, round } from './emulator-kit.ts';
 import { type Facts, isSame, withDevice, within } from './webxr-clauses-kit.ts';
 
@@ -313,7 +313,7 @@ export async function planes(): Promise<Facts> {
         const [plane] = [...(frame.detectedPlanes ?? [])].filter(({ semanticLabel }) => semanticLabel === 'table');
         if (!plane) throw new Error('The table is missing.');
         const m = frame.getPose(plane.planeSpace, stage.space)?.transform.matrix ?? new Float32Array(16);
-        return { frame, plane, up: [4, 5, 6].map((i) => round(m[i] ?? 0)), centre: [12, 13, 14].map((i) => round(m[i] ?? 0)) };
+        return { frame, plane, up: [4, 5, 6].map((i) => round(m[i] ?? 0)), center: [12, 13, 14].map((i) => round(m[i] ?? 0)) };
       });
     const old = await look();
     const now = await look();
@@ -324,7 +324,7 @@ export async function planes(): Promise<Facts> {
       unchanged: plane.lastChangedTime,
       orientation: plane.orientation,
       up: now.up,
-      centre: now.centre,
+      center: now.center,
       polygon: plane.polygon.map(({ x, y, z }) => [round(x), round(y), round(z)]),
       late: nameOfThrow(() => old.frame.detectedPlanes),
     };
@@ -348,7 +348,7 @@ export async function hitTest(): Promise<Facts> {
     if (!source) throw new Error('No hit tests here.');
     emulator.setPose(lookAt([0, 1.6, 0], [0, 0.8, -1.8]));
     const old = await stage.frame((frame) => ({ frame, results: frame.getHitTestResults(source) }));
-    // Moved half a metre up before the page is asked again: what it finds is of this frame.
+    // Moved half a meter up before the page is asked again: what it finds is of this frame.
     emulator.setPose(lookAt([0, 2.1, 0], [0, 0.8, -1.8]));
     const places = await stage.frame((frame) =>
       frame.getHitTestResults(source).map((result) => {

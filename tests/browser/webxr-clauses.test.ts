@@ -1,5 +1,6 @@
-import { beforeAll, describe, expect, test } from '@jest/globals';
+import { expect } from '@jest/globals';
 import { useModule } from '../support/browser.ts';
+import { holder } from './clause-tests.ts';
 
 // The emulated device against the text of the specifications: each test names the clause that it holds the device to. Sections are
 // those of the editor's drafts: immersive-web.github.io/{depth-sensing, lighting-estimation, raw-camera-access, hit-test, webxr-ar-module}
@@ -7,21 +8,7 @@ import { useModule } from '../support/browser.ts';
 
 const page = useModule('tests/browser/webxr-clauses.page.ts');
 
-/** A clause in short, the fact of the page that stands for it, and what that has to be. */
-type Clause = readonly [clause: string, fact: string, expected: unknown];
-
-function holds(title: string, call: string, clauses: readonly Clause[]): void {
-  describe(title, () => {
-    let facts: Readonly<Record<string, unknown>> = {};
-    beforeAll(async () => {
-      facts = await page.call(call);
-    });
-    test.each(clauses)('%s', (_, fact, expected) => {
-      expect(Object.keys(facts)).toContain(fact);
-      expect(facts[fact]).toEqual(expected);
-    });
-  });
-}
+const holds = holder(page);
 
 holds('Depth Sensing §2.3, session configuration', 'depthConfiguration', [
   ['a required feature without depthSensing is refused with NotSupportedError', 'requiredWithoutWishes', 'NotSupportedError'],
@@ -48,7 +35,7 @@ holds('Depth Sensing §2.3 to §3.2, depth for the CPU', 'cpuDepth', [
   ],
   ['data has no padding, two bytes for each luminance-alpha entry', 'size', [30, 20, 30 * 20 * 2]],
   ['data and normDepthBufferFromNormView are the same object each time', 'sameObjects', true],
-  ['normalised view coordinates begin at the top left, y downwards', 'looksUpwards', true],
+  ['normalized view coordinates begin at the top left, y downwards', 'looksUpwards', true],
   [
     'a depth is the raw value at the truncated column and row, times rawValueToMeters',
     'indexed',
@@ -134,7 +121,7 @@ holds('Raw Camera Access', 'camera', [
   ['§3.1 and §5.1: the picture is aligned with the view, as large as its viewport', 'size', [80, 60]],
   ['§3.3: the picture is a texture of the binding’s context', 'texture', true],
   ['§3.3: within a frame it may be the same texture', 'cached', true],
-  ['§3.3: its colours are premultiplied, here opaque', 'alpha', 255],
+  ['§3.3: its colors are premultiplied, here opaque', 'alpha', 255],
   ['§3.1 and §3.3: after the frame, camera and picture throw InvalidStateError', 'late', ['InvalidStateError', 'InvalidStateError']],
 ]);
 
@@ -144,7 +131,7 @@ holds('Plane Detection', 'planes', [
   ['§3.2: lastChangedTime stays while nothing changes', 'unchanged', 0],
   ['§3.1: a table lies', 'orientation', 'horizontal'],
   ['§3.2: y of its space is the normal', 'up', [0, 1, 0]],
-  ['§3.2: its space begins at its middle', 'centre', [0, 0.8, -2]],
+  ['§3.2: its space begins at its middle', 'center', [0, 0.8, -2]],
   [
     '§3.2: y of each corner is 0',
     'polygon',
@@ -196,5 +183,5 @@ holds('Augmented Reality §3.2 and Device API §7: displays', 'displays', [
     'headset',
     ['alpha-blend', 'world-space', ['left', 'right']],
   ],
-  ['see-through glasses add light', 'glasses', ['additive', 'world-space', ['left', 'right']]],
+  ['additive glasses add light', 'glasses', ['additive', 'world-space', ['left', 'right']]],
 ]);

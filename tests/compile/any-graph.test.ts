@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
 import { createCompiler } from '../../export/compiler/compile.ts';
-import { inputOf, takesSeveral } from '../../export/graph/library/faces.ts';
+import { inputOf, takesSeveral } from '../../export/graph/library/node-interface.ts';
 import type { Binding, Graph, GraphNode, ProjectLogic, Wire } from '../../export/graph/project.ts';
 import { sortWires } from '../../export/graph/wires.ts';
 import type { Operation, Program } from '../../export/program/program.ts';
@@ -48,7 +48,7 @@ function graphOf(plan: Plan): Graph {
       if (required && fitting.length === 0) return;
       if (fitting.length === 0 || (!required && choice % 3 === 0)) continue;
       const picked = takesSeveral(input) ? [choice, choice + 1] : [choice];
-      // From the newest few, so that most of the graph hangs together.
+      // From the newest few, so that most of the graph is connected.
       const sources = new Set(picked.map((number) => fitting[fitting.length - 1 - (number % Math.min(4, fitting.length))]));
       for (const source of sources) if (source) mine.push({ from: source.from, to: { node: id, port } });
     }

@@ -6,7 +6,7 @@ import type { Project } from '../../export/graph/project.ts';
 import type { NodeDefinition, NodeLibrary } from '../../nodes/kit/definition.ts';
 import { TESTS_FOLDER } from '../support/this-test.ts';
 
-/** A project as some released version of the document saved it, `vN` for version N. It is never saved anew. */
+/** A project as some released version of the document saved it, `vN` for version N. It is never saved again. */
 export interface ArchivedProject {
   readonly name: string;
   readonly texts: ProjectTexts;

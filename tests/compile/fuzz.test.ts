@@ -199,7 +199,7 @@ describe('a valid project', () => {
       const twice = `${project.slice(0, index)}${line.replace(/,?$/, ',')}\n${project.slice(index)}`;
       const { output, diagnostics } = loadProject({ ...(VALID[0] as ProjectTexts), project: twice });
       expect(output).toBeNull();
-      expect(diagnostics).toMatchObject([{ code: 'SCR002', message: expect.stringContaining(`The key ${key} stands twice`) }]);
+      expect(diagnostics).toMatchObject([{ code: 'SCR002', message: expect.stringContaining(`The key ${key} occurs twice`) }]);
     }
   });
 

@@ -124,7 +124,7 @@ export function subgraphs(): TestStudio {
     .wire('video-a.layer -> twice-a.picture', 'toggle-a.value -> twice-a.strength', 'twice-a.layer -> screen-a.layer');
 }
 
-/** A filter whose strength and colour move by themselves, within a subgraph and from outside of it. */
+/** A filter whose strength and color move by themselves, within a subgraph and from outside of it. */
 export function movedParams(): TestStudio {
   const keys = [
     { timeS: 0, value: 0, easing: 'ease-in' as const },

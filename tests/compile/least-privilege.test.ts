@@ -1,9 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { programUse } from '../../export/bundle/program-use.ts';
-import { webXrFeatures } from '../../export/bundle/webxr-features.ts';
 import { describeProgram } from '../../export/compiler/describe.ts';
 import type { Program } from '../../export/program/program.ts';
-import { sessionInit } from '../../export/runtime/sessions/webxr/features.ts';
+import { sessionInit } from '../../export/runtime/sessions/webxr/session-init.ts';
 import { formatDiagnostic } from '../../nodes/kit/diagnostics.ts';
 import { LIBRARY } from '../support/library.ts';
 import { readShader } from '../support/test-library.ts';
@@ -22,7 +21,6 @@ function asked(studio: TestStudio): string[] {
   const { needs } = program(studio);
   const { requiredFeatures = [], optionalFeatures = [], depthSensing } = sessionInit(needs, null);
   expect(depthSensing !== undefined).toBe(optionalFeatures.concat(requiredFeatures).includes('depth-sensing'));
-  expect(webXrFeatures(needs)).toEqual({ required: requiredFeatures, optional: optionalFeatures });
   return [...requiredFeatures, ...optionalFeatures].filter((feature) => feature !== 'local-floor');
 }
 
@@ -73,8 +71,27 @@ describe('the camera’s picture', () => {
     expect(asked(scene().add('sepia-a', 'filter/sepia').wire('video-a.layer -> sepia-a.inputImage'))).toEqual([]);
   });
 
-  test('is never required: without it the page still starts', () => {
+  test('is not required where something else is shown: without it the page still starts', () => {
     expect(sessionInit(program(styled(hidden())).needs, null).requiredFeatures).toEqual([]);
+  });
+
+  /** The camera's picture alone, in sepia and in gray. */
+  const alone = () =>
+    new TestStudio({ library: LIBRARY, readShader })
+      .add('video-a', 'source/camera-video')
+      .add('sepia-a', 'filter/sepia')
+      .add('grey-a', 'filter/grey')
+      .add('screen-a', 'output/screen')
+      .wire('video-a.layer -> sepia-a.inputImage', 'sepia-a.layer -> grey-a.inputImage', 'grey-a.layer -> screen-a.layer');
+
+  test('is required where nothing is left without it; the other ways in bring it along', () => {
+    const made = program(alone());
+    expect(sessionInit(made.needs, null).requiredFeatures).toEqual(['camera-access']);
+    expect(made.tiers.map(({ id }) => id)).toEqual(['ar-camera', 'camera', 'authored-vr', 'orbit']);
+  });
+
+  test('is not required where a color takes its place', () => {
+    expect(sessionInit(program(alone().set('video-a.withoutImage', 'color')).needs, null).requiredFeatures).toEqual([]);
   });
 });
 
@@ -122,8 +139,8 @@ describe('the plan says in words', () => {
     const plan = describeProgram(program(styled(hidden())));
     const section = plan.slice(plan.indexOf('Asks the visitor for'), plan.indexOf('Plays in')).trim().split('\n').slice(1);
     expect(section).toHaveLength(2);
-    expect(section[0]).toMatch(/1\. the camera’s picture, to .* \(video-a\); without it /);
-    expect(section[1]).toMatch(/2\. the depth of the room, to .* \(room-a\); without it /);
+    expect(section[0]).toMatch(/1\. the camera image, to .* \(video-a\); without it /);
+    expect(section[1]).toMatch(/2\. room depth, to .* \(room-a\); without it /);
   });
 
   test('where it plays, best first, and nothing where nothing is lost', () => {
@@ -138,11 +155,11 @@ describe('the plan says in words', () => {
     expect(plays(styled(scene()))).toHaveLength(5);
     expect(plays(scene()).map((line) => line.slice(5))).toEqual([
       'AR',
-      'The camera without AR: its picture, turned with the phone',
-      'A headset without AR: a room of its own',
-      'Any other browser: turned with mouse or finger',
+      'Camera without AR: its image, with the orientation of the phone',
+      'VR headset: a virtual room',
+      'Any other browser: orbit with mouse or finger',
     ]);
-    expect(describeProgram(program(scene()))).not.toContain('camera’s picture');
+    expect(describeProgram(program(scene()))).not.toContain('camera image');
   });
 });
 

@@ -15,7 +15,7 @@ export function programFaults(program: Program): string[] {
   fault(known.size < resources.length, 'two resources have the same id');
   fault(new Set(operations.map(({ id }) => id)).size < operations.length, 'two operations have the same id');
 
-  // Techniques are texts and values, and curves values; nobody makes them.
+  // Techniques are texts and values, curves are values; no operation writes them.
   const written = new Set<ResourceId>(resources.filter(({ kind }) => kind === 'technique' || kind === 'curve').map(({ id }) => id));
   let last = 'once';
   let onScreen = false;
@@ -55,7 +55,7 @@ export function programFaults(program: Program): string[] {
 }
 
 /**
- * Plays a frame of two views with one name for what each texture holds at the time: whoever reads a picture has to find it, and
+ * Plays a frame of two views with one name for what each texture holds at the time: an operation that reads a picture has to find it, and
  * nobody draws into what is being read.
  */
 function sharingFaults({ operations, resources, taps }: Program): string[] {

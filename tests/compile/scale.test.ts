@@ -132,6 +132,43 @@ describe('large graphs', () => {
     expect(program.operations).toHaveLength(2001);
   });
 
+  test('20,000 values in a chain compile', () => {
+    const nodes = Object.fromEntries(range(20_000).map((i) => [`n-${i}`, 'value/math']));
+    const wires = range(19_999).map((i) => `n-${i}.result -> n-${i + 1}.a`);
+    const project = projectOf({ ...nodes, 'f-a': 'filter/sepia', 'video-a': 'source/camera-video', 'screen-a': 'output/screen' }, [
+      ...wires,
+      'n-19999.result -> f-a.amount',
+      'video-a.layer -> f-a.inputImage',
+      'f-a.layer -> screen-a.layer',
+    ]);
+    expect(compiled(project).operations.filter(({ kind }) => kind === 'value')).toHaveLength(20_000);
+  });
+
+  test('subgraphs that make too many nodes of a small file are refused before they do, with the limit', () => {
+    const exposed = {
+      inputs: [{ name: 'inputImage', node: 'a-a', port: 'inputImage' }],
+      outputs: [{ name: 'layer', node: 'b-a', port: 'layer' }],
+    };
+    const twice = (type: string): Graph => ({
+      nodes: { 'a-a': { type, version: 1, params: {} }, 'b-a': { type, version: 1, params: {} } },
+      wires: [wireOf('a-a.layer -> b-a.inputImage')],
+      exposed,
+    });
+    const project = (depth: number) =>
+      projectOf(
+        { 'deep-a': `graph/g${depth - 1}`, 'video-a': 'source/camera-video', 'screen-a': 'output/screen' },
+        ['video-a.layer -> deep-a.inputImage', 'deep-a.layer -> screen-a.layer'],
+        Object.fromEntries(range(depth).map((i) => [`g${i}`, twice(i === 0 ? 'filter/sepia' : `graph/g${i - 1}`)])),
+      );
+    expect(compiled(project(10)).operations.length).toBeGreaterThanOrEqual(1024);
+    for (const depth of [16, 60]) {
+      const { output, diagnostics } = compile({ project: project(depth), library });
+      expect(output).toBeNull();
+      expect(diagnostics.map(formatDiagnostic).join('\n')).toContain('SCR026');
+      expect(diagnostics[0]?.message).toContain('more than 40,000 nodes');
+    }
+  });
+
   test('2,000 muted nodes in a chain are bypassed', () => {
     const project = chain(2000);
     const nodes = Object.fromEntries(
@@ -168,7 +205,7 @@ describe('large graphs', () => {
     const first = maps(project);
     const second = maps({ ...project, graphs: { main: { ...(project.graphs.main as Graph) } } });
     expect(first).toHaveLength(4);
-    // What was read before is handed out again, and not made anew.
+    // Earlier results are reused, not created again.
     for (const [i, lines] of (second ?? []).entries()) expect(lines).toBe(first?.[i]);
   });
 });

@@ -48,7 +48,7 @@ describe('a layer at a technique', () => {
     expect(passes(program).map(({ target }) => target)).toEqual(['screen']);
   });
 
-  test('keeps its picture until then: nobody else is given the texture', () => {
+  test('keeps its layer until then: no other layer gets the texture', () => {
     const studio = glassStudio()
       .unwire('front-a.layer -> over-a.top')
       .add('sepia-a', 'filter/sepia')
@@ -71,10 +71,10 @@ describe('a layer at a technique', () => {
     expect(technique(compiled(glassStudio().unwire('back-a.layer -> glass-a.behind'))).samplers).toBeUndefined();
   });
 
-  test('that shows the objects drawn with it is a loop, which is told; one that shows the frame before is none', () => {
+  test('that shows the objects drawn with it is a cycle, which is reported; one that shows the previous frame is not', () => {
     const studio = glassStudio().unwire('back-a.layer -> glass-a.behind');
     expect(() => studio.wire('front-a.layer -> glass-a.behind')).toThrow(
-      'SCR014: This wire would close a loop: front-a → glass-a → apply-a → move-a → front-a. A loop needs a delay in it',
+      'SCR014: This wire would close a loop: front-a → glass-a → apply-a → move-a → front-a. Add a delay to the loop',
     );
     const delayed = studio
       .add('before-a', 'layer/previous-frame')
@@ -102,7 +102,7 @@ describe('a layer at a technique', () => {
   });
 });
 
-test('a technique of the project may read the library’s pictures, and is told of one that is not there', () => {
+test('a technique of the project may read the library’s images, and a missing one is reported', () => {
   const text = (path: string) =>
     `/*{ "INPUTS": [],\n"IMPORTED": { "strokes": { "PATH": "${path}" } } }*/\nvec4 surface(const in Surface s) { return texture(strokes, s.uv); }`;
   const studio = (path: string) =>

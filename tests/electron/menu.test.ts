@@ -86,7 +86,7 @@ describeElectron('the window’s menu in Electron', await findElectron(), (launc
 
       // Other keys are shown at once. While a question is open, nothing is offered.
       await choose(app, 'help.shortcuts');
-      const sheet = page.getByRole('dialog', { name: 'Keyboard and pointer' });
+      const sheet = page.getByRole('dialog', { name: 'Keyboard and pointer shortcuts' });
       await sheet.waitFor();
       await eventually(async () => expect(await shownItem(app, 'file.new')).toMatchObject({ enabled: false }));
       await sheet.getByRole('button', { name: /^Keys for Duplicate:/ }).click();

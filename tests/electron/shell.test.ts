@@ -160,6 +160,50 @@ describeElectron('the Electron shell', await findElectron(), (launch) => {
     expect(ran).toEqual({ injected: false, evaluated: false });
   });
 
+  test('runs nothing of a project in the preview: no script, module or worker, whatever its name and type', async () => {
+    await put('first/assets/evil.js', 'globalThis.ran = true; postMessage("ran")');
+    await put('dist/preview/assets/own.js', 'globalThis.ran = true; globalThis.postMessage?.("ran")');
+    const opened = await call<{ assetBaseUrl: string }>('project.open', { path: project });
+    if (!('output' in opened)) throw new Error(JSON.stringify(opened));
+    const preview = page.frames().find((frame) => frame.url() === 'scrim://preview/index.html');
+    const run = (url: string) =>
+      preview?.evaluate(async (src) => {
+        // What ends in an event either way; nothing is waited for by time.
+        const outcome = (start: (done: (how: string) => void) => void) =>
+          new Promise<string>((resolve) => {
+            try {
+              start(resolve);
+            } catch {
+              resolve('refused');
+            }
+          });
+        const script = (type: string) =>
+          outcome((done) => {
+            const element = Object.assign(document.createElement('script'), { src, type });
+            element.onload = () => done('ran');
+            element.onerror = () => done('refused');
+            document.head.append(element);
+          });
+        const worker = (type: WorkerType) =>
+          outcome((done) => {
+            const started = new Worker(src, { type });
+            started.onmessage = () => done('ran');
+            started.onerror = () => done('refused');
+          });
+        const inBlob = outcome((done) => {
+          const text = `try { importScripts(${JSON.stringify(src)}) } catch { postMessage('refused') }`;
+          const started = new Worker(URL.createObjectURL(new Blob([text], { type: 'text/javascript' })));
+          started.onmessage = ({ data }) => done(data);
+          started.onerror = () => done('refused');
+        });
+        return Promise.all([script(''), script('module'), worker('classic'), worker('module'), inBlob]);
+      }, url);
+    expect(await run('scrim://preview/assets/own.js')).toEqual(['ran', 'ran', 'ran', 'ran', 'ran']);
+    const refused = ['refused', 'refused', 'refused', 'refused', 'refused'];
+    expect(await run(`${opened.output.assetBaseUrl}assets/evil.js`)).toEqual(refused);
+    expect(await run(`${opened.output.assetBaseUrl}shaders/../assets/evil.js`)).toEqual(refused);
+  });
+
   test('grants no device', async () => {
     const states = await page.evaluate(async () => {
       const names = ['camera', 'microphone', 'geolocation', 'notifications', 'midi'];

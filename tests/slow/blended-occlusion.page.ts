@@ -4,7 +4,7 @@ import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
 import { frame, stand } from '../browser/runtime-kit.ts';
 import { createGl, HEIGHT, lookingAt, readPixels, room, viewOf, WIDTH } from '../browser/scenes-kit.ts';
 
-/** Two metres before what stands at the origin. */
+/** Two meters before what stands at the origin. */
 const FACING = lookingAt([0, 0, 2], [0, 0, 0]);
 
 /** Pictures of programs in a room that is so far away in its left half, and 5 m in its right one; bottom row first. */

@@ -20,7 +20,7 @@ interface Part {
   readonly disc?: true;
 }
 
-/** A glTF file whose see-through materials are of alpha mode BLEND: loaders give such things no depth. */
+/** A glTF file whose transparent materials have alpha mode BLEND: loaders give them no depth. */
 async function modelOf(...parts: readonly Part[]): Promise<string> {
   const doc = new Document();
   doc.createBuffer();
@@ -98,7 +98,7 @@ const THINGS: readonly Part[] = [
 const alphaOf = (picture: readonly number[], half: 'left' | 'right'): number[] =>
   picture.filter((_, i) => i % 4 === 3 && (i >> 2) % WIDTH < WIDTH / 2 === (half === 'left'));
 
-describe('see-through things behind the room', () => {
+describe('transparent objects behind the room', () => {
   test('are hidden alike while they are drawn and as a finished layer', async () => {
     const programs = [programOf('early'), programOf('layer'), programOf('whole')];
     expect(programs.map(({ presentation }) => presentation.mode)).toEqual(['forward', 'composed', 'forward']);
@@ -110,7 +110,7 @@ describe('see-through things behind the room', () => {
     expect(alphaOf(early, 'right')).toEqual(alphaOf(whole, 'right'));
   });
 
-  test('what is seen through a glass before the room is hidden behind it, and the glass is not', async () => {
+  test('an object behind glass and behind the room is hidden, and the glass is not', async () => {
     const model = await modelOf(
       { ...GLASS, geometry: at(new PlaneGeometry(1, 1), 0, 0.9) },
       { ...BALL, geometry: new SphereGeometry(0.3) },

@@ -10,8 +10,8 @@ export const ROOM_CAMERA = lookingAt([0.1, 1.5, 1.1], [0.1, 0, 0], SIDES.widthPx
 /** A real block: its top is 30 cm high, over x from 0.1 to 0.7 and z from -0.5 to 0.4. */
 export const BLOCK = { x0: 0.1, x1: 0.7, z0: -0.5, z1: 0.4, topM: 0.3 } as const;
 
-/** What is seen there through a place of the view: world, and metres along the view's axis. */
-export function look(u: number, v: number, block: boolean): { point: Vector3; metres: number; onBlock: boolean } {
+/** What is seen there through a place of the view: world, and meters along the view's axis. */
+export function look(u: number, v: number, block: boolean): { point: Vector3; meters: number; onBlock: boolean } {
   const eye = ROOM_CAMERA.position;
   const ray = new Vector3(u * 2 - 1, v * 2 - 1, 0.5).unproject(ROOM_CAMERA).sub(eye).normalize();
   const along = new Vector3(0, 0, -1).transformDirection(ROOM_CAMERA.matrixWorld).dot(ray);
@@ -29,28 +29,28 @@ export function look(u: number, v: number, block: boolean): { point: Vector3; me
     }
     if (near < far && near < best.t) best = { t: near, onBlock: true };
   }
-  return { point: eye.clone().addScaledVector(ray, best.t), metres: best.t * along, onBlock: best.onBlock };
+  return { point: eye.clone().addScaledVector(ray, best.t), meters: best.t * along, onBlock: best.onBlock };
 }
 
-/** As a sensor of few pixels gives it, first row on top; `noise`: what is added to so many metres. */
-export function measuredRoom(widthPx: number, heightPx: number, block: boolean, noise: (metres: number) => number = () => 0): RoomDepth {
+/** As a sensor of few pixels gives it, first row on top; `noise`: what is added to so many meters. */
+export function measuredRoom(widthPx: number, heightPx: number, block: boolean, noise: (meters: number) => number = () => 0): RoomDepth {
   const { gl } = stand;
-  const metres = new Float32Array(widthPx * heightPx);
-  for (let i = 0; i < metres.length; i++) {
-    const { metres: exact } = look(((i % widthPx) + 0.5) / widthPx, 1 - (Math.floor(i / widthPx) + 0.5) / heightPx, block);
-    metres[i] = exact + noise(exact);
+  const meters = new Float32Array(widthPx * heightPx);
+  for (let i = 0; i < meters.length; i++) {
+    const { meters: exact } = look(((i % widthPx) + 0.5) / widthPx, 1 - (Math.floor(i / widthPx) + 0.5) / heightPx, block);
+    meters[i] = exact + noise(exact);
   }
   const texture = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, metres);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, widthPx, heightPx, 0, gl.RED, gl.FLOAT, meters);
   for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
   return { texture, widthPx, heightPx, uvFromViewUv: Float32Array.of(1, 0, 0, 0, -1, 0, 0, 1, 1), worldFromDepth: new Float32Array(16) };
 }
 
 /** Of sensors: normally distributed, by Box and Muller, 1 cm and 0.5 % of the distance. */
-export function sensorNoise(seed: number): (metres: number) => number {
+export function sensorNoise(seed: number): (meters: number) => number {
   const { next } = createRandom(seed, 'sensor');
-  return (metres) => Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next()) * (0.01 + 0.005 * metres);
+  return (meters) => Math.sqrt(-2 * Math.log(1 - next())) * Math.cos(2 * Math.PI * next()) * (0.01 + 0.005 * meters);
 }

@@ -7,7 +7,7 @@ const TIMES = 50;
 
 const openEditor = useEditor();
 
-test(`a shader broken and mended ${TIMES} times by typing shows no black frame, loses no context and leaves no GL object behind`, async () => {
+test(`a shader broken and fixed ${TIMES} times by typing shows no black frame, loses no context and leaves no GL object behind`, async () => {
   const { page, editor } = await openEditor(TINTED, { before: watchFrames });
   await editor.settled();
   await editor.openCode('tint-aaaa');
@@ -16,7 +16,7 @@ test(`a shader broken and mended ${TIMES} times by typing shows no black frame, 
   const seen = () => preview.evaluate(() => ({ ...(globalThis as unknown as { framesSeen: FramesSeen }).framesSeen }));
   const mark = page.locator('.monaco-editor .squiggly-error').first();
   await editor.findInText('0), pixel.a)');
-  // Mended with one more digit, so that it is linked anew each time and not found among the programs that were.
+  // Fixed with one more digit, so that it is linked each time and not found in the cache.
   const breakAndMend = async (digit: number) => {
     await editor.type('q');
     await mark.waitFor();

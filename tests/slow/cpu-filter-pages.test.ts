@@ -24,18 +24,18 @@ function extremes({ data }: Picture): { readonly dark: number; readonly bright: 
 }
 
 describe('an exported page', () => {
-  /** Two greys, hard to tell apart: equalised, they are black and white. */
-  const GREYS = paint(64, 36, (x) => (x < 32 ? [100, 100, 100, 255] : [110, 110, 110, 255]));
+  /** Two grays, hard to tell apart: equalized, they are black and white. */
+  const GRAYS = paint(64, 36, (x) => (x < 32 ? [100, 100, 100, 255] : [110, 110, 110, 255]));
   const PROJECT = {
     nodes: {
-      'picture-a': ['source/image-file', { file: 'greys' }],
+      'picture-a': ['source/image-file', { file: 'grays' }],
       'cpu-a': 'filter/cpu-equalize-histogram',
       'screen-a': 'output/screen',
     },
     wires: ['picture-a.layer -> cpu-a.inputImage', 'cpu-a.layer -> screen-a.layer'],
-    assets: { greys: { path: 'assets/greys.png', kind: 'image' } },
+    assets: { grays: { path: 'assets/grays.png', kind: 'image' } },
   } as const;
-  const FILES = { 'assets/greys.png': encodePicture(GREYS) };
+  const FILES = { 'assets/grays.png': encodePicture(GRAYS) };
   let served: ServedExport;
   let single: ServedExport;
   beforeAll(async () => {
@@ -76,8 +76,8 @@ describe('an exported page', () => {
     await expectEqualized(single.url);
     const folder = `${single.folder}-file`;
     await mkdir(folder);
-    await cp(join(single.folder, 'index.html'), join(folder, 'Grey page.html'));
-    await expectEqualized(pathToFileURL(join(folder, 'Grey page.html')).href);
+    await cp(join(single.folder, 'index.html'), join(folder, 'Gray page.html'));
+    await expectEqualized(pathToFileURL(join(folder, 'Gray page.html')).href);
     await rm(folder, { recursive: true });
   });
 });
@@ -95,7 +95,7 @@ test('the editor’s preview plays it too', async () => {
   });
   const { page, editor, errors } = opened;
   await editor.settled();
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   await editor.settled();
   // The fog leaves a fifth of the range; spread over all of it, a sixth of the pixels are this dark and as many this bright.
   await eventually(async () => {

@@ -40,7 +40,7 @@ export interface Counts {
 /** One frame of the recording, bottom row first. */
 export async function compare(depthUrl: string, colorUrl: string, seed: number): Promise<Record<Way, Counts>> {
   const gl = createGl(WIDTH, HEIGHT);
-  const truth = await readMetres(depthUrl);
+  const truth = await readMeters(depthUrl);
   const sensed = sense(truth, seed);
   const image = await readImage(gl, colorUrl);
   const result: [string, Counts][] = [];
@@ -62,7 +62,7 @@ export async function compare(depthUrl: string, colorUrl: string, seed: number):
   return Object.fromEntries(result) as Record<Way, Counts>;
 }
 
-async function readMetres(url: string): Promise<Float32Array> {
+async function readMeters(url: string): Promise<Float32Array> {
   const { width, height, data } = decode(await (await fetch(url)).arrayBuffer());
   if (width !== WIDTH || height !== HEIGHT) throw new Error(`The depth picture has ${width} × ${height} pixels.`);
   return Float32Array.from({ length: WIDTH * HEIGHT }, (_, i) => {
@@ -101,7 +101,7 @@ uniform sampler2D room;
 uniform mat3 roomFromView;
 uniform bool interpolate;
 ${ROOM_DEPTH_TEXT}
-float metres() { return scrim_roomM(room, interpolate, place(roomFromView, uv)); }`;
+float meters() { return scrim_roomM(room, interpolate, place(roomFromView, uv)); }`;
   const pass = drawing.link(text, ['room']);
   const target = drawing.createPicture(WIDTH, HEIGHT);
   drawing.begin(target, pass);
@@ -128,7 +128,7 @@ function count(counts: Counts, truth: Float32Array, found: Float32Array, sheetM:
   }
 }
 
-/** Pixels within reach of one whose neighbour is on the other side of the sheet. */
+/** Pixels within reach of one whose neighbor is on the other side of the sheet. */
 function bandOf(truth: Float32Array, sheetM: number): Uint8Array {
   const band = new Uint8Array(WIDTH * HEIGHT);
   const isBehind = (i: number): boolean => (truth[i] ?? 0) > sheetM;

@@ -3,7 +3,7 @@ import { axeFindings } from '../support/axe.ts';
 import { keyframedSepia } from '../support/keyframed-sepia.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 
-/** A box that a gizmo moves, in a picture that keyframes change, and a colour. */
+/** A box that a gizmo moves, in a picture that keyframes change, and a color. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -53,7 +53,7 @@ async function expectNothingFound(): Promise<void> {
 
 test('the bar of the gizmo, with a mode that is on', async () => {
   await title('transform').click();
-  const bar = open.page.getByRole('toolbar', { name: 'Take hold in the preview' });
+  const bar = open.page.getByRole('toolbar', { name: 'Gizmo' });
   await bar.waitFor();
   await bar.getByRole('button').first().click();
   await expectNothingFound();
@@ -62,8 +62,8 @@ test('the bar of the gizmo, with a mode that is on', async () => {
 test('the eyedropper, over the preview', async () => {
   const { page, editor } = open;
   await title('color').click();
-  await editor.inspector.getByRole('button', { name: /take it from the preview/ }).click();
-  await page.getByRole('application', { name: /take a colour from the preview/ }).waitFor();
+  await editor.inspector.getByRole('button', { name: /pick from the preview/ }).click();
+  await page.getByRole('application', { name: /pick a color from the preview/ }).waitFor();
   await expectNothingFound();
   await page.keyboard.press('Escape');
 });
@@ -94,7 +94,7 @@ test('the help beside the graph, with and without a node', async () => {
   const { page } = open;
   await title('box').click();
   await page.keyboard.press('F1');
-  const help = page.getByRole('complementary', { name: 'Help for the node' });
+  const help = page.getByRole('complementary', { name: 'Node help' });
   await help.waitFor();
   await expectNothingFound();
   await page.keyboard.press('Escape');
@@ -109,7 +109,7 @@ test('the dialog that asks for frames, of pictures and of a video', async () => 
   const dialog = page.getByRole('dialog', { name: 'Render frames' });
   await dialog.waitFor();
   await expectNothingFound();
-  await dialog.getByRole('combobox', { name: 'As' }).selectOption('video');
+  await dialog.getByRole('combobox', { name: 'Format' }).selectOption('video');
   await dialog.getByRole('textbox', { name: 'First frame', exact: true }).fill('none');
   await expectNothingFound();
   await page.keyboard.press('Escape');
@@ -118,10 +118,10 @@ test('the dialog that asks for frames, of pictures and of a video', async () => 
 
 test('the light of an emulated room', async () => {
   const { page, editor } = open;
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   await editor.settled();
-  await editor.press('Light of the room');
-  await page.getByRole('dialog', { name: 'Light of the room' }).waitFor();
+  await editor.press('Room light');
+  await page.getByRole('dialog', { name: 'Room light' }).waitFor();
   await expectNothingFound();
   await page.keyboard.press('Escape');
 });

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { testThemes } from '../support/axe-themes.ts';
 import { Hand } from '../support/hand.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
@@ -57,9 +57,9 @@ async function undo(times = 1): Promise<void> {
 
 test('ends that are dragged to the other corners make a negative, while they are dragged; each is one step', async () => {
   const { page, editor } = open;
-  await editor.drag(await centreOf(point(1)), await place(-0.05, 1.05));
+  await editor.drag(await centerOf(point(1)), await place(-0.05, 1.05));
   const white = await editor.pictureOtherThan(plain);
-  const [from, to] = [await centreOf(point(2)), await place(1.05, -0.05)];
+  const [from, to] = [await centerOf(point(2)), await place(1.05, -0.05)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, (from.y + to.y) / 2);
@@ -90,7 +90,7 @@ test('a press on the line adds a point and takes it along; a press beside it doe
   const height = row('All channels').getByRole('textbox', { name: 'Height of point 2 of All channels' });
   expect(Number(await height.inputValue())).toBeCloseTo(0.8, 1);
   // Escape gives a drag up.
-  const [from, to] = [await centreOf(point(2)), await place(0.6, 0.3)];
+  const [from, to] = [await centerOf(point(2)), await place(0.6, 0.3)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y);
@@ -98,8 +98,8 @@ test('a press on the line adds a point and takes it along; a press beside it doe
   await page.keyboard.press('Escape');
   await page.mouse.up();
   expect(await savedRoughly()).toEqual([0, 0, 0.4, 0.8, 1, 1]);
-  // Neighbours are not passed.
-  await editor.drag(await centreOf(point(2)), await place(1.05, 0.5));
+  // Neighbors are not passed.
+  await editor.drag(await centerOf(point(2)), await place(1.05, 0.5));
   expect(((await saved()) as readonly number[])[2]).toBe(0.999);
   await undo(2);
   await editor.pictureSameAs(plain, 'the point undone');
@@ -111,12 +111,12 @@ test('a point goes by a double-click, by Delete, and with the pointer out of the
   const click = async (at: Point, clickCount = 1) => page.mouse.click(at.x, at.y, { clickCount });
   for (const x of [0.3, 0.5, 0.7]) await click(await place(x, x));
   expect(await points().count()).toBe(5);
-  await click(await centreOf(point(3)), 2);
+  await click(await centerOf(point(3)), 2);
   expect(await points().count()).toBe(4);
   await page.keyboard.press('Delete');
   expect(await points().count()).toBe(3);
   // Out and back in is where it was, out and let go is gone.
-  const at = await centreOf(point(2));
+  const at = await centerOf(point(2));
   const outside = await place(0.5, 1.4);
   await page.mouse.move(at.x, at.y);
   await page.mouse.down();
@@ -158,7 +158,7 @@ test('a curve is copied to another, and reset', async () => {
   const curve = await saved();
   const choose = async (label: string, action: string) => {
     await row(label)
-      .getByRole('button', { name: `More for ${label}` })
+      .getByRole('button', { name: `More actions for ${label}` })
       .click();
     await page.getByRole('menuitem', { name: action, exact: true }).click();
   };
@@ -167,7 +167,7 @@ test('a curve is copied to another, and reset', async () => {
   await row('Red').getByRole('button', { name: 'Reset Red' }).waitFor();
   expect(await saved('red')).toEqual(curve);
   // Nothing that a curve cannot do is offered.
-  await row('Red').getByRole('button', { name: 'More for Red' }).click();
+  await row('Red').getByRole('button', { name: 'More actions for Red' }).click();
   expect(await page.getByRole('menuitem').allTextContents()).toEqual(['Copy value', 'Paste value', 'Reset']);
   await page.keyboard.press('Escape');
   for (const label of ['All channels', 'Red'])
@@ -188,7 +188,7 @@ test('a finger adds points and drags them, and needs not be exact', async () => 
   const [on, to] = [await place(0.5, 0.56), await place(0.5, 0.86)];
   await hand.drag(on, to);
   expect(await savedRoughly()).toEqual([0, 0, 0.5, 0.8, 1, 1]);
-  const near = await centreOf(point(2));
+  const near = await centerOf(point(2));
   await hand.drag({ x: near.x + 14, y: near.y }, { x: near.x - 30, y: near.y });
   const [, , x = 0] = (await saved()) as readonly number[];
   expect(x).toBeLessThan(0.4);

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { testThemes } from '../support/axe-themes.ts';
 import { Hand } from '../support/hand.ts';
 import { keyframedSepia } from '../support/keyframed-sepia.ts';
@@ -23,7 +23,7 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark', hasTouch: true }, async 
   const { page, editor } = open;
   await editor.settled();
   await editor.hold();
-  await editor.press('Back to the first frame');
+  await editor.press('Go to first frame');
   await editor.node('sepia').locator('.node-title').click();
   await page.keyboard.press('Shift+T');
   await page.getByRole('slider', { name: 'Playhead' }).focus();
@@ -32,10 +32,10 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark', hasTouch: true }, async 
   await page.getByRole('button', { name: 'Keyframe 1, 0.00 s' }).click();
 });
 
-const choice = (): Locator => open.page.getByRole('combobox', { name: 'To the next key' });
-const button = (): Locator => open.page.getByRole('button', { name: 'Handles of the easing' });
-const dialog = (): Locator => open.page.getByRole('dialog', { name: 'Easing to the next key' });
-const handle = (side: 'Out of this key' | 'Into the next key'): Locator => dialog().getByRole('slider', { name: side });
+const choice = (): Locator => open.page.getByRole('combobox', { name: 'Interpolation' });
+const button = (): Locator => open.page.getByRole('button', { name: 'Edit Bézier curve' });
+const dialog = (): Locator => open.page.getByRole('dialog', { name: 'Bézier interpolation' });
+const handle = (side: 'Start control point' | 'End control point'): Locator => dialog().getByRole('slider', { name: side });
 
 /** In the square of the easing, from (0, 0) at the bottom left to (1, 1). */
 async function place(x: number, y: number): Promise<Point> {
@@ -83,10 +83,10 @@ test('a named easing is gone on from by handles, which are dragged; the value fo
   const { page, editor } = open;
   const before = await editor.restingPicture();
   expect(await amount()).toBeCloseTo(0.3, 6);
-  await choice().selectOption('By handles');
+  await choice().selectOption('Bézier');
   expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
   await button().click();
-  const [from, to] = [await centreOf(handle('Out of this key')), await place(0.3, 1.4)];
+  const [from, to] = [await centerOf(handle('Start control point')), await place(0.3, 1.4)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y);
@@ -104,14 +104,14 @@ test('a named easing is gone on from by handles, which are dragged; the value fo
 
 test('Escape gives a drag up, and closes only when nothing is dragged', async () => {
   const { page } = open;
-  const [from, to] = [await centreOf(handle('Into the next key')), await place(0.1, 0.1)];
+  const [from, to] = [await centerOf(handle('End control point')), await place(0.1, 0.1)];
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(to.x, to.y);
   await page.keyboard.press('Escape');
   await page.mouse.up();
   expect(await savedRoughly()).toEqual([0.35, 0.35, 0.65, 0.65]);
-  await handle('Out of this key').press('Escape');
+  await handle('Start control point').press('Escape');
   await dialog().waitFor({ state: 'detached' });
 });
 
@@ -119,13 +119,13 @@ test('by keys and numbers, as far as handles may go', async () => {
   const { page } = open;
   await button().press('Enter');
   await eventually(async () =>
-    expect(await handle('Out of this key').evaluate((element) => element === document.activeElement)).toBe(true),
+    expect(await handle('Start control point').evaluate((element) => element === document.activeElement)).toBe(true),
   );
   for (const key of ['Shift+ArrowUp', 'ArrowUp', 'ArrowLeft']) await page.keyboard.press(key);
   expect(await saved()).toEqual([0.323, 0.443, 2 / 3, 2 / 3]);
-  await dialog().getByRole('textbox', { name: 'Out of this key, up' }).fill('9');
+  await dialog().getByRole('textbox', { name: 'Start control point, up' }).fill('9');
   await page.keyboard.press('Enter');
-  await dialog().getByRole('textbox', { name: 'Into the next key, across' }).fill('-1');
+  await dialog().getByRole('textbox', { name: 'End control point, across' }).fill('-1');
   await page.keyboard.press('Enter');
   expect(await saved()).toEqual([0.323, 1.6, 0, 0.667]);
   expect(await amount()).toBeCloseTo(await amountByBrowser(), 2);
@@ -133,7 +133,7 @@ test('by keys and numbers, as far as handles may go', async () => {
 
 test('by a finger', async () => {
   const hand = await Hand.on(open.page);
-  await hand.drag(await centreOf(handle('Out of this key')), await place(0.8, 0.2));
+  await hand.drag(await centerOf(handle('Start control point')), await place(0.8, 0.2));
   expect(await savedRoughly()).toEqual([0.8, 0.2, 0, 0.65]);
 });
 
@@ -142,11 +142,11 @@ testThemes(open);
 test('a named easing has the handles that it is drawn with, and a step has none', async () => {
   const { page } = open;
   await page.keyboard.press('Escape');
-  await choice().selectOption('In a step');
+  await choice().selectOption('Hold');
   expect(await button().isDisabled()).toBe(true);
-  await choice().selectOption('Slow at first');
+  await choice().selectOption('Ease in');
   await button().click();
-  await handle('Into the next key').press('ArrowDown');
+  await handle('End control point').press('ArrowDown');
   expect(await saved()).toEqual([0.42, 0, 1, 0.99]);
-  expect(await choice().evaluate((select) => (select as HTMLSelectElement).selectedOptions[0]?.textContent)).toBe('By handles');
+  expect(await choice().evaluate((select) => (select as HTMLSelectElement).selectedOptions[0]?.textContent)).toBe('Bézier');
 });

@@ -45,7 +45,7 @@ test('a page has the picture of its recording, which plays on as it was', async 
 
 test('a page has the picture of its room, one eye’s of two', async () => {
   const { page, editor } = open;
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   await editor.settled();
   await page.getByRole('button', { name: 'Two views, as in a headset' }).click();
   await editor.settled();
@@ -94,5 +94,5 @@ test('a page is exported without a picture where the graphics are lost, and the 
   const out = await exportTo('neutral');
   expect((await readdir(out)).filter((name) => name.startsWith('poster-'))).toEqual([expect.stringMatching(/\.png$/)]);
   await page.locator('.status-problems').click();
-  await page.getByRole('list', { name: 'Problems' }).getByText('No picture of the page').waitFor();
+  await page.getByRole('list', { name: 'Problems' }).getByText('The poster of the page could not be rendered').waitFor();
 });

@@ -16,7 +16,7 @@ const SHADER = `/*{
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) * tint; }
 `;
 
-/** What the camera sees, with a tint of a colour that is half see-through, and a shader that has one, too. */
+/** The camera image with a half transparent tint, and a shader with such a color. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -36,9 +36,9 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.node('color').locator('.node-title').click();
 });
 
-const pipette = () => open.editor.inspector.getByRole('button', { name: /take it from the preview/ });
-const eyedropper = () => open.page.getByRole('application', { name: /take a colour from the preview/ });
-const shown = () => open.page.getByRole('status', { name: 'Colour that a click takes' });
+const pipette = () => open.editor.inspector.getByRole('button', { name: /pick from the preview/ });
+const eyedropper = () => open.page.getByRole('application', { name: /pick a color from the preview/ });
+const shown = () => open.page.getByRole('status', { name: 'Color to pick' });
 
 /** Of the preview's picture, in points from its top left. */
 function colorAt(x: number, y: number): readonly number[] {
@@ -64,7 +64,7 @@ async function savedColor(): Promise<unknown> {
   return graphs.main?.nodes['color-aaaa']?.params?.value;
 }
 
-test('a click takes the colour of the pixel that is shown large, as one step, and the preview does not see it', async () => {
+test('a click takes the color of the pixel that is shown large, as one step, and the preview does not see it', async () => {
   const { page, editor } = open;
   const frame = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!frame) throw new Error('There is no preview.');
@@ -129,13 +129,13 @@ test('pressed again it ends, and so it does when another node is selected', asyn
   await eyedropper().waitFor({ state: 'detached' });
 });
 
-test('a colour of a shader’s header takes one, too, as one step', async () => {
+test('a color of a shader’s header takes one, too, as one step', async () => {
   const { page, editor, project } = open;
   await editor.openCode('own');
   await editor.press('Header form');
   const form = page.getByRole('region', { name: 'Header' });
   await form.getByRole('button', { name: /^tint/ }).click();
-  await form.getByRole('button', { name: 'Default of tint: take it from the preview' }).click();
+  await form.getByRole('button', { name: 'Default of tint: pick from the preview' }).click();
   const frame = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!frame) throw new Error('There is no preview.');
   const { x, y } = await edgePoint();

@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
@@ -65,33 +65,33 @@ async function expectNothingToUndo(): Promise<void> {
 
 test('Escape gives up what the pointer drags: nodes, wires, numbers and sliders, and leaves nothing to undo', async () => {
   const { page, editor } = open;
-  const sepia = await centreOf(title('sepia'));
+  const sepia = await centerOf(title('sepia'));
   const away = { x: sepia.x + 80, y: sepia.y + 40 };
   await begin(sepia, away);
-  await eventually(async () => expect((await centreOf(title('sepia'))).x).toBeGreaterThan(sepia.x + 40));
+  await eventually(async () => expect((await centerOf(title('sepia'))).x).toBeGreaterThan(sepia.x + 40));
   await giveUp(away);
-  await eventually(async () => expect(await centreOf(title('sepia'))).toEqual(sepia));
+  await eventually(async () => expect(await centerOf(title('sepia'))).toEqual(sepia));
 
   const empty = await editor.emptyPlace();
-  await begin(await centreOf(editor.port('video-aaaa', 'layer', 'source')), empty);
+  await begin(await centerOf(editor.port('video-aaaa', 'layer', 'source')), empty);
   await page.locator('.react-flow__connection').waitFor({ state: 'attached' });
   await page.keyboard.press('Escape');
   await page.locator('.react-flow__connection').waitFor({ state: 'detached' });
   await page.mouse.up();
   // Over a port that would take it, too.
-  const port = await centreOf(editor.port('sepia-aaaa', 'inputImage', 'target'));
-  await begin(await centreOf(editor.port('video-aaaa', 'layer', 'source')), port);
+  const port = await centerOf(editor.port('sepia-aaaa', 'inputImage', 'target'));
+  await begin(await centerOf(editor.port('video-aaaa', 'layer', 'source')), port);
   await giveUp(port);
   expect(await page.getByRole('combobox', { name: 'Search nodes' }).count()).toBe(0);
 
   await title('threshold').click();
-  const level = await centreOf(field('Level'));
+  const level = await centerOf(field('Level'));
   await begin(level, { x: level.x + 40, y: level.y });
   await eventually(async () => expect(await field('Level').inputValue()).not.toBe('0.5'));
   await giveUp(level);
   expect(await field('Level').inputValue()).toBe('0.5');
   const slider = editor.inspector.getByRole('slider', { name: 'Level, slider' });
-  const middle = await centreOf(slider);
+  const middle = await centerOf(slider);
   await begin(middle, { x: middle.x + 14, y: middle.y });
   await eventually(async () => expect(await field('Level').inputValue()).not.toBe('0.5'));
   await giveUp(middle);
@@ -108,45 +108,45 @@ test('Escape gives up what the pointer drags: nodes, wires, numbers and sliders,
 
 test('a wire let go over a node goes to the first port of it that is free, which is named beforehand; else it says why not', async () => {
   const { page, editor } = open;
-  const from = await centreOf(editor.port('video-aaaa', 'layer', 'source'));
-  const over = await centreOf(title('over'));
+  const from = await centerOf(editor.port('video-aaaa', 'layer', 'source'));
+  const over = await centerOf(title('over'));
   const hint = page.locator('.connection-hint');
   await begin(from, over);
-  await hint.getByText('To Top').waitFor();
+  await hint.getByText('Connect to Top').waitFor();
   await page.mouse.up();
-  await page.getByRole('group', { name: 'Wire from Camera video to Over' }).waitFor();
+  await page.getByRole('group', { name: 'Wire from Camera video to Alpha over' }).waitFor();
   await begin(from, over);
-  await hint.getByText('To Bottom').waitFor();
+  await hint.getByText('Connect to Bottom').waitFor();
   await page.mouse.up();
-  await eventually(async () => expect(await page.getByRole('group', { name: 'Wire from Camera video to Over' }).count()).toBe(2));
+  await eventually(async () => expect(await page.getByRole('group', { name: 'Wire from Camera video to Alpha over' }).count()).toBe(2));
   // The other way round: from an input to a node that gives it.
-  await begin(await centreOf(editor.port('threshold-aaaa', 'inputImage', 'target')), over);
-  await hint.getByText('From Layer').waitFor();
+  await begin(await centerOf(editor.port('threshold-aaaa', 'inputImage', 'target')), over);
+  await hint.getByText('Connect from Layer').waitFor();
   await page.mouse.up();
-  await page.getByRole('group', { name: 'Wire from Over to Threshold' }).waitFor();
+  await page.getByRole('group', { name: 'Wire from Alpha over to Threshold' }).waitFor();
   expect(await wires()).toEqual([
     'video-aaaa.layer -> over-aaaa.bottom',
     'video-aaaa.layer -> over-aaaa.top',
     ...WIRES,
     'over-aaaa.layer -> threshold-aaaa.inputImage',
   ]);
-  // A node that takes nothing of the kind, and one of which nobody knows what is meant.
-  await begin(from, await centreOf(title('transform')));
+  // A node without such an input, and one with several of them.
+  await begin(from, await centerOf(title('transform')));
   expect(await hint.count()).toBe(0);
   await page.mouse.up();
   await page.getByText('Transform takes no layer.').waitFor();
-  await begin(await centreOf(editor.port('number-aaaa', 'number', 'source')), await centreOf(title('threshold')));
+  await begin(await centerOf(editor.port('number-aaaa', 'number', 'source')), await centerOf(title('threshold')));
   await page.mouse.up();
   await page.getByText('Threshold has several values that take this.').waitFor();
   // One value that fits is the one that is meant.
-  await begin(await centreOf(editor.port('number-aaaa', 'number', 'source')), await centreOf(title('sepia')));
+  await begin(await centerOf(editor.port('number-aaaa', 'number', 'source')), await centerOf(title('sepia')));
   await page.mouse.up();
   await page.getByRole('group', { name: 'Wire from Number to Sepia' }).waitFor();
   for (let step = 0; step < 4; step++) await page.keyboard.press('Control+z');
   expect(await wires()).toEqual(WIRES);
 });
 
-test('the numbers of a vector can be read in a narrow window; units are typed, and what is no number stays to be mended', async () => {
+test('the numbers of a vector can be read in a narrow window; units can be typed, and invalid text stays for correction', async () => {
   const { page } = open;
   await title('transform').click();
   const clipped = await open.editor.inspector
@@ -165,7 +165,7 @@ test('the numbers of a vector can be read in a narrow window; units are typed, a
   await page.keyboard.press('Escape');
   expect(await y.inputValue()).toBe('1.2');
   expect(await y.getAttribute('aria-invalid')).toBe('false');
-  // Nor do the parts of a colour stand on one another.
+  // Nor do the parts of a color stand on one another.
   await title('threshold').click();
   const row = open.editor.inspector.getByRole('group', { name: 'Dark', exact: true });
   const boxes = await row

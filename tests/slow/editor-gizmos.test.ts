@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import type { Point } from '../../tools/lib/centre-of.ts';
+import type { Point } from '../../tools/lib/center-of.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -103,7 +103,7 @@ async function numberIn(name: string): Promise<number> {
 }
 
 function tool(name: RegExp) {
-  return open.page.getByRole('toolbar', { name: 'Take hold in the preview' }).getByRole('button', { name });
+  return open.page.getByRole('toolbar', { name: 'Gizmo' }).getByRole('button', { name });
 }
 
 async function savedParams(node: string): Promise<Readonly<Record<string, unknown>>> {
@@ -169,7 +169,7 @@ test('Escape in the middle of a drag leaves everything as it was, and nothing to
   expect(await page.getByRole('button', { name: 'Undo' }).isDisabled()).toBe(true);
 });
 
-test('Ctrl snaps to tenths of a metre, rings turn by 15°, boxes resize by tenths; keys change between them', async () => {
+test('Ctrl snaps to tenths of a meter, rings turn by 15°, boxes resize by tenths; keys change between them', async () => {
   const { page } = open;
   const up = await tip('y', ({ y }) => -y);
   await page.mouse.move(up.x, up.y);
@@ -186,7 +186,7 @@ test('Ctrl snaps to tenths of a metre, rings turn by 15°, boxes resize by tenth
 
   await page.keyboard.press('Shift+X');
   await page.keyboard.press('e');
-  await tool(/^Turn Transform/)
+  await tool(/^Rotate Transform/)
     .and(page.locator('[aria-pressed="true"]'))
     .waitFor();
   await holds('rotate');
@@ -202,7 +202,7 @@ test('Ctrl snaps to tenths of a metre, rings turn by 15°, boxes resize by tenth
   await undo();
 
   await page.keyboard.press('s');
-  await tool(/^Resize Transform/)
+  await tool(/^Scale Transform/)
     .and(page.locator('[aria-pressed="true"]'))
     .waitFor();
   await holds('scale');
@@ -231,17 +231,19 @@ test('a click on an object selects the node that made it, again what places it, 
   await editor.inspector.getByRole('heading', { name: 'Primitive' }).waitFor();
   // It has a size of its own and is moved by what comes after it.
   await tool(/^Move Transform/).waitFor();
-  await tool(/^Resize Primitive/).waitFor();
+  await tool(/^Scale Primitive/).waitFor();
   await page.mouse.click(frame.x + frame.width - 30, frame.y + 60);
   await page.mouse.click(body.x, body.y);
   await editor.inspector.getByRole('heading', { name: 'Transform' }).waitFor();
   // The preview has the focus now, and what is pressed is for the editor all the same.
   await page.keyboard.press('e');
-  await tool(/^Turn/).and(page.locator('[aria-pressed="true"]')).waitFor();
+  await tool(/^Rotate/)
+    .and(page.locator('[aria-pressed="true"]'))
+    .waitFor();
   await page.keyboard.press('g');
   await tool(/^Move/).and(page.locator('[aria-pressed="true"]')).waitFor();
   await page.keyboard.press('x');
-  await tool(/^Axes of the object/)
+  await tool(/^Local space/)
     .and(page.locator('[aria-pressed="true"]'))
     .waitFor();
   await page.keyboard.press('x');
@@ -256,7 +258,7 @@ test('what comes by a wire is not offered, and the bar says why', async () => {
   await move.hover();
   await page.locator('.tooltip').getByText('“Position” of Point light comes by a wire.').waitFor();
   await select('screen');
-  await page.getByRole('toolbar', { name: 'Take hold in the preview' }).waitFor({ state: 'detached' });
+  await page.getByRole('toolbar', { name: 'Gizmo' }).waitFor({ state: 'detached' });
   // The sun has no place, and can be turned.
   await select('sun');
   await page.keyboard.press('e');
@@ -277,9 +279,9 @@ test('in an emulated room of two views it stands in the left one, while all play
   const { page, editor } = open;
   await page.getByRole('button', { name: 'Preview options' }).click();
   await page.getByRole('menuitemradio', { name: 'Headset' }).click();
-  // The preview has its new shape: a room that is resized is made anew a little later.
+  // The preview has its new shape: a resized room is created again a little later.
   await editor.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   await page.getByRole('button', { name: 'Play', exact: true }).click();
   await editor.settled();
   await select('transform');

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 
@@ -38,7 +38,7 @@ async function middleOf(wire: string): Promise<{ readonly x: number; readonly y:
 
 test('a node that is dropped on a wire goes into it, in one step with its move', async () => {
   const { page, editor } = open;
-  const from = await centreOf(title('sepia'));
+  const from = await centerOf(title('sepia'));
   const to = await middleOf(TO_SCREEN);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
@@ -48,7 +48,7 @@ test('a node that is dropped on a wire goes into it, in one step with its move',
   await page.mouse.move(to.x, to.y - 8, { steps: 4 });
   await page.locator('.wire-under').waitFor({ state: 'attached' });
   await page.mouse.up();
-  await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
+  await page.getByRole('group', { name: 'Wire from Sepia to Output' }).waitFor();
   expect((await saveGraphs(open)).main?.wires).toEqual([
     'video-aaaa.layer -> gaussian-blur-aaaa.inputImage',
     'sepia-aaaa.layer -> screen-aaaa.layer',
@@ -56,9 +56,9 @@ test('a node that is dropped on a wire goes into it, in one step with its move',
   ]);
   await page.keyboard.press('Control+z');
   expect((await saveGraphs(open)).main?.wires).toHaveLength(2);
-  expect((await centreOf(title('sepia'))).y).toBeCloseTo(from.y, 0);
+  expect((await centerOf(title('sepia'))).y).toBeCloseTo(from.y, 0);
   await page.keyboard.press('Control+Shift+z');
-  await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
+  await page.getByRole('group', { name: 'Wire from Sepia to Output' }).waitFor();
   await editor.node('sepia-aaaa').waitFor();
 });
 
@@ -92,7 +92,7 @@ test('selected nodes become a subgraph, with a name, opened by a double-click, w
   const way = page.getByRole('navigation', { name: 'Subgraphs' });
   await way.waitFor();
   await title('sepia').click();
-  await editor.inspector.getByRole('switch', { name: 'Amount, value' }).click();
+  await editor.inspector.getByRole('switch', { name: 'Amount, parameter' }).click();
   await way.getByRole('button', { name: 'Main graph' }).click();
   await way.waitFor({ state: 'detached' });
   await title('subgraph').click();
@@ -112,11 +112,11 @@ test('a subgraph is shared by copies, made independent, unpacked; undo goes thro
   const before = JSON.stringify(await saveGraphs(open));
   await title('subgraph').click();
   await page.keyboard.press('Control+Shift+d');
-  await editor.inspector.getByText('2 nodes stand for it').waitFor();
-  await editor.inspector.getByRole('button', { name: 'Make independent' }).click();
-  await editor.inspector.getByText('2 nodes stand for it').waitFor({ state: 'detached' });
+  await editor.inspector.getByText('Used by 2 nodes').waitFor();
+  await editor.inspector.getByRole('button', { name: 'Make unique' }).click();
+  await editor.inspector.getByText('Used by 2 nodes').waitFor({ state: 'detached' });
   expect(Object.keys(await saveGraphs(open))).toEqual(['main', 'old-film', 'old-film-2']);
-  await editor.inspector.getByRole('button', { name: 'Unpack' }).click();
+  await editor.inspector.getByRole('button', { name: 'Ungroup' }).click();
   await page.getByRole('heading', { name: '2 nodes' }).waitFor();
   expect(await editor.node('sepia').count()).toBe(1);
   for (let step = 0; step < 3; step++) await page.keyboard.press('Control+z');
@@ -153,7 +153,7 @@ test('nothing that axe-core knows is wrong, in both themes, with a node, a subgr
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     await title('sepia').click();
     expect(await axeFindings(page)).toEqual([]);
-    await editor.inspector.getByRole('button', { name: 'More for Amount' }).click();
+    await editor.inspector.getByRole('button', { name: 'More actions for Amount' }).click();
     expect(await axeFindings(page)).toEqual([]);
     await page.keyboard.press('Escape');
     for (const keys of ['?', 'Control+f']) {
@@ -175,8 +175,8 @@ test('a frame around selected nodes takes them along; a note is written beside t
   await page.keyboard.press('c');
   const frame = page.locator('[data-item^="frame:"]');
   await frame.waitFor();
-  await page.getByRole('textbox', { name: 'Title of the frame' }).fill('Colours');
-  const before = await centreOf(title('sepia'));
+  await page.getByRole('textbox', { name: 'Frame title' }).fill('Colors');
+  const before = await centerOf(title('sepia'));
   const head = await frame.locator('.frame-head').boundingBox();
   if (!head) throw new Error('The frame has no head.');
   const handle = { x: head.x + head.width - 12, y: head.y + head.height / 2 };
@@ -191,15 +191,15 @@ test('a frame around selected nodes takes them along; a note is written beside t
   );
   await page.mouse.click(handle.x - 500, handle.y + 300);
   await page.keyboard.press('n');
-  const note = page.getByRole('textbox', { name: 'Text of the note' });
+  const note = page.getByRole('textbox', { name: 'Note text' });
   await note.fill('Warm, as in old prints.');
   const corner = page.locator('.react-flow__resize-control.handle.bottom.right');
-  const from = await centreOf(corner);
+  const from = await centerOf(corner);
   await editor.drag(from, { x: from.x + 60, y: from.y + 40 });
   await saveGraphs(open);
   const layout = JSON.parse(await readFile(join(open.project, 'project.layout.json'), 'utf8'));
   const { frames, notes } = layout.graphs['old-film'];
-  expect(Object.values(frames)).toEqual([expect.objectContaining({ title: 'Colours' })]);
+  expect(Object.values(frames)).toEqual([expect.objectContaining({ title: 'Colors' })]);
   const [written] = Object.values(notes) as { readonly text: string; readonly width: number }[];
   expect(written?.text).toBe('Warm, as in old prints.');
   expect(written?.width).toBeGreaterThan(200);

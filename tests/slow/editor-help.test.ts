@@ -20,12 +20,12 @@ test('help beside the graph says what the selected node takes, gives and can be 
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await editor.node('gaussian-blur-aaaa').click();
   await page.keyboard.press('F1');
-  const help = page.getByRole('complementary', { name: 'Help for the node' });
+  const help = page.getByRole('complementary', { name: 'Node help' });
   const part = (name: string) => help.locator('section', { has: page.getByRole('heading', { name }) });
   await help.getByRole('heading', { name: 'Gaussian blur', level: 2 }).waitFor();
-  expect(await part('Takes').textContent()).toContain('layer · required');
+  expect(await part('Inputs').textContent()).toContain('layer · required');
   // The unit, the default and both ends of the range are the definition's.
-  expect(await part('Values').textContent()).toMatch(/Radius.*px.*to.*px.*can be wired/);
+  expect(await part('Parameters').textContent()).toMatch(/Radius.*px.*to.*px.*can be wired/);
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     expect(await axeFindings(page)).toEqual([]);
@@ -34,7 +34,7 @@ test('help beside the graph says what the selected node takes, gives and can be 
   await help.getByText('Select a node to read what it does.').waitFor();
   await editor.node('video-aaaa').click();
   await help.getByRole('heading', { name: 'Camera video', level: 2 }).waitFor();
-  const example = part('In use').getByRole('button').first();
+  const example = part('Examples').getByRole('button').first();
   await example.locator('img').waitFor();
   const title = (await example.locator('.picture-card-title').textContent())?.replace('Open the example: ', '') ?? '';
   await example.click();

@@ -2,7 +2,7 @@ import { expect, test } from '@jest/globals';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 
-/** A sepia that nothing is wired to will be two subgraphs deep; an over in the main graph lacks its wires, too. */
+/** A sepia without a connection, to be two subgraphs deep; an alpha over in the main graph is not connected either. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
@@ -46,8 +46,8 @@ test('a problem leads to its node, also two subgraphs deep, and from there back 
   // A warning: nothing on screen depends on it.
   await problems.getByRole('button', { name: /^warning\s*Sepia/ }).click();
   await expectAt(['Main graph', 'Outer', 'Inner'], 'Sepia');
-  await problems.getByRole('button', { name: /^warning\s*Over/ }).click();
-  await expectAt([], 'Over');
+  await problems.getByRole('button', { name: /^warning\s*Alpha over/ }).click();
+  await expectAt([], 'Alpha over');
   await page.keyboard.press('Control+m');
 });
 

@@ -18,12 +18,12 @@ async function placeOf(node: string) {
   return box;
 }
 
-test('a thousand nodes in view are patches of colour, named for screen readers and under the pointer', async () => {
+test('a thousand nodes in view are patches of color, named for screen readers and under the pointer', async () => {
   const { page } = open;
   await page.waitForFunction((count) => document.querySelectorAll('.patch').length === count, NODES);
   expect(await page.locator('.react-flow__handle').count()).toBe(0);
   expect(await page.getByRole('group', { name: 'Gaussian blur' }).count()).toBe(NODES / 4);
-  // A path a colour: all wires are layers.
+  // A path a color: all wires are layers.
   expect(await page.locator('.overview-wires path').count()).toBe(1);
   const node = await placeOf('node-a502');
   await page.mouse.move(node.x + node.width / 2, node.y + node.height / 2);

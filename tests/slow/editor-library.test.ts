@@ -115,7 +115,7 @@ test('what is changed in it once, all of them follow', async () => {
   const { page, editor } = open;
   await title('subgraph').first().dblclick();
   await title('sepia').click();
-  await editor.inspector.getByRole('switch', { name: 'Amount, value' }).click();
+  await editor.inspector.getByRole('switch', { name: 'Amount, parameter' }).click();
   const way = page.getByRole('navigation', { name: 'Subgraphs' });
   await way.getByRole('button', { name: 'Main graph' }).click();
   await way.waitFor({ state: 'detached' });
@@ -128,7 +128,7 @@ test('what is changed in it once, all of them follow', async () => {
 test('renamed in the list, all of them take the name; a name that is taken is said', async () => {
   const { page } = open;
   await selectNothing();
-  await library().getByRole('button', { name: 'More for Old film' }).click();
+  await library().getByRole('button', { name: 'More actions for Old film' }).click();
   expect(await axeFindings(page)).toEqual([]);
   await menuItem('Rename…').click();
   const dialog = page.getByRole('dialog', { name: 'Rename “Old film”' });
@@ -173,9 +173,9 @@ test('removed from the library, it says what uses it, and leaves the picture as 
   await library().getByText('Worn print').click({ button: 'right' });
   await menuItem('Remove…').click();
   const dialog = page.getByRole('dialog', { name: 'Remove “Worn print” from the library?' });
-  await dialog.getByText('It is used by 4 nodes in the main graph.').waitFor();
+  await dialog.getByText('Used by 4 nodes in the main graph.').waitFor();
   expect(await axeFindings(page)).toEqual([]);
-  await dialog.getByRole('button', { name: 'Unpack and remove' }).click();
+  await dialog.getByRole('button', { name: 'Ungroup and remove' }).click();
   await countOf('Worn print', 0);
   const graphs = await saveGraphs(open);
   expect(Object.keys(graphs)).toEqual(['main']);
@@ -193,7 +193,7 @@ test('one that nothing uses is taken out at once', async () => {
   await page.keyboard.press('Delete');
   await countOf('Worn print', 0);
   await library().getByText('not used').waitFor();
-  await library().getByRole('button', { name: 'More for Worn print' }).click();
+  await library().getByRole('button', { name: 'More actions for Worn print' }).click();
   await menuItem('Remove').click();
   await library().getByText('Worn print').waitFor({ state: 'detached' });
   for (let step = 0; step < 2; step++) await page.keyboard.press('Control+z');

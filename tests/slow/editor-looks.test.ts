@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { FLAG_PX } from '../support/editor-driver.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
@@ -28,9 +28,9 @@ const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.rewind();
 });
 
-/** How much of a picture is grey, and how much warmer than blue the rest is. */
+/** How much of a picture is gray, and how much warmer than blue the rest is. */
 function tints({ width, height, data }: Picture, from = 0, to = 1) {
-  let grey = 0;
+  let gray = 0;
   let warm = 0;
   let count = 0;
   for (let y = 0; y < height; y++) {
@@ -38,11 +38,11 @@ function tints({ width, height, data }: Picture, from = 0, to = 1) {
       const at = (y * width + x) * 4;
       const [r = 0, g = 0, b = 0] = [data[at], data[at + 1], data[at + 2]];
       count++;
-      if (Math.max(r, g, b) - Math.min(r, g, b) < 6) grey++;
+      if (Math.max(r, g, b) - Math.min(r, g, b) < 6) gray++;
       if (r > b + 8 && r >= g && g >= b) warm++;
     }
   }
-  return { grey: grey / count, warm: warm / count };
+  return { gray: gray / count, warm: warm / count };
 }
 
 test('nodes show their layers, and only while somebody looks', async () => {
@@ -66,7 +66,7 @@ test('nodes show their layers, and only while somebody looks', async () => {
 test('the preview shows any layer, and wipes between two', async () => {
   const { page, editor } = open;
   const screen = await editor.restingPicture();
-  expect(tints(screen).grey).toBeGreaterThan(0.95);
+  expect(tints(screen).gray).toBeGreaterThan(0.95);
   await editor.node('sepia').locator('.node-title').click();
   await page.keyboard.press('p');
   await page.locator('.look-pinned').getByText('Sepia').waitFor();
@@ -78,17 +78,17 @@ test('the preview shows any layer, and wipes between two', async () => {
   await page.locator('.look-pinned').getByText('Sepia | Threshold').waitFor();
   const both = await editor.pictureOtherThan(sepia);
   expect(tints(both, 0, 0.47).warm).toBeGreaterThan(0.8);
-  expect(tints(both, 0.53, 1).grey).toBeGreaterThan(0.95);
+  expect(tints(both, 0.53, 1).gray).toBeGreaterThan(0.95);
 
   const wipe = page.getByRole('slider', { name: 'Wipe between the two layers' });
-  const at = await centreOf(wipe);
+  const at = await centerOf(wipe);
   await editor.drag({ x: at.x, y: at.y - 60 }, { x: at.x - 100, y: at.y - 60 });
   await page.keyboard.press('ArrowLeft');
   expect(Number(await wipe.getAttribute('aria-valuenow'))).toBeLessThan(30);
   const moved = await editor.pictureOtherThan(both);
-  expect(tints(moved, 0.33, 1).grey).toBeGreaterThan(0.95);
+  expect(tints(moved, 0.33, 1).gray).toBeGreaterThan(0.95);
 
-  await page.getByRole('button', { name: 'Show the screen again' }).click();
+  await page.getByRole('button', { name: 'Show output' }).click();
   await editor.pictureSameAs(screen, 'screen-again');
 });
 
@@ -96,7 +96,7 @@ test('a port’s menu shows the layer at it: what an output gives, and what come
   const { page, editor } = open;
   const label = page.locator('.look-pinned');
   await editor.port('threshold-aaaa', 'inputImage', 'target').click({ button: 'right' });
-  await page.getByRole('menuitem', { name: 'Show “Sepia” in the preview' }).click();
+  await page.getByRole('menuitem', { name: 'View “Sepia”' }).click();
   await label.getByText('Sepia', { exact: true }).waitFor();
   // Two layers of one node, which is a subgraph: the port that is pressed is meant.
   await editor.node('video').locator('.node-title').click();
@@ -112,19 +112,19 @@ test('a port’s menu shows the layer at it: what an output gives, and what come
   const shown: Picture[] = [];
   for (const output of await outputs.all()) {
     await output.click({ button: 'right' });
-    await page.getByRole('menuitem', { name: /^Show “Subgraph · .*” in the preview/ }).click();
+    await page.getByRole('menuitem', { name: /^View “Subgraph · .*”/ }).click();
     await label.getByText(/^Subgraph · /).waitFor();
     await editor.settled();
     shown.push(await editor.restingPicture());
   }
   const warm = shown.map((picture) => tints(picture).warm > 0.8);
   expect(warm.filter(Boolean)).toHaveLength(1);
-  await page.getByRole('button', { name: 'Show the screen again' }).click();
+  await page.getByRole('button', { name: 'Show output' }).click();
   for (let step = 0; step < 2; step++) await page.keyboard.press('Control+z');
   await editor.node('video').waitFor();
 });
 
-test('the probe tells colour, distance and place of what is under the pointer', async () => {
+test('the probe tells color, distance and place of what is under the pointer', async () => {
   const { page, editor } = open;
   const picture = await editor.restingPicture();
   await page.getByRole('button', { name: 'Pixel probe' }).click();
@@ -132,15 +132,15 @@ test('the probe tells colour, distance and place of what is under the pointer', 
   if (!frame) throw new Error('There is no preview.');
   const at = { x: Math.round(frame.width * 0.62), y: Math.round(frame.height * 0.55) };
   await page.mouse.move(frame.x + at.x + 0.5, frame.y + at.y + 0.5);
-  const output = page.getByRole('status', { name: 'Under the pointer' });
+  const output = page.getByRole('status', { name: 'Pixel under the pointer' });
   await output.waitFor();
   const index = ((at.y - FLAG_PX) * picture.width + at.x) * 4;
   const shown = [...picture.data.slice(index, index + 3)].join(' ');
   await output.getByText(shown).waitFor();
   const text = (await output.textContent()) ?? '';
-  const metres = Number(/(\d+\.\d+) m, the room/.exec(text)?.[1]);
-  expect(metres).toBeGreaterThan(0.5);
-  expect(metres).toBeLessThan(8);
+  const meters = Number(/(\d+\.\d+) m, the room/.exec(text)?.[1]);
+  expect(meters).toBeGreaterThan(0.5);
+  expect(meters).toBeLessThan(8);
   // The floor is at 0, and a hand above it the table and what stands on it.
   const height = Number(/y (-?\d+\.\d+)/.exec(text)?.[1]);
   expect(height).toBeGreaterThan(-0.1);
@@ -153,7 +153,7 @@ test('what nodes cost is drawn on them, with a budget that warns', async () => {
   const { page, editor } = open;
   await page.locator('.canvas').focus();
   await page.keyboard.press('k');
-  const panel = page.getByRole('region', { name: 'Cost of a frame' });
+  const panel = page.getByRole('region', { name: 'Performance' });
   await panel.waitFor();
   await editor.node('sepia').locator('.node-cost').getByText('1 pass · 9.9 MB').waitFor();
   await editor
@@ -163,7 +163,7 @@ test('what nodes cost is drawn on them, with a budget that warns', async () => {
     .waitFor();
   // Each draws one triangle; the background is no node's.
   await panel.getByText(/^2 of 300$/).waitFor();
-  await panel.getByRole('combobox', { name: 'Device of the budget' }).selectOption('headset');
+  await panel.getByRole('combobox', { name: 'Target device' }).selectOption('headset');
   await panel.getByText(/^4 of 4$/).waitFor();
   await page.locator('.canvas').focus();
   await page.keyboard.press('k');

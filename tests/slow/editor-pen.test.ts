@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { CDPSession, Page } from 'playwright-core';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
 import { holdRests, rest } from '../support/rest.ts';
@@ -75,21 +75,21 @@ test('a pen moves nodes, draws wires, turns dials, and asks for the menu by rest
   const pen = await Pen.on(page);
   const title = editor.node('gaussian-blur').locator('.node-title');
 
-  const blur = await centreOf(title);
+  const blur = await centerOf(title);
   await pen.drag(blur, { x: blur.x, y: blur.y + 80 });
-  const below = await centreOf(title);
+  const below = await centerOf(title);
   expect(Math.abs(below.x - blur.x)).toBeLessThan(10);
   expect(below.y - blur.y).toBeGreaterThan(40);
 
   await pen.drag(
-    await centreOf(editor.port('video-aaaa', 'layer', 'source')),
-    await centreOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')),
+    await centerOf(editor.port('video-aaaa', 'layer', 'source')),
+    await centerOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')),
   );
   await page.getByRole('group', { name: 'Wire from Camera video to Gaussian blur' }).waitFor();
 
-  await pen.tap(await centreOf(title));
+  await pen.tap(await centerOf(title));
   const radius = editor.inspector.getByRole('textbox', { name: 'Radius', exact: true });
-  const dial = await centreOf(radius);
+  const dial = await centerOf(radius);
   await pen.drag(dial, { x: dial.x + 40, y: dial.y });
   await eventually(async () => expect(Number(await radius.inputValue())).toBeGreaterThan(4));
   await page.keyboard.press('Control+z');
@@ -97,23 +97,23 @@ test('a pen moves nodes, draws wires, turns dials, and asks for the menu by rest
 
   // A pen that rests asks for the menu, which stays when it is lifted; so does its button, at once.
   const menu = page.getByRole('menu', { name: 'Actions' });
-  const at = await centreOf(title);
+  const at = await centerOf(title);
   await pen.down(at);
   await rest(page);
   await menu.waitFor();
   await pen.lift(at);
-  await pen.tap(await centreOf(menu.getByRole('menuitem', { name: 'Mute' })));
+  await pen.tap(await centerOf(menu.getByRole('menuitem', { name: 'Mute' })));
   await page.locator('.node-muted').waitFor();
   await menu.waitFor({ state: 'detached' });
   await pen.tap(at, 'right');
-  await pen.tap(await centreOf(menu.getByRole('menuitem', { name: 'Mute' })));
+  await pen.tap(await centerOf(menu.getByRole('menuitem', { name: 'Mute' })));
   await page.locator('.node-muted').waitFor({ state: 'detached' });
 
   // From a wire let go on the empty canvas to a node that takes it.
-  await pen.drag(await centreOf(editor.port('gaussian-blur-aaaa', 'layer', 'source')), await editor.emptyPlace());
+  await pen.drag(await centerOf(editor.port('gaussian-blur-aaaa', 'layer', 'source')), await editor.emptyPlace());
   await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
   await page.keyboard.type('sepia');
-  await pen.tap(await centreOf(page.getByRole('option', { name: /^Sepia/ })));
+  await pen.tap(await centerOf(page.getByRole('option', { name: /^Sepia/ })));
   await page.getByRole('group', { name: 'Wire from Gaussian blur to Sepia' }).waitFor();
 
   expect(await kinds.evaluate((seen) => [...seen])).toEqual(['pen']);

@@ -53,7 +53,7 @@ async function ask(fields: Readonly<Record<string, string>>, as?: 'video'): Prom
   const { page } = open;
   await page.keyboard.press('Control+Shift+E');
   await dialog().waitFor();
-  if (as) await dialog().getByRole('combobox', { name: 'As' }).selectOption(as);
+  if (as) await dialog().getByRole('combobox', { name: 'Format' }).selectOption(as);
   for (const [name, text] of Object.entries(fields)) await dialog().getByRole('textbox', { name, exact: true }).fill(text);
 }
 
@@ -83,8 +83,8 @@ test('pictures are those of the command line and of the preview, byte for byte',
   const [first, second] = [await read(join(out, '000011.png')), await read(join(out, '000012.png'))];
   expect(countDifferent(first, second).pixels).toBeGreaterThan(1000);
 
-  await editor.press('Back to the first frame');
-  for (let i = 0; i < 12; i++) await editor.press('One frame on');
+  await editor.press('Go to first frame');
+  for (let i = 0; i < 12; i++) await editor.press('Next frame');
   await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '12');
   const shown = await editor.restingPicture();
   const whole = { ...second, height: second.height - FLAG_PX, data: second.data.slice(second.width * FLAG_PX * 4) };
@@ -151,14 +151,14 @@ test('a folder that holds other things is left alone; a cancelled rendering leav
 
 test('an emulated room is rendered from where the preview stands: at first, where the command line stands, too', async () => {
   const { page, editor, project } = open;
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   await editor.settled();
   const [out, turned, mine] = [`${project}-room`, `${project}-room-turned`, `${project}-room-cli`];
   const fields = { 'First frame': '1', 'Last frame': '2', Width: '160', Height: '120' };
   await ask({ ...fields, Folder: out });
-  await dialog().getByRole('combobox', { name: 'Frames a second' }).selectOption('60');
+  await dialog().getByRole('combobox', { name: 'Frame rate (fps)' }).selectOption('60');
   expect(await dialog().getByRole('status').textContent()).toContain(
-    '2 frames, 0.03 s. The room is seen from where the preview stands now',
+    '2 frames, 0.03 s. Frames show the room from the preview’s current position',
   );
   await page.keyboard.press('Enter');
   await page.getByText(`Rendered 2 pictures to ${out}`).waitFor();

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { expect, test } from '@jest/globals';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 
 /** The camera's picture goes to a sepia, and on to the screen; a blur and an operator stand by. */
@@ -68,7 +68,7 @@ test('a double-click on a wire puts a point there, which is dragged, undone and 
   const at = await pointOn(TO_SEPIA);
   await page.mouse.dblclick(at.x, at.y);
   await reroutes().waitFor();
-  const stood = await centreOf(reroutes());
+  const stood = await centerOf(reroutes());
   expect(Math.hypot(stood.x - at.x, stood.y - at.y)).toBeLessThan(2);
   await editor.drag(stood, { x: stood.x, y: stood.y + 120 });
   await page.waitForFunction(
@@ -94,11 +94,11 @@ test('a double-click on a wire puts a point there, which is dragged, undone and 
 test('from its knob more wires are drawn: to ports, to what the palette offers; all of them share the way up to it', async () => {
   const { page, editor } = open;
   await reroutes().hover();
-  const knob = await centreOf(page.locator('.reroute-knob'));
-  await editor.drag(knob, await centreOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')));
+  const knob = await centerOf(page.locator('.reroute-knob'));
+  await editor.drag(knob, await centerOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')));
   await page.getByRole('group', { name: 'Wire from Camera video to Gaussian blur' }).waitFor();
   await reroutes().hover();
-  await editor.drag(await centreOf(page.locator('.reroute-knob')), { x: knob.x + 40, y: knob.y + 260 });
+  await editor.drag(await centerOf(page.locator('.reroute-knob')), { x: knob.x + 40, y: knob.y + 260 });
   await page.getByRole('combobox', { name: 'Search nodes' }).fill('pixelate');
   await press('Enter');
   await page.getByRole('group', { name: 'Wire from Camera video to Pixelate' }).waitFor();
@@ -112,9 +112,9 @@ test('from its knob more wires are drawn: to ports, to what the palette offers; 
 test('a point is selected, put by a key, moved by arrows with a node, aligned with it, and named', async () => {
   const { page } = open;
   await page.getByRole('group', { name: 'Reroute of 3 wires from Camera video' }).waitFor();
-  await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).focus();
+  await page.getByRole('group', { name: 'Wire from Sepia to Output' }).focus();
   await press('Enter', 'r');
-  const added = page.getByRole('group', { name: 'Reroute of the wire from Sepia to Screen' });
+  const added = page.getByRole('group', { name: 'Reroute of the wire from Sepia to Output' });
   await added.waitFor();
   await page.locator('.reroute-selected').waitFor();
   const before = await savedLayout();
@@ -137,10 +137,10 @@ test('the menu of a wire puts a point where it was pressed; Delete takes that al
   const { page } = open;
   const at = await pointOn('sepia-aaaa.layer -> screen-aaaa.layer', 0.7);
   await page.mouse.click(at.x, at.y, { button: 'right' });
-  await page.getByRole('menuitem', { name: 'Add a reroute' }).click();
-  const points = page.getByRole('group', { name: 'Reroute of the wire from Sepia to Screen' });
+  await page.getByRole('menuitem', { name: 'Add reroute' }).click();
+  const points = page.getByRole('group', { name: 'Reroute of the wire from Sepia to Output' });
   await points.nth(1).waitFor();
-  const added = await centreOf(page.locator('.reroute-selected'));
+  const added = await centerOf(page.locator('.reroute-selected'));
   expect(Math.hypot(added.x - at.x, added.y - at.y)).toBeLessThan(2);
   await press('Delete');
   await points.nth(1).waitFor({ state: 'detached' });
@@ -150,8 +150,8 @@ test('the menu of a wire puts a point where it was pressed; Delete takes that al
 test('a wire let go over a point brings all that come after it something else', async () => {
   const { page, editor } = open;
   const shared = page.getByRole('group', { name: 'Reroute of 3 wires from Camera video' });
-  await editor.drag(await centreOf(editor.port('over-aaaa', 'layer', 'source')), await centreOf(shared));
-  await page.getByRole('group', { name: 'Reroute of 3 wires from Over' }).waitFor();
+  await editor.drag(await centerOf(editor.port('over-aaaa', 'layer', 'source')), await centerOf(shared));
+  await page.getByRole('group', { name: 'Reroute of 3 wires from Alpha over' }).waitFor();
   await press('Control+z');
   await shared.waitFor();
 });
@@ -159,10 +159,10 @@ test('a wire let go over a point brings all that come after it something else', 
 test('deleted, a point leaves its wires; copied and put into a subgraph, wires keep their points', async () => {
   const { page, editor } = open;
   await page.keyboard.press('Escape');
-  await page.getByRole('group', { name: 'Reroute of the wire from Sepia to Screen' }).click();
+  await page.getByRole('group', { name: 'Reroute of the wire from Sepia to Output' }).click();
   await press('Delete');
-  await page.getByRole('group', { name: 'Reroute of the wire from Sepia to Screen' }).waitFor({ state: 'detached' });
-  await page.getByRole('group', { name: 'Wire from Sepia to Screen' }).waitFor();
+  await page.getByRole('group', { name: 'Reroute of the wire from Sepia to Output' }).waitFor({ state: 'detached' });
+  await page.getByRole('group', { name: 'Wire from Sepia to Output' }).waitFor();
   await title('video').click();
   await title('sepia').click({ modifiers: ['Shift'] });
   await press('Control+d');

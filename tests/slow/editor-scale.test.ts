@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -35,16 +35,16 @@ async function expectInWindow(locator: Locator): Promise<void> {
 }
 
 /** By the View menu, as often as it takes. */
-async function setScale(percent: number, item: 'Larger' | 'Smaller'): Promise<void> {
+async function setScale(percent: number, item: 'Increase' | 'Decrease'): Promise<void> {
   const { page } = open;
-  const said = page.getByRole('log').getByText(`Text and controls at ${percent} %.`);
+  const said = page.getByRole('log').getByText(`UI scale: ${percent} %.`);
   while ((await said.count()) === 0) {
     await page.getByRole('button', { name: 'View', exact: true }).click();
     await expectInWindow(page.getByRole('menu', { name: 'View' }));
-    await page.getByRole('menuitem', { name: `${item} text and controls` }).click();
+    await page.getByRole('menuitem', { name: `${item} UI scale` }).click();
     await page
       .getByRole('log')
-      .getByText(/^Text and controls at \d+ %\.$/)
+      .getByText(/^UI scale: \d+ %\.$/)
       .last()
       .waitFor();
   }
@@ -54,7 +54,7 @@ test('text and controls grow by the View menu, nodes and panels with them, and a
   const { page, editor } = open;
   const file = page.getByRole('button', { name: 'File', exact: true });
   const [menuBefore, nodeBefore, asideBefore] = [await boxOf(file), await boxOf(title('sepia')), await boxOf(editor.inspector)];
-  await setScale(125, 'Larger');
+  await setScale(125, 'Increase');
   const [menu, aside] = [await boxOf(file), await boxOf(editor.inspector)];
   expect(menu.height / menuBefore.height).toBeCloseTo(1.25, 1);
   expect(aside.width / asideBefore.width).toBeCloseTo(1.25, 1);
@@ -66,18 +66,18 @@ test('text and controls grow by the View menu, nodes and panels with them, and a
 });
 
 describe.each([
-  [125, 'Larger'],
-  [80, 'Smaller'],
+  [125, 'Increase'],
+  [80, 'Decrease'],
 ] as const)('at %d %%', (percent, item) => {
   beforeAll(async () => {
     const now = await open.page.evaluate(() => Number(document.documentElement.style.getPropertyValue('--ui-scale')) * 100);
     if (Math.round(now) !== percent) await setScale(percent, item);
-    await open.page.getByRole('button', { name: 'Show the whole graph' }).click();
+    await open.page.getByRole('button', { name: 'Fit graph to view' }).click();
   });
 
   test('a node goes where the pointer drags it', async () => {
     const { page, editor } = open;
-    const from = await centreOf(title('sepia'));
+    const from = await centerOf(title('sepia'));
     const offset = await boxOf(editor.node('sepia'));
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
@@ -112,7 +112,7 @@ describe.each([
 
   test('menus, the palette and hints lie where they were asked for, inside the window', async () => {
     const { page, editor } = open;
-    const at = await centreOf(title('video'));
+    const at = await centerOf(title('video'));
     await page.mouse.click(at.x, at.y, { button: 'right' });
     const menu = page.getByRole('menu', { name: 'Actions' });
     const { x, y } = await boxOf(menu);
@@ -133,7 +133,7 @@ describe.each([
     await page.keyboard.press('Control+z');
 
     await title('sepia').click();
-    const more = editor.inspector.getByRole('button', { name: 'More for Amount' });
+    const more = editor.inspector.getByRole('button', { name: 'More actions for Amount' });
     await more.click();
     await expectInWindow(page.getByRole('menu', { name: 'Actions for Amount' }));
     await page.keyboard.press('Escape');
@@ -150,7 +150,7 @@ describe.each([
     await title('sepia').click();
     const slider = editor.inspector.getByRole('slider', { name: 'Amount' });
     await slider.scrollIntoViewIfNeeded();
-    const { x, y } = await centreOf(slider);
+    const { x, y } = await centerOf(slider);
     await page.mouse.click(x, y);
     await eventually(async () =>
       expect(Number(await editor.inspector.getByRole('textbox', { name: 'Amount' }).inputValue())).toBeCloseTo(0.5, 1),
@@ -158,16 +158,16 @@ describe.each([
     await page.keyboard.press('Control+z');
 
     const handle = page.getByRole('separator', { name: 'Width of preview and inspector' });
-    const middle = await centreOf(handle);
+    const middle = await centerOf(handle);
     // In the middle it may meet the handle below the preview.
     const from = { x: middle.x, y: middle.y - 100 };
     await editor.drag(from, { x: from.x - 60, y: from.y });
-    await eventually(async () => expect(Math.abs((await centreOf(handle)).x - from.x + 60)).toBeLessThan(2));
+    await eventually(async () => expect(Math.abs((await centerOf(handle)).x - from.x + 60)).toBeLessThan(2));
     await editor.drag({ x: from.x - 60, y: from.y }, from);
 
     await title('sepia').click();
     await page.keyboard.press('Shift+T');
-    const ruler = await centreOf(page.locator('.timeline-ruler'));
+    const ruler = await centerOf(page.locator('.timeline-ruler'));
     const { height } = await boxOf(page.locator('.timeline-ruler'));
     await page.mouse.click(ruler.x, ruler.y + height / 2 - 4);
     await eventually(async () => expect(Math.abs((await editor.frame()) - 18)).toBeLessThan(2));
@@ -205,7 +205,7 @@ describe.each([
   test('dialogs fit into the window, and axe finds nothing', async () => {
     const { page } = open;
     for (const [keys, name] of [
-      ['Control+o', 'Open a project'],
+      ['Control+o', 'Open project'],
       ['Control+Alt+n', 'New project'],
       ['Control+Shift+E', 'Render frames'],
       ['Control+k', 'Commands'],

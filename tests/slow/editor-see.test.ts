@@ -34,7 +34,7 @@ async function downloadAfter(act: () => Promise<void>): Promise<{ readonly downl
 }
 
 function source() {
-  return open.page.getByRole('combobox', { name: 'Where the picture comes from' });
+  return open.page.getByRole('combobox', { name: 'Preview source' });
 }
 
 function shareOf(picture: { readonly data: ArrayLike<number> }, is: (r: number, g: number, b: number) => boolean): number {
@@ -49,7 +49,7 @@ test('a screenshot is the preview’s picture, pixel for pixel', async () => {
   const { editor } = open;
   await editor.rewind();
   const shown = await editor.picture();
-  const { download, bytes } = await downloadAfter(() => choose('Take a screenshot'));
+  const { download, bytes } = await downloadAfter(() => choose('Take screenshot'));
   expect(download.suggestedFilename()).toBe('Test.png');
   const picture = decodePicture(bytes);
   expect(picture.width).toBe(shown.width);
@@ -62,7 +62,7 @@ test('a screenshot is the preview’s picture, pixel for pixel', async () => {
 test('a video of what plays is recorded until it is stopped', async () => {
   const { page, editor } = open;
   await editor.press('Play');
-  await choose('Record a video');
+  await choose('Record video');
   const stop = page.getByRole('button', { name: 'Stop recording' });
   await stop.waitFor();
   const from = await editor.frame();
@@ -84,19 +84,19 @@ test('the preview has the shape of the chosen device', async () => {
     const box = await page.locator('iframe[title="Preview"]').boundingBox();
     return box ? box.width / box.height : 0;
   };
-  await choose('Phone, upright');
+  await choose('Phone, portrait');
   expect(await shapeOf()).toBeCloseTo(9 / 19.5, 1);
-  await choose('Phone, sideways');
+  await choose('Phone, landscape');
   expect(await shapeOf()).toBeCloseTo(19.5 / 9, 1);
   await source().selectOption('room/studio');
   await choose('Headset');
   await open.editor.settled();
   expect(await shapeOf()).toBeCloseTo(3360 / 1760, 1);
-  await choose('See-through glasses');
+  await choose('Glasses (additive display)');
   await open.editor.settled();
   await page.getByRole('button', { name: 'Preview options' }).click();
   await page.keyboard.press('Escape');
-  await choose('As large as there is room');
+  await choose('Fit to panel');
 });
 
 test('the light of an emulated room is moved by pointer and keys, and goes back', async () => {
@@ -104,8 +104,8 @@ test('the light of an emulated room is moved by pointer and keys, and goes back'
   await source().selectOption('room/studio');
   await editor.settled();
   const home = await editor.rewind();
-  await editor.press('Light of the room');
-  const panel = page.getByRole('dialog', { name: 'Light of the room' });
+  await editor.press('Room light');
+  const panel = page.getByRole('dialog', { name: 'Room light' });
   const dome = await panel.locator('.room-light-dome').boundingBox();
   if (!dome) throw new Error('There is no dome.');
   const elevation = panel.getByRole('slider', { name: 'Elevation' });
@@ -118,7 +118,7 @@ test('the light of an emulated room is moved by pointer and keys, and goes back'
   await page.keyboard.press('End');
   expect(await azimuth.getAttribute('aria-valuetext')).toBe('180°');
   await editor.pictureOtherThan(left);
-  await panel.getByRole('button', { name: 'As the room has it' }).click();
+  await panel.getByRole('button', { name: 'Reset' }).click();
   await page.keyboard.press('Escape');
   await panel.waitFor({ state: 'detached' });
   await editor.pictureSameAs(home, 'light moved back');

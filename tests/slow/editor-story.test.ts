@@ -30,7 +30,7 @@ afterAll(async () => {
 test('a designer’s afternoon, in the browser', async () => {
   const page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 } });
   const errors = collectErrors(page);
-  await page.goto(server.url);
+  await page.goto(server.invite());
   const exportTo = join(base, 'page');
   await playEditorStory({
     page,

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { type GraphText, useOneEditor } from '../support/open-editor.ts';
 import { countDifferent } from '../support/pixels.ts';
 
@@ -20,7 +20,7 @@ const FRAMES = 36;
 const open = useOneEditor(GRAPH, { colorScheme: 'dark' }, async () => {
   await open.editor.settled();
   await open.editor.hold();
-  await open.editor.press('Back to the first frame');
+  await open.editor.press('Go to first frame');
   await open.page.keyboard.press('Escape');
   await open.page.locator('.react-flow__pane').click({ position: { x: 40, y: 40 } });
   await open.page.keyboard.press('Shift+T');
@@ -102,14 +102,14 @@ test('a range is set by keys and by dragging its ends, to the frame', async () =
   for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
   await page.keyboard.press('o');
   expect(await frameOf('Out point')).toBe(18);
-  expect(await page.getByRole('status', { name: 'Range' }).textContent()).toBe('12–18 · 7 frames');
+  expect(await page.getByRole('status', { name: 'Play range' }).textContent()).toBe('12–18 · 7 frames');
 
-  await editor.drag(await centreOf(handle('In point')), await borderAt(9));
+  await editor.drag(await centerOf(handle('In point')), await borderAt(9));
   expect(await frameOf('In point')).toBe(9);
-  await editor.drag(await centreOf(handle('Out point')), await borderAt(14));
+  await editor.drag(await centerOf(handle('Out point')), await borderAt(14));
   expect(await frameOf('Out point')).toBe(13);
   // Neither passes the other.
-  await editor.drag(await centreOf(handle('In point')), await borderAt(30));
+  await editor.drag(await centerOf(handle('In point')), await borderAt(30));
   expect(await frameOf('In point')).toBe(13);
   await page.keyboard.press('Home');
   for (const key of ['ArrowRight', 'ArrowRight', 'PageUp', 'ArrowLeft', 'ArrowLeft', 'ArrowLeft']) await page.keyboard.press(key);
@@ -187,7 +187,7 @@ test('the range comes back with the project, and can be given up', async () => {
   expect([await frameOf('In point'), await frameOf('Out point')]).toEqual([0, FRAMES - 1]);
 
   // Rooms have no moments to go to: the panel says so.
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
-  await page.getByText('Only recordings are played in parts.').waitFor();
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
+  await page.getByText('Only recordings have a play range.').waitFor();
   expect(await handle('In point').count()).toBe(0);
 });

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { Locator } from 'playwright-core';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { Hand } from '../support/hand.ts';
 import { type GraphText, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { eventually } from '../support/patience.ts';
@@ -34,7 +34,7 @@ const STEPS = 8;
 const openEditor = useEditor();
 
 async function spot(locator: Locator): Promise<[x: number, y: number]> {
-  const { x, y } = await centreOf(locator);
+  const { x, y } = await centerOf(locator);
   return [x, y];
 }
 
@@ -74,25 +74,25 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   await expectView(before);
 
   // A node goes with the finger on it, and a wire is drawn from port to port.
-  const blur = await centreOf(title('gaussian-blur'));
+  const blur = await centerOf(title('gaussian-blur'));
   await hand.drag(blur, { x: blur.x, y: blur.y + 80 });
-  const below = await centreOf(title('gaussian-blur'));
+  const below = await centerOf(title('gaussian-blur'));
   // Nodes snap to the grid.
   expect(Math.abs(below.x - blur.x)).toBeLessThan(10);
   expect(below.y - blur.y).toBeGreaterThan(40);
   await hand.drag(
-    await centreOf(editor.port('video-aaaa', 'layer', 'source')),
-    await centreOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')),
+    await centerOf(editor.port('video-aaaa', 'layer', 'source')),
+    await centerOf(editor.port('gaussian-blur-aaaa', 'inputImage', 'target')),
   );
   await page.getByRole('group', { name: 'Wire from Camera video to Gaussian blur' }).waitFor();
 
   // A finger that rests asks for the menu: of a node, and of the canvas. Lifted, it leaves it there.
   const menu = page.getByRole('menu', { name: 'Actions' });
-  await hand.put(await centreOf(title('gaussian-blur')));
+  await hand.put(await centerOf(title('gaussian-blur')));
   await rest(page);
   await menu.getByRole('menuitem', { name: 'Mute' }).waitFor();
   await hand.lift();
-  const mute = await centreOf(menu.getByRole('menuitem', { name: 'Mute' }));
+  const mute = await centerOf(menu.getByRole('menuitem', { name: 'Mute' }));
   await page.touchscreen.tap(mute.x, mute.y);
   await page.locator('.node-muted').waitFor();
   await menu.waitFor({ state: 'detached' });
@@ -101,7 +101,7 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   await rest(page);
   await menu.getByRole('menuitem', { name: /^Add node/ }).waitFor();
   await hand.lift();
-  const add = await centreOf(menu.getByRole('menuitem', { name: /^Add node/ }));
+  const add = await centerOf(menu.getByRole('menuitem', { name: /^Add node/ }));
   await page.touchscreen.tap(add.x, add.y);
   await page.getByRole('combobox', { name: 'Search nodes' }).waitFor();
   await page.keyboard.press('Escape');
@@ -109,7 +109,7 @@ test('fingers move the view, nodes and wires, and resting ones ask for the menu'
   // A number is turned like a dial, in spite of the panel that scrolls, and no hovering mouse goes on with it.
   await page.touchscreen.tap(...(await spot(title('gaussian-blur'))));
   const radius = editor.inspector.getByRole('textbox', { name: 'Radius', exact: true });
-  const dial = await centreOf(radius);
+  const dial = await centerOf(radius);
   const still = Number(await radius.inputValue());
   await hand.drag(dial, { x: dial.x + 60, y: dial.y + 3 });
   await eventually(async () => expect(Number(await radius.inputValue())).toBeGreaterThan(still + 1));
@@ -132,15 +132,15 @@ test('what the browser takes the finger away from stays where it is', async () =
   const hand = await Hand.on(page);
   /** Drags it by 40 px, loses the finger, and points at it with a mouse that no button is pressed of. */
   const drop = async (handle: Locator): Promise<[dropped: Point, after: Point]> => {
-    const from = await centreOf(handle);
+    const from = await centerOf(handle);
     await hand.put(from);
     for (let step = 1; step <= STEPS; step++) await hand.slide({ x: from.x - 5 * step, y: from.y });
-    await eventually(async () => expect((await centreOf(handle)).x).toBeLessThan(from.x - 20));
+    await eventually(async () => expect((await centerOf(handle)).x).toBeLessThan(from.x - 20));
     await hand.lose();
-    const dropped = await centreOf(handle);
+    const dropped = await centerOf(handle);
     await page.mouse.move(dropped.x, dropped.y);
     for (let step = 1; step <= STEPS; step++) await page.mouse.move(dropped.x + step, dropped.y);
-    return [dropped, await centreOf(handle)];
+    return [dropped, await centerOf(handle)];
   };
 
   const [border, borderAfter] = await drop(page.getByRole('separator', { name: 'Width of preview and inspector' }));

@@ -53,19 +53,19 @@ test('sums are worked out, an expression binds the value, and the way back is on
   expect(await (await field('Radius')).inputValue()).toBe('7');
 });
 
-test('an expression that cannot be read stays to be mended, and says what is wrong', async () => {
+test('an invalid expression stays for correction, and says what is wrong', async () => {
   const { page, editor } = open;
   await select('gaussian-blur-aaaa');
   const radius = await field('Radius');
   await radius.fill('=4+sine(time)');
   await page.keyboard.press('Enter');
-  await page.getByRole('log').getByText('“Radius” cannot follow that: “sine” is no function that Scrim knows').waitFor();
+  await page.getByRole('log').getByText('“Radius” cannot follow that: Unknown function “sine”').waitFor();
   expect(await radius.inputValue()).toBe('=4+sine(time)');
   await radius.fill('=time');
   await page.keyboard.press('Enter');
   const expression = await field('Radius, expression');
   await expression.fill('time +');
-  await editor.inspector.getByRole('status').getByText('the end stands where a number').waitFor();
+  await editor.inspector.getByRole('status').getByText('Expected a number, a name or a bracket').waitFor();
   expect(await expression.getAttribute('aria-invalid')).toBe('true');
   await expression.fill('');
   await page.keyboard.press('Enter');
@@ -105,11 +105,11 @@ test('a value is shown as a port on the node, and hidden again; by keys, too', a
   await select('gaussian-blur-aaaa');
   const port = editor.port('gaussian-blur-aaaa', 'radius', 'target');
   await port.waitFor({ state: 'detached' });
-  await editor.inspector.getByRole('button', { name: 'More for Radius' }).focus();
+  await editor.inspector.getByRole('button', { name: 'More actions for Radius' }).focus();
   await page.keyboard.press('Enter');
   for (const letter of ['s', 'Enter']) await page.keyboard.press(letter);
   await port.waitFor();
-  expect(await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))).toBe('More for Radius');
+  expect(await page.evaluate(() => document.activeElement?.getAttribute('aria-label'))).toBe('More actions for Radius');
   await choose('Radius', 'Hide the port');
   await port.waitFor({ state: 'detached' });
 });

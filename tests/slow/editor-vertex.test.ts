@@ -105,7 +105,7 @@ test('the vertex shader beside an ISF file is edited, marked, renamed with its f
   // Saved elsewhere, it is followed, and to be read only.
   await files.getByRole('button', { name: 'Vertex' }).click();
   await writeFile(join(project, 'shaders', 'aside.vs'), VERTEX);
-  await page.locator('.code-bar').getByText('Another program has saved').waitFor();
+  await page.locator('.code-bar').getByText('saved by another program').waitFor();
   await page.locator('.view-line', { hasText: 'isf_FragNormCoord * amount' }).waitFor();
   await editor.pictureSameAs(near);
 });

@@ -5,7 +5,7 @@ import { afterAll, beforeAll, expect, test } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { startServer } from '../../app/server/start-server.ts';
 import { installationAt } from '../../app/services/installation.ts';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { axeFindings } from '../support/axe.ts';
 import { collectErrors, useBrowser } from '../support/browser.ts';
 import { EditorDriver } from '../support/editor-driver.ts';
@@ -26,7 +26,7 @@ beforeAll(async () => {
   const server = await startServer({ installation, startPath: null, log: () => {} });
   page = await browser.browser.newPage({ viewport: { width: 1440, height: 900 }, colorScheme: 'dark' });
   errors = collectErrors(page);
-  await page.goto(server.url);
+  await page.goto(server.invite());
   close = async () => {
     await page.close();
     await server.close();
@@ -39,7 +39,7 @@ afterAll(async () => {
 });
 
 const theme = () => page.evaluate(() => [document.documentElement.dataset.theme, getComputedStyle(document.body).backgroundColor]);
-const isLightColour = (colour: string | undefined) => Number(/\d+/.exec(colour ?? '')?.[0]) > 200;
+const isLightColor = (color: string | undefined) => Number(/\d+/.exec(color ?? '')?.[0]) > 200;
 
 // The tests go on from one another, as a newcomer does.
 test('the start screen shows templates and examples with their pictures', async () => {
@@ -76,7 +76,7 @@ test('commands are found by name, and do what they say', async () => {
   await dialog.getByRole('combobox').fill('light dark');
   await page.keyboard.press('Enter');
   await page.waitForFunction(() => document.documentElement.dataset.theme === 'light');
-  expect(isLightColour((await theme())[1])).toBe(true);
+  expect(isLightColor((await theme())[1])).toBe(true);
   await page.keyboard.press('Control+k');
   await dialog.getByRole('combobox').fill('less motion');
   await page.keyboard.press('Enter');
@@ -86,12 +86,12 @@ test('commands are found by name, and do what they say', async () => {
 
 test('keys are chosen in the sheet, and hold in the next window', async () => {
   const editor = new EditorDriver(page);
-  const sheet = page.getByRole('dialog', { name: 'Keyboard and pointer' });
+  const sheet = page.getByRole('dialog', { name: 'Keyboard and pointer shortcuts' });
   await page.getByRole('button', { name: 'Help', exact: true }).click();
   await page.getByRole('menuitem', { name: /Keyboard shortcuts/ }).click();
   await sheet.getByRole('button', { name: 'Keys for Problems' }).click();
   await page.keyboard.press('Control+f');
-  await sheet.getByText('taken from Find in the graph').waitFor();
+  await sheet.getByText('removed from Find in the graph').waitFor();
   expect(await axeFindings(page)).toEqual([]);
   await page.keyboard.press('Escape');
   await sheet.waitFor({ state: 'detached' });
@@ -100,7 +100,7 @@ test('keys are chosen in the sheet, and hold in the next window', async () => {
   await panel.waitFor();
 
   await page.reload();
-  const recent = page.getByRole('region', { name: 'Worked on last' });
+  const recent = page.getByRole('region', { name: 'Recent' });
   expect((await theme())[0]).toBe('light');
   await recent.locator('.open-project').first().waitFor();
   await recent.getByRole('button').first().click();
@@ -109,7 +109,7 @@ test('keys are chosen in the sheet, and hold in the next window', async () => {
   await panel.waitFor();
 });
 
-test('a problem is mended by its button', async () => {
+test('a problem is fixed by its button', async () => {
   const editor = new EditorDriver(page);
   await editor.node('depth-occlusion').or(editor.node('hide')).first().waitFor();
   const place = await editor.emptyPlace();
@@ -118,7 +118,7 @@ test('a problem is mended by its button', async () => {
   await page.keyboard.press('Enter');
   const list = page.getByRole('list', { name: 'Problems' });
   const fix = list
-    .getByRole('button', { name: 'Find a node for it' })
+    .getByRole('button', { name: 'Find a node' })
     .or(list.getByRole('button', { name: 'Delete Sepia' }))
     .first();
   await fix.waitFor();
@@ -132,7 +132,7 @@ test('keyframes are set by the diamond beside a value, dragged in the panel, and
   const editor = new EditorDriver(page);
   await editor.node('warm').locator('.node-title').click();
   await editor.hold();
-  await editor.press('Back to the first frame');
+  await editor.press('Go to first frame');
   await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
   const row = editor.inspector
     .getByRole('group')
@@ -159,7 +159,7 @@ test('keyframes are set by the diamond beside a value, dragged in the panel, and
   // Dragged to the left; one undo takes all of the drag back.
   const timeOf = async () => Number(/, ([\d.]+) s/.exec((await second.getAttribute('aria-label')) ?? '')?.[1]);
   const before = await timeOf();
-  const from = await centreOf(second);
+  const from = await centerOf(second);
   await editor.drag(from, { x: from.x - 0.2 * ruler.width, y: from.y });
   expect(await timeOf()).toBeLessThan(before - 0.5);
   await page.keyboard.press('Control+z');

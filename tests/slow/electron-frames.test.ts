@@ -68,11 +68,11 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       expect((await readdir(frames)).sort()).toEqual(['000003.png', '000004.png', 'sequence.json']);
       const { width, height, data } = decodePicture(await readFile(join(frames, '000003.png')));
       expect([width, height]).toEqual([160, 120]);
-      // A room is in it, not one colour.
+      // A room is in it, not one color.
       expect(new Set(data).size).toBeGreaterThan(100);
 
       await ask(app, page, { 'First frame': '0', 'Last frame': '5' });
-      await dialog(page).getByRole('combobox', { name: 'As' }).selectOption('video');
+      await dialog(page).getByRole('combobox', { name: 'Format' }).selectOption('video');
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
       await page.getByText('is with your downloads.').waitFor();
       await eventually(async () => expect((await stat(video)).size).toBeGreaterThan(0));
@@ -81,7 +81,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       expect([track?.displayWidth, track?.displayHeight]).toEqual([160, 120]);
       expect(await input.computeDuration()).toBeCloseTo(0.6, 1);
 
-      // So many that nobody sees them end.
+      // So many that the render never ends during the test.
       const cancelled = join(base, 'cancelled');
       await ask(app, page, { 'First frame': '0', 'Last frame': '50000', Folder: cancelled });
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();

@@ -23,7 +23,7 @@ describeWithData('anisotropic Kuwahara over a photograph', 'images/astronaut.png
 
 /**
  * Patches marked by hand in the photographs, [left, top, width, height] in pixels: foreheads, cheeks, necks, backs of hands; and
- * backgrounds, cloth of many colours, hair, wood. The hard rule of Chai and Ngan finds nearly all skin and takes light red and
+ * backgrounds, cloth of many colors, hair, wood. The hard rule of Chai and Ngan finds nearly all skin and takes light red and
  * brown things for it as well, which its own paper says; orange cloth it leaves alone.
  */
 const PATCHES = [

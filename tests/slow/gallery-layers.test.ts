@@ -9,18 +9,18 @@ import { openModule, type PageModule, useBrowser } from '../support/browser.ts';
 const chromium = useBrowser();
 let page: PageModule;
 
-/** Of a cell of its own, of the film and of the blended field, metres. */
+/** Of a cell of its own, of the film and of the blended field, meters. */
 const CELL_M = [0.13, 0.13];
 const FILM_M = [0.26, 0.13];
 const BLEND_M = [0.52, 0.13];
-const METRES_PER_PX = 1.26 / 600;
+const METERS_PER_PX = 1.26 / 600;
 /** A ball, but no rail and no background. */
 const BRIGHT = 100;
 
-/** Bytes at a place from the middle of a piece, metres. */
+/** Bytes at a place from the middle of a piece, meters. */
 function bytesAt({ widthPx, heightPx, rgb }: Piece, rightM: number, upM: number): number[] {
-  const x = Math.round(widthPx / 2 + rightM / METRES_PER_PX);
-  const y = Math.round(heightPx / 2 + upM / METRES_PER_PX);
+  const x = Math.round(widthPx / 2 + rightM / METERS_PER_PX);
+  const y = Math.round(heightPx / 2 + upM / METERS_PER_PX);
   return rgb.slice((y * widthPx + x) * 3, (y * widthPx + x) * 3 + 3);
 }
 
@@ -33,10 +33,10 @@ function colorsOf({ rgb }: Piece): (readonly [number, number, number])[] {
   return Array.from({ length: rgb.length / 3 }, (_, i) => [rgb[3 * i] ?? 0, rgb[3 * i + 1] ?? 0, rgb[3 * i + 2] ?? 0] as const);
 }
 
-/** How far to the right of its middle the brightest pixel of a piece is, metres. */
+/** How far to the right of its middle the brightest pixel of a piece is, meters. */
 function brightestAt(piece: Piece): number {
   const sums = colorsOf(piece).map(([r, g, b]) => r + g + b);
-  return ((sums.indexOf(Math.max(...sums)) % piece.widthPx) + 0.5 - piece.widthPx / 2) * METRES_PER_PX;
+  return ((sums.indexOf(Math.max(...sums)) % piece.widthPx) + 0.5 - piece.widthPx / 2) * METERS_PER_PX;
 }
 
 describe('the gallery shows', () => {
@@ -99,7 +99,7 @@ describe('the gallery shows', () => {
     expect(around?.[2]).toBeLessThan((lit?.[2] ?? 0) / 3);
   });
 
-  test('an evening whose warm side goes round a ball of chalk, and in a mirror', () => {
+  test('an evening whose warm side moves around a ball of chalk, and in a mirror', () => {
     const warmth = (frame: number, right: number) => {
       const [r = 0, , b = 1] = linearAt(piece(frame, 'h3'), right, 0);
       return r / b;
@@ -128,7 +128,7 @@ describe('the gallery shows', () => {
     expect(toon.filter((color) => Math.max(...color) < 30).length).toBeGreaterThan(20);
   });
 
-  test('three balls of which the red one alone keeps its colour, and is hidden by the others', () => {
+  test('three balls of which the red one alone keeps its color, and is hidden by the others', () => {
     const inFront = colorsOf(piece(188, 'h5'));
     const behind = colorsOf(piece(285, 'h5'));
     const redOf = (colors: typeof inFront) => colors.filter(([r, g, b]) => r > 60 && r > 1.8 * Math.max(g, b)).length;
@@ -184,7 +184,7 @@ describe('the gallery shows', () => {
     }
   });
 
-  /** W3C Compositing and Blending Level 1, section 10: one channel of opaque colours. */
+  /** W3C Compositing and Blending Level 1, section 10: one channel of opaque colors. */
   const FORMULAS: Readonly<Record<string, (cb: number, cs: number) => number>> = {
     Multiply: (cb, cs) => cb * cs,
     Screen: (cb, cs) => cb + cs - cb * cs,

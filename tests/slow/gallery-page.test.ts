@@ -14,7 +14,7 @@ beforeAll(async () => {
 });
 afterAll(() => served.close());
 
-/** The dark grey of the board behind all cells, wherever nothing of the page lies over it. */
+/** The dark gray of the board behind all cells, wherever nothing of the page lies over it. */
 function isBoard(data: Uint8Array, i: number): boolean {
   const [r = 0, g = 0, b = 0] = data.subarray(i, i + 3);
   return r > 30 && b < 75 && Math.abs(r - g) <= 4 && b - r >= 2 && b - r <= 12;
@@ -35,11 +35,11 @@ function boardIn(
       if (x === fromX || x === toX - 1 || y === 0 || (y === height - 1 && !hasPanel)) cut++;
     }
   }
-  // A few pixels of a room have its colour, too.
+  // A few pixels of a room have its color, too.
   return { share: count / (height * (toX - fromX)), cut: cut > 4 };
 }
 
-/** Bounds of what is neither grey nor dark, pixels. */
+/** Bounds of what is neither gray nor dark, pixels. */
 function colorful({ width, height, data }: Picture) {
   let [left, right, top, bottom] = [width, 0, height, 0];
   for (let i = 0; i < width * height; i++) {
@@ -77,7 +77,7 @@ describe('the whole wall is in view, and large', () => {
     await page.evaluate(showCanvasAlone);
     const picture = decodePicture(await page.screenshot());
     await keep(`page-${width}`, picture);
-    // Of the colours of the cells, from the first row's balls to the blended bars.
+    // Of the colors of the cells, from the first row's balls to the blended bars.
     const { left, right, top, bottom } = colorful(picture);
     expect(Math.min(left, top, width - right, height - bottom)).toBeGreaterThan(4);
     expect(Math.max((right - left) / width, (bottom - top) / height)).toBeGreaterThan(0.4);

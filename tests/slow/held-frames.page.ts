@@ -16,7 +16,7 @@ export interface Held {
   readonly most: number;
   /** Pictures that were not those before. */
   readonly changes: readonly number[];
-  readonly colours: number;
+  readonly colors: number;
   readonly problems: readonly unknown[];
   readonly error: number;
 }
@@ -77,10 +77,10 @@ export async function hold(program: Program, assetsUrl: string, sessionUrl: stri
     }
     if (differs) changes.push(i);
   }
-  const colours = new Set(new Uint32Array(first.buffer)).size;
+  const colors = new Set(new Uint32Array(first.buffer)).size;
   const error = gl.getError();
   await session.end();
   player.dispose();
   gl.getExtension('WEBGL_lose_context')?.loseContext();
-  return { pixels: ever.size, most, changes, colours, problems: diagnostics(), error };
+  return { pixels: ever.size, most, changes, colors, problems: diagnostics(), error };
 }

@@ -7,15 +7,15 @@ import type { Held } from './held-frames.page.ts';
 
 const EXAMPLES = resolve(import.meta.dirname, '../../examples');
 const SESSION = 'examples/sessions/studio/';
-/** The gallery of all nodes ends in a few flat colours, which are still in any case. */
+/** The gallery of all nodes ends in a few flat colors, which are still in any case. */
 const PROJECTS = readdirSync(EXAMPLES).filter((name) => name !== 'gallery' && existsSync(join(EXAMPLES, name, 'project.scrim.json')));
 const page = useModule('tests/slow/held-frames.page.ts', { mounts: { '/examples/': EXAMPLES } });
 
 /** Nothing of the picture moves, in no pixel and by no level. */
 const STILL = { pixels: 0, most: 0, changes: [], problems: [], error: 0 };
 
-test.each(PROJECTS)('held at a moment, “%s” is drawn the same again and again', async (name) => {
+test.each(PROJECTS)('held at a moment, “%s” is drawn the same each time', async (name) => {
   const held = await page.call<Held>('hold', await compileExample(join(EXAMPLES, name)), `examples/${name}/`, SESSION, 1.25, 12);
   expect(held).toMatchObject(STILL);
-  expect(held.colours).toBeGreaterThan(200);
+  expect(held.colors).toBeGreaterThan(200);
 });

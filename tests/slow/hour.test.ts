@@ -119,7 +119,7 @@ test('after an hour of values, pulses and filters nothing has grown, and time is
   expect(spied['time-a1b2.seconds']).toBe((HOUR - 1) / FRAMES_PER_S);
   // One every half second, none of them lost or doubled.
   expect(spied['counter-a1b2.number']).toBe(2 * 3600 - 1);
-  // The noise it hangs on stays between -1 and 1, and no error gathers in it.
+  // The noise that it depends on stays between -1 and 1 and accumulates no error.
   expect(Math.abs(spied['spring-a1b2.result'] ?? Number.NaN)).toBeLessThan(2);
   expect(spied['random-a1b2.number']).toBeGreaterThanOrEqual(0);
   expect(spied['random-a1b2.number']).toBeLessThan(1);

@@ -1,6 +1,6 @@
 import { type ChildProcess, spawn } from 'node:child_process';
 import { once } from 'node:events';
-import { cp, mkdtemp, readdir, rm } from 'node:fs/promises';
+import { cp, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
@@ -32,7 +32,7 @@ function scrim(...args: string[]) {
 }
 
 async function ended({ child, said }: ReturnType<typeof scrim>): Promise<{ status: number | null; said: string }> {
-  if (child.exitCode === null) await once(child, 'exit');
+  if (child.exitCode === null && child.signalCode === null) await once(child, 'exit');
   return { status: child.exitCode, said: said.join('') };
 }
 
@@ -72,6 +72,46 @@ describe('Ctrl-C', () => {
       expect((await readdir(site)).sort()).toEqual(before);
     }
     await rm(site, { recursive: true });
+  });
+});
+
+/** Command lines of all processes below one, by id; Linux alone has them as files. */
+async function below(pid: number): Promise<ReadonlyMap<number, string>> {
+  const parents = new Map<number, number>();
+  for (const id of (await readdir('/proc')).map(Number).filter(Number.isInteger)) {
+    const stat = await readFile(`/proc/${id}/stat`, 'utf8').catch(() => '');
+    parents.set(id, Number(stat.slice(stat.lastIndexOf(')') + 1).split(' ')[2]));
+  }
+  const isBelow = (id: number | undefined): boolean =>
+    id !== undefined && id !== 0 && (parents.get(id) === pid || isBelow(parents.get(id)));
+  const found = [...parents.keys()].filter(isBelow);
+  return new Map(await Promise.all(found.map(async (id) => [id, await readFile(`/proc/${id}/cmdline`, 'utf8').catch(() => '')] as const)));
+}
+
+async function browsersBelow(pid: number): Promise<readonly number[]> {
+  return [...(await below(pid))].flatMap(([id, line]) => (/headless/.test(line) ? [id] : []));
+}
+
+/** Zombies have ended; their parent has not read the exit status yet. */
+async function isAlive(pid: number): Promise<boolean> {
+  const stat = await readFile(`/proc/${pid}/stat`, 'utf8').catch(() => null);
+  return stat !== null && !/\) Z /.test(stat);
+}
+
+(process.platform === 'linux' ? describe : describe.skip)('a program with a browser, ended from outside', () => {
+  test.each(['SIGTERM', 'SIGKILL'] as const)('by %s, leaves no browser behind', async (signal) => {
+    const out = join(base, `left-${signal}`);
+    const running = scrim('render', EXAMPLE, '--out', out, '--frames', '0..59');
+    await until(out, '.scrim-render-', running);
+    const pid = running.child.pid ?? 0;
+    let browsers: readonly number[] = [];
+    // A browser, and the page in it: that comes when all else is set up.
+    while (running.child.exitCode === null && browsers.length < 3) browsers = await browsersBelow(pid);
+    running.child.kill(signal);
+    await ended(running);
+    while ((await Promise.all(browsers.map(isAlive))).includes(true)) await new Promise((done) => setTimeout(done, 20));
+    expect(browsers.length).toBeGreaterThanOrEqual(3);
+    await rm(out, { recursive: true, force: true });
   });
 });
 

@@ -1,7 +1,7 @@
 import { readFile, writeFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { describe, expect, test } from '@jest/globals';
-import { centreOf } from '../../tools/lib/centre-of.ts';
+import { centerOf } from '../../tools/lib/center-of.ts';
 import { type GraphText, type OpenEditor, saveGraphs, useEditor } from '../support/open-editor.ts';
 import { TINT_SHADER, TINTED } from '../support/tinted.ts';
 
@@ -14,7 +14,7 @@ async function start(graph: GraphText = TINTED, node = 'tint-aaaa'): Promise<Ope
   return open;
 }
 
-/** A ball in one colour, which a chunk of the project's own gives. */
+/** A ball in one color, which a chunk of the project's own gives. */
 const WASHED: GraphText = {
   nodes: {
     'ball-aaaa': { type: 'objects/primitive', params: { shape: 'sphere' } },
@@ -32,7 +32,7 @@ const WASHED: GraphText = {
   places: { 'ball-aaaa': [0, 0], 'wash-aaaa': [0, 160], 'apply-aaaa': [240, 0], 'scene-aaaa': [480, 0], 'screen-aaaa': [720, 0] },
   shaders: {
     'wash.glsl':
-      '/*{ "DESCRIPTION": "One colour." }*/\n#include <paint/wash>\nvec4 surface(const in Surface s) { return vec4(wash(), 1.0); }\n',
+      '/*{ "DESCRIPTION": "One color." }*/\n#include <paint/wash>\nvec4 surface(const in Surface s) { return vec4(wash(), 1.0); }\n',
     'chunks/paint/wash.glsl': 'vec3 wash() { return vec3(0.1, 0.2, 0.9); }\n',
   },
 };
@@ -97,8 +97,8 @@ describe('the text helps', () => {
       for (let i = 0; i < 3; i++) await page.keyboard.press('Control+z');
       await mark.first().waitFor({ state: 'detached' });
     };
-    await broken('"MIN"', '} ', /has to be an object/);
-    await broken('colour, vec3', ') ', /missing/);
+    await broken('"MIN"', '} ', /must be an object/);
+    await broken('color, vec3', ') ', /missing/);
     await broken('pixel.a)', 'q', /undeclared/);
   });
 
@@ -110,7 +110,7 @@ describe('the text helps', () => {
     });
     await editor.findInText('paint(pixel');
     await page.keyboard.press('F12');
-    const declared = 'vec3 paint(vec3 colour, float much) {';
+    const declared = 'vec3 paint(vec3 color, float much) {';
     await page.waitForFunction(() => document.querySelector('.monaco-editor .active-line-number')?.textContent === '9');
     expect(await editor.lineText()).toBe(declared);
 
@@ -118,13 +118,13 @@ describe('the text helps', () => {
     await page.locator('.view-line', { hasText: 'Gooch' }).first().waitFor();
     await editor.findInText('strongestLight(s)');
     await page.keyboard.press('F12');
-    await page.getByText('A chunk of the library, to be read.').waitFor();
+    await page.getByText('This library chunk is read-only.').waitFor();
     expect(await page.locator('.code-bar code').textContent()).toBe('chunks/light/strongest.glsl');
     const before = await page.locator('.monaco-editor .view-lines').first().textContent();
     await editor.type('x');
     expect(await page.locator('.monaco-editor .view-lines').first().textContent()).toBe(before);
     await page
-      .getByText(/shared by all its techniques/)
+      .getByText(/techniques of the library share this chunk/)
       .first()
       .waitFor();
     await editor.press('Back to the shader');
@@ -139,13 +139,13 @@ describe('the text helps', () => {
     await page.keyboard.press('F12');
     const bar = page.locator('.code-bar');
     await bar.getByText('chunks/paint/wash.glsl').waitFor();
-    await bar.getByText(/^A chunk of this project/).waitFor();
+    await bar.getByText(/^Changes apply to every technique/).waitFor();
     await page.locator('.monaco-editor.focused').waitFor();
     expect(await editor.lineText()).toBe('vec3 wash() { return vec3(0.1, 0.2, 0.9); }');
 
     // Another program saves it: it plays, and is read only here.
     await writeFile(chunk, 'vec3 wash() { return vec3(0.9, 0.2, 0.1); }\n');
-    await bar.getByText('Another program has saved this chunk').waitFor();
+    await bar.getByText('This chunk was saved by another program').waitFor();
     await page.locator('.view-line', { hasText: 'vec3(0.9, 0.2, 0.1)' }).waitFor();
     const red = await editor.pictureOtherThan(blue, 300);
     await editor.findInText('vec3(0.9');
@@ -153,8 +153,8 @@ describe('the text helps', () => {
     expect(await editor.lineText()).toBe('vec3 wash() { return vec3(0.9, 0.2, 0.1); }');
 
     // Here, it is typed again; a mistake is marked where it is, and the last good one plays on.
-    await editor.press('Edit it here');
-    await bar.getByText(/^A chunk of this project/).waitFor();
+    await editor.press('Edit here');
+    await bar.getByText(/^Changes apply to every technique/).waitFor();
     await editor.findInText('vec3(0.9');
     await editor.type('w');
     await page.locator('.monaco-editor .squiggly-error').first().waitFor();
@@ -203,14 +203,14 @@ describe('one step each', () => {
     expect([...undone.wires].sort()).toEqual([...TINTED.wires].sort());
   });
 
-  test('a number dragged with Alt, and a colour by sliders, change the picture while they move', async () => {
+  test('a number dragged with Alt, and a color by sliders, change the picture while they move', async () => {
     const opened = await start();
     const { page, editor } = opened;
     const before = await editor.rewind();
     await editor.findInText('share * 0.50');
     const number = page.locator('.view-line', { hasText: 'share * ' }).getByText('0.50', { exact: true });
     await number.hover();
-    const from = await centreOf(number);
+    const from = await centerOf(number);
     await page.keyboard.down('Alt');
     await page.mouse.move(from.x, from.y);
     await page.mouse.down();
@@ -242,7 +242,7 @@ describe('one step each', () => {
     await page.locator('.monaco-editor.focused').waitFor();
     await page.keyboard.press('Control+z');
     await page.locator('.view-line', { hasText: 'vec3(0.1, 0.2, 0.9)' }).waitFor();
-    await editor.pictureSameAs(before, 'colour undone');
+    await editor.pictureSameAs(before, 'color undone');
   });
 
   test('the header’s form and its JSON are one: an input added, named, ranged and taken away', async () => {
@@ -332,11 +332,11 @@ test('a shader that another program saves plays at once, and is read only here u
   await editor.findInText('0.9, 0.2');
   await editor.type('7');
   await page.keyboard.press('Alt+Enter');
-  expect(await editor.lineText()).toBe('  return mix(colour, vec3(0.9, 0.2, 0.1), much);');
+  expect(await editor.lineText()).toBe('  return mix(color, vec3(0.9, 0.2, 0.1), much);');
   expect(await page.locator('.tuner').count()).toBe(0);
   // What says so lies over the text, and takes no press from it.
   await editor.type('7');
-  const { x, y } = await centreOf(page.locator('.monaco-editor-overlaymessage', { hasText: 'Another program has saved this.' }));
+  const { x, y } = await centerOf(page.locator('.monaco-editor-overlaymessage', { hasText: 'another program saved this file' }));
   await page.mouse.click(x, y);
   expect(await page.locator('.monaco-editor.focused').count()).toBe(1);
 
@@ -347,7 +347,7 @@ test('a shader that another program saves plays at once, and is read only here u
   await write(red);
   await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
 
-  await editor.press('Edit it here');
+  await editor.press('Edit here');
   await page.locator('.code-bar-outside').waitFor({ state: 'detached' });
   // Keys go to the text at once.
   expect(await page.locator('.monaco-editor.focused').count()).toBe(1);
@@ -357,5 +357,5 @@ test('a shader that another program saves plays at once, and is read only here u
   await page.locator('.unsaved').waitFor();
   // Now both have changed it: the person is asked.
   await write(`${red}// there\n`);
-  await page.getByRole('dialog', { name: 'The project changed on disk' }).waitFor();
+  await page.getByRole('dialog', { name: 'Project changed on disk' }).waitFor();
 });

@@ -12,7 +12,7 @@ test('the preview of an emulated room comes back after the graphics device was l
     places: { 'video-aaaa': [0, 0], 'screen-aaaa': [520, 0] },
   });
   await editor.settled();
-  const source = page.getByRole('combobox', { name: 'Where the picture comes from' });
+  const source = page.getByRole('combobox', { name: 'Preview source' });
   await source.selectOption('room/studio');
   await editor.settled();
   const before = await editor.rewind();

@@ -56,11 +56,11 @@ function room(blurPx: number, noise: readonly [number, number, number] = [0, 0, 
   });
 }
 
-/** Grey on the left of an upright edge between two pixels, and nothing on its right. */
+/** Gray on the left of an upright edge between two pixels, and nothing on its right. */
 const HALF = paint(WIDTH, HEIGHT, (x) => (x < WIDTH / 2 ? [128, 128, 128, 255] : [0, 0, 0, 0]));
 
-/** Standard deviation of each channel from `left` to `right`, and how much a pixel has in common with its neighbour, from -1 to 1. */
-function grainOf(picture: Picture, left: number, right: number): { readonly sigma: readonly number[]; readonly neighbours: number } {
+/** Standard deviation of each channel from `left` to `right`, and how much a pixel has in common with its neighbor, from -1 to 1. */
+function grainOf(picture: Picture, left: number, right: number): { readonly sigma: readonly number[]; readonly neighbors: number } {
   const columns = right - left;
   const valuesOf = (c: number) =>
     Float64Array.from(
@@ -75,7 +75,7 @@ function grainOf(picture: Picture, left: number, right: number): { readonly sigm
   const sigma = fromMean.map((values) => Math.sqrt(values.reduce((sum, value) => sum + value * value, 0) / values.length));
   const [red = new Float64Array()] = fromMean;
   const together = red.reduce((sum, value, i) => sum + (i % columns === 0 ? 0 : value * (red[i - 1] ?? 0)), 0) / red.length;
-  return { sigma, neighbours: together / (sigma[0] ?? 1) ** 2 };
+  return { sigma, neighbors: together / (sigma[0] ?? 1) ** 2 };
 }
 
 /** Standard deviation of the slope of alpha across the edge of `HALF`, in pixels, over the rows in the middle. */
@@ -102,12 +102,12 @@ test.each([
   [1, [12, 12, 12]],
 ] as const)('a blur of %d px and a noise of %j steps are measured, and what is drawn has both', async (blurPx, noise) => {
   const made = await match(HALF, room(blurPx, noise));
-  const { sigma, neighbours } = grainOf(made, 0, 200);
+  const { sigma, neighbors } = grainOf(made, 0, 200);
   sigma.forEach((found, c) => {
     // Within a tenth, and half a step.
     expect(Math.abs(found - (noise[c] ?? 0))).toBeLessThan(0.1 * (noise[c] ?? 0) + 0.5);
   });
-  if (noise[0] > 0) expect(Math.abs(neighbours)).toBeLessThan(0.05);
+  if (noise[0] > 0) expect(Math.abs(neighbors)).toBeLessThan(0.05);
   // Within a seventh, and a fiftieth of a pixel per step of noise, which makes edges seem sharper than they are.
   expect(Math.abs(softnessOf(made) - blurPx)).toBeLessThan(0.14 * blurPx + 0.02 * noise[0]);
   // What was empty beyond the blur is empty.
@@ -138,8 +138,8 @@ describeWithData('over photographs', 'images/astronaut.png', (path) => {
         const [red = 0, green = 0, blue = 0] = [r, g, b].map((v) => Math.min(Math.max(Math.round(v + sigma * normal()), 0), 255));
         return [red, green, blue, 255];
       });
-      const grey = paint(480, 480, () => [128, 128, 128, 255]);
-      return grainOf(await match(grey, camera, { blur: 0 }), 0, 480).sigma[1] ?? 0;
+      const gray = paint(480, 480, () => [128, 128, 128, 255]);
+      return grainOf(await match(gray, camera, { blur: 0 }), 0, 480).sigma[1] ?? 0;
     };
     const own = await sigmaWith(0);
     // Of the photograph itself there is little.

@@ -32,7 +32,7 @@ describe('npm run new-filter', () => {
   });
 
   test('its test is formatted, and holds the filter to its formula', async () => {
-    const path = 'tests/browser/filters/try-it.test.ts';
+    const path = 'tests/browser/try-it.test.ts';
     await copy.node('node_modules/@biomejs/biome/bin/biome', 'check', '--vcs-enabled=false', '--error-on-warnings', path);
     const jest = ['node_modules/jest/bin/jest.js', path, '--selectProjects', 'browser'];
     expect(await copy.node(...jest)).toMatch(/Tests: +3 passed, 3 total/);

@@ -57,7 +57,7 @@ test('every template shows what it is called after, beside the bare picture of t
   const shadow = share(occlusion, (r, g, b, i) => {
     const [r0, g0, b0] = roomAt(i);
     const ratio = (r + g + b) / (r0 + g0 + b0 + 1);
-    // Darker by the same factor in every colour: the floor's own hue stays.
+    // Darker by the same factor in every color: the floor's own hue stays.
     return ratio < 0.8 && ratio > 0.3 && Math.abs(r / (r0 + 1) - g / (g0 + 1)) < 0.1;
   });
   expect(shadow).toBeGreaterThan(0.003);

@@ -31,7 +31,7 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
   const errors = collectErrors(page);
   const [project, exportTo] = [join(base, 'first'), join(base, 'page')];
   try {
-    await page.goto(server.url);
+    await page.goto(server.invite());
     const done = await playNewcomer({ page, model: MODEL, project, exportTo });
     expect(done.length).toBeLessThanOrEqual(MOST_INTERACTIONS);
 
@@ -39,7 +39,7 @@ test('a newcomer makes a page with an occluded, shadowed cartoon in few interact
     const editor = new EditorDriver(page);
     await editor.settled();
     await editor.hold();
-    await editor.press('Back to the first frame');
+    await editor.press('Go to first frame');
     await page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     const whole = await pictureThat(editor, (picture) => count(picture, isRed) > 200);
     /** Takes a part away, waits until the picture shows that, and brings it back. */

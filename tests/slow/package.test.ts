@@ -17,7 +17,7 @@ import { EditorDriver } from '../support/editor-driver.ts';
 import { describeElectron, findElectron } from '../support/electron.ts';
 import { visitExportedPage } from '../support/exported-page.ts';
 import { PATIENCE_MS } from '../support/patience.ts';
-import { countColours } from '../support/pixels.ts';
+import { countColors } from '../support/pixels.ts';
 
 const ROOT = resolve(import.meta.dirname, '../..');
 const electron = await findElectron();
@@ -105,7 +105,7 @@ describeElectron('the packaged app', electron, () => {
     await page.locator('.react-flow__node').first().waitFor();
     await page.locator('.transport-time').filter({ hasText: /\d s/ }).waitFor();
     await editor.settled();
-    expect(countColours(await editor.rewind())).toBeGreaterThan(100);
+    expect(countColors(await editor.rewind())).toBeGreaterThan(100);
 
     const out = join(base, 'page');
     const exported = await page.evaluate(
@@ -132,6 +132,12 @@ describeElectron('the packaged app', electron, () => {
     await browser.close();
     await end('SIGKILL');
     await visitExportedPage(visitor.browser, out);
+  });
+
+  test('brings the terms of what it is made of, and of Electron and Chromium', async () => {
+    const text = await readFile(join(app, 'THIRD-PARTY-NOTICES.txt'), 'utf8');
+    for (const words of ['Eclipse Public License', 'Mozilla Public License', 'three.js authors']) expect(text).toContain(words);
+    expect((await readdir(app)).filter((name) => /^LICENSE/.test(name)).length).toBeGreaterThanOrEqual(2);
   });
 
   test('has its fuses set', async () => {

@@ -75,7 +75,7 @@ describe('an exported page with a camera and no AR', () => {
     const { page, errors, use } = await open({}, watchTracks);
     const about = await page.locator(`#${await use.getAttribute('aria-describedby')}`).textContent();
     expect(about).toContain('Your browser will ask for the camera');
-    expect(about).toContain('cannot stay in place as you walk');
+    expect(about).toContain('do not stay in place as you walk');
     expect(about).toContain('It shines through everything.');
     expect(await page.evaluate(() => (window as unknown as { tracks: unknown[] }).tracks.length)).toBe(0);
 
@@ -96,7 +96,7 @@ describe('an exported page with a camera and no AR', () => {
     expect(errors).toEqual([]);
   });
 
-  test('can be entered and left again and again', async () => {
+  test('can be entered and left repeatedly', async () => {
     const { page, errors, use } = await open({}, watchTracks);
     for (let i = 0; i < 3; i++) {
       await use.click();
@@ -137,7 +137,7 @@ describe('an exported page with a camera and no AR', () => {
     await page.evaluate(() => {
       for (const track of (window as unknown as { tracks: MediaStreamTrack[] }).tracks) track.dispatchEvent(new Event('ended'));
     });
-    await page.getByText('The camera was taken away').waitFor();
+    await page.getByText('The camera stopped').waitFor();
     expect(await use.isEnabled()).toBe(true);
     expect(await liveTracks(page)).toBe(0);
     expect(errors).toEqual([]);
@@ -146,9 +146,9 @@ describe('an exported page with a camera and no AR', () => {
   test('says that it cannot follow turns where nothing tells of them, and takes it back when something does', async () => {
     const { page, use } = await open();
     await use.click();
-    await page.getByText('does not tell how it is turned').waitFor();
+    await page.getByText('This device has no motion sensor').waitFor();
     await page.evaluate(() => window.dispatchEvent(new DeviceOrientationEvent('deviceorientation', { alpha: 10, beta: 80, gamma: 0 })));
-    await page.getByText('does not tell how it is turned').waitFor({ state: 'detached' });
+    await page.getByText('This device has no motion sensor').waitFor({ state: 'detached' });
   });
 
   test('covers the page whatever its shape, as the page is turned', async () => {

@@ -47,6 +47,6 @@ test('an exported page draws tones by the curves of its project', async () => {
   const [plain, negative] = [await visit(pages[0] as ServedExport), await visit(pages[1] as ServedExport)];
   const expected = { ...plain, data: plain.data.map((value, i) => (i % 4 === 3 ? value : 255 - value)) };
   await expectSamePixels('page-negative', negative, expected, { tolerance: 2 });
-  // Not all of one grey, which would be its own negative.
+  // Not all of one gray, which would be its own negative.
   expect(new Set(plain.data).size).toBeGreaterThan(50);
 });

@@ -134,7 +134,7 @@ describe.each([
     await page.page.evaluate(() => scrimEmulator?.current?.setTracked(false));
     await wait(page, 5);
     await notice(page, 'Looking for the room').waitFor({ state: 'attached' });
-    // Of a device that does not know where it is nobody expects depth.
+    // A device without tracking need not deliver depth.
     expect(await notice(page, DEPTH_SILENT).count()).toBe(0);
     await page.page.evaluate(() => scrimEmulator?.current?.setTracked(true));
     await page.step(3);

@@ -61,7 +61,7 @@ describe('the poster of a page', () => {
     expect(html).toContain(`<meta property="og:image" content="https://example.org/robots/${name}">`);
     const page = await chromium.browser.newPage();
     await page.goto(`${served.url}${name}`);
-    const colours = await page.evaluate(() => {
+    const colors = await page.evaluate(() => {
       const image = document.querySelector('img');
       const canvas = new OffscreenCanvas(image?.naturalWidth ?? 0, image?.naturalHeight ?? 0);
       const context = canvas.getContext('2d');
@@ -78,9 +78,9 @@ describe('the poster of a page', () => {
       }
       return { width: canvas.width, height: canvas.height, seen: seen.size, red };
     });
-    expect(colours).toMatchObject({ width: 1200, height: 630 });
-    expect(colours?.seen).toBeGreaterThan(500);
-    expect(colours?.red).toBeGreaterThan(1000);
+    expect(colors).toMatchObject({ width: 1200, height: 630 });
+    expect(colors?.seen).toBeGreaterThan(500);
+    expect(colors?.red).toBeGreaterThan(1000);
     await page.close();
   });
 

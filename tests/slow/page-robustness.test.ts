@@ -155,10 +155,10 @@ describe.each([
     let last = secondsOf(middle(before, 0, views));
     for (let i = 0; i < 2; i++) {
       await graphics(xr.page, 'loseContext');
-      await xr.page.getByRole('alert').getByText('The graphics were interrupted').waitFor();
+      await xr.page.getByRole('alert').getByText('Graphics were interrupted').waitFor();
       await xr.step(120);
       await graphics(xr.page, 'restoreContext');
-      await xr.page.getByText('The graphics were interrupted').waitFor({ state: 'detached' });
+      await xr.page.getByText('Graphics were interrupted').waitFor({ state: 'detached' });
       await xr.step(3);
       const after = await xr.readLayer();
       expect([after.width, after.height]).toEqual([before.width, before.height]);
@@ -186,16 +186,16 @@ describe('a page with models', () => {
     const before = covered(await xr.readLayer());
     expect(before).toBeGreaterThan(0.01);
     await graphics(xr.page, 'loseContext');
-    await xr.page.getByText('The graphics were interrupted').waitFor();
+    await xr.page.getByText('Graphics were interrupted').waitFor();
     await xr.step(2);
     await graphics(xr.page, 'restoreContext');
-    await xr.page.getByText('The graphics were interrupted').waitFor({ state: 'detached' });
+    await xr.page.getByText('Graphics were interrupted').waitFor({ state: 'detached' });
     await xr.step(3);
     expect(Math.abs(covered(await xr.readLayer()) - before)).toBeLessThan(0.1 * before);
     expect(xr.errors).toEqual([]);
   });
 
-  test('holds as many GPU objects after twenty visits to AR as after one, whoever ended them', async () => {
+  test('holds as many GPU objects after twenty AR sessions as after one, whether page or device ended them', async () => {
     const xr = await open({ device: 'phone', room: livingRoom }, robots.url);
     await xr.page.getByRole('button', { name: 'Enter AR' }).waitFor();
     await watchGl(xr.page);

@@ -35,7 +35,7 @@ export async function compare(url: string): Promise<Compared> {
   });
   if (theirs === null) throw new Error('three made no filter');
   const theirTexture = (theirs as WebGLCubeRenderTarget).texture;
-  // Exposed so that the mean is a middle grey: differences of white and black are none.
+  // Exposed so that the mean is a middle gray: differences of white and black are none.
   const exposure = 0.2 / (await meanRadiance(three, ours.texture, gl));
   const balls = [0.2, 0.4, 0.7, 1].map((roughness) => {
     const a = shoot(three, gl, ours.texture, roughness, 0, exposure);

@@ -48,14 +48,14 @@ async function previewOf(
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log: () => {} });
   const page = await chromium.browser.newPage({ viewport: { width: 1280, height: 800 } });
   const errors = collectErrors(page);
-  await page.goto(server.url);
+  await page.goto(server.invite());
   const editor = new EditorDriver(page);
   await editor.settled();
-  await page.getByRole('combobox', { name: 'Where the picture comes from' }).selectOption('room/studio');
+  await page.getByRole('combobox', { name: 'Preview source' }).selectOption('room/studio');
   if (views === 2) await editor.press('Two views, as in a headset');
   await editor.settled();
   await editor.rewind();
-  for (let i = 0; i < STEPS; i++) await editor.press('One frame on');
+  for (let i = 0; i < STEPS; i++) await editor.press('Next frame');
   const still = await editor.restingPicture();
   const box = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!box) throw new Error('There is no preview.');

@@ -73,7 +73,7 @@ interface Compared {
 /** Looks through glass at what three drew before into a texture of its own, which Scrim, whose layers have none, does not. */
 const GLASS = /^(AttenuationTest|GlassTable|TransmissionRoughnessTest)/;
 
-/** Diameter of the bounding sphere, as the files say: metres, but for the fox, which is in centimetres. */
+/** Diameter of the bounding sphere, as the files say: meters, but for the fox, which is in centimeters. */
 const SIZES: Readonly<Record<string, readonly [number, number]>> = {
   'Fox.glb': [150, 250],
   'BoomBox.glb': [0.02, 0.06],
@@ -137,7 +137,7 @@ describeWithData('real models', 'models', () => {
         packed.ours.forEach((value, i) => {
           sum += Math.abs(value - (plain.ours[i] ?? 0));
         });
-        // Grey levels, over all channels of what the model covers; fine patterns are made small by another filter.
+        // Gray levels, over all channels of what the model covers; fine patterns are made small by another filter.
         const mean = sum / (4 * plain.covered);
         expect([form, mean, mean < 3]).toEqual([form, mean, true]);
       }

@@ -2,8 +2,9 @@
 import { Matrix4, Mesh, MeshLambertMaterial, SphereGeometry, Vector3 } from 'three';
 import { installEmulator } from '../../export/emulator/install-emulator.ts';
 import type { EmulatorOptions } from '../../export/emulator/options.ts';
-import type { Capability, ProgramNeed } from '../../export/program/program.ts';
+import type { ProgramNeed } from '../../export/program/program.ts';
 import { requestWebXrSession } from '../../export/runtime/sessions/webxr/request-session.ts';
+import type { Capability } from '../../nodes/kit/definition.ts';
 import type { DetectedPlane, SessionFrame } from '../../nodes/kit/session.ts';
 import { definition as meshesDefinition } from '../../nodes/world/meshes/definition.ts';
 import { create as createMeshes } from '../../nodes/world/meshes/runtime.ts';
@@ -67,7 +68,7 @@ export async function inRoom(options: EmulatorOptions) {
     capabilities: [...output.capabilities].sort(),
     labels: found.map(({ label, orientation }) => `${label} ${orientation}`),
     meshes: (seen as SessionFrame['surfaces'])?.meshes.length ?? 0,
-    // Nothing is built anew where nothing changes.
+    // Unchanged geometry is not built again.
     rebuilt: versions.at(-1) !== versions[0],
     points,
     onMesh,

@@ -14,7 +14,7 @@ const ROOT = resolve(import.meta.dirname, '../..');
 /** Every third frame of the recording. */
 const POSES = 20;
 const STRIDE = 3;
-/** Depth pictures and rendered depths are in millimetres. */
+/** Depth pictures and rendered depths are in millimeters. */
 const MM = 0.001;
 
 /** A tripod camera, 0.65 m tall, that stands in the cantilever chair: its seat and arms hide parts from everywhere. */

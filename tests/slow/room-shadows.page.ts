@@ -48,7 +48,7 @@ export function block(columns: number, rows: number, seed: number | null): Crack
 export async function recorded(url: string, columns: number, rows: number, seed: number | null): Promise<Cracks> {
   const { width, height, data } = decode(await (await fetch(url)).arrayBuffer());
   const noise = seed === null ? () => 0 : sensorNoise(seed);
-  const metres = Array.from({ length: columns * rows }, (_, i) => {
+  const meters = Array.from({ length: columns * rows }, (_, i) => {
     const x = Math.floor((((i % columns) + 0.5) * width) / columns);
     const y = height - 1 - Math.floor(((Math.floor(i / columns) + 0.5) * height) / rows);
     const m = (data[y * width + x] ?? 0) * 0.001;
@@ -58,9 +58,9 @@ export async function recorded(url: string, columns: number, rows: number, seed:
   const camera = new PerspectiveCamera(53.1, SIDES.widthPx / SIDES.heightPx, 0.1, 50);
   camera.updateMatrixWorld();
   return cracksOf(
-    room(stand.gl, columns, rows, metres),
+    room(stand.gl, columns, rows, meters),
     camera,
     new Vector3(0, 0.5, 1),
-    (u, v) => (metres[Math.floor(v * rows) * columns + Math.floor(u * columns)] ?? 0) > 0,
+    (u, v) => (meters[Math.floor(v * rows) * columns + Math.floor(u * columns)] ?? 0) > 0,
   );
 }

@@ -1,6 +1,6 @@
 import { BoxGeometry, Color, DataTexture, Matrix4, Mesh, MeshLambertMaterial, PlaneGeometry, Vector3 } from 'three';
-import type { LampShadow, LightShadow, ShadowFilter } from '../../nodes/kit/light-shadow.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LightShadow, LocalLightShadow, ShadowFilter } from '../../nodes/kit/light-shadow.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import { definition as directional } from '../../nodes/light/directional/definition.ts';
 import { create as createDirectional } from '../../nodes/light/directional/runtime.ts';
 import { bulb, drawView, lights, lookingAt, objects, pixel, spot, sun, translation, viewOf } from '../browser/scenes-kit.ts';
@@ -10,7 +10,7 @@ import { BLOCK, look, measuredRoom, ROOM_CAMERA } from './block-room.ts';
 
 /** Straight down from 2 m: a pixel of the floor is 5.2 mm. */
 const ABOVE = lookingAt([0, 2, 1e-3], [0, 0, 0]);
-const METRES_PER_PX = (4 * Math.tan((25 * Math.PI) / 180)) / SIDES.heightPx;
+const METERS_PER_PX = (4 * Math.tan((25 * Math.PI) / 180)) / SIDES.heightPx;
 
 /** A plate whose right edge stands over x = 0, so high above the floor. */
 function plateAt(heightM: number): ObjectItem {
@@ -27,11 +27,11 @@ function profile(pixels: Uint8Array): number[] {
   });
 }
 
-/** Where a falling profile crosses a value, metres to the right of the middle. */
+/** Where a falling profile crosses a value, meters to the right of the middle. */
 function crossing(alphas: readonly number[], value: number): number {
   for (let x = Math.floor(SIDES.widthPx * 0.3); x + 1 < alphas.length; x++) {
     const [here = 0, next = 0] = [alphas[x], alphas[x + 1]];
-    if (here >= value && next < value) return (x + 0.5 + (here - value) / (here - next) - SIDES.widthPx / 2) * METRES_PER_PX;
+    if (here >= value && next < value) return (x + 0.5 + (here - value) / (here - next) - SIDES.widthPx / 2) * METERS_PER_PX;
   }
   return Number.NaN;
 }
@@ -67,7 +67,7 @@ export function edges() {
 
 /** Widths of the penumbra from a tenth to nine tenths, of a plate at several heights. */
 export function penumbras(kind: 'sun' | 'lamp', sourceSize: number, heights: readonly number[], lampHeightM = 0) {
-  const lamp: LampShadow = { mapSizePx: 1024, biasPx: 2, filter: 'pcss', sourceM: sourceSize };
+  const lamp: LocalLightShadow = { mapSizePx: 1024, biasPx: 2, filter: 'pcss', sourceM: sourceSize };
   const light =
     kind === 'sun'
       ? sunny('pcss', { sourceRad: sourceSize, mapSizePx: 1024, normalBiasM: 0.01 })
@@ -137,7 +137,7 @@ export function onRoom(receivers: 'none' | 'floor', block: boolean) {
       const [u, v] = [(x + 0.5) / SIDES.widthPx, (y + 0.5) / SIDES.heightPx];
       const here = look(u, v, block);
       const around = [look(u + stepU, v, block), look(u - stepU, v, block), look(u, v + stepV, block), look(u, v - stepV, block)];
-      if (around.some(({ metres }) => Math.abs(metres - here.metres) > 0.06)) continue;
+      if (around.some(({ meters }) => Math.abs(meters - here.meters) > 0.06)) continue;
       // Light from the left does not reach the block's right side, nor what lies within its own shadow.
       if (here.onBlock && here.point.y < BLOCK.topM - 1e-4) continue;
       if (inShadow(here.point, 0.03) !== inShadow(here.point, -0.03)) continue;
@@ -186,15 +186,15 @@ export function clipped(method: Method) {
 export function clipBorder(interpolate: boolean, method: Method) {
   const [columns, rows, hole, toleranceM] = [24, 18, 9 * 24 + 11, 0.05];
   const depth = { ...measuredRoom(columns, rows, false), interpolate };
-  const metres = Float32Array.from({ length: columns * rows }, (_, i) => {
+  const meters = Float32Array.from({ length: columns * rows }, (_, i) => {
     const [x, y] = [i % columns, Math.floor(i / columns)];
     const wave = 1 + 0.045 * Math.sin(x * 0.5 + 0.7) * Math.cos(y * 0.6);
-    return i === hole ? 0 : look((x + 0.5) / columns, 1 - (y + 0.5) / rows, false).metres * wave;
+    return i === hole ? 0 : look((x + 0.5) / columns, 1 - (y + 0.5) / rows, false).meters * wave;
   });
   stand.gl.bindTexture(stand.gl.TEXTURE_2D, depth.texture);
-  stand.gl.texSubImage2D(stand.gl.TEXTURE_2D, 0, 0, 0, columns, rows, stand.gl.RED, stand.gl.FLOAT, metres);
+  stand.gl.texSubImage2D(stand.gl.TEXTURE_2D, 0, 0, 0, columns, rows, stand.gl.RED, stand.gl.FLOAT, meters);
   const sample = (x: number, y: number): number =>
-    metres[Math.min(Math.max(y, 0), rows - 1) * columns + Math.min(Math.max(x, 0), columns - 1)] ?? 0;
+    meters[Math.min(Math.max(y, 0), rows - 1) * columns + Math.min(Math.max(x, 0), columns - 1)] ?? 0;
   const roomM = (u: number, v: number): number => {
     if (!interpolate) return sample(Math.floor(u * columns), Math.floor((1 - v) * rows));
     const [x, y] = [u * columns - 0.5, (1 - v) * rows - 0.5];
@@ -217,7 +217,7 @@ export function clipBorder(interpolate: boolean, method: Method) {
   for (let y = 0; y < SIDES.heightPx; y++) {
     for (let x = 0; x < SIDES.widthPx; x++) {
       const [u, v] = [(x + 0.5) / SIDES.widthPx, (y + 0.5) / SIDES.heightPx];
-      const behindM = look(u, v, false).metres - (roomM(u, v) || 99) - toleranceM;
+      const behindM = look(u, v, false).meters - (roomM(u, v) || 99) - toleranceM;
       if ((pixel(whole, x, y, SIDES.widthPx)[3] ?? 0) < 250 || Math.abs(behindM) < 0.001) continue;
       const isDark = (pixel(cut, x, y, SIDES.widthPx)[3] ?? 0) > 127;
       tally[behindM > 0 ? (isDark ? 'left' : 'hidden') : isDark ? 'kept' : 'lost']++;
@@ -245,7 +245,7 @@ export function byDepthAlone() {
   return { overlap: both / either, shadowed: either };
 }
 
-/** Red of a lit floor or alpha of its shadow under a see-through plate, by what stands over it. */
+/** Red of a lit floor or alpha of its shadow under a transparent plate, by what is above it. */
 export function veils(kind: 'sun' | 'spot' | 'bulb', filter: ShadowFilter) {
   const shadow = { mapSizePx: 1024, filter } as const;
   const light: LightItem = {
@@ -262,7 +262,7 @@ export function veils(kind: 'sun' | 'spot' | 'bulb', filter: ShadowFilter) {
   halves.needsUpdate = true;
   const shot = { lights: [light], method: 'map', camera: ABOVE, strength: 1 } as const;
   const alpha = (pixels: Uint8Array, x = 0): number =>
-    pixel(pixels, SIDES.widthPx / 2 + Math.round(x / METRES_PER_PX), SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
+    pixel(pixels, SIDES.widthPx / 2 + Math.round(x / METERS_PER_PX), SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
   const under = (...casters: ObjectItem[]): number => alpha(shoot(stand, { ...shot, casters, receivers: [desk()] }));
   const cut = shoot(stand, { ...shot, casters: [pane(1, 0.5, halves)], receivers: [desk()] });
   const solid = thing(new PlaneGeometry(0.6, 0.6).rotateX(-Math.PI / 2), { at: translation(0, 0.8, 0) });
@@ -334,7 +334,7 @@ export function contacts() {
   const alphas = (heightM: number): { readonly below: number; readonly beside: number } => {
     const pixels = shoot(stand, { ...shot, casters: [side(heightM)] });
     const at = (x: number): number =>
-      pixel(pixels, SIDES.widthPx / 2 + Math.round(x / METRES_PER_PX), SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
+      pixel(pixels, SIDES.widthPx / 2 + Math.round(x / METERS_PER_PX), SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
     return { below: at(0), beside: at(0.18) };
   };
   const volumes = shoot(stand, { ...shot, casters: [side(0.1)], method: 'volume' });

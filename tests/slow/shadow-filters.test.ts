@@ -114,7 +114,7 @@ describe('shadows on what room depth shows', () => {
   });
 });
 
-describe('see-through things', () => {
+describe('transparent objects', () => {
   test.each([
     ['sun', 'basic'],
     ['sun', 'soft'],
@@ -173,11 +173,11 @@ test.each<readonly ['phantoms' | 'things', string, number, number, RegExp | null
   ['phantoms', 'pcss', 4, 0.5, null],
   ['phantoms', 'pcss', 6, 1, null],
   ['phantoms', 'soft', 6, 0.5, null],
-  ['phantoms', 'pcss', 5, 0.5, /: see-through things throw no shadow in the light of 1 of them\.$/],
-  ['phantoms', 'vsm', 6, 0.5, /: the shadow edges of 2 of them are “Soft” instead, and see-through .* of 2 of them\.$/],
+  ['phantoms', 'pcss', 5, 0.5, /: transparent objects cast no shadow in the light of 1 of them\.$/],
+  ['phantoms', 'vsm', 6, 0.5, /: 2 of them use “Soft” shadow edges, and transparent .* of 2 of them\.$/],
   ['things', 'soft', 3, 0.5, null],
   ['things', 'soft', 4, 1, null],
-  ['things', 'soft', 4, 0.5, /: see-through things throw no shadow in the light of 4 of them\.$/],
+  ['things', 'soft', 4, 0.5, /: transparent objects cast no shadow in the light of 4 of them\.$/],
 ])(
   'what the shadows on %s lack, of %s lights as many as %d and casters of alpha %d, is told once',
   async (shown, filter, count, opacity, told) => {

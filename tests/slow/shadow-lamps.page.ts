@@ -10,7 +10,7 @@ import {
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ShadowFilter } from '../../nodes/kit/light-shadow.ts';
-import type { LightItem, ObjectItem } from '../../nodes/kit/runtime.ts';
+import type { LightItem, ObjectItem } from '../../nodes/kit/scene-lists.ts';
 import {
   bulb,
   createStand,
@@ -43,7 +43,7 @@ function underLamp(kind: 'sun' | 'spot' | 'bulb', filter: ShadowFilter, ...caste
   return pixel(pixels, SIDES.widthPx / 2, SIDES.heightPx / 2, SIDES.widthPx)[3] ?? -1;
 }
 
-/** Of a pane close above the floor: by height in metres, with a box beside the lamp, which throws no shadow there, and without. */
+/** Of a pane close above the floor: by height in meters, with a box beside the lamp, which throws no shadow there, and without. */
 export function lowPanes(kind: 'sun' | 'spot' | 'bulb', heights: readonly number[]) {
   const material = new MeshLambertMaterial({ transparent: true, opacity: 0.75 });
   const box = thing(new BoxGeometry(0.05, 0.05, 0.05), { at: translation(0.05, LAMP_M, 0) });
@@ -53,7 +53,7 @@ export function lowPanes(kind: 'sun' | 'spot' | 'bulb', heights: readonly number
   });
 }
 
-/** Of a solid plate so far below the lamp: by distance in metres, alone, and with another on the way to the floor. */
+/** Of a solid plate so far below the lamp: by distance in meters, alone, and with another on the way to the floor. */
 export function closeToLamp(filter: ShadowFilter, distances: readonly number[]) {
   const solid = (heightM: number): ObjectItem =>
     thing(new PlaneGeometry(0.6, 0.6).rotateX(-Math.PI / 2), { at: translation(0, heightM, 0) });
@@ -64,7 +64,7 @@ export function closeToLamp(filter: ShadowFilter, distances: readonly number[]) 
   ]);
 }
 
-/** Of a solid plate close above the floor, by height in metres, with a box beside the lamp, which throws no shadow there. */
+/** Of a solid plate close above the floor, by height in meters, with a box beside the lamp, which throws no shadow there. */
 export function lowPlates(filter: ShadowFilter, heights: readonly number[]) {
   const box = thing(new BoxGeometry(0.05, 0.05, 0.05), { at: translation(0.05, LAMP_M, 0) });
   return heights.map((heightM) =>
@@ -100,7 +100,7 @@ const fewUnits = createStand(SIDES.widthPx, SIDES.heightPx, (host) => {
   return createScenes(host);
 });
 
-/** What layers tell, over two draws, of so many lights on a see-through pane or a solid plate. */
+/** What layers report, over two draws, for a number of lights on a transparent pane or a solid plate. */
 export function manyLights(shown: 'phantoms' | 'things', filter: ShadowFilter, count: number, opacity: number) {
   const { backend, layer, gl } = fewUnits;
   const lamps = Array.from({ length: count }, (_, i) => {

@@ -101,7 +101,7 @@ export function throughBall(ior: number, behindM: number): Seen[] {
       const { x: u, y: v } = hit.project(FRONT);
       const where = [(u * 0.5 + 0.5) * WIDTH - 0.5, (v * 0.5 + 0.5) * HEIGHT - 0.5] as const;
       if (facing < 0.3 || where.some((value, i) => value < 1 || value > (i === 0 ? WIDTH : HEIGHT) - 2)) continue;
-      // Taking off what the near side reflects leaves the layer's own colour.
+      // Taking off what the near side reflects leaves the layer's own color.
       const passed = 1 - fresnelByHand(facing, ior);
       const [red = 0, , blue = 0] = pixel(pixels, x, y).map((byte) => encoded(linear(byte) / passed));
       rows.push({ at: [x, y], facing, seen: [decodeAt(red, WIDTH), decodeAt(blue, HEIGHT)], traced: where });
@@ -128,7 +128,7 @@ function traceBall(eye: Vector3, ray: Vector3, ior: number, behindM: number): { 
   return { hit, facing: Math.cos(a) };
 }
 
-/** Of the two polarisations, by the angles themselves. */
+/** Of the two polarizations, by the angles themselves. */
 export function fresnelByHand(facing: number, ior: number): number {
   const a = Math.acos(facing);
   const b = Math.asin(Math.sin(a) / ior);
@@ -161,7 +161,7 @@ export function passedByTurnedPlates(ior: number): { facing: number; passed: num
   });
 }
 
-/** Metres between the middles of upright and of level joints on the front of a box, seen straight on, as it stands and moved. */
+/** Meters between the middles of upright and of level joints on the front of a box, seen straight on, as it stands and moved. */
 export function joints(brickM: readonly [number, number]) {
   const values = { brickM, mortarM: 0.03, brickColor: [1, 0, 0, 1], mortarColor: [0, 0, 1, 1], variation: 0, bump: 0 };
   const box = new Mesh(new BoxGeometry(2, 2, 2), matt());
@@ -197,11 +197,11 @@ export function joints(brickM: readonly [number, number]) {
   const y = Math.round(((level[0] ?? 0) + (level[1] ?? 0)) / 2);
   const above = Math.round(((level[1] ?? 0) + (level[2] ?? 0)) / 2);
   const upright = middlesOf(row(y));
-  const metres = (middles: readonly number[]): number[] => middles.slice(1).map((at, i) => (at - (middles[i] ?? 0)) * perPixel);
+  const meters = (middles: readonly number[]): number[] => middles.slice(1).map((at, i) => (at - (middles[i] ?? 0)) * perPixel);
   let differing = 0;
   for (let i = 0; i < still.pixels.length; i++) if (Math.abs((still.pixels[i] ?? 0) - (moved.pixels[i] ?? 0)) > 40) differing++;
   const shift = ((middlesOf(row(above))[0] ?? 0) - (upright[0] ?? 0)) * perPixel;
-  return { upright: metres(upright), level: metres(level), shift, differing };
+  return { upright: meters(upright), level: meters(level), shift, differing };
 }
 
 /** Runs of ink on lines outwards from the middle of a sphere, and pictures at several times. */

@@ -98,7 +98,7 @@ test.each([[[0.3, 0.2]], [[0.5, 0.14]]])(
   },
 );
 
-test('loose lines are several, and are drawn anew in steps of time', async () => {
+test('loose lines are several, and are redrawn in time steps', async () => {
   const { runs, same } = await page.call<{ runs: number[]; same: boolean[] }>('looseSphere', [1.01, 1.2, 1.01, 1.3, 9]);
   expect(same).toEqual([true, true, true, false, false]);
   const several = runs.filter((count) => count >= 2).length;

@@ -13,7 +13,7 @@ const WIDTH = 32;
 const HEIGHT = 18;
 const FROM = paint(WIDTH, HEIGHT, (x, y) => [x * 7, 40, y * 13, 255]);
 const TO = paint(WIDTH, HEIGHT, (x, y) => [200, y * 12, 255 - x * 7, 255]);
-/** For those that take a third picture: grey from black to white. */
+/** For those that take a third picture: gray from black to white. */
 const MAP = paint(WIDTH, HEIGHT, (x) => [x * 8, x * 8, x * 8, 255]);
 
 function render(source: string, file: string, progress: number): Promise<Picture> {

@@ -1,5 +1,5 @@
 import type { FrameLocator, Locator, Page } from 'playwright-core';
-import { centreOf, type Point } from '../../tools/lib/centre-of.ts';
+import { centerOf, type Point } from '../../tools/lib/center-of.ts';
 import { PATIENCE_MS } from './patience.ts';
 import { decodePicture, type Picture } from './picture.ts';
 import { countDifferent, expectSamePixels } from './pixels.ts';
@@ -44,7 +44,7 @@ export class EditorDriver {
 
   /** Drags a wire from one port to another. */
   async wire(from: readonly [node: string, port: string], to: readonly [node: string, port: string]): Promise<void> {
-    await this.drag(await centreOf(this.port(from[0], from[1], 'source')), await centreOf(this.port(to[0], to[1], 'target')));
+    await this.drag(await centerOf(this.port(from[0], from[1], 'source')), await centerOf(this.port(to[0], to[1], 'target')));
   }
 
   async drag(from: Point, to: Point): Promise<void> {
@@ -161,7 +161,7 @@ export class EditorDriver {
   /** Stands at the first frame; the picture of it, once it has come to rest: recordings decode theirs meanwhile. */
   async rewind(): Promise<Picture> {
     await this.hold();
-    await this.press('Back to the first frame');
+    await this.press('Go to first frame');
     await this.page.waitForFunction(() => document.querySelector('.transport-time span')?.textContent === '0');
     // The number is what was asked for; its picture comes a little later. What follows no recording draws at its next frame.
     await this.preview.locator('body').evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -181,7 +181,7 @@ export class EditorDriver {
     return last;
   }
 
-  /** The preview below the strip at its top, where the editor may put a flag; without what people take hold of things by. */
+  /** The preview without gizmos, below the strip at its top where the editor may put a flag. */
   async picture(): Promise<Picture> {
     await this.showGizmo(false);
     try {

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import { expect } from '@jest/globals';
 import type { Page } from 'playwright-core';
 import { EditorDriver } from './editor-driver.ts';
-import { countColours, countDifferent } from './pixels.ts';
+import { countColors, countDifferent } from './pixels.ts';
 import { OUTPUT_FOLDER } from './this-test.ts';
 
 export interface StoryOptions {
@@ -44,7 +44,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   // The example plays.
   await editor.settled();
   const untouched = await editor.rewind();
-  expect(countColours(untouched)).toBeGreaterThan(100);
+  expect(countColors(untouched)).toBeGreaterThan(100);
 
   // A filter by search, wired by hand, changes the picture.
   await editor.addNode('sepia');
@@ -75,7 +75,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   await page.locator('.monaco-editor .view-line').first().waitFor();
   const broken = await typeIntoLine(page, WORKING, 'nonsense ');
   await page.locator('.monaco-editor .squiggly-error').first().waitFor();
-  await page.getByText('Showing the last version that worked').waitFor();
+  await page.getByText('Showing the last working version').waitFor();
   await page.locator('.status-bar').getByText('error').click();
   const problem = page.getByRole('list', { name: 'Problems' }).getByRole('button').first();
   expect(await problem.textContent()).toMatch(new RegExp(`shaders/sepia[^:]*\\.fs:${broken}`));
@@ -92,7 +92,7 @@ async function play({ page, project, exportTo, answerFolder }: StoryOptions): Pr
   // Undo within the text goes by words; more of it than was typed does nothing.
   for (let i = 0; i < 4; i++) await page.keyboard.press('Control+z');
   await page.locator('.monaco-editor .squiggly-error').first().waitFor({ state: 'detached' });
-  await page.getByText('Showing the last version that worked').waitFor({ state: 'detached' });
+  await page.getByText('Showing the last working version').waitFor({ state: 'detached' });
   await editor.pictureSameAs(brown, 'mended');
 
   // Another input in the header is a port and a dial at once.

@@ -11,6 +11,7 @@ import { _electron, type ElectronApplication, type Page } from 'playwright-core'
 import { prepareContext } from './browser.ts';
 import { type Display, hasDisplay, openDisplay } from './display.ts';
 import { PATIENCE_MS } from './patience.ts';
+import { describeMissing } from './required.ts';
 
 const run = promisify(execFile);
 
@@ -74,8 +75,7 @@ export type LaunchElectron = (args: readonly string[], env?: Readonly<Record<str
  */
 export function describeElectron(name: string, electron: FoundElectron, body: (launch: LaunchElectron) => void): void {
   if ('missing' in electron) {
-    process.stderr.write(`SKIPPED ${name}: ${electron.missing}.\n`);
-    describe.skip(`${name} (${electron.missing})`, () => body(() => Promise.reject(new Error(electron.missing))));
+    describeMissing(name, 'electron', electron.missing);
     return;
   }
   describe(name, () => {
@@ -143,7 +143,7 @@ export async function playedTwiceAfterFault(launch: LaunchElectron, story: (laun
   }
 }
 
-/** Not closed: a window with unsaved work would ask a question that nobody answers. */
+/** Not closed: a window with unsaved work would open a dialog that the test does not answer. */
 async function kill(process: ChildProcess): Promise<void> {
   if (process.exitCode !== null || process.signalCode !== null) return;
   const ended = once(process, 'exit');

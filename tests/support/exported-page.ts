@@ -4,7 +4,7 @@ import { expect } from '@jest/globals';
 import type { Browser } from 'playwright-core';
 import { collectErrors } from './browser.ts';
 import { decodePicture } from './picture.ts';
-import { countColours } from './pixels.ts';
+import { countColors } from './pixels.ts';
 import { serveStatic } from './serve.ts';
 
 /** Opens an exported folder as a visitor does: it shows a picture, and nothing goes wrong. */
@@ -15,7 +15,7 @@ export async function visitExportedPage(browser: Browser, folder: string): Promi
   try {
     await page.goto(host.origin);
     await page.getByText('look around').waitFor();
-    expect(countColours(decodePicture(await page.screenshot()))).toBeGreaterThan(50);
+    expect(countColors(decodePicture(await page.screenshot()))).toBeGreaterThan(50);
     expect(errors).toEqual([]);
   } finally {
     await page.close();
@@ -32,12 +32,12 @@ export async function expectPoster(browser: Browser, folder: string): Promise<vo
   const page = await browser.newPage();
   const found = await page.evaluate(async (jpeg) => {
     const { width, height, ...image } = await decode(new Uint8Array(jpeg));
-    const colours = new Set<number>();
+    const colors = new Set<number>();
     for (let i = 0; i < image.data.length; i += 4) {
       const [red = 0, green = 0, blue = 0] = image.data.slice(i, i + 3);
-      colours.add(((red >> 3) << 10) | ((green >> 3) << 5) | (blue >> 3));
+      colors.add(((red >> 3) << 10) | ((green >> 3) << 5) | (blue >> 3));
     }
-    return { width, height, colours: colours.size };
+    return { width, height, colors: colors.size };
 
     async function decode(file: Uint8Array<ArrayBuffer>): Promise<{ data: Uint8ClampedArray; width: number; height: number }> {
       const picture = await createImageBitmap(new Blob([file]));
@@ -48,6 +48,6 @@ export async function expectPoster(browser: Browser, folder: string): Promise<vo
     }
   }, bytes);
   expect(found).toMatchObject({ width: 1200, height: 630 });
-  expect(found.colours).toBeGreaterThan(200);
+  expect(found.colors).toBeGreaterThan(200);
   await page.close();
 }

@@ -8,7 +8,7 @@ export interface FakeHost extends Host {
   readonly calls: { readonly method: HostMethod; readonly input: unknown }[];
   /** Makes the next call of a method be refused. */
   refuse(method: HostMethod, code: string, message: string): void;
-  /** Somebody else writes the folder: it has another revision. Nobody is told. */
+  /** Another process writes the folder: it gets another revision. No event is sent. */
   writeOutside(files: HostOutput<'project.open'>['files']): void;
   /** Answers so from now on. */
   answer<M extends HostMethod>(method: M, handler: NonNullable<Handlers[M]>): void;
@@ -60,8 +60,9 @@ export function createFakeHost(
     'project.save': (input) => {
       saved = input.files;
       revision++;
-      return { revision: `r${revision}` };
+      return { revision: `r${revision}`, kept: null };
     },
+    'project.break-lock': () => ({}),
     'project.save-as': ({ path, files: next }) => {
       saved = next;
       return open(path);

@@ -1,5 +1,5 @@
 import type { CDPSession, Page } from 'playwright-core';
-import type { Point } from '../../tools/lib/centre-of.ts';
+import type { Point } from '../../tools/lib/center-of.ts';
 
 const STEPS = 8;
 

@@ -6,8 +6,8 @@ export async function looseModel(): Promise<Readonly<Record<string, Uint8Array<A
   const doc = new Document();
   doc.createBuffer().setURI('tile.bin');
   const list = (type: 'VEC2' | 'VEC3', ...values: number[]) => doc.createAccessor().setType(type).setArray(new Float32Array(values));
-  const colour = encode({ width: 1, height: 1, data: new Uint8Array([255, 120, 20, 255]), channels: 4 });
-  const paint = doc.createTexture('paint').setURI('paint on wood.png').setImage(colour).setMimeType('image/png');
+  const color = encode({ width: 1, height: 1, data: new Uint8Array([255, 120, 20, 255]), channels: 4 });
+  const paint = doc.createTexture('paint').setURI('paint on wood.png').setImage(color).setMimeType('image/png');
   const primitive = doc
     .createPrimitive()
     .setAttribute('POSITION', list('VEC3', -0.5, 0, 0, 0.5, 0, 0, 0.5, 1, 0, -0.5, 1, 0))

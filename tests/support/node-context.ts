@@ -76,7 +76,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
   };
 }
 
-/** As the player's value slots hold it: vectors and colours in a `Float64Array`. */
+/** As the player's value slots hold it: vectors and colors in a `Float64Array`. */
 function live(value: PlainValue, param: ParamDefinition): unknown {
   return Array.isArray(value) && param.type !== 'choice' ? Float64Array.from(value as readonly number[]) : value;
 }

@@ -27,6 +27,7 @@ export function definitionProblems(definition: NodeDefinition, isShader: (name: 
     ...controlProblems(definition),
     ...loweringProblems(definition, isShader),
     ...needProblems(definition),
+    ...statefulProblems(definition),
   ];
 }
 
@@ -161,4 +162,13 @@ function needProblems({ needs = [] }: NodeDefinition): string[] {
     ...(why.startsWith('to ') ? [] : [`why it needs ${capability} has to read "to …"`]),
     ...(without.trim() === '' ? [`says nothing about a session without ${capability}`] : []),
   ]);
+}
+
+/** The compiler finds the params by these names. */
+function statefulProblems({ stateful, params }: NodeDefinition): string[] {
+  if (stateful === undefined || stateful === true) return [];
+  if ('moves' in stateful)
+    return stateful.moves.flatMap((name) => (params[name]?.stage === 'uniform' ? [] : [`it is stateful by ${name}, no uniform param`]));
+  const param = params[stateful.param];
+  return param?.type === 'number' && param.stage === 'uniform' ? [] : [`it is stateful by ${stateful.param}, no uniform number`];
 }

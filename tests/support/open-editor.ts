@@ -49,11 +49,11 @@ export async function openEditor(browser: Browser, graph: GraphText, options: Ed
   }
   const log = (message: string) => process.stderr.write(`${message}\n`);
   const server = await startServer({ installation: installationAt(ROOT, '0.0.0'), startPath: project, log });
-  // What glides and fades is in nobody's way here.
+  // Animations would only delay tests.
   const page = await browser.newPage({ viewport: size, colorScheme, hasTouch, reducedMotion: 'reduce' });
   if (before) await page.addInitScript(before);
   const errors = collectErrors(page);
-  await page.goto(server.url);
+  await page.goto(server.invite());
   await page.locator('.react-flow__node').first().waitFor();
   return {
     page,

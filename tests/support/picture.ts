@@ -7,7 +7,7 @@ export interface Picture {
   readonly data: Uint8Array;
 }
 
-/** PNG bytes, such as a page's screenshot; grey and palette pictures and 16 bits per channel are refused. */
+/** PNG bytes, such as a page's screenshot; gray and palette pictures and 16 bits per channel are refused. */
 export function decodePicture(png: Uint8Array): Picture {
   const { width, height, depth, channels, data } = decode(png);
   if (depth !== 8 || (channels !== 3 && channels !== 4) || !(data instanceof Uint8Array)) {

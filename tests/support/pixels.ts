@@ -49,8 +49,8 @@ export function countDifferent(a: Picture, b: Picture, tolerance = 0): { readonl
   return { pixels, largest };
 }
 
-/** How many colours there are, whatever their alpha: a picture of something has many. */
-export function countColours({ data }: Picture): number {
+/** How many colors there are, whatever their alpha: a picture of something has many. */
+export function countColors({ data }: Picture): number {
   const seen = new Set<number>();
   for (let i = 0; i < data.length; i += 4) seen.add(((data[i] ?? 0) << 16) | ((data[i + 1] ?? 0) << 8) | (data[i + 2] ?? 0));
   return seen.size;

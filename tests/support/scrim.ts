@@ -12,7 +12,7 @@ export interface Said {
   readonly err: string;
 }
 
-/** The command line, as from a script: not interactive, not coloured. */
+/** The command line, as from a script: not interactive, not colored. */
 export async function scrim(...args: string[]): Promise<Said> {
   const out: string[] = [];
   const err: string[] = [];

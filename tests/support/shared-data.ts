@@ -1,7 +1,7 @@
 import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
-import process from 'node:process';
-import { describe, test } from '@jest/globals';
+import { describe } from '@jest/globals';
+import { describeMissing } from './required.ts';
 
 /** Real inputs are kept beside the repository, never in it. */
 const FOLDER = resolve(import.meta.dirname, '../../../shared/data');
@@ -13,7 +13,5 @@ export function describeWithData(name: string, path: string, tests: (path: strin
     describe(name, () => tests(file));
     return;
   }
-  const reason = `${file} is missing`;
-  process.stderr.write(`SKIPPED ${name}: ${reason}.\n`);
-  describe(name, () => test.skip(reason, () => {}));
+  describeMissing(name, 'data', `${file} is missing`);
 }

@@ -3,9 +3,9 @@ import type { Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { DEFINITIONS, SHADERS } from '../../nodes/generated/definitions.gen.ts';
 import type { EditorClock } from '../../renderer/clock.ts';
-import { createEditor, type Editor } from '../../renderer/state/editor.ts';
-import { openPath } from '../../renderer/state/files.ts';
-import { DEFAULT_SIZES } from '../../renderer/state/ui.ts';
+import { createEditor, type Editor } from '../../renderer/state/editor/editor.ts';
+import { DEFAULT_SIZES } from '../../renderer/state/editor/ui.ts';
+import { openPath } from '../../renderer/state/files/files.ts';
 import { createFakeHost, type FakeFolder, type FakeHost } from './fake-host.ts';
 
 /** Time that stands until `pass`. */

@@ -19,11 +19,11 @@ export const TEST_VALUES: readonly NodeDefinition[] = [
   defineNode({
     type: 'value/color',
     version: 1,
-    title: 'Colour',
+    title: 'Color',
     doc: '',
     inputs: {},
-    outputs: { color: { type: 'color', label: 'Colour', doc: '' } },
-    params: { color: { type: 'color', stage: 'uniform', label: 'Colour', doc: '', default: [1, 1, 1, 1] } },
+    outputs: { color: { type: 'color', label: 'Color', doc: '' } },
+    params: { color: { type: 'color', stage: 'uniform', label: 'Color', doc: '', default: [1, 1, 1, 1] } },
     lowering: { kind: 'value' },
   }),
   defineNode({

@@ -9,8 +9,8 @@ export const TINT_SHADER = `/*{
   ]
 }*/
 // Paints it over.
-vec3 paint(vec3 colour, float much) {
-  return mix(colour, vec3(0.1, 0.2, 0.9), much);
+vec3 paint(vec3 color, float much) {
+  return mix(color, vec3(0.1, 0.2, 0.9), much);
 }
 void main() {
   vec4 pixel = IMG_THIS_PIXEL(inputImage);

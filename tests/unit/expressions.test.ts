@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
-import { parseExpression } from '../../export/graph/expression/parse-expression.ts';
+import { parseExpression } from '../../export/graph/expression/expression-parser.ts';
 import { EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS } from '../../nodes/kit/expression.ts';
 import { playExpression } from '../../nodes/kit/play-expression.ts';
 

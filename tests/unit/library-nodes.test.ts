@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { readDefinition } from '../../export/glsl/read-definition.ts';
-import { forkShader } from '../../export/graph/commands/sources.ts';
+import { forkShader } from '../../export/graph/commands/shader-commands.ts';
 import { loadProject } from '../../export/graph/load.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { validateProject } from '../../export/graph/validate/validate.ts';

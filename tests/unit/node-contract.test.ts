@@ -58,12 +58,12 @@ describe('the contract of definitions', () => {
       problems({ version: 2, renamed: [{ old: { to: 'gone', times: 1 } }] }),
       'a param was renamed to gone, which there is not',
     ],
-    ['a unit for metres', withParam('heightM', {}), 'param heightM: its name says m, its unit nothing'],
+    ['a unit for meters', withParam('heightM', {}), 'param heightM: its name says m, its unit nothing'],
     ['the right unit', withParam('angleRad', { unit: 's' }), 'param angleRad: its name says rad, its unit s'],
     ['a default in range', withParam('x', { min: 1 }), 'param x: its default is out of range'],
     ['finite numbers', withParam('x', { max: Number.POSITIVE_INFINITY }), 'param x: not finite'],
     ['whole vectors', withParam('x', { type: 'vector3', default: [1, 2] }), 'param x: default, min and max have 3 numbers each'],
-    ['colours in range', withParam('x', { type: 'color', default: [0, 0, 2, 1] }), 'param x: its default is out of range'],
+    ['colors in range', withParam('x', { type: 'color', default: [0, 0, 2, 1] }), 'param x: its default is out of range'],
     ['a default among options', problems({ params: { look: { ...look, default: 'c' } as never } }), 'param look: its default is no option'],
     [
       'words in a structure choice',
@@ -102,6 +102,8 @@ describe('the contract of definitions', () => {
       problems({ lowering: { kind: 'geometry', shadowMap: { casters: ['objects'], lights: 'sun' } } }),
       'lights sun is no input of lights',
     ],
+    ['a number to be stateful by', problems({ stateful: { param: 'look', above: 0 } }), 'it is stateful by look, no uniform number'],
+    ['a param that moves', problems({ stateful: { moves: ['look'] } }), 'it is stateful by look, no uniform param'],
     [
       'a reason to ask',
       problems({ needs: [{ capability: 'depth', required: false, when: 'always', why: 'depth', without: 'Nothing is hidden.' }] }),

@@ -14,9 +14,9 @@ export function readPng16(png: Buffer, metresPerUnit: number): DepthImage {
     at += length + 12;
   }
   const rows = unfilter(inflateSync(Buffer.concat(parts)), widthPx * 2, heightPx);
-  const metres = new Float32Array(widthPx * heightPx);
-  for (let i = 0; i < metres.length; i++) metres[i] = ((rows[i * 2] ?? 0) * 256 + (rows[i * 2 + 1] ?? 0)) * metresPerUnit;
-  return { widthPx, heightPx, metres };
+  const meters = new Float32Array(widthPx * heightPx);
+  for (let i = 0; i < meters.length; i++) meters[i] = ((rows[i * 2] ?? 0) * 256 + (rows[i * 2 + 1] ?? 0)) * metresPerUnit;
+  return { widthPx, heightPx, meters };
 }
 
 /** PNG §9: each byte was predicted from those to its left and above. */

@@ -9,20 +9,20 @@ import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
 import { readSessionFile } from '../../export/runtime/sessions/recorded/read-session-file.ts';
 import { dot, normalize, scale, subtract, transformDirection, type Vector } from '../../tools/sessions/vector.ts';
 import { describeWithData } from '../support/shared-data.ts';
-import { writePng16 } from './png16.ts';
+import { readPng16, writePng16 } from './png16.ts';
 import { loadSession, quantile, reproject, toDegrees, worldPoints } from './sessions-kit.ts';
 
 const run = promisify(execFile);
 let folder: string;
 
 /** The converter as a user starts it. */
-async function convert(input: string, output: string): Promise<{ readonly code: number; readonly said: string }> {
+async function convert(input: string, output: string, ...options: string[]): Promise<{ readonly code: number; readonly said: string }> {
   try {
-    const { stdout } = await run(process.execPath, ['tools/convert-session.mjs', input, output]);
-    return { code: 0, said: stdout };
+    const { stdout, stderr } = await run(process.execPath, ['tools/convert-session.mjs', input, output, ...options]);
+    return { code: 0, said: stdout + stderr };
   } catch (error) {
-    const { code, stderr } = error as { code: number; stderr: string };
-    return { code, said: stderr };
+    const { code, stdout, stderr } = error as { code: number; stdout: string; stderr: string };
+    return { code, said: stdout + stderr };
   }
 }
 
@@ -37,7 +37,7 @@ afterAll(async () => {
 
 const WIDTH = 160;
 const HEIGHT = 120;
-/** OpenCV's: pixel centres at whole numbers. */
+/** OpenCV's: pixel centers at whole numbers. */
 const INTRINSICS = { fx: 130, fy: 130, cx: 79.5, cy: 59.5 };
 const EYE_HEIGHT_M = 1.4;
 
@@ -98,7 +98,7 @@ async function writeRecording(to: string, frameCount: number): Promise<void> {
       data[p] = Math.round(meet(eye, direction) * 1000);
     }
     await writeFile(join(to, `depth/${i}.png`), writePng16(data, WIDTH, HEIGHT));
-    await writeFile(join(to, `color/${i}.jpg`), `colour ${i}`);
+    await writeFile(join(to, `color/${i}.jpg`), `color ${i}`);
     const columns = axes.map((axis) => apply(RECORDED_FROM_ROOM, axis));
     const origin = apply(RECORDED_FROM_ROOM, eye).map((n, k) => n + (SHIFT[k] ?? 0));
     const rows = [0, 1, 2].map((k) => [...columns.map((column) => column[k]), origin[k]]);
@@ -139,7 +139,7 @@ describe('a tilted recording of a known room', () => {
       depth: { metresPerUnit: 0.001, kind: 'z' },
     });
     expect((await readdir(join(output, 'color'))).length).toBe(8);
-    expect(await readFile(join(output, 'color/3.jpg'), 'utf8')).toBe('colour 3');
+    expect(await readFile(join(output, 'color/3.jpg'), 'utf8')).toBe('color 3');
   });
 
   test('stands upright on its floor, the origin below the first camera, which looks along −z', async () => {
@@ -196,6 +196,82 @@ describe('a tilted recording of a known room', () => {
     const again = join(folder, 'again');
     await convert(join(folder, 'tilted'), again);
     expect(await readFile(join(again, 'session.json'), 'utf8')).toBe(await readFile(join(output, 'session.json'), 'utf8'));
+  });
+});
+
+describe('the raw form, a color image, a depth image and a pose for each frame', () => {
+  /** The same recording as `writeRecording` writes, in the form of 7-Scenes. */
+  async function writeFrames(to: string, frameCount: number, unitsOf: (units: Uint16Array) => void = () => {}): Promise<void> {
+    const source = `${to}-source`;
+    await writeRecording(source, frameCount);
+    await mkdir(to, { recursive: true });
+    const { frames } = JSON.parse(await readFile(join(source, 'session.json'), 'utf8')) as { frames: { cameraToWorld: number[] }[] };
+    for (const [i, { cameraToWorld }] of frames.entries()) {
+      const id = join(to, `frame-${String(i).padStart(6, '0')}`);
+      const rows = [0, 1, 2, 3].map((row) => cameraToWorld.slice(row * 4, row * 4 + 4).join('\t '));
+      await writeFile(`${id}.pose.txt`, `${rows.join('\n')}\n`);
+      const { meters } = readPng16(await readFile(join(source, `depth/${i}.png`)), 0.001);
+      const units = Uint16Array.from(meters, (m) => Math.round(m * 1000));
+      unitsOf(units);
+      await writeFile(`${id}.depth.png`, writePng16(units, WIDTH, HEIGHT));
+      await writeFile(`${id}.color.png`, writePng16(new Uint16Array(WIDTH * HEIGHT), WIDTH, HEIGHT));
+    }
+  }
+
+  const CAMERA = '130 0 79.5\n0 130 59.5\n0 0 1\n';
+
+  test('becomes the same session as the same recording in the other form', async () => {
+    const input = join(folder, 'frames');
+    await writeFrames(input, 8);
+    await writeFile(join(input, 'camera-intrinsics.txt'), CAMERA);
+    const output = join(folder, 'from-frames');
+    expect(await convert(input, output, '--fps', '10')).toMatchObject({ code: 0, said: expect.stringContaining('8 frames') });
+    const { file } = await loadSession(output);
+    const { file: other } = await loadSession(join(folder, 'level'));
+    expect(readSessionFile(file).diagnostics).toEqual([]);
+    expect(file.color).toEqual(other.color);
+    expect(file.depth).toEqual(other.depth);
+    expect(file.frames.map(({ timeS, worldFromCamera }) => ({ timeS, worldFromCamera }))).toEqual(
+      other.frames.map(({ timeS, worldFromCamera }) => ({ timeS, worldFromCamera })),
+    );
+  });
+
+  test('has no depth where the sensor wrote 65535', async () => {
+    const input = join(folder, 'gaps');
+    await writeFrames(input, 3, (units) => units.fill(65535, 0, WIDTH * 10));
+    const output = join(folder, 'from-gaps');
+    expect(await convert(input, output, '--intrinsics', '130,130,79.5,59.5')).toMatchObject({ code: 0 });
+    const { meters } = readPng16(await readFile(join(output, 'frame-000001.depth.png')), 0.001);
+    expect(meters.slice(0, WIDTH * 10).every((m) => m === 0)).toBe(true);
+    const { meters: before } = readPng16(await readFile(join(input, 'frame-000001.depth.png')), 0.001);
+    expect([...meters.slice(WIDTH * 10)]).toEqual([...before.slice(WIDTH * 10)]);
+    expect(Math.max(...meters)).toBeLessThan(20);
+  });
+
+  test('leaves frames out whose pose was lost, and warns where the floor rests on few points', async () => {
+    const input = join(folder, 'lost');
+    // All but the middle of the image is unknown, so that little of the floor is left.
+    await writeFrames(input, 2, (units) => {
+      for (let i = 0; i < units.length; i++) if (Math.abs((i % WIDTH) - WIDTH / 2) > 12) units[i] = 0;
+    });
+    await writeFile(join(input, 'frame-000001.pose.txt'), Array(16).fill('nan').join(' '));
+    const { code, said } = await convert(input, join(folder, 'from-lost'), '--intrinsics', '130,130,79.5,59.5');
+    expect(code).toBe(0);
+    expect(said).toContain('frames without a pose are left out: 1, the first is frame-000001');
+    expect(said).toMatch(/Warning: the floor rests on \d+ points/);
+  });
+
+  test('is refused in words where something is missing', async () => {
+    const input = join(folder, 'incomplete');
+    await writeFrames(input, 1);
+    const said = async (...options: string[]) => (await convert(input, `${input}-out`, ...options)).said;
+    expect(await said()).toContain('there is no camera-intrinsics.txt. Give the camera with --intrinsics');
+    expect(await said('--intrinsics', '130,130')).toContain('npm run convert-session');
+    await rm(join(input, 'frame-000000.depth.png'));
+    expect(await said('--intrinsics', '130,130,79.5,59.5')).toContain('frame-000000.depth.png is missing');
+    await writeFile(join(input, 'frame-000000.pose.txt'), '1 0 0');
+    expect(await said('--intrinsics', '130,130,79.5,59.5')).toContain('frame-000000.pose.txt has to hold 16 numbers, but holds 3');
+    expect(existsSync(join(`${input}-out`, 'session.json'))).toBe(false);
   });
 });
 

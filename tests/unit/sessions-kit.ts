@@ -1,6 +1,6 @@
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
-import type { SessionFile, SessionFileFrame } from '../../export/runtime/sessions/format.ts';
+import type { SessionFile, SessionFileFrame } from '../../export/runtime/sessions/session-format.ts';
 import { backProject, type DepthImage, project, type SurfacePoint, surfacePoints } from '../../tools/sessions/depth-image.ts';
 import { invertRigid, transformDirection, transformPoint } from '../../tools/sessions/vector.ts';
 import { readPng16 } from './png16.ts';
@@ -32,7 +32,7 @@ export function worldPoints({ file, depths }: LoadedSession, stridePx: number): 
   });
 }
 
-/** Differences of depth where what frame `a` sees is looked up in frame `b`, metres; what leaves the picture is left out. */
+/** Differences of depth where what frame `a` sees is looked up in frame `b`, meters; what leaves the picture is left out. */
 export function reproject({ file, depths }: LoadedSession, a: number, b: number, stridePx: number): number[] {
   const { intrinsics } = file.depth ?? file.color;
   const [from, to] = [depths[a], depths[b]];
@@ -42,13 +42,13 @@ export function reproject({ file, depths }: LoadedSession, a: number, b: number,
   const differences: number[] = [];
   for (let row = 0; row < from.heightPx; row += stridePx) {
     for (let column = 0; column < from.widthPx; column += stridePx) {
-      const distanceM = from.metres[row * from.widthPx + column] ?? 0;
+      const distanceM = from.meters[row * from.widthPx + column] ?? 0;
       if (distanceM === 0) continue;
       const world = transformPoint(poseA.worldFromCamera, backProject(intrinsics, column, row, distanceM));
       const inB = transformPoint(cameraFromWorld, world);
       const [x, y] = project(intrinsics, inB);
       const there =
-        x >= 0 && y >= 0 && x < to.widthPx && y < to.heightPx && inB[2] < 0 ? to.metres[Math.floor(y) * to.widthPx + Math.floor(x)] : 0;
+        x >= 0 && y >= 0 && x < to.widthPx && y < to.heightPx && inB[2] < 0 ? to.meters[Math.floor(y) * to.widthPx + Math.floor(x)] : 0;
       if (there) differences.push(Math.abs(-inB[2] - there));
     }
   }

@@ -12,7 +12,7 @@ const chromium = useBrowser();
 const livingRoom = await readCapture('living_room');
 const MODEL = await readFile(resolve(import.meta.dirname, '../../examples/first-light/assets/robot.glb'));
 
-/** A metre tall; its sides are less than 14 cm from its middle. */
+/** A meter tall; its sides are less than 14 cm from its middle. */
 const SCALE = 2;
 const REACH_M = 0.14 * SCALE;
 

@@ -2,7 +2,7 @@ import { readdir, readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { afterAll, afterEach, beforeAll, describe, expect, test } from '@jest/globals';
 import { projectEye } from '../../export/emulator/session/projection.ts';
-import { layOutPanel, type PanelLayout, PX_PER_M } from '../../export/page/room-panel/layout.ts';
+import { layOutPanel, type PanelLayout, PX_PER_M } from '../../export/page/room-panel/panel-layout.ts';
 import type { Control, Program } from '../../export/program/program.ts';
 import { LAMP } from '../browser/controls-program.ts';
 import { DISC, type ServedPage, servePage } from '../browser/page-kit.ts';
@@ -211,7 +211,7 @@ describe('the controls of a page in a headset', () => {
     expect(xr.errors).toEqual([]);
   });
 
-  test('show in the room what was set on the page, and leave nothing behind, again and again', async () => {
+  test('show in the room what was set on the page, repeatedly and without leaks', async () => {
     const { xr, layout } = await enter();
     await watchGl(xr.page);
     const leave = async () => {

@@ -51,7 +51,7 @@ describe('VR, on a headset that has no AR', () => {
     await button.waitFor();
     expect(await xr.page.getByRole('button', { name: 'Enter AR' }).isVisible()).toBe(false);
     const about = await xr.page.locator(`#${await button.getAttribute('aria-describedby')}`).textContent();
-    expect(about).toContain('A plain room stands in for your own.');
+    expect(about).toContain('You see a plain room instead of your own.');
     expect(about).toContain('It shines through everything.');
 
     await enter(xr);
@@ -78,7 +78,7 @@ describe('VR, on a headset that has no AR', () => {
       expect(horizonRed).toBeGreaterThan(Math.max(skyRed, floorRed) + 15);
       expect(seen(layer, view, 0.5, 0.45)).toEqual([255, 0, 0, 255]);
     }
-    // Whoever looks up sees no floor.
+    // A view upwards shows no floor.
     await xr.setPose({ position: [0, 1.6, 0], quaternion: [Math.SQRT1_2, 0, 0, Math.SQRT1_2] });
     await xr.step(2);
     const [upRed = 0, , upBlue = 0] = seen(await xr.readLayer(), 0, 0.05, 0.98);
@@ -86,7 +86,7 @@ describe('VR, on a headset that has no AR', () => {
     expect(xr.errors).toEqual([]);
   });
 
-  test('is left and entered again and again, and nothing stays behind', async () => {
+  test('is left and entered repeatedly without leaks', async () => {
     const xr = await open();
     await xr.page.getByRole('button', { name: 'Enter VR' }).waitFor();
     await watchGl(xr.page);

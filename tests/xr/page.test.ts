@@ -40,7 +40,7 @@ describe('an exported page with AR', () => {
     expect(await page.evaluate(() => scrimEmulator?.current?.device.activeSession)).toBeFalsy();
     const described = await button.getAttribute('aria-describedby');
     const text = (await page.locator(`#${described}`).textContent()) ?? '';
-    expect(text).toContain('follow how your device moves');
+    expect(text).toContain('track how your device moves');
     expect(text).toContain('To hide the light behind furniture. Without it: it shines through everything.');
     expect(text).toContain('To tint the room.');
     expect(errors).toEqual([]);
@@ -60,7 +60,7 @@ describe('an exported page with AR', () => {
     expect(xr.errors).toEqual([]);
   });
 
-  test('is left by its own button, again and again, and shows the picture to look around each time', async () => {
+  test('is left by its own button repeatedly, and shows the orbit view each time', async () => {
     const xr = await open();
     for (let i = 0; i < 5; i++) {
       await xr.enter();
@@ -122,6 +122,25 @@ describe('an exported page with AR', () => {
     await xr.page.getByRole('alert').getByText('AR was not allowed. Try again').waitFor();
     expect(await xr.page.getByRole('button', { name: 'Enter AR' }).isEnabled()).toBe(true);
     expect(xr.errors).toEqual([]);
+  });
+
+  test('offers the next ways in where the headset has no camera access and nothing is left without it', async () => {
+    const needsCamera = {
+      ...DISC,
+      needs: DISC.needs.map((need) => (need.capability === 'camera-image' ? { ...need, required: true } : need)),
+    };
+    const only = await servePage({ ...needsCamera, tiers: [...DISC.tiers, { id: 'authored-vr', without: [] }] });
+    const xr = await openXrPage(chromium.browser, only.url, { device: 'headset' });
+    opened.push(xr);
+    await xr.page.getByRole('button', { name: 'Enter AR' }).click();
+    await xr.page.getByRole('alert').getByText('lacks what the page needs: the camera picture').waitFor();
+    expect(await xr.page.getByRole('button', { name: 'Use the camera' }).isVisible()).toBe(true);
+    await xr.page.getByRole('button', { name: 'Enter VR' }).click();
+    await xr.page.evaluate(() => scrimEmulator?.current?.frameRequested());
+    await xr.page.evaluate(() => scrimEmulator?.current?.stepFrame(2));
+    expect(pixelAt(await xr.readLayer(), 5, 5)[3]).toBe(255);
+    expect(xr.errors).toEqual([]);
+    await only.close();
   });
 
   test('offers the camera where AR was refused, and AR still', async () => {

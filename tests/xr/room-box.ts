@@ -1,6 +1,6 @@
 import type { ProjectText } from '../support/project-kit.ts';
 
-/** Half of its width and depth, and its height: metres. */
+/** Half of its width and depth, and its height: meters. */
 export const BOX_HALF_M = 0.3;
 export const BOX_HEIGHT_M = 0.8;
 /** Of the square that stands for the real floor. */
@@ -21,7 +21,7 @@ const NODES: ProjectText['nodes'] = {
   'scene-0000': 'layer/scene',
   'hide-0000': 'layer/depth-occlusion',
   'shadow-0000': ['layer/shadow', { strength: SHADOW_STRENGTH }],
-  // Scanned floors are off by centimetres.
+  // Scanned floors are off by centimeters.
   'clip-0000': ['layer/depth-occlusion', { biasM: 0.1 }],
   'over-0000': 'operator/over',
   'screen-0000': 'output/screen',

@@ -25,7 +25,7 @@ export interface XrPage {
   readComposite(): Promise<Picture>;
   /** What the device's cameras saw in the last frame. */
   readRoom(): Promise<Picture>;
-  /** Distance to the room along a ray, metres, or null. */
+  /** Distance to the room along a ray, meters, or null. */
   measure(originWorld: readonly number[], directionWorld: readonly number[]): Promise<number | null>;
   close(): Promise<void>;
 }

@@ -12,13 +12,13 @@ export interface Bench {
   sample(): number | Promise<number>;
   /** How many samples to take after one that is thrown away; 1, without warming up, for what never varies. Default 15. */
   readonly samples?: number;
-  /** More about what was measured than a row says: printed under the table. */
+  /** Details that do not fit into a row; printed below the table. */
   notes?(): string | Promise<string>;
-  /** Frees what the samples shared. */
+  /** Disposes what the samples share. */
   dispose?(): void | Promise<void>;
 }
 
-/** What every `*.bench.ts` is. */
+/** The module type of each `*.bench.ts`. */
 export interface BenchFile {
   benches(context: ToolContext): Promise<readonly Bench[]>;
 }
@@ -58,7 +58,7 @@ export async function timeMs(work: () => unknown): Promise<number> {
   return performance.now() - startMs;
 }
 
-/** Of sorted samples: the nearest one, so that every figure was really seen. */
+/** The nearest of the sorted samples, so that each figure is a measured one. */
 export function quantile(sorted: readonly number[], q: number): number {
   return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? Number.NaN;
 }

@@ -110,7 +110,7 @@ async function oneNode(page: Page): Promise<Point> {
   return { x: box.x + 8, y: box.y + box.height / 2 };
 }
 
-/** Milliseconds between paints while the pointer moves to and fro. */
+/** Milliseconds between paints while the pointer moves back and forth. */
 async function drag(page: Page, from: Point): Promise<number[]> {
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();

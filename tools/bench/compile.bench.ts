@@ -4,7 +4,7 @@ import { chainProject, LIBRARY } from './sample-project.ts';
 
 const NODE_COUNTS = [10, 100, 1000, 10_000];
 
-/** What an edit costs that changes the program: the compiler has read all shaders before. Every node of the chain is on screen. */
+/** The cost of an edit that changes the program, with all shaders in the compiler's cache. Every node of the chain is on screen. */
 export async function benches(): Promise<readonly Bench[]> {
   const { compile } = createCompiler();
   const projects = new Map(NODE_COUNTS.map((nodeCount) => [nodeCount, chainProject(nodeCount)]));

@@ -5,7 +5,7 @@ const TICK_MS = 10;
 
 /**
  * Milliseconds that the processes started by this one have computed so far, all threads together; null where the system has no
- * `/proc`. Where pictures are drawn on the CPU it is the cost of a frame, whatever else the machine does meanwhile.
+ * `/proc`. If images are drawn on the CPU, it is the cost of a frame, independent of the load of the machine.
  */
 export function childrenCpuMs(): number | null {
   const stats = readStats();
@@ -45,7 +45,7 @@ function parseStat(pid: string): Stat | null {
     const fields = text.slice(text.lastIndexOf(')') + 2).split(' ');
     return { parent: Number(fields[1]), ticks: Number(fields[11]) + Number(fields[12]) };
   } catch {
-    // It has ended meanwhile.
+    // The process has ended.
     return null;
   }
 }

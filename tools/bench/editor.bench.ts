@@ -13,7 +13,7 @@ const PREVIEW = 'iframe[title="Preview"]';
 /** Below the strip where the editor may put a flag; small, so that looking takes little time. */
 const LOOK = { x: 40, y: 60, width: 24, height: 24 };
 
-/** For what was typed before to be compiled and drawn. */
+/** Time for earlier edits to be compiled and drawn. */
 const REST_MS = 3000;
 
 interface Editor {
@@ -21,7 +21,7 @@ interface Editor {
   readonly page: Page;
 }
 
-/** What someone waits for in the editor; a look at the picture takes some 30 ms of it. */
+/** Waiting times in the editor; reading the image takes some 30 ms of them. */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {
   const base = await mkdtemp(join(tmpdir(), 'scrim-bench-'));
   const project = join(base, 'project');
@@ -78,8 +78,8 @@ let digits = 0;
 
 async function drawn(page: Page): Promise<void> {
   await page.locator(PREVIEW).waitFor();
-  const grey = await look(page);
-  while ((await look(page)).equals(grey)) if (page.isClosed()) throw new Error('The editor is gone.');
+  const gray = await look(page);
+  while ((await look(page)).equals(gray)) if (page.isClosed()) throw new Error('The editor is gone.');
 }
 
 async function look(page: Page): Promise<Buffer> {
@@ -94,7 +94,7 @@ async function openShader(browser: Browser, url: string): Promise<Editor> {
   await page.goto(url);
   await drawn(page);
   await page.getByRole('button', { name: 'Pause', exact: true }).click();
-  await page.locator('.node-title', { hasText: 'Colour temperature' }).click();
+  await page.locator('.node-title', { hasText: 'Color temperature' }).click();
   await page.getByRole('button', { name: 'Edit shader', exact: true }).click();
   await page.locator('.monaco-editor .view-line').first().waitFor();
   await page.locator('.code-text').click({ position: { x: 300, y: 60 } });

@@ -46,7 +46,7 @@ export async function benches({ root }: ToolContext): Promise<readonly Bench[]> 
   });
 }
 
-/** The photograph on every layer input; what else may be wired is not. */
+/** Connects the photograph to each layer input, and nothing else. */
 function projectOf(type: string, ports: readonly string[]): object {
   return {
     format: 'scrim-project',

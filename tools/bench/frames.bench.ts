@@ -18,7 +18,7 @@ const FRAMES = 5;
 const SAMPLES = 9;
 /** For what is made once, such as shaders and tables, to be there. */
 const WARM_FRAMES = 10;
-/** So few that garbage is told from noise. */
+/** A lower bound that separates garbage from noise. */
 const HEAP_FRAMES = 120;
 
 const ROBOTS_OF_FIRST_LIGHT: readonly Standing[] = [
@@ -134,7 +134,7 @@ function compare(root: string, name: string, compared: Compared): Bench {
       opened ??= openPair(root, compared);
       const { ours, theirs } = await opened;
       const sums = { ours: 0, theirs: 0 };
-      // By turns, so that whatever else the machine does befalls both alike.
+      // Alternately, so that other load of the machine affects both equally.
       for (let i = 0; i < FRAMES; i++) {
         sums.ours += await call<number>(ours, 'frameMs', 1);
         sums.theirs += await call<number>(theirs, 'frameMs', 1);
@@ -145,7 +145,7 @@ function compare(root: string, name: string, compared: Compared): Bench {
   };
 }
 
-/** What a frame leaves for the garbage collector, three's own share included. */
+/** Garbage per frame, including three's own share. */
 function garbage(root: string, name: string, compared: Compared): readonly Bench[] {
   let measured: Promise<{ readonly ours: number; readonly theirs: number }> | undefined;
   const measure = async () => {

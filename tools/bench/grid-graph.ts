@@ -10,7 +10,7 @@ export const GRID_ROWS = 25;
 const SPACING = { x: 264, y: 120 };
 const FILTERS = ['filter/sepia', 'filter/threshold', 'filter/gaussian-blur', 'filter/color-temperature'];
 
-/** Rows of filters that nothing on screen depends on, beside a camera's picture that goes to the screen. */
+/** Rows of filters that do not affect the screen, beside a camera video that does. */
 export function gridGraph(count: number): GridGraph {
   const nodes: Record<string, { type: string }> = {};
   const places: Record<string, [number, number]> = {};

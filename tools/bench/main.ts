@@ -36,7 +36,7 @@ export async function main(args: readonly string[], context: ToolContext): Promi
       path,
       appendResults(
         csv,
-        // What could not be measured is no figure.
+        // A failed measurement gives no figure.
         measured.filter(({ median }) => !Number.isNaN(median)).map((m) => ({ ...m, ...stamp })),
       ),
     );

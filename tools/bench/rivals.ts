@@ -8,9 +8,9 @@ const SIZE_PX = [640, 480] as const;
 const FRAMES = 4;
 const ENOUGH_MS = 300;
 
-/** Two pages of one browser: one keeps what all are measured against, the other plays them one after the other. */
+/** Two pages of one browser: one holds the reference, the other plays the candidates one after another. */
 export interface Rivals {
-  /** Milliseconds per frame of each, drawn by turns, so that whatever else the machine does befalls both alike. */
+  /** Milliseconds per frame of each, drawn alternately, so that other load of the machine affects both equally. */
   race(project: object): Promise<{ readonly ours: number; readonly base: number }>;
   /** To be called by each row when it is done; the last one closes the browser. */
   leave(): Promise<void>;

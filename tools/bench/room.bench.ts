@@ -108,7 +108,7 @@ async function measureAll(root: string, model: string, { cameras, rounds, frames
     };
     for (const way of WAYS) await call(pages[way], 'frameMs', WARM_FRAMES);
     const times: Record<Way, Sample[]> = { 'three.js': [], ours: [], 'ours with occlusion': [], 'ours without shadow': [] };
-    // By turns, so that whatever else the machine does befalls all alike.
+    // Alternately, so that other load of the machine affects all equally.
     for (let round = 0; round < rounds; round++) {
       for (const way of WAYS) times[way].push(await sampleOf(pages[way], frames));
     }

@@ -11,10 +11,10 @@ export const LIBRARY: NodeLibrary = {
   types: () => byType.keys(),
 };
 
-/** Filters that a designer would chain: pointwise ones, a neighbourhood, and one of two passes. */
+/** Filters that a designer would chain: pointwise ones, a neighborhood, and one of two passes. */
 const FILTERS = ['filter/sepia', 'filter/threshold', 'filter/sobel-edges', 'filter/color-temperature', 'filter/gaussian-blur'];
 
-/** The camera's picture through a chain of filters to the screen: `nodeCount` nodes in all, at least two. */
+/** A camera video through a chain of filters to the screen: `nodeCount` nodes in all, at least two. */
 export function chainProject(nodeCount: number): Project {
   const nodes: Record<string, GraphNode> = { 'video-x0': { type: 'source/camera-video', version: 1, params: {} } };
   const wires: Wire[] = [];

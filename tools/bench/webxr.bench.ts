@@ -12,7 +12,7 @@ const FRAMES = 5;
 const SAMPLES = 9;
 
 /**
- * What each part of WebXR costs by itself in the emulated device, apart from our own work: Figure 22 of "Environment-Aware Rendering and
+ * The cost of each part of WebXR in the emulated device, without Scrim's own work: Figure 22 of "Environment-Aware Rendering and
  * Interaction in Web-Based Augmented Reality" (2023). Computing time, where the system tells it.
  */
 export async function benches({ root }: ToolContext): Promise<readonly Bench[]> {

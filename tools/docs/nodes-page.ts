@@ -1,19 +1,20 @@
+import { categoryLabel } from '../../nodes/kit/categories.ts';
 import type { InputPort, NodeDefinition, OutputPort, ParamDefinition } from '../../nodes/kit/definition.ts';
 import { canBeWired, inputFacts, needFacts, outputFacts, paramFacts } from '../../nodes/kit/facts.ts';
 
 /** `docs/nodes.md`: the reference of all node types, from their definitions. */
 export function nodesPage(definitions: readonly NodeDefinition[]): string {
   const sorted = [...definitions].sort((a, b) => compare(a.type, b.type));
-  const categories = [...new Set(sorted.map(categoryOf))];
+  const categories = [...new Set(sorted.map(({ type }) => categoryLabel(type)))];
   const contents = categories.map((category) => {
-    const links = sorted.filter((d) => categoryOf(d) === category).map((d) => `[${d.title}](#${anchor(d)})`);
+    const links = sorted.filter(({ type }) => categoryLabel(type) === category).map((d) => `[${d.title}](#${anchor(d)})`);
     return `- **${category}**: ${links.join(', ')}\n`;
   });
   return `# Nodes
 
 <!-- Made by \`npm run docs\` from the node definitions and the headers of the ISF files; change those instead. -->
 
-Everything that can be placed in a graph. Lengths are in metres, times in seconds; angles are shown in degrees, as in the inspector. A param marked _can be wired_ has a port, and changes while the picture runs.
+Everything that can be placed in a graph. Lengths are in meters, times in seconds; angles are shown in degrees, as in the inspector. A param marked _can be wired_ has a port, and changes while the picture runs.
 
 ${contents.join('')}
 ${sorted.map(nodeSection).join('\n')}`;
@@ -71,10 +72,6 @@ function anchor(definition: NodeDefinition): string {
     .toLowerCase()
     .replace(/[^\p{L}\p{N}\- ]/gu, '')
     .replaceAll(' ', '-');
-}
-
-function categoryOf({ type }: NodeDefinition): string {
-  return type.slice(0, type.indexOf('/'));
 }
 
 function compare(a: string, b: string): number {

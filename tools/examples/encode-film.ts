@@ -26,10 +26,10 @@ const CODEC = 'vp09.00.10.08';
 /** Encodes a film as WebM in a browser with WebCodecs, with its alpha where the pictures have one. */
 export async function encodeFilm(film: Film): Promise<Uint8Array<ArrayBuffer>> {
   const { widthPx, heightPx, picturesPerS, pictures, timed = true } = film;
-  const grey = new Uint8Array((widthPx / 2) * (heightPx / 2)).fill(128);
+  const gray = new Uint8Array((widthPx / 2) * (heightPx / 2)).fill(128);
   const colors = await encode(film, ({ y, u, v }) => [y, u, v]);
   const hasAlpha = pictures.some(({ alpha }) => alpha !== undefined);
-  const alphas = hasAlpha ? await encode(film, ({ y, alpha }) => [alpha ?? y.map(() => 255), grey, grey]) : [];
+  const alphas = hasAlpha ? await encode(film, ({ y, alpha }) => [alpha ?? y.map(() => 255), gray, gray]) : [];
   const frames = colors.map((chunk, i): WebmFrame => {
     const alpha = alphas[i]?.data;
     return { ...chunk, timeMs: timeMsOf(i, picturesPerS), ...(alpha === undefined ? {} : { alpha }) };

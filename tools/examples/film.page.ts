@@ -4,7 +4,7 @@ const BALL = { sidePx: 96, pictures: 24, picturesPerS: 12 } as const;
 /** BT.601 of a warm orange: about sRGB (255, 139, 60). */
 const ORANGE = { y: 158, u: 76, v: 185 };
 
-/** A ball of two seconds that swells and shrinks, with a soft edge; nothing around it. */
+/** Two seconds of a ball with a soft edge that grows and shrinks on a transparent background. */
 export async function makeBall(): Promise<number[]> {
   const { sidePx, pictures, picturesPerS } = BALL;
   const bytes = await encodeFilm({

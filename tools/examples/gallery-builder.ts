@@ -1,21 +1,21 @@
 import type { Change } from '../../export/graph/commands/change.ts';
-import { addGraph, exposePort } from '../../export/graph/commands/graphs.ts';
-import { addNode } from '../../export/graph/commands/nodes.ts';
-import { connect } from '../../export/graph/commands/wires.ts';
+import { addNode } from '../../export/graph/commands/node-commands.ts';
+import { addGraph, exposePort } from '../../export/graph/commands/subgraph-commands.ts';
+import { connect } from '../../export/graph/commands/wire-commands.ts';
 import { newProject } from '../../export/graph/new-project.ts';
 import { type Asset, type Frame, MAIN_GRAPH, type ParamValue, type Project } from '../../export/graph/project.ts';
 import { parseWire } from '../../export/graph/wires.ts';
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import { formatDiagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 
-/** Puts a project together, graph by graph, by the commands that the editor uses; what these refuse throws. */
+/** Builds a project, graph by graph, with the editor's commands. Throws if a command rejects a change. */
 export interface GalleryBuilder {
-  /** What follows goes into this graph, which is made where it is not there yet. */
+  /** Selects the graph for the following calls; creates it if it does not exist. */
   into(graph: string): void;
   add(id: string, type: string, at: { readonly x: number; readonly y: number }, params?: Readonly<Record<string, ParamValue>>): void;
   /** `node.port -> node.port`. */
   wire(text: string): void;
-  /** Shows `node.port` of a subgraph outside. */
+  /** Exposes `node.port` of a subgraph. */
   show(side: 'inputs' | 'outputs', name: string, address: string): void;
   frame(title: string, box: Omit<Frame, 'title'>): void;
   asset(id: string, asset: Asset): void;

@@ -11,7 +11,7 @@ export interface Cell {
   readonly wires: readonly string[];
   /**
    * What shows it: the height of a ball on its rail, from 0 at the foot to 1 at the top; the place of a ball, in heights of a rail
-   * from the middle of the cell; the colour of a box; or objects of its own, sized in heights of a rail about the same middle.
+   * from the middle of the cell; the color of a box; or objects of its own, sized in heights of a rail about the same middle.
    */
   readonly shows: readonly ['height' | 'place' | 'color' | 'things', string];
 }
@@ -170,13 +170,13 @@ export const SECTIONS: readonly Section[] = [
         shows: height('split.z'),
       },
       {
-        title: 'Make vector 4: a colour',
+        title: 'Make vector 4: a color',
         nodes: { make: ['value/make-vector4', { x: 0.9, y: 0.6, z: 0.1, w: 1 }] },
         wires: [],
         shows: ['color', 'make.vector'],
       },
       {
-        title: 'Split vector 4: the blue of a colour',
+        title: 'Split vector 4: the blue of a color',
         nodes: { paint: ['value/color', { value: [...BLUE] }], split: ['value/split-vector4'] },
         wires: ['paint.color -> split.vector'],
         shows: height('split.z'),
@@ -194,37 +194,37 @@ export const SECTIONS: readonly Section[] = [
   },
   {
     name: 'colors',
-    title: 'Colours',
+    title: 'Colors',
     row: 3,
     column: 0,
     cells: [
-      { title: 'Colour', nodes: { paint: ['value/color', { value: [...RED] }] }, wires: [], shows: ['color', 'paint.color'] },
+      { title: 'Color', nodes: { paint: ['value/color', { value: [...RED] }] }, wires: [], shows: ['color', 'paint.color'] },
       {
-        title: 'Colour from RGB: green comes and goes',
+        title: 'Color from RGB: green comes and goes',
         nodes: { rgb: ['value/rgb-color', { red: 0.2, blue: 0.6 }] },
         wires: ['steps.number -> rgb.green'],
         shows: ['color', 'rgb.color'],
       },
       {
-        title: 'Colour from HSV: a rainbow',
+        title: 'Color from HSV: a rainbow',
         nodes: { turn: ['value/math', { operation: 'multiply', b: Math.PI }], hsv: ['value/hsv-color', { brightness: 0.9 }] },
         wires: ['saw.seconds -> turn.a', 'turn.result -> hsv.hueRad'],
         shows: ['color', 'hsv.color'],
       },
       {
-        title: 'Mix colours',
+        title: 'Mix colors',
         nodes: { mix: ['value/mix-color', { a: [...RED], b: [...BLUE] }] },
         wires: ['unit.result -> mix.amount'],
         shows: ['color', 'mix.color'],
       },
       {
-        title: 'Adjust colour: red, turned by a third',
+        title: 'Adjust color: red, turned by a third',
         nodes: { adjust: ['value/adjust-color', { base: [0.8, 0.2, 0.2, 1], hueRad: (2 * Math.PI) / 3 }] },
         wires: [],
         shows: ['color', 'adjust.color'],
       },
       {
-        title: 'Split colour: its brightness',
+        title: 'Split color: its brightness',
         nodes: { split: ['value/split-color', { color: [0.1, 0.35, 0.2, 1] }] },
         wires: [],
         shows: height('split.brightness'),
@@ -250,7 +250,7 @@ export const SECTIONS: readonly Section[] = [
         shows: height('counter.number'),
       },
       {
-        title: 'Latch: time, held from beat to beat',
+        title: 'Sample & hold: time, held from beat to beat',
         nodes: { latch: ['value/latch'] },
         wires: ['unit.result -> latch.number', 'beat.pulse -> latch.take'],
         shows: height('latch.result'),
@@ -265,13 +265,13 @@ export const SECTIONS: readonly Section[] = [
         shows: height('switch.chosen'),
       },
       {
-        title: 'Switch colours',
+        title: 'Switch colors',
         nodes: { switch: ['value/switch-color', { first: [...RED], second: [...BLUE] }] },
         wires: ['steps.number -> switch.index'],
         shows: ['color', 'switch.chosen'],
       },
       {
-        title: 'Flip-flop',
+        title: 'Toggle latch',
         nodes: { flip: ['pulse/toggle'] },
         wires: ['beat.pulse -> flip.flip'],
         shows: height('flip.on'),
@@ -291,7 +291,7 @@ export const SECTIONS: readonly Section[] = [
         shows: height('counter.number'),
       },
       {
-        title: 'Every: a quarter second',
+        title: 'Interval: a quarter second',
         nodes: { every: ['pulse/every', { periodS: 0.25 }], counter: ['value/counter', QUARTERS] },
         wires: ['every.pulse -> counter.up'],
         shows: height('counter.number'),
@@ -340,7 +340,7 @@ export const SECTIONS: readonly Section[] = [
         shows: height('slider.number'),
       },
       {
-        title: 'Switch on screen',
+        title: 'Toggle',
         nodes: { toggle: ['input/toggle', { label: 'Up', place: 2 }] },
         wires: [],
         shows: height('toggle.on'),
@@ -369,13 +369,13 @@ export const SECTIONS: readonly Section[] = [
     column: 4,
     cells: [
       {
-        title: 'Apply technique: Gooch’s cool and warm tones',
+        title: 'Set material: Gooch’s cool and warm tones',
         nodes: { ...TURNING_RING, style: ['technique/gooch'], apply: ['objects/apply-technique'] },
         wires: [...RING_TURNS, 'tilt.objects -> apply.objects', 'style.technique -> apply.technique'],
         shows: ['things', 'apply.objects'],
       },
       {
-        title: 'Apply technique: a cartoon',
+        title: 'Set material: a cartoon',
         nodes: { ...TURNING_RING, style: ['technique/toon', { outlinePx: 2 }], apply: ['objects/apply-technique'] },
         wires: [...RING_TURNS, 'tilt.objects -> apply.objects', 'style.technique -> apply.technique'],
         shows: ['things', 'apply.objects'],

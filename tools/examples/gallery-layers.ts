@@ -28,7 +28,7 @@ const RED = [0.85, 0.2, 0.15, 1] as const;
 const GREEN = [0.25, 0.7, 0.3, 1] as const;
 const BLUE = [0.2, 0.4, 0.9, 1] as const;
 
-/** Three balls that go round; a filter takes the colour from all but the red one, by a mask that knows when another is before it. */
+/** Three balls that circle; a filter takes the color from all but the red one, by a mask that knows when another is before it. */
 export function addMask(wall: GalleryBuilder, row: number, column: number): void {
   const middle = cellMiddleM(row, column);
   wall.into('mask');
@@ -61,7 +61,7 @@ export function addMask(wall: GalleryBuilder, row: number, column: number): void
   wall.wire('only-red.layer -> both-mask.top');
   wall.wire('grey-mask.layer -> both-mask.bottom');
   wall.show('outputs', 'layer', 'both-mask.layer');
-  wall.frame('Object mask: only the red one keeps its colour', { x: -30, y: -60, width: 1640, height: 1260 });
+  wall.frame('Object mask: only the red one keeps its color', { x: -30, y: -60, width: 1640, height: 1260 });
 }
 
 /** Of the ball that leaves a trail: the circle that it goes in, how fast, and how much of the trail is kept from frame to frame. */
@@ -99,10 +99,10 @@ export function addTrail(wall: GalleryBuilder, row: number, column: number): voi
   wall.wire('fade-trail.layer -> over-trail.bottom');
   wall.wire('over-trail.layer -> before-trail.layer');
   wall.show('outputs', 'layer', 'over-trail.layer');
-  wall.frame('Previous frame: a trail', { x: -570, y: -60, width: 1910, height: 820 });
+  wall.frame('Feedback: a trail', { x: -570, y: -60, width: 1910, height: 820 });
 }
 
-/** A film that is seen through a window in the wall. */
+/** A video behind a window in the wall. */
 export function addFilm(wall: GalleryBuilder, row: number, column: number): void {
   wall.into('film');
   addThing(wall, 'window', cellMiddleM(row, column, 2), 0, { sizeM: [0.25, 0.12, 0.004] });
@@ -116,14 +116,14 @@ export function addFilm(wall: GalleryBuilder, row: number, column: number): void
   wall.frame('Video file: a film behind a window', { x: -30, y: -60, width: 1100, height: 760 });
 }
 
-/** Colours from left to right below, and from top to bottom above: a field where each of these meets each of those. */
+/** Colors from left to right below, and from top to bottom above: a field where each of these meets each of those. */
 const BELOW = [RED, [0.95, 0.8, 0.2, 1], GREEN, BLUE, [0.5, 0.5, 0.5, 1], [0.95, 0.95, 0.95, 1]] as const;
 const ABOVE = [
   [0.9, 0.5, 0.2, 1],
   [0.35, 0.35, 0.4, 1],
   [0.3, 0.6, 0.85, 1],
 ] as const;
-/** Of one strip below and one bar above, metres, from middle to middle. The bars end beyond the strips, and the other way round. */
+/** Of one strip below and one bar above, meters, from middle to middle. The bars end beyond the strips, and the other way round. */
 export const BLEND_FIELD = { stripM: 0.076, barM: 0.034, reachM: 0.03 } as const;
 
 /** Bars laid over strips by the mode that the visitor chooses, or by one after the other, a second each. */

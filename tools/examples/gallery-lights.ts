@@ -7,7 +7,7 @@ const BEHIND_M = 0.045;
 /** So that lamps light their own cell alone. */
 const REACH_M = 0.17;
 
-/** Around the bulb, metres. */
+/** Around the bulb, meters. */
 export const PEGS: readonly (readonly [right: number, up: number])[] = [
   [0, 0.03],
   [-0.026, -0.015],
@@ -69,7 +69,7 @@ export function addLamps(wall: GalleryBuilder, row: number, columns: readonly [p
   wall.frame('Spot light: a cone and a shadow', { x: -30, y: 1190, width: 840, height: 620 });
 }
 
-/** A layer of two cells in the evening light of a panorama, which goes round: a ball of chalk, and one that mirrors it. */
+/** A layer of two cells in the evening light of a rotating panorama: a ball of chalk, and one that mirrors it. */
 export function addSky(wall: GalleryBuilder, row: number, columns: readonly [matt: number, mirror: number]): void {
   const [matt, mirror] = columns.map((column) => cellMiddleM(row, column)) as [Place, Place];
   const sizeM = [RAIL_M, RAIL_M, RAIL_M];

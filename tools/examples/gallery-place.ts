@@ -1,4 +1,4 @@
-/** Height of a rail, and from cell to cell, metres: so that a phone held upright, whose view is 30° wide, sees the wall whole. */
+/** Height of a rail, and from cell to cell, meters: so that a phone held upright, whose view is 30° wide, sees the wall whole. */
 export const RAIL_M = 0.083;
 const PITCH_M = 0.13;
 const COLUMNS = 6;
@@ -33,6 +33,6 @@ export function moved([x, y, z]: Place, rightM: number, upM: number, nearM: numb
 }
 
 /** So that positions are written in few digits. */
-function round(metres: number): number {
-  return Math.round(metres * 10_000) / 10_000;
+function round(meters: number): number {
+  return Math.round(meters * 10_000) / 10_000;
 }

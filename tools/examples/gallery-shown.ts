@@ -4,7 +4,7 @@ import { RAIL_M } from './gallery-place.ts';
 /** The subgraph that shows a cell, by what it shows. */
 export const SHOWN_BY = { height: 'ball-on-rail', place: 'ball', color: 'box', things: 'set' } as const;
 
-/** Subgraphs that show a number, a place, a colour or objects in a cell. Within, all is in heights of a rail; `cell` places and sizes it. */
+/** Subgraphs that show a number, a place, a color or objects in a cell. Within, all is in heights of a rail; `cell` places and sizes it. */
 export function addShown(wall: GalleryBuilder): void {
   addBallOnRail(wall);
   addBall(wall);

@@ -11,7 +11,7 @@ import { addShown } from './gallery-shown.ts';
 /** Files in its `assets/`, by id. */
 export const GALLERY_FILES = { sky: 'sky.hdr', film: 'stripes.webm' } as const;
 
-/** How far the board is behind the cells, and how far it shows around them, metres. */
+/** How far the board is behind the cells, and how far it shows around them, meters. */
 const BOARD = { behindM: 0.075, marginM: 0.02, thickM: 0.02 } as const;
 
 /** Subgraphs that give a layer, from the lowest up, with what they show. */

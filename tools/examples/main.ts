@@ -34,7 +34,7 @@ const CHIME_PATHS = ['nodes/source/audio-file/example/assets/chime.wav'];
 const BALL_PATHS = ['nodes/source/video-file/example/assets/film.webm'];
 const STRIPES_PATHS = [`examples/gallery/assets/${GALLERY_FILES.film}`];
 
-/** Makes the files of examples that nobody drew by hand. */
+/** Generates the files of the examples. */
 export const main: ToolMain = async (_args, { root }) => {
   await place(root, ROBOT_PATHS, await makeRobot());
   await placeProject(root, 'gallery', makeGallery(library()));

@@ -6,7 +6,7 @@ type Vector = readonly [number, number, number];
 /** One turn of the wheel, seconds. */
 const TURN_S = 2;
 
-/** Corners of one paper sail, metres, before its edge towards the pin is folded forward. */
+/** Corners of one paper sail, meters, before its edge towards the pin is folded forward. */
 const SAIL: readonly Vector[] = [
   [0, 0, 0.004],
   [0.11, 0, 0.004],

@@ -2,7 +2,7 @@ export interface WebmFrame {
   readonly timeMs: number;
   readonly key: boolean;
   readonly data: Uint8Array;
-  /** Of a see-through video: the picture's alpha, as the luminance of a video of its own. */
+  /** For a transparent video: its alpha, as the luminance of a second video. */
   readonly alpha?: Uint8Array;
 }
 

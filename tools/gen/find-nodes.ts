@@ -30,6 +30,9 @@ export interface Found {
 
 const LIBRARY_FOLDERS = ['filters', 'operators', 'generators', 'techniques', 'chunks', 'pictures'] as const;
 
+/** Functions that ISF files hold copies of (`npm run sync-chunks`); nothing includes them. */
+const MASTERS = 'chunks/isf';
+
 /** What the folders hold; a folder counts as a node once it has a definition. Sorted, so that the answer is the same everywhere. */
 export async function findNodes(root: string): Promise<Found> {
   const paths = await listFiles(join(root, 'nodes'), (path) => path === 'generated' || path.endsWith('/example'));
@@ -51,7 +54,9 @@ export async function findNodes(root: string): Promise<Found> {
 async function readLibrary(root: string): Promise<ShaderFile[]> {
   const base = join(root, 'shader-library');
   const perFolder = await Promise.all(
-    LIBRARY_FOLDERS.map(async (kind) => (await listFiles(join(base, kind))).map((name) => `${kind}/${name}`)),
+    LIBRARY_FOLDERS.map(async (kind) =>
+      (await listFiles(join(base, kind), (path) => `${kind}/${path}` === MASTERS)).map((name) => `${kind}/${name}`),
+    ),
   );
   return readShaders(
     base,

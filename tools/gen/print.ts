@@ -24,21 +24,21 @@ export function printDefinitions(found: Found, isfDefinitions: readonly NodeDefi
   ].join('');
 }
 
-/** `runtimes.gen.ts`: the behaviour of every node type, for pages that play any project. */
+/** `runtimes.gen.ts`: the behavior of every node type, for pages that play any project. */
 export function printRuntimes(found: Found): string {
   const played = playedTypes(found);
   return [
     HEADER,
     "import type { PlayedModule } from '../kit/cpu-filter.ts';\n",
     ...played.map(({ type, file }) => `import * as ${identifier(type)} from '${relative(file)}';\n`),
-    '\n/** Node type → its behaviour; also of what params are bound to. Nodes that are only a shader, or only a sink, have none. */\n',
+    '\n/** Node type → its behavior; also of what params are bound to. Nodes that are only a shader, or only a sink, have none. */\n',
     'export const RUNTIMES: Readonly<Record<string, PlayedModule>> = {\n',
     ...played.map(({ type }) => `  ${JSON.stringify(type)}: ${identifier(type)},\n`),
     '};\n',
   ].join('');
 }
 
-/** `runtime-files.gen.ts`: where the behaviours are, so that an exported page can be given the used ones only. */
+/** `runtime-files.gen.ts`: where the behaviors are, so that an exported page can be given the used ones only. */
 export function printRuntimeFiles(found: Found): string {
   return [
     HEADER,

@@ -1,9 +1,10 @@
 import { posix } from 'node:path';
+import { findCircles, type Graph } from './circles.ts';
 import { pathMatcher } from './match.ts';
 import { readGlobalUses } from './raw-globals.ts';
 import { type ImportUse, readImports } from './read-imports.ts';
 import { lineOf, parseFile, type SourceFile } from './syntax.ts';
-import { LAYERS, type Layer, MAX_LINES, RAW_GLOBALS } from './table.ts';
+import { FIXED_NAMES, LAYERS, type Layer, MAX_LINES, RAW_GLOBALS, ROOMS, SIBLINGS, UNIQUE_NAMES } from './table.ts';
 
 /** `path:line: message`, ready to print. */
 export type Problem = string;
@@ -20,17 +21,25 @@ const OUTSIDE = '';
 const layerMatchers = LAYERS.map((layer) => ({ layer, matches: pathMatcher(layer.files) }));
 const globalRules = Object.values(RAW_GLOBALS).map(({ names, files }) => ({ names: new Set<string>(names), matches: pathMatcher(files) }));
 
-/** Everything wrong with the files by the table: directions, packages, raw globals, lengths. */
+/** Everything wrong with the files by the table: directions, packages, raw globals, lengths, circles, names. */
 export function checkFiles(files: readonly InputFile[]): Problem[] {
-  return files.flatMap((file) => checkFile(file));
+  const imported = new Map<string, ReadonlySet<string>>();
+  const problems = files.flatMap((file) => checkFile(file, imported));
+  return [...problems, ...circleProblems(imported), ...nameProblems(files.map(({ path }) => path))];
 }
 
-function checkFile({ path, text }: InputFile): Problem[] {
+/** Adds to `imported` which files the file names. */
+function checkFile({ path, text }: InputFile, imported: Map<string, ReadonlySet<string>>): Problem[] {
   const layer = layerOf(path);
   if (!layer) return [`${path}:1: belongs to no layer. Put it into a folder that tools/layers/table.ts knows.`];
   if (layer.noCode) return [`${path}:1: ${layer.name} holds no code: write a shader, or a folder below nodes/.`];
   const file = parseFile(path, text);
-  const imports = readImports(file).map((use) => [use, importProblem(path, layer, use)] as const);
+  const uses = readImports(file);
+  imported.set(
+    path,
+    new Set(uses.flatMap(({ specifier }) => (specifier?.startsWith('.') ? [resolve(path, withoutQuery(specifier))] : []))),
+  );
+  const imports = uses.map((use) => [use, importProblem(path, layer, use)] as const);
   const wrongImports = imports.flatMap(([use, problem]) => (problem === null ? [] : [at(file, use.offset, problem)]));
   return [...wrongImports, ...globalProblems(file), ...lengthProblem(file)];
 }
@@ -43,13 +52,86 @@ function importProblem(from: string, layer: Layer, use: ImportUse): string | nul
   if (use.specifier === null) {
     return layer.name === 'tests' || layer.name === 'tools' ? null : 'a computed import cannot be checked: name the file.';
   }
-  // Vite's suffixes: `./x.worker.ts?worker`.
-  const specifier = use.specifier.replace(/\?.*$/, '');
+  const specifier = withoutQuery(use.specifier);
   if (!specifier.startsWith('.')) return packageProblem(layer, specifier, use.typeOnly);
   const target = resolve(from, specifier);
   if (target === OUTSIDE) return `${specifier} lies outside the repository.`;
   if (posix.extname(target) === '') return `${specifier} needs its file extension.`;
   return fileProblem(from, layer, target, use.typeOnly);
+}
+
+/** Vite's suffixes: `./x.worker.ts?worker`. */
+function withoutQuery(specifier: string): string {
+  return specifier.replace(/\?.*$/, '');
+}
+
+/** Import cycles between files, between rows of the table in ARCHITECTURE, and between sibling folders of the editor. */
+function circleProblems(imported: ReadonlyMap<string, ReadonlySet<string>>): Problem[] {
+  const files = findCircles(imported).map((circle) => `${circle[0]}:1: files import each other in a circle: ${inOrder(circle)}.`);
+  const folders = [roomOf, ...siblingGroups(imported.keys())].flatMap((groupOf) => folderProblems(imported, groupOf));
+  return [...files, ...new Set(folders)];
+}
+
+function inOrder(circle: readonly string[]): string {
+  return [...circle, circle[0]].join(' → ');
+}
+
+/** Tests may look everywhere, and nothing imports them. */
+const isTest = pathMatcher(['**/*.test.{ts,tsx}']);
+
+function folderProblems(imported: ReadonlyMap<string, ReadonlySet<string>>, groupOf: (path: string) => string | null): Problem[] {
+  const graph = new Map<string, Map<string, string>>();
+  for (const [from, targets] of imported) {
+    const group = isTest(from) ? null : groupOf(from);
+    for (const target of group === null ? [] : targets) {
+      const other = groupOf(target);
+      if (group === null || other === null || other === group) continue;
+      const witnesses = graph.get(group) ?? new Map<string, string>();
+      graph.set(group, witnesses.set(other, `${from} imports ${target}`));
+    }
+  }
+  return findCircles(
+    new Map([...graph].map(([name, others]): [string, ReadonlySet<string>] => [name, new Set(others.keys())])) as Graph,
+  ).map((circle) => {
+    const steps = circle.map((name, i) => graph.get(name)?.get(circle[(i + 1) % circle.length] ?? ''));
+    return `${circle[0]}: folders import each other in a circle: ${inOrder(circle)} (${steps.join('; ')}).`;
+  });
+}
+
+/** A file name tells which file it is, without its folder. */
+function nameProblems(paths: readonly string[]): Problem[] {
+  const first = new Map<string, string>();
+  return paths.flatMap((path) => {
+    const name = posix.basename(path).replace(/\.\w+$/, '');
+    if (isTest(path) || !UNIQUE_NAMES.some((folder) => path.startsWith(`${folder}/`)) || FIXED_NAMES.some((fixed) => fixed === name))
+      return [];
+    const other = first.get(name);
+    first.set(name, other ?? path);
+    return other === undefined ? [] : [`${path}:1: has the same name as ${other}. Give it a name that tells which one it is.`];
+  });
+}
+
+/** The longest room of the table that the path lies in. */
+function roomOf(path: string): string | null {
+  return ROOMS.filter((room) => path.startsWith(`${room}/`)).reduce<string | null>(
+    (best, room) => (best !== null && best.length >= room.length ? best : room),
+    null,
+  );
+}
+
+/** For each folder, which of its subfolders a path lies in; files of the folder itself lie in none. */
+function siblingGroups(paths: Iterable<string>): ((path: string) => string | null)[] {
+  const parents = new Set<string>();
+  for (const path of paths) {
+    if (!SIBLINGS.some((root) => path.startsWith(`${root}/`))) continue;
+    for (let folder = posix.dirname(path); SIBLINGS.some((root) => `${folder}/`.startsWith(`${root}/`)); folder = posix.dirname(folder))
+      parents.add(folder);
+  }
+  return [...parents].map((parent) => (path) => {
+    if (!path.startsWith(`${parent}/`)) return null;
+    const [child = '', ...rest] = path.slice(parent.length + 1).split('/');
+    return rest.length === 0 ? null : `${parent}/${child}`;
+  });
 }
 
 function packageProblem(layer: Layer, specifier: string, typeOnly: boolean): string | null {

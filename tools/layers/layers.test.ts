@@ -35,7 +35,12 @@ const VIOLATIONS: readonly (readonly [string, string, string, string])[] = [
     'node definition',
   ],
   ['nodes never the compiler', 'nodes/layer/scene/runtime.ts', `import type { x } from '../../../export/compiler/x.ts';`, 'compiler'],
-  ['program imports nothing', 'export/program/program.ts', `import type { x } from '../../nodes/kit/definition.ts';`, 'kit'],
+  [
+    'program takes types of the kit only',
+    'export/program/program.ts',
+    `import { x } from '../../nodes/kit/definition.ts';`,
+    'only types of kit',
+  ],
   ['graph never React', 'export/graph/load.ts', `import { useState } from 'react';`, 'react'],
   ['graph never Node', 'export/graph/load.ts', `import { readFile } from 'node:fs/promises';`, 'node:fs/promises'],
   ['glsl never the graph', 'export/glsl/link.ts', `import type { Project } from '../graph/project.ts';`, 'graph'],
@@ -131,6 +136,48 @@ describe('layers', () => {
     const names = new Set(LAYERS.map((layer) => layer.name));
     const unknown = LAYERS.flatMap((layer) => (layer.imports ?? []).filter((name) => !names.has(name)));
     expect(unknown).toEqual([]);
+  });
+});
+
+describe('circles', () => {
+  const circlesOf = (files: Readonly<Record<string, string>>) =>
+    checkFiles(Object.entries(files).map(([path, target]) => ({ path, text: target && `import type { X } from '${target}';\n` })));
+
+  test('files that import each other, types included, are named in order', () => {
+    expect(circlesOf({ 'export/graph/a.ts': './b.ts', 'export/graph/b.ts': './c.ts', 'export/graph/c.ts': './a.ts' })).toEqual([
+      'export/graph/a.ts:1: files import each other in a circle: export/graph/a.ts → export/graph/b.ts → export/graph/c.ts → export/graph/a.ts.',
+    ]);
+  });
+
+  test('rows of the table do not import each other, by whichever files', () => {
+    const problems = circlesOf({ 'nodes/kit/runtime.ts': '../../export/program/a.ts', 'export/program/b.ts': '../../nodes/kit/curve.ts' });
+    expect(problems).toContainEqual(expect.stringContaining('folders import each other in a circle: export/program → nodes/kit'));
+    expect(problems).toContainEqual(expect.stringContaining('export/program/b.ts imports nodes/kit/curve.ts'));
+  });
+
+  test('folders of the editor that stand side by side do not import each other', () => {
+    expect(circlesOf({ 'renderer/state/files/a.ts': '../clipboard/b.ts', 'renderer/state/clipboard/c.ts': '../files/d.ts' })).toEqual([
+      expect.stringContaining('renderer/state/clipboard → renderer/state/files → renderer/state/clipboard'),
+    ]);
+  });
+
+  test('a folder and what is in it may know each other', () => {
+    expect(circlesOf({ 'renderer/state/a.ts': './files/b.ts', 'renderer/state/files/c.ts': '../d.ts' })).toEqual([]);
+  });
+});
+
+describe('file names', () => {
+  const namesOf = (...paths: readonly string[]) => checkFiles(paths.map((path) => ({ path, text: '' })));
+
+  test('are unique in the folders that the table lists', () => {
+    expect(namesOf('app/services/notices.ts', 'export/page/notices.ts')).toEqual([
+      'export/page/notices.ts:1: has the same name as app/services/notices.ts. Give it a name that tells which one it is.',
+    ]);
+  });
+
+  test('may be equal for entries and tests, and outside of these folders', () => {
+    expect(namesOf('app/cli/main.ts', 'app/electron/main.ts', 'app/cli/open.test.ts', 'export/page/open.test.ts')).toEqual([]);
+    expect(namesOf('app/services/routes.ts', 'export/graph/routes.ts')).toEqual([]);
   });
 });
 

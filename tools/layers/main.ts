@@ -4,7 +4,7 @@ import { listFiles } from '../lib/files.ts';
 import type { ToolContext } from '../lib/tool.ts';
 import { checkFiles } from './check.ts';
 
-/** Proves the import directions of design §5 and the house rules of `table.ts` over all code of the repository. */
+/** Checks the import directions of docs/ARCHITECTURE.md and the rules of `table.ts` for all code of the repository. */
 export async function main(_args: readonly string[], { root }: ToolContext): Promise<number> {
   const paths = (await listFiles(root, (path) => path === 'tests/output')).filter((path) => /\.(ts|tsx|js|jsx|mjs|cjs)$/.test(path));
   const files = await Promise.all(paths.map(async (path) => ({ path, text: await readFile(join(root, path), 'utf8') })));

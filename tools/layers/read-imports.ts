@@ -63,7 +63,7 @@ function isRequire(callee: unknown): boolean {
   return isNode(callee) && callee.type === 'Identifier' && callee.name === 'require';
 }
 
-/** `new URL('./worker.ts', import.meta.url)`: how bundlers are told of another file. */
+/** `new URL('./worker.ts', import.meta.url)`: how bundlers find another file. */
 function assetUrl(node: SyntaxNode): ImportUse | null {
   const [path, base] = node.arguments as readonly SyntaxNode[];
   const isUrl = isNode(node.callee) && node.callee.type === 'Identifier' && node.callee.name === 'URL';

@@ -27,7 +27,7 @@ export function isNode(value: unknown): value is SyntaxNode {
   return typeof value === 'object' && value !== null && typeof (value as { type?: unknown }).type === 'string';
 }
 
-/** Nodes directly below, each with the key it hangs on. */
+/** Child nodes, each with the key that holds it. */
 export function* children(node: SyntaxNode): Generator<readonly [key: string, child: SyntaxNode]> {
   for (const key of Object.keys(node)) {
     const value = node[key];

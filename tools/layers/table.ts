@@ -1,5 +1,5 @@
 /**
- * Who may import whom (design §5), and which npm packages each folder may use. Closed: a file in no layer fails, and so does an
+ * Who may import whom (docs/ARCHITECTURE.md), and which npm packages each folder may use. Closed: a file in no layer fails, and so does an
  * import that no row allows. There is no list of exemptions; a change here is a change of the architecture.
  *
  * Paths are relative to the repository. `*` is any part of a name, `**` any folders, `{a,b}` either. A file belongs to the first
@@ -39,7 +39,7 @@ const HOST = [
 ];
 
 export const LAYERS: readonly Layer[] = [
-  // Whatever proves something may look everywhere; nothing but tests may import them (see `check.ts`).
+  // Tests may import everything; only tests may import tests (see `check.ts`).
   { name: 'tests', files: TEST_FILES },
   // Build configurations may stand in the folder that they build; they belong to no layer of it.
   { name: 'configuration', files: ['**/*.config.{mjs,ts}', '*.d.ts'], packages: ['vite', '@vitejs/plugin-react', 'node:*'] },
@@ -47,10 +47,10 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'kit',
     files: [
-      'nodes/kit/{asset-words,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{asset-words,categories,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,surface-params,track-time,wire-types}.ts',
     ],
   },
-  { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['program', 'three'] },
+  { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['three'] },
   { name: 'registry of definitions', files: ['nodes/generated/definitions.gen.ts'], imports: ['kit', 'node definition'] },
   { name: 'registry of runtimes', files: ['nodes/generated/runtimes.gen.ts'], imports: ['kit runtime', 'node', 'workers as text'] },
   { name: 'workers as text', files: ['nodes/generated/workers/*.gen.ts'] },
@@ -59,7 +59,7 @@ export const LAYERS: readonly Layer[] = [
   { name: 'node', files: ['nodes/*/*/**'], imports: EXPORT_KIT, packages: ['three', 'cannon-es'], own: 'folder' },
   { name: 'shader library', files: ['shader-library/**'], noCode: true },
 
-  { name: 'program', files: ['export/program/**'] },
+  { name: 'program', files: ['export/program/**'], types: ['kit'] },
   { name: 'gltf', files: ['export/gltf/**'], imports: ['kit'] },
   { name: 'graph', files: ['export/graph/**'], imports: ['kit'], packages: ['immer', 'jsonc-parser'] },
   { name: 'glsl', files: ['export/glsl/**'], imports: ['kit', 'program'], packages: ['jsonc-parser'] },
@@ -71,7 +71,7 @@ export const LAYERS: readonly Layer[] = [
     imports: [...EXPORT_KIT, 'program', 'gltf', 'runtime'],
     packages: ['three', 'cannon-es'],
   },
-  { name: 'recorded session format', files: ['export/runtime/sessions/format.ts'] },
+  { name: 'recorded session format', files: ['export/runtime/sessions/session-format.ts'] },
   // Plays recordings, in the preview and `scrim render`; like the emulator it is never in a page.
   {
     name: 'recorded session',
@@ -133,7 +133,7 @@ export const LAYERS: readonly Layer[] = [
   },
 
   // The preview is a page of its own, without the editor's host: messages are all they share.
-  { name: 'preview protocol', files: ['renderer/preview-protocol.ts', 'renderer/key-chord.ts'], imports: ['kit', 'program'] },
+  { name: 'preview protocol', files: ['renderer/preview-protocol.ts', 'renderer/keybinding.ts'], imports: ['kit', 'program'] },
   {
     name: 'preview',
     files: ['renderer/preview/**'],
@@ -163,7 +163,7 @@ export const LAYERS: readonly Layer[] = [
     files: ['tools/{examples,sessions}/**'],
     // The studio is filmed in a browser, by the emulator's own means.
     imports: ['kit', 'graph', 'registry of definitions', 'recorded session format', 'tools', 'services', 'emulator'],
-    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'esbuild', 'playwright-core'],
+    packages: ['node:*', 'three', '@gltf-transform/core', 'fast-png', 'esbuild', 'playwright-core', 'sharp'],
   },
   {
     name: 'measured page',
@@ -182,6 +182,31 @@ export const LAYERS: readonly Layer[] = [
   { name: 'manifest', files: ['package.json'] },
 ];
 
+/** The folders of the table in ARCHITECTURE: between two of them imports go one way. */
+export const ROOMS = [
+  'nodes/kit',
+  'export/program',
+  'export/graph',
+  'export/glsl',
+  'export/gltf',
+  'export/compiler',
+  'export/runtime',
+  'export/emulator',
+  'export/page',
+  'export/bundle',
+  'app',
+  'renderer',
+] as const;
+
+/** Below these, folders that stand side by side import each other one way; a folder and what is in it may know each other. */
+export const SIBLINGS = ['renderer'] as const;
+
+/** No two files of these folders, taken together, have the same name, except tests and the names that `FIXED_NAMES` lists. */
+export const UNIQUE_NAMES = ['app', 'export/page', 'export/bundle', 'export/gltf'] as const;
+
+/** File names with one fixed meaning in every folder. */
+export const FIXED_NAMES = ['definition', 'runtime', 'main', 'index'] as const;
+
 /**
  * What comes from outside and makes a run unrepeatable is injected: the raw thing may stand in few files, named after it.
  * Tests wait and measure, but chance they seed.
@@ -195,5 +220,5 @@ export const RAW_GLOBALS = {
   chance: { names: ['Math.random'], files: [`${PAGES}/random.ts`] },
 } as const satisfies Record<string, { names: readonly string[]; files: readonly string[] }>;
 
-/** Design §12. */
+/** Of any file; most stay below 150. */
 export const MAX_LINES = 400;

@@ -1,9 +1,11 @@
 import { spawn } from 'node:child_process';
 import process from 'node:process';
 
+const PASSED_ON = ['SIGTERM', 'SIGHUP'] as const;
+
 /**
  * Runs a command with its output passed through, and answers with its exit status; 1 where it could not be started or was ended
- * because it took longer than `timeoutS`.
+ * because it took longer than `timeoutS`. What ends this process from outside ends the command.
  */
 export function runCommand(
   command: string,
@@ -22,7 +24,16 @@ export function runCommand(
       console.error(String(error));
       resolve(1);
     });
+    let ended: NodeJS.Signals | null = null;
+    const pass = (signal: NodeJS.Signals) => {
+      ended = signal;
+      child.kill(signal);
+    };
+    for (const signal of PASSED_ON) process.on(signal, pass);
     child.on('close', (code, signal) => {
+      for (const name of PASSED_ON) process.off(name, pass);
+      // What comes after the command is not to begin.
+      if (ended !== null) process.kill(process.pid, ended);
       if (signal === 'SIGTERM' && timeoutS > 0) console.error(`${command} was ended: it ran for more than ${timeoutS} s.`);
       resolve(code ?? 1);
     });

@@ -1,5 +1,7 @@
+import { existsSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { expect, test } from '@jest/globals';
-import { refuseName } from './filter-template.ts';
+import { filterFiles, refuseName } from './filter-template.ts';
 
 test.each([
   ['dark-corners', null],
@@ -9,4 +11,13 @@ test.each([
   const said = refuseName(name, new Set(['filter/sepia']));
   if (refusal === null) expect(said).toBeNull();
   else expect(said).toContain(refusal);
+});
+
+test('its test is beside those of the other filters, and imports what is there', () => {
+  const path = 'tests/browser/dark-corners.test.ts';
+  const { [path]: text = '' } = filterFiles('dark-corners');
+  const imports = [...text.matchAll(/from '(\.[^']+)'/g)].map(([, from = '']) => join(dirname(path), from));
+  expect(imports).toHaveLength(4);
+  expect(imports.filter((file) => !existsSync(file))).toEqual([]);
+  expect(existsSync('tests/browser/filters.test.ts')).toBe(true);
 });

@@ -10,7 +10,7 @@ export function refuseName(name: string, types: ReadonlySet<string>): string | n
 export function filterFiles(name: string): Readonly<Record<string, string>> {
   return {
     [`shader-library/filters/${name}.fs`]: FILTER,
-    [`tests/browser/filters/${name}.test.ts`]: testText(name),
+    [`tests/browser/${name}.test.ts`]: testText(name),
   };
 }
 
@@ -38,17 +38,17 @@ void main() {
 
 function testText(name: string): string {
   return `import { test } from '@jest/globals';
-import { useModule } from '../../support/browser.ts';
-import { expectSamePixels } from '../../support/pixels.ts';
-import { PAGE, paint } from '../glsl-kit.ts';
-import { applyShader, type Params } from '../shader-library-kit.ts';
+import { useModule } from '../support/browser.ts';
+import { expectSamePixels } from '../support/pixels.ts';
+import { PAGE, paint } from './glsl-kit.ts';
+import { applyShader, type Params } from './shader-library-kit.ts';
 
 const page = useModule(PAGE);
 
 const WIDTH = 32;
 const HEIGHT = 16;
 
-/** Every pixel another colour, opaque. */
+/** Every pixel another color, opaque. */
 const picture = paint(WIDTH, HEIGHT, (x, y) => [x * 8, y * 16, 255 - x * 4, 255]);
 
 const apply = (params?: Params) => applyShader(page, 'filters/${name}.fs', { inputImage: picture }, params);

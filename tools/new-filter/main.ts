@@ -16,7 +16,7 @@ export async function main([name]: readonly string[], { root }: ToolContext): Pr
   }
   for (const [path, text] of Object.entries(files)) await writeIfChanged(join(root, path), text);
   console.log(
-    `Made ${Object.keys(files).join(' and ')}.\nNext: change both, then \`npm run docs\` and \`npm run test:one browser filters/${name}\`. Start Scrim anew to find it among the nodes.`,
+    `Made ${Object.keys(files).join(' and ')}.\nNext: change both, then \`npm run docs\` and \`npm run test:one browser ${name}\`. Start Scrim anew to find it among the nodes.`,
   );
   return 0;
 }

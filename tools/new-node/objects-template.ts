@@ -16,7 +16,8 @@ export const OBJECTS_TEMPLATE: Template = {
     lowering: { kind: 'geometry' },
   }),
   runtime: `import { Matrix4 } from 'three';
-import type { NodeContext, NodeRuntime, ObjectItem, ObjectList } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -53,7 +54,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   test: (type) => `import { expect, test } from '@jest/globals';
 import { Matrix4, Object3D, Vector3 } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { ObjectItem } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

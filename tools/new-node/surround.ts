@@ -1,5 +1,5 @@
-import { addNode } from '../../export/graph/commands/nodes.ts';
-import { connect } from '../../export/graph/commands/wires.ts';
+import { addNode } from '../../export/graph/commands/node-commands.ts';
+import { connect } from '../../export/graph/commands/wire-commands.ts';
 import { EMPTY_LAYOUT, newProject } from '../../export/graph/new-project.ts';
 import { placeNodes } from '../../export/graph/place-nodes.ts';
 import { MAIN_GRAPH, type PortAddress, type Project } from '../../export/graph/project.ts';

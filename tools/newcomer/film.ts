@@ -9,7 +9,7 @@ const WIDTH_PX = 900;
 /** Text of nodes stays readable; 25 frames come to some 500 kB. */
 const QUALITY = 60;
 
-/** An animated WebP that plays for ever. WebP rather than GIF: the preview's picture has more than 256 colours, and it is a third of the size. */
+/** An animated WebP that loops forever. WebP and not GIF: the preview has more than 256 colors, and the file is a third of the size. */
 export async function encodeFilm(frames: readonly FilmFrame[]): Promise<Uint8Array> {
   const small = await Promise.all(frames.map(({ png }) => sharp(png).resize({ width: WIDTH_PX }).png().toBuffer()));
   return sharp(small, { join: { animated: true } })

@@ -1,7 +1,7 @@
 import { readFile } from 'node:fs/promises';
 import { basename } from 'node:path';
 import type { Locator, Page } from 'playwright-core';
-import { centreOf, type Point } from '../lib/centre-of.ts';
+import { centerOf, type Point } from '../lib/center-of.ts';
 
 /** What a person does is counted as they would count it: a click, a drag, or a field typed into, with its Enter. */
 export interface Interaction {
@@ -26,7 +26,7 @@ export class Hands {
   }
 
   async click(what: string, target: Locator): Promise<void> {
-    const at = await centreOf(target);
+    const at = await centerOf(target);
     await target.click();
     await this.count({ kind: 'click', what, at });
   }
@@ -42,7 +42,7 @@ export class Hands {
   }
 
   async type(what: string, text: string, field: Locator): Promise<void> {
-    const at = await centreOf(field);
+    const at = await centerOf(field);
     await field.fill('');
     await this.page.keyboard.type(text, { delay: KEY_MS });
     await this.page.keyboard.press('Enter');

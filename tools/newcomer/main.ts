@@ -27,7 +27,7 @@ export const main: ToolMain = async (_args, { root }) => {
   const browser = await startBrowser(found);
   try {
     const page = await browser.newPage({ viewport: SIZE, colorScheme: 'dark' });
-    await page.goto(server.url);
+    await page.goto(server.invite());
     const frames: FilmFrame[] = [];
     let count = 0;
     const onDone = async (done: Interaction) => {

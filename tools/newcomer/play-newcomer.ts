@@ -1,5 +1,5 @@
 import type { Locator, Page } from 'playwright-core';
-import { centreOf, type Point } from '../lib/centre-of.ts';
+import { centerOf, type Point } from '../lib/center-of.ts';
 import { Hands, type Interaction } from './hands.ts';
 
 export interface NewcomerOptions {
@@ -16,7 +16,7 @@ export interface NewcomerOptions {
 const EXPORT_MS = 300_000;
 
 /**
- * From no project to an exported page: a model that stands in the room in cartoon colours, hidden by what is before it, with its
+ * From no project to an exported page: a model that stands in the room in cartoon colors, hidden by what is before it, with its
  * shadow on the floor. By pointer and keys alone; gives what was done, in order.
  */
 export async function playNewcomer({ page, model, project, exportTo, onDone }: NewcomerOptions): Promise<readonly Interaction[]> {
@@ -26,7 +26,7 @@ export async function playNewcomer({ page, model, project, exportTo, onDone }: N
   const node = (stem: string) => page.locator(`[data-node^="${stem}"]`);
   const port = async (owner: Locator, name: string, side: 'source' | 'target'): Promise<Point> => {
     const id = await owner.first().getAttribute('data-node');
-    return centreOf(page.locator(`.react-flow__handle.${side}[data-nodeid="${id}"][data-handleid="${name}"]`));
+    return centerOf(page.locator(`.react-flow__handle.${side}[data-nodeid="${id}"][data-handleid="${name}"]`));
   };
   const output = (stem: string, name: string) => port(node(stem), name, 'source');
   const input = (stem: string, name: string) => port(node(stem), name, 'target');

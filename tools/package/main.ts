@@ -1,5 +1,5 @@
 import { existsSync } from 'node:fs';
-import { mkdir, mkdtemp, readFile, rm } from 'node:fs/promises';
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import process from 'node:process';
@@ -8,10 +8,14 @@ import { runCommand } from '../lib/run-command.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { setFuses } from './fuses.ts';
 import { addDesktopFiles } from './linux.ts';
+import { printNotices, readNotices } from './notices.ts';
 import { packagerOptions } from './packager-options.ts';
-import { stageApp } from './stage.ts';
+import { fillStagingFolder } from './staging-folder.ts';
 import { readTarget, type Target, USAGE } from './target.ts';
 import { zipFolder } from './zip.ts';
+
+/** Beside the program, and beside what Electron puts there. */
+const NOTICES_FILE = 'THIRD-PARTY-NOTICES.txt';
 
 /** `npm run package`: the app as a folder that needs nothing else installed. */
 export const main: ToolMain = async (args, { root }) => {
@@ -36,7 +40,7 @@ export const main: ToolMain = async (args, { root }) => {
 /** Answers with the app's folder. */
 async function packageApp(root: string, work: string, target: Target): Promise<string> {
   const staged = join(work, 'app');
-  await stageApp(root, staged, target);
+  await fillStagingFolder(root, staged, target);
   const electronVersion = await versionOf(root, target.electron);
   const zips = target.electron === null ? null : join(work, 'electron');
   if (target.electron !== null && zips !== null) {
@@ -48,6 +52,7 @@ async function packageApp(root: string, work: string, target: Target): Promise<s
   const { version } = JSON.parse(await readFile(join(root, 'package.json'), 'utf8')) as { version: string };
   const [app] = await packager(packagerOptions({ target, root, staged, electronVersion, zips, version }));
   if (app === undefined || !existsSync(app)) throw new Error('The packager made nothing.');
+  await writeFile(join(app, NOTICES_FILE), printNotices(await readNotices(root)));
   if (target.platform === 'linux') await addDesktopFiles(app, root);
   await setFuses(app, target);
   return app;

@@ -3,6 +3,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
+import { printNotices, readNotices } from './notices.ts';
 import { packagerOptions } from './packager-options.ts';
 import { readTarget, type Target } from './target.ts';
 import { zipFolder } from './zip.ts';
@@ -33,6 +34,29 @@ describe('what is packaged', () => {
     const target: Target = { platform: 'darwin', arch: 'arm64', electron: null, out: '/out' };
     const { extendInfo } = packagerOptions({ target, root: '/', staged: '/s', electronVersion: '45.0.0', zips: '/zips', version: '1.2.3' });
     expect(extendInfo).toMatchObject({ CFBundleDocumentTypes: [{ CFBundleTypeExtensions: ['scrim'], LSTypeIsPackage: true }] });
+  });
+});
+
+describe('the notices of others', () => {
+  test('name every package that the app is made of, with its license, its text and where its sources are', async () => {
+    const notices = await readNotices(process.cwd());
+    const { dependencies } = JSON.parse(await readFile('package.json', 'utf8')) as { dependencies: Record<string, string> };
+    const names = notices.map(({ name }) => name);
+    expect(names).toEqual(expect.arrayContaining(Object.keys(dependencies)));
+    // Of others in turn: React's scheduler, and Monaco's cleaner of HTML.
+    expect(names).toEqual(expect.arrayContaining(['scheduler', 'dompurify']));
+    expect(notices.filter(({ license, source }) => license === '' || source === null)).toEqual([]);
+    const text = printNotices(notices);
+    for (const [name, license, words] of [
+      ['elkjs', 'EPL-2.0 OR GPL-3.0-or-later', 'Eclipse Public License'],
+      ['mediabunny', 'MPL-2.0', 'Mozilla Public License Version 2.0'],
+      ['three', 'MIT', 'three.js authors'],
+    ]) {
+      expect(text).toContain(`${name} ${notices.find((notice) => notice.name === name)?.version} (${license})`);
+      expect(text).toContain(words);
+    }
+    // What is used to build and to test is not in the app.
+    expect(names).not.toEqual(expect.arrayContaining(['axe-core']));
   });
 });
 

@@ -1,6 +1,6 @@
 import { join } from 'node:path';
 import type { Options } from '@electron/packager';
-import { OUTSIDE } from './stage.ts';
+import { OUTSIDE } from './staging-folder.ts';
 import type { Target } from './target.ts';
 
 export interface PackagerInput {
@@ -38,7 +38,7 @@ export function packagerOptions({ target, root, staged, electronVersion, zips, v
     electronVersion,
     ...(zips === null ? {} : { electronZipDir: zips }),
     appVersion: version,
-    appCopyright: 'Scrim contributors, MIT licence',
+    appCopyright: 'Scrim contributors, MIT license',
     // The packager adds the extension that the system wants.
     icon: join(root, 'app', 'electron', 'icons', 'scrim'),
     asar: { unpackDir: OUTSIDE },

@@ -15,7 +15,7 @@ import {
 
 /**
  * World space as sessions have it: y along the floor's normal, floor at y = 0, the origin below the first camera, which looks
- * towards −z. Metres stay metres.
+ * towards −z. Meters stay meters.
  *
  * @returns Aligned from recorded.
  */

@@ -21,7 +21,7 @@ function chain(points: readonly Point2[]): Point2[] {
   return out;
 }
 
-/** Leaves out corners that lie within `toleranceM` of the line between their neighbours. */
+/** Leaves out corners that lie within `toleranceM` of the line between their neighbors. */
 export function simplifyPolygon(corners: readonly Point2[], toleranceM: number): Point2[] {
   const kept = [...corners];
   for (let i = 0; i < kept.length && kept.length > 3; ) {

@@ -1,19 +1,34 @@
-import { decode } from 'fast-png';
-import type { Intrinsics } from '../../export/runtime/sessions/format.ts';
+import { decode, encode } from 'fast-png';
+import type { Intrinsics } from '../../export/runtime/sessions/session-format.ts';
 import { cross, dot, normalize, subtract, type Vector } from './vector.ts';
 
-/** Depth of one frame: metres along the camera's axis, row-major from the top, 0 where unknown. */
+/** Depth of one frame: meters along the camera's axis, row-major from the top, 0 where unknown. */
 export interface DepthImage {
   readonly widthPx: number;
   readonly heightPx: number;
-  readonly metres: Float32Array;
+  readonly meters: Float32Array;
 }
 
 /** @throws Error when the PNG is no 16-bit picture of one channel. */
 export function decodeDepthPng(png: Uint8Array, metresPerUnit: number): DepthImage {
   const { width, height, data, depth, channels } = decode(png);
   if (depth !== 16 || channels !== 1) throw new Error(`a depth picture has one channel of 16 bits; this one has ${channels} of ${depth}`);
-  return { widthPx: width, heightPx: height, metres: Float32Array.from(data, (unit) => unit * metresPerUnit) };
+  return {
+    widthPx: width,
+    heightPx: height,
+    meters: Float32Array.from(data, (unit) => (unit === INVALID_UNIT ? 0 : unit * metresPerUnit)),
+  };
+}
+
+/** Sensors' drivers write the largest number where they measured nothing (7-Scenes, Kinect); sessions write 0. */
+const INVALID_UNIT = 65535;
+
+/** The same depth image with unknown depth as 0, or null where it holds no such pixel. */
+export function withoutInvalid(png: Uint8Array): Uint8Array | null {
+  const { width, height, data } = decode(png);
+  if (!data.includes(INVALID_UNIT)) return null;
+  const units = Uint16Array.from(data, (unit) => (unit === INVALID_UNIT ? 0 : unit));
+  return encode({ width, height, data: units, depth: 16, channels: 1 });
 }
 
 /** A place on a surface, in camera space (looking down −z, y up). */
@@ -23,7 +38,7 @@ export interface SurfacePoint {
   readonly normal: Vector;
 }
 
-/** Between the neighbours whose difference gives the normal, of the width: wide enough to stand above depth's millimetre steps. */
+/** Between the neighbors whose difference gives the normal, of the width: wide enough to stand above depth's millimeter steps. */
 const REACH = 1 / 130;
 /** On a plane, however slanted, 1 / depth changes evenly from pixel to pixel; where it does not, an edge runs between them. */
 const MAX_BEND = 0.01;
@@ -42,19 +57,19 @@ export function surfacePoints(depth: DepthImage, intrinsics: Intrinsics, strideP
 }
 
 function surfaceAt(depth: DepthImage, intrinsics: Intrinsics, column: number, row: number, reachPx: number): SurfacePoint | null {
-  const at = (c: number, r: number): number => depth.metres[r * depth.widthPx + c] ?? 0;
+  const at = (c: number, r: number): number => depth.meters[r * depth.widthPx + c] ?? 0;
   const center = at(column, row);
   if (center <= 0) return null;
-  const neighbours = [
+  const neighbors = [
     [column + reachPx, row],
     [column - reachPx, row],
     [column, row - reachPx],
     [column, row + reachPx],
   ] as const;
-  const [toRight, toLeft, toAbove, toBelow] = neighbours.map(([c, r]) => center / at(c, r)) as [number, number, number, number];
-  // Infinite where a neighbour is unknown.
+  const [toRight, toLeft, toAbove, toBelow] = neighbors.map(([c, r]) => center / at(c, r)) as [number, number, number, number];
+  // Infinite where a neighbor is unknown.
   if (!(Math.abs(toRight + toLeft - 2) < MAX_BEND && Math.abs(toAbove + toBelow - 2) < MAX_BEND)) return null;
-  const [right, left, above, below] = neighbours.map(([c, r]) => backProject(intrinsics, c, r, at(c, r))) as [
+  const [right, left, above, below] = neighbors.map(([c, r]) => backProject(intrinsics, c, r, at(c, r))) as [
     Vector,
     Vector,
     Vector,
@@ -65,12 +80,12 @@ function surfaceAt(depth: DepthImage, intrinsics: Intrinsics, column: number, ro
   return dot(normal, point) < 0 ? { point, normal } : { point, normal: [-normal[0], -normal[1], -normal[2]] };
 }
 
-/** The point that the centre of a pixel sees, in camera space. */
+/** The point that the center of a pixel sees, in camera space. */
 export function backProject({ fxPx, fyPx, cxPx, cyPx }: Intrinsics, column: number, row: number, distanceM: number): Vector {
   return [((column + 0.5 - cxPx) / fxPx) * distanceM, -((row + 0.5 - cyPx) / fyPx) * distanceM, -distanceM];
 }
 
-/** Where a point in camera space is seen: pixels, (0.5, 0.5) is the centre of the top left one. */
+/** Where a point in camera space is seen: pixels, (0.5, 0.5) is the center of the top left one. */
 export function project({ fxPx, fyPx, cxPx, cyPx }: Intrinsics, [x, y, z]: Vector): readonly [number, number] {
   return [cxPx - (fxPx * x) / z, cyPx + (fyPx * y) / z];
 }

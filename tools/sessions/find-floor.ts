@@ -9,9 +9,9 @@ export interface Floor {
   readonly points: readonly Vector[];
 }
 
-/** Nobody holds a camera further from upright than this for long. */
+/** The largest tilt at which people hold a camera for long. */
 const MAX_TILT = Math.cos((40 * Math.PI) / 180);
-/** Normals of one plane, seen through depth in whole millimetres. */
+/** Normals of one plane, computed from depth in whole millimeters. */
 const SAME_DIRECTION = Math.cos((6 * Math.PI) / 180);
 const CANDIDATES = 400;
 const BIN_M = 0.02;

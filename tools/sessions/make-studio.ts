@@ -5,7 +5,7 @@ import { build } from 'esbuild';
 import { encode } from 'fast-png';
 import { findChromium } from '../../app/services/chromium.ts';
 import { startBrowser } from '../../app/services/start-browser.ts';
-import type { Intrinsics, SessionFile } from '../../export/runtime/sessions/format.ts';
+import type { Intrinsics, SessionFile } from '../../export/runtime/sessions/session-format.ts';
 import type { ToolMain } from '../lib/tool.ts';
 import { printSession } from './print-session.ts';
 import type { StudioCamera, StudioFrame } from './studio.page.ts';
@@ -13,7 +13,7 @@ import { cross, fromAxes, type Matrix, normalize, subtract, type Vector } from '
 
 const FRAMES = 36;
 const FRAME_RATE_HZ = 10;
-const METRES_PER_UNIT = 0.001;
+const METERS_PER_UNIT = 0.001;
 const COLOR = { widthPx: 480, heightPx: 360, intrinsics: { fxPx: 400, fyPx: 400, cxPx: 240, cyPx: 180 } } as const;
 /** Half the size, as phones have far fewer samples of depth than pixels. */
 const DEPTH = { widthPx: 240, heightPx: 180, intrinsics: { fxPx: 200, fyPx: 200, cxPx: 120, cyPx: 90 } } as const;
@@ -31,7 +31,7 @@ export const main: ToolMain = async (_args, { root }) => {
   for (const [i, frame] of frames.entries()) {
     const jpeg = Buffer.from(frame.jpeg, 'base64');
     const png = encode(
-      { width: DEPTH.widthPx, height: DEPTH.heightPx, data: toUnits(frame.metres), depth: 16, channels: 1 },
+      { width: DEPTH.widthPx, height: DEPTH.heightPx, data: toUnits(frame.meters), depth: 16, channels: 1 },
       { zlib: { level: 9 } },
     );
     await writeFile(join(folder, colorPath(i)), jpeg);
@@ -45,7 +45,7 @@ export const main: ToolMain = async (_args, { root }) => {
     credit: 'Made by tools/sessions/make-studio.ts',
     licence: 'MIT',
     color: COLOR,
-    depth: { ...DEPTH, metresPerUnit: METRES_PER_UNIT, kind: 'z' },
+    depth: { ...DEPTH, metresPerUnit: METERS_PER_UNIT, kind: 'z' },
     frameRateHz: FRAME_RATE_HZ,
     light,
     surfaces,
@@ -142,8 +142,8 @@ function projection({
 
 function toUnits(base64: string): Uint16Array {
   const bytes = Buffer.from(base64, 'base64');
-  const metres = new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
-  return Uint16Array.from(metres, (m) => Math.round(m / METRES_PER_UNIT));
+  const meters = new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4);
+  return Uint16Array.from(meters, (m) => Math.round(m / METERS_PER_UNIT));
 }
 
 declare global {

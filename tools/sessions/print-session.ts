@@ -1,6 +1,6 @@
-import type { SessionFile } from '../../export/runtime/sessions/format.ts';
+import type { SessionFile } from '../../export/runtime/sessions/session-format.ts';
 
-/** A tenth of a millimetre in a pose is far below what any camera knows. */
+/** A tenth of a millimeter in a pose is far below what any camera knows. */
 const DECIMALS = 6;
 
 /** The file's text: one frame a line, numbers without the noise of floating point. */

@@ -1,4 +1,4 @@
-import type { Intrinsics } from '../../export/runtime/sessions/format.ts';
+import type { Intrinsics } from '../../export/runtime/sessions/session-format.ts';
 import { type Matrix, multiply } from './vector.ts';
 
 /** A recording with pinhole cameras and known poses, as Open3D's reconstruction system and its like leave them. */
@@ -24,14 +24,14 @@ export interface PosedFrame {
 
 /** OpenCV's cameras look down +z with y down. */
 const OPENCV_FROM_CAMERA: Matrix = [1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1];
-/** OpenCV counts from the centre of the top left pixel, we from its corner. */
-const CENTRE_SHIFT_PX = 0.5;
+/** OpenCV counts from the center of the top left pixel, we from its corner. */
+const CENTER_SHIFT_PX = 0.5;
 
 type Json = Readonly<Record<string, unknown>>;
 
 /**
  * Reads the layout `{ width, height, intrinsics: { fx, fy, cx, cy }, depth: { unit_m, kind }, fps, frames: [{ t, color, depth,
- * cameraToWorld }] }` with row-major 4×4 poses, OpenCV axes and pixel centres at whole numbers.
+ * cameraToWorld }] }` with row-major 4×4 poses, OpenCV axes and pixel centers at whole numbers.
  *
  * @throws Error that names what is missing.
  */
@@ -52,8 +52,8 @@ export function readOpen3d(json: unknown): PosedRecording {
     intrinsics: {
       fxPx: number(intrinsics.fx, '"intrinsics.fx"'),
       fyPx: number(intrinsics.fy, '"intrinsics.fy"'),
-      cxPx: number(intrinsics.cx, '"intrinsics.cx"') + CENTRE_SHIFT_PX,
-      cyPx: number(intrinsics.cy, '"intrinsics.cy"') + CENTRE_SHIFT_PX,
+      cxPx: number(intrinsics.cx, '"intrinsics.cx"') + CENTER_SHIFT_PX,
+      cyPx: number(intrinsics.cy, '"intrinsics.cy"') + CENTER_SHIFT_PX,
     },
     metresPerUnit: number(depth.unit_m, '"depth.unit_m"'),
     frameRateHz,
@@ -66,13 +66,18 @@ function readFrame(frame: Json, index: number, frameRateHz: number): PosedFrame 
   if (!Array.isArray(pose) || pose.length !== 16 || !pose.every((n) => typeof n === 'number' && Number.isFinite(n))) {
     throw new Error(`"cameraToWorld" of frame ${index} has to be 16 numbers`);
   }
-  const columnMajor = Array.from({ length: 16 }, (_, i) => Number(pose[(i % 4) * 4 + Math.floor(i / 4)]));
   return {
     timeS: typeof frame.t === 'number' ? frame.t : index / frameRateHz,
     color: path(frame.color, `"color" of frame ${index}`),
     depth: path(frame.depth, `"depth" of frame ${index}`),
-    worldFromCamera: multiply(columnMajor, OPENCV_FROM_CAMERA),
+    worldFromCamera: fromOpenCv(pose),
   };
+}
+
+/** Our column-major `worldFromCamera` from a row-major pose whose camera has OpenCV's axes. */
+export function fromOpenCv(rowMajor: readonly number[]): Matrix {
+  const columnMajor = Array.from({ length: 16 }, (_, i) => Number(rowMajor[(i % 4) * 4 + Math.floor(i / 4)]));
+  return multiply(columnMajor, OPENCV_FROM_CAMERA);
 }
 
 function object(value: unknown, what: string): Json {

@@ -4,7 +4,7 @@ import { depthUvFromViewUv } from '../../export/emulator/depth/depth-transform.t
 import { createRoomView } from '../../export/emulator/display/room-view.ts';
 import { measureLight } from '../../export/emulator/light/room-light.ts';
 import { createStudioRoom } from '../../export/emulator/rooms/studio/create-studio-room.ts';
-import type { SessionFileLight, SessionFileSurface } from '../../export/runtime/sessions/format.ts';
+import type { SessionFileLight, SessionFileSurface } from '../../export/runtime/sessions/session-format.ts';
 
 /** Runs in the browser: films the studio. Called from `make-studio.ts` through `globalThis.studio`. */
 export interface StudioCamera {
@@ -12,7 +12,7 @@ export interface StudioCamera {
   readonly heightPx: number;
   readonly depthWidthPx: number;
   readonly depthHeightPx: number;
-  /** Column-major 4×4, the same for colour and depth. */
+  /** Column-major 4×4, the same for color and depth. */
   readonly clipFromView: readonly number[];
   readonly jpegQuality: number;
 }
@@ -20,8 +20,8 @@ export interface StudioCamera {
 export interface StudioFrame {
   /** Base64. */
   readonly jpeg: string;
-  /** Base64 of 32-bit floats: metres, row-major from the top, 0 where there is nothing. */
-  readonly metres: string;
+  /** Base64 of 32-bit floats: meters, row-major from the top, 0 where there is nothing. */
+  readonly meters: string;
 }
 
 /** Drawn larger and scaled down: the pictures are looked at. */
@@ -48,8 +48,8 @@ export async function film(camera: StudioCamera, poses: readonly (readonly numbe
     view.drawRoom([eye]);
     context.drawImage(view.canvas, 0, 0, camera.widthPx, camera.heightPx);
     const jpeg = await picture.convertToBlob({ type: 'image/jpeg', quality: camera.jpegQuality });
-    const metres = depth.measure({ worldFromDepth: eye.worldFromView, clipFromDepth: eye.clipFromView });
-    frames.push({ jpeg: toBase64(new Uint8Array(await jpeg.arrayBuffer())), metres: toBase64(new Uint8Array(metres.buffer)) });
+    const meters = depth.measure({ worldFromDepth: eye.worldFromView, clipFromDepth: eye.clipFromView });
+    frames.push({ jpeg: toBase64(new Uint8Array(await jpeg.arrayBuffer())), meters: toBase64(new Uint8Array(meters.buffer)) });
   }
   depth.dispose();
   view.dispose();

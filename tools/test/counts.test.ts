@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import process from 'node:process';
 import { afterAll, beforeAll, describe, expect, test } from '@jest/globals';
-import { readCounts } from './counts.ts';
+import { readCounts, unmatchedPaths } from './counts.ts';
 
 /** As Jest 30 writes it, cut down to what is read. */
 const REPORT = {
@@ -15,7 +15,10 @@ const REPORT = {
   testResults: [
     { name: '/repo/export/graph/load.test.ts', assertionResults: [{ status: 'passed' }, { status: 'passed' }] },
     { name: '/repo/tests/browser/x.test.ts', assertionResults: [{ status: 'passed' }, { status: 'failed' }] },
-    { name: '/repo/tests/electron/app.test.ts', assertionResults: [{ status: 'pending' }] },
+    {
+      name: '/repo/tests/electron/app.test.ts',
+      assertionResults: [{ status: 'pending', ancestorTitles: ['the app'], title: 'no display' }],
+    },
     { name: '/repo/tests/xr/broken.test.ts', assertionResults: [] },
   ],
 };
@@ -51,13 +54,26 @@ describe('counts', () => {
 
   function lastLine(...args: string[]): { line: string; status: number | null } {
     const { stdout, status } = spawnSync(process.execPath, ['tools/count.mjs', ...args], { encoding: 'utf8' });
-    return { line: stdout.trim(), status };
+    return { line: stdout.trim().split('\n').at(-1) ?? '', status };
   }
 
   test('the last line of CI sums the runs', () => {
     const good = join(folder, 'good.json');
     expect(lastLine('0', good, '0', good)).toEqual({ line: '6 passed, 0 failed', status: 0 });
     expect(lastLine('1', file, '0', good)).toEqual({ line: '6 passed, 2 failed', status: 1 });
+  });
+
+  test('what was skipped stands above the last line of CI, with its reason', () => {
+    const { stdout } = spawnSync(process.execPath, ['tools/count.mjs', '1', file], { encoding: 'utf8' });
+    expect(stdout.trim().split('\n')).toEqual([
+      expect.stringMatching(/^skipped: .*app\.test\.ts › the app › no display$/),
+      '3 passed, 2 failed',
+    ]);
+  });
+
+  test('a path that no test file has is named', async () => {
+    expect(await unmatchedPaths(file, ['graph/load', 'tests/browser', 'no-such'])).toEqual(['no-such']);
+    expect(await unmatchedPaths(join(folder, 'missing.json'), ['load'])).toEqual(['load']);
   });
 
   test('a script that failed with all tests passing, and a run that never came about, count as one failure each', () => {

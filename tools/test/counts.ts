@@ -20,15 +20,25 @@ export interface Counts {
 
 /** Null where Jest wrote nothing. A test file that could not run counts as one failed test. */
 export async function readCounts(file: string): Promise<Counts | null> {
-  const text = await readFile(file, 'utf8').catch(() => null);
-  if (text === null) return null;
-  const report = JSON.parse(text) as JestReport;
+  const report = await readReport(file);
+  if (report === null) return null;
   return {
     passed: report.numPassedTests,
     failed: report.numFailedTests + report.numRuntimeErrorTestSuites,
     skipped: report.numPendingTests,
     lines: perProject(report),
   };
+}
+
+/** Those of `paths` (as Jest takes them: patterns, in any case) that no test file of the run has in its path. */
+export async function unmatchedPaths(file: string, paths: readonly string[]): Promise<readonly string[]> {
+  const names = (await readReport(file))?.testResults.map(({ name }) => name) ?? [];
+  return paths.filter((path) => !names.some((name) => new RegExp(path, 'i').test(name)));
+}
+
+async function readReport(file: string): Promise<JestReport | null> {
+  const text = await readFile(file, 'utf8').catch(() => null);
+  return text === null ? null : (JSON.parse(text) as JestReport);
 }
 
 function perProject(report: JestReport): string[] {

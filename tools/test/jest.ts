@@ -33,7 +33,11 @@ export async function runJest({ root, projects, paths, countsFile }: JestRun): P
       '--selectProjects',
       ...projects,
     ],
-    // Something left open (a server, a browser) keeps Jest alive for ever after its last test.
-    { cwd: root, timeoutS: 45 * 60, env: { NODE_OPTIONS: '--experimental-vm-modules --disable-warning=ExperimentalWarning' } },
+    // Something left open (a server, a browser) keeps Jest alive forever after its last test.
+    {
+      cwd: root,
+      timeoutS: 45 * 60,
+      env: { NODE_OPTIONS: '--experimental-vm-modules --disable-warning=ExperimentalWarning', SCRIM_ENDS_WITH: String(process.pid) },
+    },
   );
 }

@@ -3,7 +3,7 @@ import { join } from 'node:path';
 import process from 'node:process';
 import { runCommand } from '../lib/run-command.ts';
 import type { ToolContext } from '../lib/tool.ts';
-import { readCounts } from './counts.ts';
+import { readCounts, unmatchedPaths } from './counts.ts';
 import { PROJECTS, runJest } from './jest.ts';
 
 interface Phase {
@@ -13,7 +13,12 @@ interface Phase {
 
 const USAGE = `Usage: npm test
        npm run test:one PROJECT [PATH…]   PROJECT: ${PROJECTS.join(', ')} or slow; PATH: part of a test file's path
-       npm run test:slow`;
+       npm run test:slow
+
+SCRIM_REQUIRE=electron,data makes tests fail that are else skipped where there is no Electron or no real data.`;
+
+/** `Requirement` of tests/support/required.ts. */
+const REQUIREMENTS = ['electron', 'data'];
 
 /**
  * `npm test`: registry, types, lint, build, then every test project in one run of Jest. A failed phase does not stop the next,
@@ -21,6 +26,11 @@ const USAGE = `Usage: npm test
  */
 export async function main(args: readonly string[], { root }: ToolContext): Promise<number> {
   const [mode = 'all', project, ...paths] = args;
+  const required = (process.env.SCRIM_REQUIRE ?? '').split(',').map((word) => word.trim());
+  if (required.some((word) => word !== '' && !REQUIREMENTS.includes(word))) {
+    console.error(`SCRIM_REQUIRE is "${required.join(',')}", but may only name ${REQUIREMENTS.join(' and ')}, with a comma between them.`);
+    return 1;
+  }
   const jest = (projects: readonly string[], name: string, some: readonly string[] = []): Phase => ({
     name: 'tests',
     run: () => runJest({ root, projects, paths: some, countsFile: countsFile(root, name) }),
@@ -35,10 +45,10 @@ export async function main(args: readonly string[], { root }: ToolContext): Prom
     console.error(USAGE);
     return 1;
   }
-  return runPhases(root, [...(project === 'unit' ? [npm(root, 'gen')] : prepare), jest([project], 'one', paths)], 'one');
+  return runPhases(root, [...(project === 'unit' ? [npm(root, 'gen')] : prepare), jest([project], 'one', paths)], 'one', paths);
 }
 
-async function runPhases(root: string, phases: readonly Phase[], name: string): Promise<number> {
+async function runPhases(root: string, phases: readonly Phase[], name: string, paths: readonly string[] = []): Promise<number> {
   const failed: string[] = [];
   const times: string[] = [];
   for (const phase of phases) {
@@ -51,6 +61,11 @@ async function runPhases(root: string, phases: readonly Phase[], name: string): 
   console.log(`\n── summary\n${times.join(', ')}`);
   for (const line of counts?.lines ?? []) console.log(line);
   if (counts === null || counts.lines.length === 0) console.log('No test ran.');
+  // Options of Jest, and what belongs to them, are no paths.
+  const options = paths.findIndex((path) => path.startsWith('-'));
+  for (const path of await unmatchedPaths(countsFile(root, name), options < 0 ? paths : paths.slice(0, options))) {
+    failed.push(`no test file has "${path}" in its path`);
+  }
   console.log(failed.length === 0 ? 'All is well.' : `Failed: ${failed.join(', ')}.`);
   return failed.length === 0 ? 0 : 1;
 }

@@ -1,8 +1,8 @@
 import type { TonalArtMaps } from './make-maps.ts';
 import type { Ink } from './strokes.ts';
 
-/** Steps of grey that are kept: the files are half as large, and nobody sees it between strokes. */
-const GREYS = 15;
+/** Number of gray levels: files are half as large, and the difference is invisible between strokes. */
+const GRAYS = 15;
 
 /**
  * Three tones as red, green and blue of one picture, white paper, with all its sizes side by side, down to one pixel. Sizes that were
@@ -19,8 +19,8 @@ export function packTones({ sidesPx, ink }: TonalArtMaps, tones: readonly number
       last = ink[tone]?.[size] ?? halved(last, side * 2);
       for (let y = 0; y < side; y++) {
         for (let x = 0; x < side; x++) {
-          const grey = Math.round((1 - (last[y * side + x] ?? 0)) * GREYS) / GREYS;
-          data[(y * width + left + x) * 3 + channel] = Math.round(grey * 255);
+          const gray = Math.round((1 - (last[y * side + x] ?? 0)) * GRAYS) / GRAYS;
+          data[(y * width + left + x) * 3 + channel] = Math.round(gray * 255);
         }
       }
       left += side;

@@ -9,12 +9,12 @@ const UNASKED: DriverAnswer = { driver: 'not-needed', diagnostics: [] };
 export const checkCommand: Command = {
   name: 'check',
   usage: 'PROJECT',
-  summary: 'Say what is wrong with a project',
-  doc: 'Reads PROJECT, compiles it and looks at its assets, and prints what is wrong: file, line and column where they are known, the node, what it is and what to do. Shaders of the project’s own are compiled by a graphics driver, too, in a headless browser where there is one; a warning says where there is none. Only errors give status 1.',
+  summary: 'Check a project for problems',
+  doc: 'Compiles PROJECT, checks its assets and prints each problem: file, line and column where known, the node, what is wrong and what to do. Also compiles the project’s own shaders with a graphics driver, in a headless browser; without a browser it prints a warning instead. Only errors give status 1.',
   project: 'required',
   options: { 'no-driver': NO_DRIVER_OPTION },
   examples: [
-    { line: 'scrim check my-project', says: 'Prints one line per problem, or that there is none.' },
+    { line: 'scrim check my-project', says: 'Prints one line per problem.' },
     {
       line: 'scrim check my-project --json',
       says: 'For other programs: { ok, driver, diagnostics: [{ code, severity, message, nodeId, file, line, … }] }; driver is yes, not-needed, not-wanted or no-browser.',
@@ -32,7 +32,7 @@ export const checkCommand: Command = {
     return {
       status: ok ? 0 : 1,
       json: { ok, driver: asked.driver, diagnostics },
-      text: lines.length === 0 ? 'Nothing is wrong.' : lines.join('\n'),
+      text: lines.length === 0 ? 'No problems found.' : lines.join('\n'),
       diagnostics: [],
     };
   },

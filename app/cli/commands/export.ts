@@ -4,7 +4,7 @@ import { compileProject } from '../../services/compile-project.ts';
 import { exportProject } from '../../services/export-project.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
 import { findProject } from '../../services/project-files.ts';
-import { readSettled } from '../../services/settle.ts';
+import { readConsistentFiles } from '../../services/recover-folder.ts';
 import { type Command, failed, UsageError } from '../command.ts';
 import { drawPoster } from '../render/draw-poster.ts';
 import { askDriver, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
@@ -12,30 +12,30 @@ import { askDriver, NO_DRIVER_OPTION } from '../shader/ask-driver.ts';
 export const exportCommand: Command = {
   name: 'export',
   usage: 'PROJECT --out DIR',
-  summary: 'Make the web page of a project',
-  doc: 'Compiles PROJECT and writes it into DIR as a static page: index.html and all it needs, with relative addresses, for any web host; visited once over https, it opens without a connection, too. Shaders of the project’s own are compiled by a graphics driver first, in a headless browser where there is one: what it refuses is an error, and a warning says where there was none to ask. A frame of the page, drawn in a headless browser where there is one, is its poster: shown while it loads, and by those who link to it. DIR is replaced in one step, and only where it is missing, empty, or holds an earlier export; with any error it stays as it was. Models are compressed without anything to see: geometry with meshopt, textures with KTX2 where that saves graphics memory; what that took is kept in the project’s .scrim folder for the next time. report.json in it lists the files, their bytes, each asset’s before and after, and what a visitor’s device is asked for.',
+  summary: 'Export a project as a web page',
+  doc: 'Compiles PROJECT and writes a static page to DIR: index.html and all its files, with relative addresses, for any web host. After one visit over https the page also opens offline. Compiles the project’s own shaders with a graphics driver first, in a headless browser: a shader that the driver rejects is an error; without a browser there is a warning. The browser also renders the poster, a frame that is shown while the page loads and in link previews. DIR is replaced in one step, and only if it is missing, empty, or holds an earlier export; after an error it is unchanged. Models are compressed without visible loss: geometry with meshopt, textures with KTX2 where that saves graphics memory; the project’s .scrim folder caches the results. report.json in DIR lists the files, their sizes, each asset before and after, and the features that the page requests.',
   project: 'required',
   options: {
-    out: { type: 'string', value: 'DIR', doc: 'Where the page goes.' },
+    out: { type: 'string', value: 'DIR', doc: 'Folder to write the page to.' },
     'single-file': {
       type: 'boolean',
-      doc: 'Everything in one index.html, which opens by a double click, by mail or from a disk. AR and the camera need a page on a host, over https.',
+      doc: 'Write one index.html that opens from a disk or a mail attachment. AR and the camera need a page on a web host, over https.',
     },
     url: {
       type: 'string',
       value: 'ADDRESS',
-      doc: 'Where the page will be published, such as https://example.org/robot/: those who show links to it find its poster by that.',
+      doc: 'Address where the page will be published, such as https://example.org/robot/. Link previews need it to find the poster.',
     },
     'no-driver': NO_DRIVER_OPTION,
-    'no-poster': { type: 'boolean', doc: 'A neutral picture instead of a frame, made at once.' },
-    'no-compress': { type: 'boolean', doc: 'Models as they are, textures too: larger, but made at once.' },
+    'no-poster': { type: 'boolean', doc: 'Use a neutral poster instead of a rendered frame. Faster.' },
+    'no-compress': { type: 'boolean', doc: 'Do not compress models and their textures. Faster, but the page is larger.' },
   },
   examples: [
     { line: 'scrim export my-project --out site', says: 'Writes the page to site/. Any static host can serve it, over https.' },
     { line: 'scrim export my-project --out draft --no-compress', says: 'Leaves models uncompressed, for a quick look.' },
     {
       line: 'scrim export my-project --out robot --single-file',
-      says: 'One file, robot/index.html, to send or to open by a double click.',
+      says: 'Writes one file, robot/index.html, to send or to open with a double click.',
     },
     {
       line: 'scrim export my-project --out site --json',
@@ -45,10 +45,10 @@ export const exportCommand: Command = {
   run: async (call, context) => {
     const { installation, say, interrupted } = context;
     const out = call.text('out');
-    if (out === null || out === '') throw new UsageError('--out DIR is missing: where the page goes.');
+    if (out === null || out === '') throw new UsageError('--out DIR is missing. Name the folder to write the page to.');
     const address = readAddress(call.text('url'));
     const root = await findProject(call.project);
-    const projectFiles = await readSettled(root, NODE_FILES);
+    const projectFiles = await readConsistentFiles(root, NODE_FILES);
     const asked = await askDriver({ ...context, root, files: projectFiles, wanted: !call.flag('no-driver') });
     if (hasErrors(asked.diagnostics)) return failed(asked.diagnostics);
     const { report, diagnostics: found } = await exportProject({
@@ -66,7 +66,7 @@ export const exportCommand: Command = {
         : {
             drawPoster: async (program) => {
               say('Drawing the poster…');
-              // With source maps, which the page does without: a shader that a driver refuses is told of by its file and line.
+              // Unlike the page, the poster has source maps: where a driver refuses a shader, the error names its file and line.
               const mapped = await compileProject(root, projectFiles, () => ({ sourceMaps: true }));
               return drawPoster({ program: mapped.program ?? program, projectRoot: root, installation });
             },
@@ -81,7 +81,8 @@ export const exportCommand: Command = {
 function readAddress(text: string | null): string | null {
   if (text === null) return null;
   const url = URL.canParse(text) ? new URL(text) : null;
-  if (!url || !/^https?:$/.test(url.protocol)) throw new UsageError(`--url ${text} is no address: it begins with https://.`);
+  if (!url || !/^https?:$/.test(url.protocol))
+    throw new UsageError(`--url ${text} is not an address. Write one that begins with https://.`);
   return url.href.endsWith('/') ? url.href : `${url.href}/`;
 }
 

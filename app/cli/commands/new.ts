@@ -6,27 +6,27 @@ import { didYouMean } from '../suggest.ts';
 export const newCommand: Command = {
   name: 'new',
   usage: 'NAME [--template T]',
-  summary: 'Begin a project',
-  doc: 'Makes the project folder NAME, which must be new or empty; its last part becomes the title. What is in it is complete: it can be opened, rendered and exported at once.',
+  summary: 'Create a project',
+  doc: 'Creates the project folder NAME, which must be new or empty. The last part of NAME becomes the title. The project is complete: you can open, render and export it.',
   project: 'required',
   operand: { word: 'NAME', doc: 'the folder of the new project' },
   options: {
     template: {
       type: 'string',
       value: 'T',
-      doc: 'What to begin with. empty: the camera’s picture and nothing else, unless given. filter: the camera’s picture as a drawing. occlusion: a model that real things hide, with a shadow on the floor.',
+      doc: 'Template of the project. empty: the camera feed alone (default). filter: the camera feed as a drawing. occlusion: a model that real objects hide, with a shadow on the floor.',
     },
   },
   examples: [
-    { line: 'scrim new my-effect', says: 'The camera’s picture, to add anything to.' },
+    { line: 'scrim new my-effect', says: 'The camera feed, ready for effects.' },
     { line: 'scrim new shows/robot --template occlusion', says: 'A robot in the room, titled “Robot”.' },
   ],
   run: async (call, { installation }) => {
     const template = call.text('template') ?? DEFAULT_TEMPLATE;
     const names = (await findTemplates(installation.templatesDir)).map(({ name }) => name);
     if (!names.includes(template)) {
-      const there = `There are ${names.join(', ')}.`;
-      throw new UsageError(`There is no template ${JSON.stringify(template)}.${didYouMean(template, names)} ${there}`);
+      const there = `Templates: ${names.join(', ')}.`;
+      throw new UsageError(`Unknown template ${JSON.stringify(template)}.${didYouMean(template, names)} ${there}`);
     }
     const path = call.project;
     const root = await createProject({ templatesDir: installation.templatesDir, template, path, files: NODE_FILES });

@@ -1,7 +1,8 @@
 import { spawn } from 'node:child_process';
 import { join } from 'node:path';
 import process from 'node:process';
-import { startServer } from '../../server/start-server.ts';
+import { type Diagnostic, formatDiagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { type EditorServer, startServer } from '../../server/start-server.ts';
 import { errorCode } from '../../services/file-errors.ts';
 import { findProject } from '../../services/project-files.ts';
 import { type Command, type Context, type Outcome, UsageError } from '../command.ts';
@@ -16,23 +17,29 @@ const STARTED_MS = 5_000;
 
 export const openCommand: Command = {
   name: 'open',
-  usage: '[PROJECT] [--browser] [--port N]',
+  usage: '[PROJECT] [--browser] [--port N] [--preview-port N]',
   summary: 'Open the editor',
-  doc: 'Opens the editor in a window of its own (Electron), with PROJECT where one is given. Where Electron cannot run, the same editor is served to the browser on this machine alone; the address printed is the key to it, and works until Scrim is stopped.',
+  doc: 'Opens the editor in its own window (Electron), with PROJECT if given. If Electron cannot run, serves the same editor to browsers on this machine only. Each address that is printed or opened works once; a new tab of the same browser needs no address. Opening an address a second time ends the session, because another person may have read it.',
   project: 'optional',
   options: {
-    browser: { type: 'boolean', doc: 'In the browser, even where Electron is there.' },
-    port: { type: 'string', value: 'N', doc: `The port for the browser; ${USUAL_PORT}, or a free one where that is taken, unless given.` },
+    browser: { type: 'boolean', doc: 'Use the browser, even if Electron can run.' },
+    port: { type: 'string', value: 'N', doc: `The port for the browser; by default ${USUAL_PORT}, or a free one if that is taken.` },
+    'preview-port': {
+      type: 'string',
+      value: 'N',
+      doc: 'The port for the preview, which has its own origin; by default the one after the editor’s.',
+    },
   },
   examples: [
     { line: 'scrim open examples/first-light', says: 'Opens an example.' },
     {
       line: 'scrim open my-project --browser --port 8123',
-      says: 'Serves the editor at a port that can be forwarded from another machine.',
+      says: 'Serves the editor at port 8123 and its preview at 8124. Forward both to use them from another machine.',
     },
   ],
   run: async (call, context) => {
-    const port = readPort(call.text('port'));
+    const port = readPort('--port', call.text('port'));
+    const previewPort = readPort('--preview-port', call.text('preview-port'));
     const project = call.project === '' ? null : await findProject(call.project);
     const electron = call.flag('browser') ? null : await findElectron(context.installation.root, context.say);
     if (electron && 'path' in electron) {
@@ -40,16 +47,16 @@ export const openCommand: Command = {
       if (started || context.interrupted.aborted) return { status: 0, json: { ok: true, shell: 'electron' }, text: '', diagnostics: [] };
     }
     const why = electron === null ? null : 'path' in electron ? 'it ended as soon as it started' : electron.missing;
-    return serve(context, project, port, why, call.flag('json'));
+    return serve(context, project, { port, previewPort }, why, call.flag('json'));
   },
 };
 
 /** Null where none was asked for. */
-function readPort(text: string | null): number | null {
+function readPort(option: string, text: string | null): number | null {
   if (text === null) return null;
   const port = Number(text);
-  if (Number.isInteger(port) && port >= 0 && port <= 65_535) return port;
-  throw new UsageError(`--port ${text} is no port: give a number from 1 to 65535.`);
+  if (text !== '' && Number.isInteger(port) && port >= 0 && port <= 65_535) return port;
+  throw new UsageError(`${option} ${text} is not a port. Enter a number from 1 to 65535.`);
 }
 
 /** Resolves when the window is closed; false where Electron could not start. */
@@ -64,7 +71,7 @@ function runElectron(path: string, { installation }: Context, project: string | 
   const startMs = performance.now();
   return new Promise((resolve) => {
     const child = spawn(path, args, { stdio: ['ignore', 'ignore', 'inherit'], env });
-    // Whoever ends Scrim ends its window; a terminal's Ctrl-C reaches both by itself.
+    // SIGTERM ends this process only, so it is passed on to the window. Ctrl-C in a terminal reaches both.
     const end = () => child.kill();
     process.once('SIGTERM', end);
     child.on('error', () => resolve(false));
@@ -75,25 +82,60 @@ function runElectron(path: string, { installation }: Context, project: string | 
   });
 }
 
-async function serve(context: Context, project: string | null, port: number | null, why: string | null, json: boolean): Promise<Outcome> {
+async function serve(context: Context, project: string | null, ports: Ports, why: string | null, json: boolean): Promise<Outcome> {
   const { installation, print } = context;
   const log = (message: string) => console.error(message);
-  const listenAt = (wanted: number) =>
-    startServer({ installation, startPath: project, port: wanted, log }).catch((error: unknown) => {
-      if (errorCode(error) === 'EADDRINUSE' || errorCode(error) === 'EACCES') return null;
-      throw error;
-    });
-  const server = port === null ? ((await listenAt(USUAL_PORT)) ?? (await listenAt(0))) : await listenAt(port);
-  if (server === null) throw new UsageError(`Port ${port} is taken or forbidden: give another one, or none.`);
-  if (json) print(JSON.stringify({ ok: true, shell: 'server', url: server.url }));
+  const server = await listen(ports, (port, previewPort) => startServer({ installation, startPath: project, port, previewPort, log }));
+  const url = server.invite();
+  if (json) print(JSON.stringify({ ok: true, shell: 'server', url }));
   else {
-    if (why !== null) print(`Electron cannot run here (${why}): the editor opens in the browser instead.`);
-    print(`${server.url}\nCtrl-C stops it.`);
-    openAddress(server.url);
+    if (why !== null) print(`Electron cannot run here (${why}). The editor opens in the browser instead.`);
+    print(`${url}\nThis address opens once. Ctrl-C stops Scrim.`);
+    // Another one than is printed: everybody on this machine can see what a browser is started with.
+    openAddress(server.invite());
   }
-  await untilAborted(context.interrupted);
+  await untilAborted(AbortSignal.any([context.interrupted, server.ended]));
   await server.close();
-  return { status: 0, json: undefined, text: '', diagnostics: [] };
+  const done: Outcome = { status: 0, json: undefined, text: '', diagnostics: [] };
+  if (!server.ended.aborted) return done;
+  // The one JSON value is out; a person still reads the terminal.
+  if (json) log(formatDiagnostic(OPENED_TWICE));
+  return { ...done, status: 1, diagnostics: [OPENED_TWICE] };
+}
+
+const OPENED_TWICE: Diagnostic = {
+  code: 'SCR075',
+  severity: 'error',
+  message: 'The address of this session was opened a second time, so the session has ended. Unsaved work is kept in the project.',
+  fix: 'Start Scrim again. If you did not open the address twice, another person on this machine has read it.',
+};
+
+interface Ports {
+  /** Null where none was given. */
+  readonly port: number | null;
+  readonly previewPort: number | null;
+}
+
+/**
+ * Both at fixed ports, so that both can be forwarded: the preview's is the one after the editor's. Where no port was given and
+ * one of the usual ones is taken, both are free ones.
+ */
+async function listen(
+  { port, previewPort }: Ports,
+  start: (port: number, previewPort: number) => Promise<EditorServer>,
+): Promise<EditorServer> {
+  const wanted = port ?? USUAL_PORT;
+  const wantedPreview = previewPort ?? (wanted === 0 || wanted === 65_535 ? 0 : wanted + 1);
+  if (wanted !== 0 && wantedPreview === wanted) throw new UsageError('--port and --preview-port are equal. Name two different ports.');
+  try {
+    return await start(wanted, wantedPreview);
+  } catch (error) {
+    if (errorCode(error) !== 'EADDRINUSE' && errorCode(error) !== 'EACCES') throw error;
+    const { port: taken } = error as { port?: number };
+    const isPreview = taken === wantedPreview;
+    if (port === null && !(isPreview && previewPort !== null)) return listen({ port: 0, previewPort }, start);
+    throw new UsageError(`Port ${taken} is taken or forbidden. Name another one with ${isPreview ? '--preview-port' : '--port'}.`);
+  }
 }
 
 function untilAborted(signal: AbortSignal): Promise<void> {

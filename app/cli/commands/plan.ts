@@ -5,12 +5,12 @@ import { compileFolder } from '../compile-folder.ts';
 export const planCommand: Command = {
   name: 'plan',
   usage: 'PROJECT',
-  summary: 'Show what a project is compiled to',
-  doc: 'Compiles PROJECT and tells the program: what is done per frame and per view, in which order, which textures that takes and how large they are, what a visitor’s device is asked for, and what each kind of device can show.',
+  summary: 'Show the compiled program',
+  doc: 'Compiles PROJECT and prints the program: its operations per frame and per view in order, its textures and their sizes, the features that it requests, and what each kind of device can show.',
   project: 'required',
   options: {},
   examples: [
-    { line: 'scrim plan examples/first-light', says: 'The program in words.' },
+    { line: 'scrim plan examples/first-light', says: 'Prints the program as text.' },
     {
       line: 'scrim plan examples/first-light --json > program.json',
       says: 'The program itself, shaders included: { ok, program, diagnostics }.',

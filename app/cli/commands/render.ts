@@ -13,24 +13,24 @@ const NODE_PORT = /^(?!.*\.(?:png|json)$)[a-z][a-z0-9/-]*-[a-z0-9]+\.[A-Za-z_]\w
 export const renderCommand: Command = {
   name: 'render',
   usage: 'PROJECT --out FILE.png|DIR',
-  summary: 'Render frames of a project to pictures',
-  doc: 'Plays PROJECT over a recorded session or in an emulated room, in a headless browser with fixed time, date and chance, and writes what a visitor would see: the same pixels each time. One frame goes to FILE.png, several to DIR/000000.png and so on, RGBA with straight alpha. With any error nothing is written.',
+  summary: 'Render frames to PNG files',
+  doc: 'Plays PROJECT over a recorded session or in an emulated room, in a headless browser with fixed time, date and random seed, and writes what a visitor would see: the same pixels each time. Writes one frame to FILE.png, several to DIR/000000.png and so on, as RGBA with straight alpha. After an error nothing is written.',
   project: 'required',
   options: {
-    out: { type: 'string', value: 'FILE.png|DIR', doc: 'Where the pictures go.' },
+    out: { type: 'string', value: 'FILE.png|DIR', doc: 'File or folder to write the frames to.' },
     session: {
       type: 'string',
       value: 'FOLDER|room:NAME',
       doc: 'A folder with session.json, or an emulated room: room:studio, room:living_room, room:meeting_room, room:music_room, room:office_large, room:office_small. Without it, the project’s own first session, else the studio that comes with Scrim.',
     },
-    frames: { type: 'string', value: 'A..B', doc: 'From 0, both included; frame 0 unless given.' },
-    size: { type: 'string', value: 'WxH', doc: 'In pixels; the session’s own unless given.' },
-    layer: { type: 'string', value: 'NODE.PORT', doc: 'Write this layer instead of the screen.' },
+    frames: { type: 'string', value: 'A..B', doc: 'First and last frame, from 0, both included; by default frame 0.' },
+    size: { type: 'string', value: 'WxH', doc: 'Size in pixels; by default that of the session.' },
+    layer: { type: 'string', value: 'NODE.PORT', doc: 'Write this layer instead of the screen output.' },
     depth: {
       type: 'string',
       value: '[NODE.PORT]',
       optionalValue: NODE_PORT,
-      doc: 'Write depth instead of colour, in millimetres, 16 bits: 0 is nothing, 65535 is 65.5 m or more. Of the layer named here or by --layer, else of the one on the screen.',
+      doc: 'Write depth instead of color, in millimeters, 16 bits: 0 is nothing, 65535 is 65.5 m or more. Depth of the layer named here or by --layer, else of the screen output.',
     },
   },
   examples: [
@@ -42,7 +42,7 @@ export const renderCommand: Command = {
     { line: 'scrim render my-project --layer scene-k7q2.layer --out scene.png', says: 'What one node draws, before everything after it.' },
     {
       line: 'scrim render my-project --out depth.png --session room:living_room --depth',
-      says: 'How far away the picture’s virtual parts are.',
+      says: 'Writes the depth of the virtual objects.',
     },
   ],
   run: async (call, { installation, say, interrupted }): Promise<Outcome> => {
@@ -50,7 +50,7 @@ export const renderCommand: Command = {
     const range = readRange(call.text('frames'));
     const size = readSize(call.text('size'));
     const isFile = out.toLowerCase().endsWith('.png');
-    if (isFile && range.first !== range.last) throw new UsageError(`${out} is one picture, but --frames asks for several: give a folder.`);
+    if (isFile && range.first !== range.last) throw new UsageError(`${out} is one file, but --frames names several frames. Name a folder.`);
 
     const compiled = await compileFolder(call.project, (project) => ({ taps: tapsFor(call, project) }));
     const { project, program } = compiled;
@@ -78,7 +78,7 @@ export const renderCommand: Command = {
       const all = [...compiled.diagnostics, ...diagnostics];
       if (hasErrors(all)) return failed(all);
       const files = await writer.finish();
-      const text = files.length === 1 ? `Wrote ${files[0]}` : `Wrote ${files.length} pictures to ${out}`;
+      const text = files.length === 1 ? `Wrote ${files[0]}` : `Wrote ${files.length} frames to ${out}`;
       return { status: 0, json: { ok: true, out, files, diagnostics: all }, text, diagnostics: all };
     } finally {
       await writer.dispose();
@@ -88,6 +88,6 @@ export const renderCommand: Command = {
 
 function readOut(call: Call): string {
   const out = call.text('out');
-  if (out === null || out === '') throw new UsageError('--out FILE.png or --out DIR is missing: where the pictures go.');
+  if (out === null || out === '') throw new UsageError('--out FILE.png or --out DIR is missing. Name the file or folder to write to.');
   return out;
 }

@@ -8,8 +8,8 @@ import { findShaders } from '../shader/find-shaders.ts';
 export const shaderCheckCommand: Command = {
   name: 'shader check',
   usage: 'FILE|DIR…',
-  summary: 'Compile shader files with a graphics driver and say what is wrong',
-  doc: 'Reads ISF files (filters, operators, generators) and techniques (.glsl), compiles them with a real driver in a headless browser and lets their loops run. What is wrong with the header, the syntax or the types, and loops that do not end, are printed with file, line and column of the author’s text. A vertex shader (.vs) is checked with the ISF file beside it. Only errors give status 1.',
+  summary: 'Check shader files with a graphics driver',
+  doc: 'Reads ISF files (filters, composites, generators) and techniques (.glsl), compiles them with a real driver in a headless browser and runs their loops. Prints problems of the header, the syntax or the types, and endless loops, with file, line and column. Checks a vertex shader (.vs) with the ISF file beside it. Only errors give status 1.',
   project: 'required',
   operand: { word: 'FILE|DIR', doc: 'a shader, or a folder with shaders at any depth', many: true },
   options: {},

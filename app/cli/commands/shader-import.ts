@@ -1,29 +1,29 @@
 import { readFile } from 'node:fs/promises';
 import { basename, extname } from 'node:path';
 import { convertShadertoy, isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
-import { makeShaderFile } from '../../../export/graph/names.ts';
+import { makeShaderFile } from '../../../export/graph/document-names.ts';
 import { NODE_FILES } from '../../services/file-layer.ts';
 import { type Command, failed, UsageError } from '../command.ts';
 
 export const shaderImportCommand: Command = {
   name: 'shader import',
   usage: 'FILE [--out FILE.fs]',
-  summary: 'Make an ISF file of a Shadertoy source',
-  doc: 'Reads a work of shadertoy.com: the code of its tabs, with a line such as “// Buffer A” before each where there are several, or the site’s JSON. Buffers become passes, pictures become layers, the pointer becomes a point. Credit and licence come from the source; where it names no licence, the site’s own, CC BY-NC-SA 3.0, is written down. Nothing is overwritten.',
+  summary: 'Convert a Shadertoy shader to ISF',
+  doc: 'Reads a shader of shadertoy.com: the code of its tabs, with a line such as “// Buffer A” before each if there are several, or the site’s JSON. Buffers become passes, images become layers, the mouse becomes a point. Credit and license come from the source; without a license in it, the site’s default, CC BY-NC-SA 3.0, is written. Never overwrites a file.',
   project: 'required',
   operand: { word: 'FILE', doc: 'the source, as text or JSON' },
-  options: { out: { type: 'string', value: 'FILE.fs', doc: 'Where the ISF file goes; by default here, under the work’s name.' } },
+  options: { out: { type: 'string', value: 'FILE.fs', doc: 'The ISF file to write; by default in this folder, named after the shader.' } },
   examples: [
-    { line: 'scrim shader import ripples.glsl', says: 'Writes ripples.fs, and says whose work it is and under which terms.' },
-    { line: 'scrim shader import export.json --out my-project/shaders/ripples.fs', says: 'Puts it into a project, as a node type.' },
+    { line: 'scrim shader import ripples.glsl', says: 'Writes ripples.fs and prints its credit and license.' },
+    { line: 'scrim shader import export.json --out my-project/shaders/ripples.fs', says: 'Adds it to a project as a node type.' },
   ],
   run: async (call) => {
     const path = call.project;
     const source = await readFile(path, 'utf8').catch(() => {
-      throw new UsageError(`There is no file ${path} to read.`);
+      throw new UsageError(`${path} cannot be read.`);
     });
     if (!isShadertoy(source)) {
-      const message = 'This is no source of shadertoy.com: it has neither a function mainImage nor "renderpass" as the site’s JSON has.';
+      const message = 'This is not a Shadertoy source: it has neither a function mainImage nor the "renderpass" of the site’s JSON.';
       return failed([{ code: 'SCR045', severity: 'error', file: path, message }]);
     }
     const { output, diagnostics } = convertShadertoy(source, path);
@@ -34,14 +34,14 @@ export const shaderImportCommand: Command = {
       await NODE_FILES.writeNew(out, new TextEncoder().encode(text));
     } catch (error) {
       const taken = (error as NodeJS.ErrnoException).code === 'EEXIST';
-      const message = taken ? `There is a file ${out} already.` : `${out} cannot be written: ${(error as Error).message}.`;
-      const fix = taken ? 'Name another with --out.' : 'Name another place with --out.';
+      const message = taken ? `${out} already exists.` : `${out} cannot be written: ${(error as Error).message}.`;
+      const fix = taken ? 'Name another file with --out.' : 'Name another place with --out.';
       return failed([{ code: taken ? 'SCR061' : 'SCR060', severity: 'error', file: out, message, fix }]);
     }
     return {
       status: 0,
       json: { ok: true, out, title, credit, licence, diagnostics },
-      text: `Made ${out}.\nCredit: ${credit}\nLicence: ${licence}`,
+      text: `Made ${out}.\nCredit: ${credit}\nLicense: ${licence}`,
       diagnostics,
     };
   },

@@ -3,8 +3,8 @@ import { POSTER_SIZE, type PosterPicture } from '../../../export/bundle/poster.t
 import type { Program } from '../../../export/program/program.ts';
 import { HostError } from '../../contract/host-error.ts';
 import { findChromium } from '../../services/chromium.ts';
+import { encodeLayer } from '../../services/encode-png.ts';
 import type { Installation } from '../../services/installation.ts';
-import { encodeLayer } from '../../services/pictures.ts';
 import { startBrowser } from '../../services/start-browser.ts';
 import { renderFrames } from './render-frames.ts';
 import { findRenderSession } from './render-session.ts';

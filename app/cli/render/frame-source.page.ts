@@ -7,7 +7,7 @@ import { requestWebXrSession } from '../../../export/runtime/sessions/webxr/requ
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import type { Session, SessionEvent, SessionFrame } from '../../../nodes/kit/session.ts';
 
-/** Where the viewer stands in a room: where the editor's preview begins its walk. Metres; 0.15 rad down, as a quaternion. */
+/** Where the viewer stands in a room: where the editor's preview begins its walk. Meters; 0.15 rad down, as a quaternion. */
 const ROOM_POSE: HeadPose = { position: [0, 1.5, 1], quaternion: [-Math.sin(0.075), 0, 0, Math.cos(0.075)] };
 
 /** Where frames come from; addresses are relative to the page. */

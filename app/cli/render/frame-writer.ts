@@ -2,14 +2,14 @@ import { rmSync } from 'node:fs';
 import { mkdtemp, rename, rm, writeFile } from 'node:fs/promises';
 import { basename, dirname, join, resolve } from 'node:path';
 import process from 'node:process';
+import { encodeDepth, encodeLayer } from '../../services/encode-png.ts';
 import { writeRefusal } from '../../services/file-errors.ts';
 import { makeFolders } from '../../services/make-folders.ts';
-import { encodeDepth, encodeLayer } from '../../services/pictures.ts';
 import type { PictureHead } from './render.page.ts';
 
 /** Keeps pictures aside until all are there, so that a render that fails leaves nothing. */
 export interface FrameWriter {
-  /** `bytes`: premultiplied RGBA, or 32-bit floats in metres. */
+  /** `bytes`: premultiplied RGBA, or 32-bit floats in meters. */
   add(index: number, head: PictureHead, bytes: Uint8Array): Promise<void>;
   /** Puts them where they belong, and answers with their paths. */
   finish(): Promise<readonly string[]>;
@@ -36,7 +36,7 @@ export async function createFrameWriter(out: string, isFile: boolean, isDepth: b
     add: async (index, { widthPx, heightPx }, bytes) => {
       const name = isFile ? basename(out) : `${String(index).padStart(6, '0')}.png`;
       const png = isDepth
-        ? encodeDepth({ widthPx, heightPx, metres: new Float32Array(Uint8Array.from(bytes).buffer) })
+        ? encodeDepth({ widthPx, heightPx, meters: new Float32Array(Uint8Array.from(bytes).buffer) })
         : encodeLayer({ widthPx, heightPx, pixels: bytes });
       await writeFile(join(aside, name), png).catch(refuse);
       names.push(name);

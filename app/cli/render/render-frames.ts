@@ -1,7 +1,7 @@
 import { join } from 'node:path';
 import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
 import { DECODER_FILES_FOLDER } from '../../../export/gltf/decoders.ts';
-import { remembersFrames } from '../../../export/program/remembers.ts';
+import { isHistoryDependent } from '../../../export/program/history-dependence.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
 import { type Chromium, findChromium } from '../../services/chromium.ts';
@@ -81,7 +81,7 @@ async function inBrowser(found: Chromium, server: RenderServer, options: RenderO
 
 /** What depends on earlier frames needs them all; all else only the one before, which tells how much time has passed. */
 function firstPlayed({ first, job: { program, session } }: RenderOptions): number {
-  return session.kind === 'room' || remembersFrames(program) ? 0 : Math.max(0, first - 1);
+  return session.kind === 'room' || isHistoryDependent(program) ? 0 : Math.max(0, first - 1);
 }
 
 function shaderDiagnostics(

@@ -24,7 +24,7 @@ const MAX_FRAMES = 100_000;
 export function readRange(text: string | null): FrameRange {
   if (text === null) return { first: 0, last: 0 };
   const [, a, b] = /^(\d{1,9})(?:\.\.(\d{1,9}))?$/.exec(text) ?? [];
-  if (a === undefined) throw new UsageError(`--frames ${text} is no range: write 0..59, or one number.`);
+  if (a === undefined) throw new UsageError(`--frames ${text} is not a range. Write 0..59, or one number.`);
   const first = Number(a);
   const last = b === undefined ? first : Number(b);
   if (last < first) throw new UsageError(`--frames ${text} ends before it begins.`);
@@ -39,7 +39,7 @@ export function readSize(text: string | null): SizePx | null {
   const widthPx = Number(width);
   const heightPx = Number(height);
   if (widthPx >= 1 && heightPx >= 1 && widthPx <= MAX_SIDE_PX && heightPx <= MAX_SIDE_PX) return { widthPx, heightPx };
-  throw new UsageError(`--size ${text} is no size: write 1280x720, each side from 1 to ${MAX_SIDE_PX}.`);
+  throw new UsageError(`--size ${text} is not a size. Write 1280x720, each side from 1 to ${MAX_SIDE_PX}.`);
 }
 
 /** Layers that the compiler has to keep for what is asked. */
@@ -55,10 +55,10 @@ export function subjectOf(call: Call, project: Project, program: Program): Resul
   const layer = Object.hasOwn(program.taps, tap) ? program.taps[tap] : undefined;
   if (!layer) {
     const some = layersOf(project).join(', ');
-    return wrong(`There is no layer ${tap}, or something before it is not finished.`, `Layers of this project: ${some}.`);
+    return wrong(`Layer ${tap} does not exist, or its inputs are not connected.`, `Layers of this project: ${some}.`);
   }
   if (call.text('depth') === null) return { output: { kind: 'layer', tap }, diagnostics: [] };
-  if (layer.depth === null) return wrong(`The layer ${tap} has no depth.`, 'Name the layer of a scene.');
+  if (layer.depth === null) return wrong(`Layer ${tap} has no depth.`, 'Name the layer of a scene.');
   return { output: { kind: 'depth', tap }, diagnostics: [] };
 }
 

@@ -1,9 +1,10 @@
 import { randomBytes } from 'node:crypto';
-import { readFile } from 'node:fs/promises';
 import { createServer, type IncomingMessage, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
+import { MAX_ASSET_BYTES } from '../../contract/contract.ts';
 import { resolveInside } from '../../services/confine.ts';
 import { passiveMediaTypeOf } from '../../services/media-types.ts';
+import { readBytes } from '../../services/read-file.ts';
 
 export interface RenderServer {
   /** The page; ends in `/`, and cannot be guessed. */
@@ -40,7 +41,7 @@ export async function startRenderServer({ script, folders }: RenderServerOptions
     const root = Object.hasOwn(folders, folder) ? folders[folder] : undefined;
     if (root === undefined) return send(response, 404, 'text/plain', 'There is nothing here.');
     const file = parts.join('/');
-    return send(response, 200, passiveMediaTypeOf(file), await readFile(await resolveInside(root, file)));
+    return send(response, 200, passiveMediaTypeOf(file), await readBytes(await resolveInside(root, file), MAX_ASSET_BYTES));
   };
 
   const server = createServer((request, response) => {

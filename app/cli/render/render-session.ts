@@ -1,10 +1,10 @@
-import { readFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { realFolder } from '../../services/confine.ts';
 import type { Installation } from '../../services/installation.ts';
+import { readText } from '../../services/read-file.ts';
 import { ROOMS } from '../../services/rooms.ts';
-import { findSessions } from '../../services/session-list.ts';
+import { findSessions, MAX_SESSION_BYTES } from '../../services/session-list.ts';
 import type { RenderSession } from './frame-source.page.ts';
 import type { SizePx } from './render-options.ts';
 
@@ -30,9 +30,9 @@ export async function findRenderSession(
   if (named?.startsWith(ROOM_PREFIX)) return findRoom(named.slice(ROOM_PREFIX.length), installation, size);
   const folder = named === null ? await defaultFolder(projectRoot, installation) : resolve(named);
   if (folder === null) return findRoom('studio', installation, size);
-  const text = await readFile(join(folder, 'session.json'), 'utf8').catch(() => null);
+  const text = await readText(join(folder, 'session.json'), MAX_SESSION_BYTES).catch(() => null);
   if (text === null) {
-    return broken(`${named ?? folder} is no session: it has no session.json.`, 'Name a folder that holds one, or room:studio.');
+    return broken(`${named ?? folder} is not a session: it has no session.json.`, 'Name a folder that holds one, or room:studio.');
   }
   return {
     output: {
@@ -53,7 +53,7 @@ async function defaultFolder(projectRoot: string, { sessionsDir }: Installation)
 
 function findRoom(name: string, { roomsDir }: Installation, size: SizePx | null): Result<FoundSession> {
   const room = ROOMS.find((candidate) => candidate.name === name);
-  if (!room) return broken(`There is no room ${JSON.stringify(name)}.`, `There are ${ROOMS.map((r) => r.name).join(', ')}.`);
+  if (!room) return broken(`Unknown room ${JSON.stringify(name)}.`, `Name one of ${ROOMS.map((r) => r.name).join(', ')}.`);
   const sizePx = size ?? ROOM_SIZE;
   const captureUrl = room.capture === null ? null : `rooms/${room.capture}`;
   return {

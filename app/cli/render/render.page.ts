@@ -36,7 +36,7 @@ export interface OpenedJob {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** Premultiplied RGBA bytes, or metres as 32-bit floats, rows from the top; the numbers themselves are sent to `picture`. */
+/** Premultiplied RGBA bytes, or meters as 32-bit floats, rows from the top; the numbers themselves are sent to `picture`. */
 export interface PictureHead {
   readonly widthPx: number;
   readonly heightPx: number;
@@ -44,7 +44,7 @@ export interface PictureHead {
 
 const SEED = 1;
 
-interface Stage {
+interface OpenRender {
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
   readonly source: FrameSource;
@@ -55,7 +55,7 @@ interface Picture extends PictureHead {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-let stage: Stage | null = null;
+let opened: OpenRender | null = null;
 let taken: Picture | null = null;
 let take = false;
 /** Ends when the frame under way is drawn, and what it asked for is there. */
@@ -102,20 +102,20 @@ export async function open(job: RenderJob): Promise<OpenedJob> {
   });
   if (output) {
     player.setSession(output.session);
-    stage = { gl, player, source: output, subject: job.subject };
+    opened = { gl, player, source: output, subject: job.subject };
   }
   return { frameCount: output?.frameCount ?? null, shaderErrors, diagnostics };
 }
 
 /** Plays one frame. With `keep`, its picture is sent; null where there is none to send. */
 export async function play(index: number, keep: boolean): Promise<PictureHead | null> {
-  if (!stage) throw new Error('Nothing is open.');
+  if (!opened) throw new Error('Nothing is open.');
   take = keep;
   taken = null;
-  const stepped = await stage.source.step(index);
+  const stepped = await opened.source.step(index);
   await drawing;
   if (!keep || !stepped) return null;
-  const seen = stage.subject.kind === 'screen' ? stage.source.seen?.() : undefined;
+  const seen = opened.subject.kind === 'screen' ? opened.source.seen?.() : undefined;
   const picture: Picture | null = seen ? { widthPx: seen.widthPx, heightPx: seen.heightPx, bytes: Uint8Array.from(seen.rgba) } : taken;
   if (!picture) return null;
   await fetch('picture', { method: 'POST', body: picture.bytes });
@@ -125,13 +125,13 @@ export async function play(index: number, keep: boolean): Promise<PictureHead | 
 /** A recorded frame lasts: it is drawn when all that it shows is there. */
 async function drawRecorded(player: Player, frame: SessionFrame): Promise<void> {
   await player.drawSettled(frame);
-  if (take && stage) taken = readSubject(stage);
+  if (take && opened) taken = readSubject(opened);
 }
 
-/** What a device lends is only there during the frame, so it is drawn at once: videos show what the frame before asked for. */
+/** Draws at once, because textures of a device are valid only during the frame. Videos show the image that the previous frame requested. */
 function drawRoom(player: Player, frame: SessionFrame): Promise<void> {
   player.draw(frame);
-  if (take && stage) taken = readSubject(stage);
+  if (take && opened) taken = readSubject(opened);
   return player.settle();
 }
 
@@ -140,7 +140,7 @@ export function diagnostics(): readonly Diagnostic[] {
   return [...problems, ...events];
 }
 
-function readSubject({ gl, player, subject }: Stage): Picture | null {
+function readSubject({ gl, player, subject }: OpenRender): Picture | null {
   switch (subject.kind) {
     case 'screen':
       return screenOf(gl);
@@ -150,7 +150,7 @@ function readSubject({ gl, player, subject }: Stage): Picture | null {
     }
     case 'depth': {
       const layer = readDepth(player.inspect(subject.tap), 0);
-      return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: new Uint8Array(layer.metres.buffer) };
+      return layer && { widthPx: layer.widthPx, heightPx: layer.heightPx, bytes: new Uint8Array(layer.meters.buffer) };
     }
   }
 }

@@ -23,7 +23,7 @@ export interface DriverAnswer {
 
 export const NO_DRIVER_OPTION: Option = {
   type: 'boolean',
-  doc: 'Do not have the project’s own shaders compiled by a graphics driver.',
+  doc: 'Do not compile the project’s own shaders with a graphics driver.',
 };
 
 export interface DriverQuestion extends Pick<Context, 'installation' | 'say' | 'interrupted'> {
@@ -62,7 +62,7 @@ export async function askDriver({ root, files, wanted, installation, say, interr
 }
 
 function noDriver(why: string): DriverAnswer {
-  const message = `${why}, so no graphics driver has compiled the project’s own shaders: what only a driver refuses was not looked for.`;
+  const message = `${why}. The project’s own shaders were not checked by a graphics driver.`;
   return { driver: 'no-browser', diagnostics: [{ ...NO_BROWSER, severity: 'warning', message }] };
 }
 

@@ -1,10 +1,14 @@
-import { readFile } from 'node:fs/promises';
+import { readFile, realpath } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { uniqueDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
 import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
+import { countsAbove } from '../../../export/glsl/link/link-above.ts';
 import { type Diagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { MAX_SHADER_BYTES } from '../../services/project-files.ts';
+import { readText } from '../../services/read-file.ts';
+import { createLinker, LIMIT_S, type Linker, tookTooLong } from './create-linker.ts';
 import type * as DriverPage from './driver.page.ts';
-import { chunkBeside, type LinkedFile, linkFile } from './link-file.ts';
+import { chunkBeside, type LinkedFile } from './link-file.ts';
 import { type DriverOptions, type Judge, verdictDiagnostics, withDriver } from './with-driver.ts';
 
 export interface CheckedFile {
@@ -16,43 +20,71 @@ export interface CheckedFile {
 
 export interface CheckOptions extends DriverOptions {
   readonly interrupted: AbortSignal;
+  /** How long one file may take to be linked, and to be compiled. */
+  readonly limitS?: number;
 }
 
 /** Shaders that the driver is given at once: enough for all its threads, few enough that progress shows. */
 const BATCH = 32;
 
-/** Compiles shader files in the real driver, and runs their loops. Answers in the order of `paths`. */
-export function checkShaders(paths: readonly string[], options: CheckOptions): Promise<readonly CheckedFile[]> {
-  const { say, interrupted } = options;
-  return withDriver(options, async (judge) => {
-    const checked: CheckedFile[] = [];
-    const read = (start: number) => Promise.all(paths.slice(start, start + BATCH).map(readShader));
-    let next = read(0);
-    for (let start = 0; start < paths.length; start += BATCH) {
-      interrupted.throwIfAborted();
-      if (paths.length > BATCH) say(`Compiling ${start + 1} of ${paths.length} shaders…`);
-      const judged = judgeFiles(judge, await next);
-      // The driver has its own processes: meanwhile the next are read and linked.
-      next = read(start + BATCH);
-      checked.push(...(await judged));
-    }
-    return checked;
-  });
+/**
+ * Compiles shader files in the real driver, and runs their loops. Answers in the order of `paths`. Each file is judged alone: one that
+ * takes too long, or that Scrim fails at, is told as that and leaves the others as they are.
+ */
+export async function checkShaders(paths: readonly string[], options: CheckOptions): Promise<readonly CheckedFile[]> {
+  const { root, say, interrupted, limitS = LIMIT_S } = options;
+  const linker = await createLinker(root, limitS);
+  try {
+    return await withDriver(options, async (judge) => {
+      const checked: CheckedFile[] = [];
+      const read = async (start: number) => {
+        const files: ReadFile[] = [];
+        for (const path of paths.slice(start, start + BATCH)) files.push(await readShader(path, linker));
+        return files;
+      };
+      let next = read(0);
+      for (let start = 0; start < paths.length; start += BATCH) {
+        interrupted.throwIfAborted();
+        if (paths.length > BATCH) say(`Compiling ${start + 1} of ${paths.length} shaders…`);
+        const judged = judgeFiles(judge, await next, limitS);
+        // The driver has its own processes: meanwhile the next are read and linked.
+        next = read(start + BATCH);
+        checked.push(...(await judged));
+      }
+      return checked;
+    });
+  } finally {
+    await linker.close();
+  }
 }
 
 type ReadFile = LinkedFile & { readonly vertex: string };
 
-async function readShader(path: string): Promise<ReadFile> {
+async function readShader(path: string, linker: Linker): Promise<ReadFile> {
   const source = await readFile(path, 'utf8').catch((error: Error) => error);
   const companion = companionOf(path);
-  const vertex = companion === path ? null : await readFile(companion, 'utf8').catch(() => null);
-  if (typeof source === 'string') return { ...linkFile(source, path, vertex), vertex: vertex ?? '' };
+  const vertex = companion === path ? null : await readBeside(companion).catch(() => null);
+  if (typeof source === 'string') return { ...(await linker.link({ source, file: path, vertex })), vertex: vertex ?? '' };
   const unreadable: Diagnostic = { code: 'SCR004', severity: 'error', message: `The file cannot be read: ${source.message}.`, file: path };
-  return { file: path, source: '', vertex: '', passes: [], diagnostics: [unreadable] };
+  return { file: path, source: '', vertex: '', passes: [], diagnostics: [unreadable], before: null };
 }
 
-async function judgeFiles(judge: Judge, files: readonly ReadFile[]): Promise<CheckedFile[]> {
-  const verdicts = await judge(files.flatMap(({ passes }) => passes.map(({ job }) => job)));
+/** The file beside it that nobody has named: it may be a pipe that is never written to. */
+async function readBeside(path: string): Promise<string> {
+  return readText(await realpath(path), MAX_SHADER_BYTES);
+}
+
+/** All at once; where that takes too long, one by one. */
+async function judgeFiles(judge: Judge, files: readonly ReadFile[], limitS: number): Promise<CheckedFile[]> {
+  const verdicts = await judge(
+    files.flatMap(({ passes }) => passes.map(({ job }) => job)),
+    limitS,
+  );
+  if (verdicts === null) {
+    const checked: CheckedFile[] = [];
+    for (const file of files) checked.push(await judgeAlone(judge, file, limitS));
+    return checked;
+  }
   let next = 0;
   return files.map((linked) => {
     const own = verdicts.slice(next, next + linked.passes.length);
@@ -61,13 +93,31 @@ async function judgeFiles(judge: Judge, files: readonly ReadFile[]): Promise<Che
   });
 }
 
-function checkedFile({ file, source, vertex, passes, diagnostics }: ReadFile, verdicts: readonly DriverPage.ShaderVerdict[]): CheckedFile {
+async function judgeAlone(judge: Judge, file: ReadFile, limitS: number): Promise<CheckedFile> {
+  const jobs = file.passes.map(({ job }) => job);
+  const verdicts = jobs.length === 0 ? [] : await judge(jobs, limitS);
+  if (verdicts !== null) return checkedFile(file, verdicts);
+  const ended: Diagnostic = { code: 'SCR043', severity: 'error', ...tookTooLong(limitS), file: file.file, line: 1, column: 1 };
+  return checkedFile({ ...file, passes: [], diagnostics: [...file.diagnostics, ended] }, []);
+}
+
+const SILENT: DriverPage.ShaderVerdict = { logs: [], endlessLine: null };
+
+function checkedFile(
+  { file, source, vertex, passes, diagnostics, before }: ReadFile,
+  verdicts: readonly DriverPage.ShaderVerdict[],
+): CheckedFile {
   const chunkIn = (name: string) => {
     const chunk = name === file ? undefined : /^chunks\/(.+)\.glsl$/.exec(name)?.[1];
     return chunk === undefined ? undefined : chunkBeside(file, chunk);
   };
   const sourceOf = (name: string) => (name === file ? source : (chunkIn(name) ?? vertex));
-  const said = passes.flatMap(({ shader }, i) => verdictDiagnostics(shader, verdicts[i], sourceOf));
+  const said = passes.flatMap(({ shader }, i) => {
+    const verdict = verdicts[i] ?? SILENT;
+    if (before === null) return verdictDiagnostics(shader, verdict, sourceOf);
+    // The loops of a text that was cut may lack what ends them.
+    return verdictDiagnostics(shader, { ...verdict, endlessLine: null }, sourceOf).filter((diagnostic) => countsAbove(diagnostic, before));
+  });
   // There is no node: the file alone says where.
   const all = uniqueDiagnostics(
     [...diagnostics, ...said].map(({ nodeId: _, file: at = file, ...diagnostic }) => ({

@@ -5,7 +5,7 @@ import { createGlObjects, type GlObjects } from '../../../export/runtime/gl/gl-o
 import { createLoopProbe, type LoopProbe } from '../../../export/runtime/gl/loop-probe.ts';
 import { createPassDrawer, type PassDrawer } from '../../../export/runtime/gl/pass-drawer.ts';
 import { createProgramCache, type GlProgram, type ShaderError } from '../../../export/runtime/gl/program-cache.ts';
-import { createTestPicture } from './test-picture.page.ts';
+import { createTestImage } from './test-image.page.ts';
 
 /** A linked shader and what it is drawn with. */
 export interface ShaderJob {
@@ -126,5 +126,5 @@ function createBench(): Bench {
   if (!gl) throw new Error('The browser has no WebGL 2.');
   const objects = createGlObjects(gl);
   const drawer = createPassDrawer(objects);
-  return { gl, objects, drawer, probe: createLoopProbe(objects), ...createTestPicture(objects) };
+  return { gl, objects, drawer, probe: createLoopProbe(objects), ...createTestImage(objects) };
 }

@@ -20,13 +20,13 @@ export async function findShaders(operands: readonly string[]): Promise<readonly
   const files: string[] = [];
   for (const operand of operands) {
     const found = await stat(operand).catch(() => null);
-    if (!found) throw new UsageError(`There is no ${operand}.`);
+    if (!found) throw new UsageError(`${operand} does not exist.`);
     if (!found.isDirectory()) {
       files.push(VERTEX.test(operand) ? await fragmentOf(operand) : operand);
       continue;
     }
     const inside = await shadersIn(operand);
-    if (inside.length === 0) throw new UsageError(`There are no shaders in ${operand}: their names end in .fs, .isf or .glsl.`);
+    if (inside.length === 0) throw new UsageError(`${operand} contains no shaders (.fs, .isf or .glsl).`);
     files.push(...inside);
   }
   return [...new Set(files)];
@@ -39,7 +39,9 @@ async function fragmentOf(vertex: string): Promise<string> {
     if (await stat(file).catch(() => null)) return file;
   }
   const wanted = basename(vertex).replace(VERTEX, '.fs');
-  throw new UsageError(`${vertex} is the vertex shader of an ISF file ${wanted}, which is not beside it: put it there, and check that.`);
+  throw new UsageError(
+    `${vertex} is the vertex shader of an ISF file ${wanted}, which is missing. Put it in the same folder and check it.`,
+  );
 }
 
 async function shadersIn(folder: string): Promise<string[]> {

@@ -1,6 +1,7 @@
-import { readFileSync } from 'node:fs';
+import { readFileSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
+import { type LinkedAbove, linkAbove } from '../../../export/glsl/link/link-above.ts';
 import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../../export/glsl/link/linked-pass.ts';
 import { readImageShader } from '../../../export/glsl/read-definition.ts';
@@ -8,8 +9,8 @@ import { linkTechnique } from '../../../export/glsl/technique/link-technique.ts'
 import { readTechnique } from '../../../export/glsl/technique/read-technique.ts';
 import { isTechnique } from '../../../export/glsl/technique/technique-shader.ts';
 import type { LinkedShader } from '../../../export/program/program.ts';
+import { SHADERS } from '../../../nodes/generated/definitions.gen.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { LIBRARY } from '../../services/compile-project.ts';
 import type { ShaderJob } from './driver.page.ts';
 
 export interface LinkedFile {
@@ -17,8 +18,10 @@ export interface LinkedFile {
   readonly source: string;
   /** One for each pass, with what the driver has to be given to draw it. */
   readonly passes: readonly { readonly shader: LinkedShader; readonly job: ShaderJob }[];
-  /** What can be said without a driver; with an error among it there are no passes. */
+  /** What can be said without a driver; with an error among it the passes, if any, are of the text above. */
   readonly diagnostics: readonly Diagnostic[];
+  /** Where the file has a mistake: the passes are of the text above, and of what they bring only that counts. Else null. */
+  readonly before: LinkedAbove['before'] | null;
 }
 
 /**
@@ -31,20 +34,24 @@ export function linkFile(source: string, file: string, vertex: string | null): L
 
 function linkImageShader(source: string, file: string, vertex: string | null): LinkedFile {
   const read = readImageShader(source, file, vertex);
-  if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics };
+  if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics, before: null };
   const shader = read.output;
-  const linked = linkIsf(shader, { node: '', loopBudget: true });
+  const options = { node: '', loopBudget: true };
+  const linked = linkIsf(shader, options);
+  const [refused] = linked.diagnostics;
+  const above = linked.output === null && refused !== undefined ? linkAbove(shader, options, refused) : null;
   return {
     file,
     source,
-    passes: (linked.output ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
-    diagnostics: [...read.diagnostics, ...linked.diagnostics],
+    passes: (linked.output ?? above?.passes ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
+    diagnostics: [...read.diagnostics, ...(above?.diagnostics ?? []), ...linked.diagnostics],
+    before: above?.before ?? null,
   };
 }
 
 function linkTechniqueFile(source: string, file: string): LinkedFile {
   const read = readTechnique(source, file);
-  const options = { chunkOf: (name: string) => chunkBeside(file, name) ?? LIBRARY.shader(`chunks/${name}.glsl`), loopBudget: true };
+  const options = { chunkOf: (name: string) => chunkBeside(file, name) ?? SHADERS[`chunks/${name}.glsl`], loopBudget: true };
   const linked = read.output && linkTechnique(read.output, options);
   const trial = linked?.output?.trial;
   const samplers = (linked?.output?.samplers ?? []).map(({ name }) => ({ name, holds: 'color' as const }));
@@ -53,13 +60,16 @@ function linkTechniqueFile(source: string, file: string): LinkedFile {
     source,
     passes: trial ? [{ shader: trial, job: { shader: trial, passIndex: 0, uniforms: [], samplers } }] : [],
     diagnostics: [...read.diagnostics, ...(linked?.diagnostics ?? [])],
+    before: null,
   };
 }
 
 /** A chunk in the folder `chunks` beside a technique comes before the library's of the same name, as in projects. */
 export function chunkBeside(file: string, name: string): string | undefined {
   try {
-    return readFileSync(join(dirname(file), 'chunks', `${name}.glsl`), 'utf8');
+    const chunk = join(dirname(file), 'chunks', `${name}.glsl`);
+    // To open a named pipe would wait for ever.
+    return statSync(chunk).isFile() ? readFileSync(chunk, 'utf8') : undefined;
   } catch {
     return undefined;
   }

@@ -1,5 +1,6 @@
+import type { Browser, Page } from 'playwright-core';
 import { driverDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
-import { tooManyRounds } from '../../../export/program/loop-budget.ts';
+import { tooManyIterations } from '../../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../../export/program/program.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { bundleScript } from '../../services/bundle-script.ts';
@@ -14,24 +15,64 @@ export interface DriverOptions {
   readonly say: (text: string) => void;
 }
 
-/** Compiles shaders in the real driver, and runs their loops. Answers in their order. */
-export type Judge = (jobs: readonly DriverPage.ShaderJob[]) => Promise<readonly DriverPage.ShaderVerdict[]>;
+/**
+ * Compiles shaders in the real driver, and runs their loops. Answers in their order; with null where that takes longer than `limitS`
+ * (no limit where it is left out): the driver is then ended, and the next question has a new one.
+ */
+export interface Judge {
+  (jobs: readonly DriverPage.ShaderJob[]): Promise<readonly DriverPage.ShaderVerdict[]>;
+  (jobs: readonly DriverPage.ShaderJob[], limitS: number): Promise<readonly DriverPage.ShaderVerdict[] | null>;
+}
 
 const PAGE_ENTRY = 'app/cli/shader/driver.page.ts';
 
 /** Lends a graphics driver, by way of a headless browser, for as long as `use` takes. */
 export async function withDriver<T>({ root, chromium, say }: DriverOptions, use: (judge: Judge) => Promise<T>): Promise<T> {
   say('Starting the browser…');
-  const [script, browser] = await Promise.all([bundleScript(root, PAGE_ENTRY, 'scrimShaders'), startBrowser(chromium)]);
-  try {
-    const page = await browser.newPage();
-    await page.addScriptTag({ content: script });
-    return await use((jobs) =>
-      page.evaluate((all) => (globalThis as unknown as { scrimShaders: typeof DriverPage }).scrimShaders.judge(all), jobs),
-    );
-  } finally {
-    await browser.close();
+  const bundled = bundleScript(root, PAGE_ENTRY, 'scrimShaders');
+  let driver: Driver | null = await startDriver(bundled, chromium);
+
+  async function judge(jobs: readonly DriverPage.ShaderJob[], limitS: number | null = null) {
+    driver ??= await startDriver(bundled, chromium);
+    const { browser, page } = driver;
+    const judged = page.evaluate((all) => (globalThis as unknown as { scrimShaders: typeof DriverPage }).scrimShaders.judge(all), jobs);
+    if (limitS === null) return judged;
+    const verdicts = await within(limitS, judged);
+    if (verdicts === null) {
+      driver = null;
+      // Its page answers no more: what it still says goes nowhere.
+      judged.catch(() => undefined);
+      await browser.close();
+    }
+    return verdicts;
   }
+
+  try {
+    return await use(judge as Judge);
+  } finally {
+    await driver?.browser.close();
+  }
+}
+
+interface Driver {
+  readonly browser: Browser;
+  readonly page: Page;
+}
+
+async function startDriver(bundled: Promise<string>, chromium: Chromium): Promise<Driver> {
+  const [script, browser] = await Promise.all([bundled, startBrowser(chromium)]);
+  const page = await browser.newPage();
+  await page.addScriptTag({ content: script });
+  return { browser, page };
+}
+
+/** Null where the answer takes longer. */
+function within<T>(limitS: number, answer: Promise<T>): Promise<T | null> {
+  const limit = AbortSignal.timeout(limitS * 1000);
+  const late = new Promise<null>((resolve) => {
+    limit.addEventListener('abort', () => resolve(null));
+  });
+  return Promise.race([answer, late]);
 }
 
 /** What the driver said of one shader, on its author's lines. */
@@ -40,6 +81,6 @@ export function verdictDiagnostics(
   { logs, endlessLine }: DriverPage.ShaderVerdict = { logs: [], endlessLine: null },
   sourceOf?: (file: string) => string | undefined,
 ): Diagnostic[] {
-  const endless = endlessLine === null ? [] : [tooManyRounds(shader, endlessLine)];
+  const endless = endlessLine === null ? [] : [tooManyIterations(shader, endlessLine)];
   return [...logs.flatMap(({ log, stage }) => driverDiagnostics(shader, log, sourceOf, stage)), ...endless];
 }

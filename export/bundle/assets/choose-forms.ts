@@ -1,7 +1,7 @@
 import { measureModel } from '../../gltf/measure.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import type { CompressedModel } from '../compress/compressed-model.ts';
-import { DECODER_BYTES, GPU_BYTES_PER_FILE_BYTE } from '../compress/trade.ts';
+import { DECODER_BYTES, GPU_BYTES_PER_FILE_BYTE } from '../compress/texture-cost.ts';
 
 export type Form = 'original' | 'meshopt' | 'ktx2';
 
@@ -51,6 +51,6 @@ function cheapest(forms: readonly PricedForm[], best: Form): PricedForm {
 }
 
 export function gpuBytesOf(model: Uint8Array): number {
-  const { geometryBytes, pictureBytes } = measureModel(readGltf(model));
-  return geometryBytes + pictureBytes;
+  const { geometryBytes, textureBytes } = measureModel(readGltf(model));
+  return geometryBytes + textureBytes;
 }

@@ -2,8 +2,8 @@ import { resolve } from 'node:path';
 import { beforeAll, describe, expect, test } from '@jest/globals';
 import { texturedModel } from '../../../tests/support/textured-model.ts';
 import type { ProgramAsset } from '../../program/program.ts';
-import type { AssetCache } from './asset-cache.ts';
 import { chooseForms } from './choose-forms.ts';
+import type { AssetCache } from './model-cache.ts';
 import { type AssetOptions, type PreparedAssets, prepareAssets } from './prepare-assets.ts';
 
 const BALL: ProgramAsset = { id: 'ball', kind: 'model', path: 'assets/ball.glb' };

@@ -3,15 +3,15 @@ import { basename, join } from 'node:path';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { DECODER_FILES, DECODER_FILES_FOLDER, DECODERS, type DecoderFile, type DecoderName, neededDecoders } from '../../gltf/decoders.ts';
 import { ModelError } from '../../gltf/document.ts';
-import { pictureSize } from '../../gltf/picture-size.ts';
+import { imageSize } from '../../gltf/image-size.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import { readWholeModel } from '../../gltf/whole-model.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { CompressedModel } from '../compress/compressed-model.ts';
 import { createCompressor } from '../compress/compressor.ts';
 import { hashedName } from '../hashed-name.ts';
-import { type AssetCache, remembered } from './asset-cache.ts';
 import { chooseForms, type Form, gpuBytesOf } from './choose-forms.ts';
+import { type AssetCache, remembered } from './model-cache.ts';
 
 export interface AssetOptions {
   /** Absolute folder with Scrim's sources and `node_modules`. */
@@ -155,7 +155,7 @@ function prepare(
 
 /** Pictures on their own are drawn without mip maps. */
 function picturesGpuBytes(bytes: Uint8Array): number {
-  const size = pictureSize(bytes);
+  const size = imageSize(bytes);
   return size ? size.widthPx * size.heightPx * 4 : 0;
 }
 
@@ -181,9 +181,9 @@ function uncompressed({ path }: ProgramAsset, error: unknown): Diagnostic {
   return {
     code: 'SCR036',
     severity: 'warning',
-    message: `${path} could not be compressed, and goes into the page as it is: ${reason.replace(/\.$/, '')}.`,
+    message: `${path} could not be compressed, so the page contains the original: ${reason.replace(/\.$/, '')}.`,
     file: path,
-    fix: 'Exporting it again from the program that made it often helps.',
+    fix: 'Export it again from the program that made it.',
   };
 }
 

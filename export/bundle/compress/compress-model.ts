@@ -3,14 +3,14 @@ import { ALL_EXTENSIONS, EXTMeshoptCompression, KHRTextureBasisu } from '@gltf-t
 import { dedup, getTextureColorSpace, listTextureSlots, prune, quantize, reorder, weld } from '@gltf-transform/functions';
 import { MeshoptEncoder } from 'meshoptimizer/encoder';
 import { neededDecoders } from '../../gltf/decoders.ts';
-import { pictureSize } from '../../gltf/picture-size.ts';
+import { imageSize } from '../../gltf/image-size.ts';
 import { readGltf } from '../../gltf/read-gltf.ts';
 import type { CompressedModel } from './compressed-model.ts';
 import { encodeKtx2 } from './encode-ktx2.ts';
-import { GPU_BYTES_PER_FILE_BYTE } from './trade.ts';
+import { GPU_BYTES_PER_FILE_BYTE } from './texture-cost.ts';
 
 /**
- * Steps between which positions are rounded, per axis and mesh: 1/16,384 of its size, a tenth of a millimetre for a piece of
+ * Steps between which positions are rounded, per axis and mesh: 1/16,384 of its size, a tenth of a millimeter for a piece of
  * furniture. Texture coordinates keep a quarter of a pixel of a 4,096 texture, normals 0.1°.
  */
 const PRECISION = { quantizePosition: 14, quantizeTexcoord: 14, quantizeNormal: 10, quantizeColor: 8, quantizeWeight: 8 } as const;
@@ -39,7 +39,7 @@ export async function compressModel(bytes: Uint8Array): Promise<CompressedModel>
   const method = EXTMeshoptCompression.EncoderMethod.QUANTIZE;
   doc.createExtension(EXTMeshoptCompression).setRequired(true).setEncoderOptions({ method });
   const packed = await io.writeBinary(doc);
-  const encoded = await encodePictures(doc);
+  const encoded = await encodeTextures(doc);
   return { meshopt: owned(packed), ktx2: encoded ? owned(await io.writeBinary(doc)) : null };
 }
 
@@ -47,7 +47,7 @@ export async function compressModel(bytes: Uint8Array): Promise<CompressedModel>
 const KNOWN = new Set(ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME));
 
 /** False where no picture gains by it. */
-async function encodePictures(doc: Document): Promise<boolean> {
+async function encodeTextures(doc: Document): Promise<boolean> {
   let encoded = false;
   for (const texture of doc.getRoot().listTextures()) {
     const image = texture.getImage();
@@ -70,12 +70,12 @@ const MAX_PIXELS = 12 * 2 ** 20;
 
 /** `KHR_texture_basisu` asks for sides that are multiples of the block's. */
 function isEncodable(image: Uint8Array): boolean {
-  const size = pictureSize(image);
+  const size = imageSize(image);
   return size !== null && size.widthPx % 4 === 0 && size.heightPx % 4 === 0 && size.widthPx * size.heightPx <= MAX_PIXELS;
 }
 
 function isWorthIt(texture: Texture, image: Uint8Array, ktx2: Uint8Array): boolean {
-  const { widthPx, heightPx } = pictureSize(image) ?? { widthPx: 0, heightPx: 0 };
+  const { widthPx, heightPx } = imageSize(image) ?? { widthPx: 0, heightPx: 0 };
   // 4 bytes a pixel become 1, mip maps included.
   const savedBytes = widthPx * heightPx * 3 * (4 / 3);
   if ((ktx2.length - image.length) * GPU_BYTES_PER_FILE_BYTE >= savedBytes) return false;

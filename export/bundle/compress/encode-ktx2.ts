@@ -2,7 +2,7 @@ import { NodeBasisEncoder } from 'ktx2-encoder';
 
 export interface Ktx2Options {
   readonly mimeType: 'image/png' | 'image/jpeg';
-  /** Colours for the eye, not numbers. */
+  /** Colors for the eye, not numbers. */
   readonly srgb: boolean;
   readonly normals: boolean;
 }

@@ -1,8 +1,8 @@
 import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
-import type { FaceLookup } from '../../graph/library/faces.ts';
-import { subgraphName } from '../../graph/names.ts';
-import { sortedEntries } from '../../graph/own.ts';
+import { subgraphName } from '../../graph/document-names.ts';
+import type { InterfaceLookup } from '../../graph/library/node-interface.ts';
 import type { Binding, GraphNode } from '../../graph/project.ts';
+import { sortedEntries } from '../../graph/record.ts';
 import type { Source } from '../flat-graph.ts';
 import { createDescend, type Instance } from './instances.ts';
 
@@ -26,18 +26,18 @@ export interface Draft {
  * Takes all instances apart into one graph. Where a port for several has wires from within its subgraph and from outside, those
  * from outside come first.
  */
-export function flatten(instances: readonly Instance[], faceOf: FaceLookup, library: NodeLibrary): Draft {
+export function flatten(instances: readonly Instance[], interfaceOf: InterfaceLookup, library: NodeLibrary): Draft {
   const draft: Draft = { nodes: new Map(), aliases: new Map(), shown: new Map() };
-  for (const instance of instances) addNodes(draft, instance, faceOf, library);
+  for (const instance of instances) addNodes(draft, instance, interfaceOf, library);
   addWires(draft, instances);
   addShownOutputs(draft, instances);
   addOuterBindings(draft, instances);
   return draft;
 }
 
-function addNodes({ nodes }: Draft, { prefix, graph }: Instance, faceOf: FaceLookup, library: NodeLibrary): void {
+function addNodes({ nodes }: Draft, { prefix, graph }: Instance, interfaceOf: InterfaceLookup, library: NodeLibrary): void {
   for (const [id, node] of sortedEntries(graph.nodes)) {
-    const definition = subgraphName(node.type) === null ? library.definition(node.type) : mutedSubgraph(node, faceOf);
+    const definition = subgraphName(node.type) === null ? library.definition(node.type) : mutedSubgraph(node, interfaceOf);
     if (!definition) continue;
     const bindings = new Map(Object.entries(node.params));
     nodes.set(prefix + id, { id: prefix + id, definition, muted: node.muted === true, inputs: new Map(), bindings });
@@ -45,9 +45,9 @@ function addNodes({ nodes }: Draft, { prefix, graph }: Instance, faceOf: FaceLoo
 }
 
 /** A subgraph that is muted stands there as one node until it is bypassed, so how it lowers does not matter. */
-function mutedSubgraph({ type, muted }: GraphNode, faceOf: FaceLookup): NodeDefinition | undefined {
-  const face = muted === true ? faceOf(type) : undefined;
-  return face && { ...face, lowering: { kind: 'behaviour' } };
+function mutedSubgraph({ type, muted }: GraphNode, interfaceOf: InterfaceLookup): NodeDefinition | undefined {
+  const nodeInterface = muted === true ? interfaceOf(type) : undefined;
+  return nodeInterface && { ...nodeInterface, lowering: { kind: 'behavior' } };
 }
 
 function addWires({ nodes }: Draft, instances: readonly Instance[]): void {

@@ -1,6 +1,6 @@
-import { subgraphName } from '../../graph/names.ts';
-import { own, sortedEntries } from '../../graph/own.ts';
+import { subgraphName } from '../../graph/document-names.ts';
 import { type ExposedPort, type Graph, type GraphNode, MAIN_GRAPH, type PortAddress, type ProjectLogic } from '../../graph/project.ts';
+import { getOwn, sortedEntries } from '../../graph/record.ts';
 
 /** One use of a graph: the main graph, or a subgraph in the place of one node. */
 export interface Instance {
@@ -18,16 +18,16 @@ export interface Place {
 }
 
 /**
- * A few nested subgraphs that each use the next one twice make any number of nodes. Nobody draws so many, and the tab should
- * not die of a file.
+ * A few nested subgraphs that each use the next one twice make any number of nodes. Nobody draws so many, and neither a tab nor a
+ * server should die of a file: this many compile in some 4 s and give a program of 35 MB.
  */
-export const MAX_FLAT_NODES = 200_000;
+export const MAX_FLAT_NODES = 40_000;
 
 export type Instances = { readonly ok: true; readonly list: readonly Instance[] } | { readonly ok: false };
 
 /** All uses of graphs, each before those within it. Not ok where they would be more than `MAX_FLAT_NODES`; must not be recursive. */
 export function listInstances(project: ProjectLogic): Instances {
-  const main = own(project.graphs, MAIN_GRAPH);
+  const main = getOwn(project.graphs, MAIN_GRAPH);
   const list: Instance[] = main ? [{ prefix: '', graph: main, children: new Map() }] : [];
   let count = 0;
   // The list grows while it is walked.
@@ -48,7 +48,7 @@ export function listInstances(project: ProjectLogic): Instances {
 
 function subgraphOf(project: ProjectLogic, node: GraphNode): Graph | undefined {
   const name = subgraphName(node.type);
-  return name === null ? undefined : own(project.graphs, name);
+  return name === null ? undefined : getOwn(project.graphs, name);
 }
 
 /** Finds the port behind one that may be shown by a subgraph, within however many; null where it leads nowhere. */
@@ -71,6 +71,6 @@ export function createDescend(side: 'inputs' | 'outputs'): Descend {
       instance = child;
       at = next;
     }
-    return own(instance.graph.nodes, at.node) ? { node: instance.prefix + at.node, port: at.port } : null;
+    return getOwn(instance.graph.nodes, at.node) ? { node: instance.prefix + at.node, port: at.port } : null;
   };
 }

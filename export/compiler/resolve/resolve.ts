@@ -1,7 +1,7 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
-import { createFaceLookup } from '../../graph/library/faces.ts';
 import { migrateNodes } from '../../graph/library/migrate-nodes.ts';
+import { createInterfaceLookup } from '../../graph/library/node-interface.ts';
 import type { ProjectLogic } from '../../graph/project.ts';
 import { checkGraphs } from '../../graph/validate/check-project.ts';
 import type { FlatGraph } from '../flat-graph.ts';
@@ -22,8 +22,8 @@ export function resolve(project: ProjectLogic, library: NodeLibrary): Result<Res
   const recursive = checkGraphs(migrated.project);
   if (hasErrors(recursive)) return { output: null, diagnostics: recursive };
   const instances = listInstances(migrated.project);
-  if (!instances.ok) return { output: null, diagnostics: [tooMany()] };
-  const draft = flatten(instances.list, createFaceLookup(migrated.project, library), library);
+  if (!instances.ok) return { output: null, diagnostics: [tooMany(migrated.project)] };
+  const draft = flatten(instances.list, createInterfaceLookup(migrated.project, library), library);
   const { nodes, standIns } = bypassMuted(draft);
   const screens = [...nodes.values()].filter((node) => node.definition.lowering.kind === 'present');
   const [screen = null] = screens.length === 1 ? screens : [];
@@ -31,7 +31,15 @@ export function resolve(project: ProjectLogic, library: NodeLibrary): Result<Res
   return { output: { project: migrated.project, library, graph }, diagnostics: migrated.diagnostics };
 }
 
-function tooMany(): Diagnostic {
-  const message = `The subgraphs make more than ${MAX_FLAT_NODES} nodes when they are put in each other's place.`;
-  return { code: 'SCR020', severity: 'error', message, fix: 'Use subgraphs fewer times within each other.' };
+function tooMany({ graphs }: ProjectLogic): Diagnostic {
+  const count = MAX_FLAT_NODES.toLocaleString('en-US');
+  const nested = Object.keys(graphs).length > 1;
+  return {
+    code: 'SCR026',
+    severity: 'error',
+    message: nested
+      ? `The project has more than ${count} nodes, counting subgraphs once per use. Scrim compiles at most ${count}.`
+      : `The project has more than ${count} nodes. Scrim compiles at most ${count}.`,
+    fix: nested ? 'Nest fewer subgraphs, or mute some of them.' : 'Delete nodes, or split the project.',
+  };
 }

@@ -5,7 +5,7 @@ import { TEST_LIBRARY as library } from '../../../tests/support/test-library.ts'
 import { compile } from '../compile.ts';
 
 describe('least privilege', () => {
-  test('a video that is only the background asks for nothing and does nothing', () => {
+  test('a video that is only the background requests no feature and has no operation', () => {
     const made = program(videoStudio());
     expect(made.needs).toEqual([]);
     expect(made.operations).toEqual([]);
@@ -29,7 +29,7 @@ describe('least privilege', () => {
     expect(passes(made).map(({ target, blend }) => [target, blend])).toEqual([['screen', 'over']]);
   });
 
-  test('what nothing on screen depends on asks for nothing', () => {
+  test('a node that nothing on screen depends on requests no feature', () => {
     expect(program(videoStudio().add('room-a', 'world/depth')).needs).toEqual([]);
   });
 
@@ -40,7 +40,7 @@ describe('least privilege', () => {
     expect(made.taps).toEqual({ 'video-a.layer': { color: 'video-a.layer', depth: null } });
   });
 
-  test('a required need leaves out the tiers that lack it', () => {
+  test('a required need leaves out the tiers that lack it, but looking around', () => {
     const strict = {
       ...library,
       definition: (type: string) => {
@@ -52,7 +52,10 @@ describe('least privilege', () => {
     };
     const { output } = compile({ project: arScene().project, library: strict });
     expect(output?.needs).toMatchObject([{ capability: 'depth', required: true }]);
-    expect(output?.tiers).toEqual([{ id: 'ar', without: [] }]);
+    expect(output?.tiers).toMatchObject([
+      { id: 'ar', without: [] },
+      { id: 'orbit', without: [{ capability: 'depth' }] },
+    ]);
   });
 });
 

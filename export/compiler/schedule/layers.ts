@@ -74,7 +74,7 @@ function depthOf(node: FlatNode, output: Source, layers: LayerTable): Source | n
   // An occlusion that sinks into a draw gets the depth of what is left of it.
   if (depth === true || isEarlyOcclusion(node)) return output;
   if (depth === false) return null;
-  // Design §7: a displaced or resized layer loses its depth.
+  // A displaced or resized layer loses its depth.
   if (lowering.kind === 'image' && (lowering.access === 'displaced' || lowering.access === 'resize')) return null;
   const [first] = layerInputs(node);
   return first ? (layers.get(portKey(first))?.depth ?? null) : null;

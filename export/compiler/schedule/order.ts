@@ -5,7 +5,7 @@ import type { ScheduledOperation, Step } from './scheduled.ts';
 /**
  * Puts the operations into the order in which the runtime plays them: once a frame, then once per view.
  *
- * Once: kind by kind as far as they depend on each other, values first (design §7, order of a frame), and in the order of the
+ * Once: kind by kind as far as they depend on each other, values first (docs/ARCHITECTURE.md, “Drawing”), and in the order of the
  * graph among equals.
  *
  * Per view: so that few pictures are kept at a time, because each is a target of the size of the view. Choosing the best order
@@ -14,7 +14,7 @@ import type { ScheduledOperation, Step } from './scheduled.ts';
  * made first, while none of the others takes up room. What goes onto the screen comes last, in painter's order and all at once:
  * leaving the session's framebuffer and coming back would make a tiled GPU store and load it. `onScreen` names those operations.
  *
- * After all that, what is kept for the next frame in `delayed` pictures: until then these show the frame before.
+ * Last come the operations that write `delayed` images: until then these show the previous frame.
  */
 export function orderOperations(
   steps: readonly Step[],
@@ -35,7 +35,7 @@ function runs(view: 'once' | 'each') {
   return ({ operation }: Step) => operation.view === view;
 }
 
-const ONCE_KINDS: readonly ScheduledOperation['kind'][] = ['value', 'source', 'behaviour', 'geometry', 'shadow-maps', 'pass', 'cpu'];
+const ONCE_KINDS: readonly ScheduledOperation['kind'][] = ['value', 'source', 'behavior', 'geometry', 'shadow-maps', 'pass', 'cpu'];
 
 function orderOnce(steps: readonly Step[]): Step[] {
   const rank = ({ operation }: Step) => ONCE_KINDS.indexOf(operation.kind);

@@ -1,7 +1,7 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import type { LayerRef, Presentation, Resource, SlotTable } from '../../program/program.ts';
-import { type Checked, nodesBehind, type Tap } from '../check/check.ts';
+import { type Checked, nodesBehind, type Tap } from '../check/check-resolved.ts';
 import { type FlatNode, portKey } from '../flat-graph.ts';
 import type { ShaderStore } from '../shaders/shader-store.ts';
 import { type DemandStart, findDemand } from './demand.ts';
@@ -104,7 +104,7 @@ function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering
   return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
 }
 
-/** Pictures that show the frame before. */
+/** Layers that show the previous frame. */
 function delayedPictures(order: readonly FlatNode[]): ReadonlySet<string> {
   return new Set(
     order
@@ -130,6 +130,6 @@ function brokenShader({ id, definition }: FlatNode): Diagnostic {
     code: 'SCR041',
     severity: 'warning',
     nodeId: id,
-    message: `The shader of ${id} (${definition.title}) cannot be read, so nothing is to be seen of it.`,
+    message: `The shader of ${id} (${definition.title}) cannot be read, so the node shows nothing.`,
   };
 }

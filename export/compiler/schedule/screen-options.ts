@@ -1,6 +1,6 @@
 import type { Presentation } from '../../program/program.ts';
 import type { FlatNode } from '../flat-graph.ts';
-import { startValue } from './slots.ts';
+import { startValue } from './slot-allocator.ts';
 
 export interface ScreenOptions {
   readonly antialias: boolean;

@@ -1,9 +1,9 @@
 import type { Presentation } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
-import { type Fit, fitOf } from './fit.ts';
+import { type Fit, fitOf } from './layer-fit.ts';
 import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput } from './layers.ts';
 import { readScreen } from './screen-options.ts';
-import { movingBinding, startValue } from './slots.ts';
+import { movingBinding, startValue } from './slot-allocator.ts';
 
 /** One thing laid onto the screen, over those before it. */
 export type Leaf =
@@ -28,7 +28,7 @@ const OVER_SHADER = 'operators/over.fs';
 /**
  * Takes apart what the screen shows. A stack of `over` nodes is a list of layers, which can be laid over each other in the
  * session's framebuffer; whatever is drawn there directly needs no picture of its own, which saves a full-size target, its
- * resolve and its bandwidth (design §6). The world at the very bottom is the background and nothing to be drawn.
+ * resolve and its bandwidth (docs/ARCHITECTURE.md, “Drawing”). The world at the very bottom is the background and nothing to be drawn.
  */
 export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): ScreenPlan {
   const [shown] = layerInputs(screen);

@@ -60,7 +60,7 @@ function findLifetimes(
   for (const [place, operation] of operations.entries()) {
     for (const id of operation.reads) {
       const lifetime = lifetimes.get(id);
-      // Read before it is drawn: whoever does that means an earlier picture.
+      // An operation that reads a target before it is drawn reads an earlier frame, so the target is not shared.
       if (!lifetime) targets.delete(id);
       // What is drawn once is read for every view.
       else

@@ -6,9 +6,9 @@ import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
 import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
 import { readImageShader } from '../../glsl/read-definition.ts';
-import type { LinkedTechnique, TechniqueOptions } from '../../glsl/technique/link-technique.ts';
-import { isTechnique, type TechniqueShader } from '../../glsl/technique/technique-shader.ts';
-import { createTechniqueStore } from './technique-store.ts';
+import type { TechniqueOptions } from '../../glsl/technique/link-technique.ts';
+import { isTechnique } from '../../glsl/technique/technique-shader.ts';
+import { createTechniqueStore, type TechniqueText } from './technique-store.ts';
 
 /** What of its inputs a shader has to do without. */
 export interface LinkVariant {
@@ -20,7 +20,7 @@ export interface LinkVariant {
 }
 
 /**
- * All that the compiler asks of `export/glsl`, with a memory: a text is read, analysed and linked once for as long as its file
+ * All that the compiler asks of `export/glsl`, with a memory: a text is read, analyzed and linked once for as long as its file
  * holds it, however many nodes use it. So an edit recompiles in the time that the edited shader takes. Diagnostics name no
  * nodes, because they are everybody's who uses the shader.
  */
@@ -34,12 +34,6 @@ export interface ShaderStore {
   linkTechnique(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
   /** Only for shaders whose `depth` is `over`. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
-}
-
-/** A technique's header and its text. */
-export interface TechniqueText {
-  readonly technique: TechniqueShader;
-  readonly linked: LinkedTechnique;
 }
 
 interface Entry {

@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { createTechniqueStore } from './technique-store.ts';
 
 const SOURCE =
-  '/*{ "DESCRIPTION": "One colour." }*/\n#include <paint/wash>\nvec4 surface(const in Surface s) { return vec4(wash(), 1.0); }\n';
+  '/*{ "DESCRIPTION": "One color." }*/\n#include <paint/wash>\nvec4 surface(const in Surface s) { return vec4(wash(), 1.0); }\n';
 const FILE = 'shaders/wash.glsl';
 
 function linkWith(store: ReturnType<typeof createTechniqueStore>, chunks: Readonly<Record<string, string>>) {

@@ -1,11 +1,16 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { shaderName } from '../../glsl/isf/isf-definition.ts';
-import { linkTechnique, type TechniqueOptions } from '../../glsl/technique/link-technique.ts';
+import { type LinkedTechnique, linkTechnique, type TechniqueOptions } from '../../glsl/technique/link-technique.ts';
 import { readTechnique } from '../../glsl/technique/read-technique.ts';
 import { techniqueDefinition } from '../../glsl/technique/technique-definition.ts';
 import type { TechniqueShader } from '../../glsl/technique/technique-shader.ts';
-import type { TechniqueText } from './shader-store.ts';
+
+/** A technique's header and its text. */
+export interface TechniqueText {
+  readonly technique: TechniqueShader;
+  readonly linked: LinkedTechnique;
+}
 
 /** The part of the shader store that reads techniques. */
 export interface TechniqueStore {

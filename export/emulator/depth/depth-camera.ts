@@ -4,7 +4,7 @@ import type { RoomView } from '../display/room-view.ts';
 import type { DepthCameraPose } from './depth-sensor.ts';
 import { type Affine, depthClipFromView } from './depth-transform.ts';
 
-/** Measures the room exactly: metres along the camera's axis, drawn into a float target at the centres of the buffer's texels. */
+/** Measures the room exactly: meters along the camera's axis, drawn into a float target at the centers of the buffer's texels. */
 export interface DepthCamera {
   /** Row-major from the top; 0 where the camera's ray meets nothing. The same array every time. */
   measure(pose: DepthCameraPose): Float32Array;
@@ -32,7 +32,7 @@ void main() {
     fragmentShader: 'varying float viewZM; void main() { gl_FragColor = vec4(viewZM, 0.0, 0.0, 1.0); }',
   });
   const camera = createEyeCamera();
-  const metres = new Float32Array(widthPx * heightPx);
+  const meters = new Float32Array(widthPx * heightPx);
   return {
     measure: ({ worldFromDepth, clipFromDepth }) => {
       const { renderer, scene } = view;
@@ -43,9 +43,9 @@ void main() {
       scene.overrideMaterial = material;
       renderer.render(scene, camera);
       scene.overrideMaterial = null;
-      renderer.readRenderTargetPixels(target, 0, 0, widthPx, heightPx, metres);
+      renderer.readRenderTargetPixels(target, 0, 0, widthPx, heightPx, meters);
       renderer.setRenderTarget(null);
-      return metres;
+      return meters;
     },
     dispose: () => {
       target.dispose();

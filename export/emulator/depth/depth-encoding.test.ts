@@ -1,7 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { encodeDepth, encodeWindowDepth } from './depth-encoding.ts';
 
-test('16-bit formats hold millimetres, and nothing beyond their range', () => {
+test('16-bit formats hold millimeters, and nothing beyond their range', () => {
   const { data, rawValueToMeters } = encodeDepth(new Float32Array([0, 1.2344, 65.535, 65.6]), 'luminance-alpha');
   expect([...new Uint16Array(data)]).toEqual([0, 1234, 65_535, 0]);
   expect(rawValueToMeters).toBe(0.001);
@@ -9,7 +9,7 @@ test('16-bit formats hold millimetres, and nothing beyond their range', () => {
   expect([...new Uint8Array(data).subarray(2, 4)]).toEqual([1234 & 255, 1234 >> 8]);
 });
 
-test('floats hold metres', () => {
+test('floats hold meters', () => {
   const { data, rawValueToMeters } = encodeDepth(new Float32Array([0, 1.25]), 'float32');
   expect([...new Float32Array(data)]).toEqual([0, 1.25]);
   expect(rawValueToMeters).toBe(1);

@@ -1,4 +1,4 @@
-import type { DepthFormat } from '../options.ts';
+import type { DepthFormat } from '../profiles.ts';
 
 export interface EncodedDepth {
   /** Row-major from the top, without padding; 0 is unknown. */
@@ -6,27 +6,27 @@ export interface EncodedDepth {
   readonly rawValueToMeters: number;
 }
 
-const METRES_PER_UNIT = 0.001;
+const METERS_PER_UNIT = 0.001;
 const MAX_UINT16 = 65_535;
 
-/** Metres as a device would store them: 16-bit formats in millimetres, what lies beyond 65.535 m unknown. */
-export function encodeDepth(metres: Float32Array, format: DepthFormat): EncodedDepth {
-  if (format === 'float32') return { data: Float32Array.from(metres).buffer, rawValueToMeters: 1 };
-  const units = new Uint16Array(metres.length);
-  for (let i = 0; i < metres.length; i++) {
-    const unit = Math.round((metres[i] ?? 0) / METRES_PER_UNIT);
+/** Meters as a device would store them: 16-bit formats in millimeters, what lies beyond 65.535 m unknown. */
+export function encodeDepth(meters: Float32Array, format: DepthFormat): EncodedDepth {
+  if (format === 'float32') return { data: Float32Array.from(meters).buffer, rawValueToMeters: 1 };
+  const units = new Uint16Array(meters.length);
+  for (let i = 0; i < meters.length; i++) {
+    const unit = Math.round((meters[i] ?? 0) / METERS_PER_UNIT);
     units[i] = unit <= MAX_UINT16 ? unit : 0;
   }
-  return { data: units.buffer, rawValueToMeters: METRES_PER_UNIT };
+  return { data: units.buffer, rawValueToMeters: METERS_PER_UNIT };
 }
 
-/** Metres → what a depth buffer with an endless far plane holds, rows from the bottom; 0 stays unknown. */
-export function encodeWindowDepth(metres: Float32Array, widthPx: number, nearM: number): EncodedDepth {
-  const values = new Float32Array(metres.length);
-  const rows = metres.length / widthPx;
-  for (let i = 0; i < metres.length; i++) {
+/** Meters → what a depth buffer with an endless far plane holds, rows from the bottom; 0 stays unknown. */
+export function encodeWindowDepth(meters: Float32Array, widthPx: number, nearM: number): EncodedDepth {
+  const values = new Float32Array(meters.length);
+  const rows = meters.length / widthPx;
+  for (let i = 0; i < meters.length; i++) {
     const row = rows - 1 - Math.floor(i / widthPx);
-    const at = metres[i] ?? 0;
+    const at = meters[i] ?? 0;
     values[row * widthPx + (i % widthPx)] = at > 0 ? Math.max(1 - nearM / at, 0) : 0;
   }
   return { data: values.buffer, rawValueToMeters: 1 };

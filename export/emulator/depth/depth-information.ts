@@ -1,7 +1,7 @@
 import { XRRigidTransform } from 'iwer';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import type { DepthFormat } from '../options.ts';
 import { P_EYE } from '../private.ts';
+import type { DepthFormat } from '../profiles.ts';
 import type { EmulatedView } from '../session/emulated-view.ts';
 import { encodeDepth, readDepth } from './depth-encoding.ts';
 import { MatrixTransform } from './matrix-transform.ts';
@@ -50,7 +50,7 @@ export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
   readonly #format: DepthFormat;
 
   constructor(view: EmulatedView, depth: SessionDepth, shot: DepthShot) {
-    const { data, rawValueToMeters } = encodeDepth(shot.metres, depth.format);
+    const { data, rawValueToMeters } = encodeDepth(shot.meters, depth.format);
     super(view, depth, shot, rawValueToMeters);
     this.#data = data;
     this.#format = depth.format;
@@ -61,10 +61,10 @@ export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
     return this.#data;
   }
 
-  /** `x` and `y` are normalised view coordinates. */
+  /** `x` and `y` are normalized view coordinates. */
   getDepthInMeters(x: number, y: number): number {
     this.checkFrame();
-    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) throw new RangeError('Normalised view coordinates lie between 0 and 1.');
+    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) throw new RangeError('Normalized view coordinates lie between 0 and 1.');
     const m = this.normDepthBufferFromNormView.matrix;
     const at = (i: number): number => m[i] ?? 0;
     const column = toIndex(at(0) * x + at(4) * y + at(12), this.width);
@@ -73,8 +73,8 @@ export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
   }
 }
 
-function toIndex(normalised: number, count: number): number {
-  return Math.min(Math.max(Math.trunc(normalised * count), 0), count - 1);
+function toIndex(normalized: number, count: number): number {
+  return Math.min(Math.max(Math.trunc(normalized * count), 0), count - 1);
 }
 
 /** WebXR Depth Sensing §3.3. */

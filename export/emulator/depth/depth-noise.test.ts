@@ -2,9 +2,9 @@ import { expect, test } from '@jest/globals';
 import { addDepthNoise } from './depth-noise.ts';
 
 function noisy(exactM: number, noise: Parameters<typeof addDepthNoise>[1], shot = '0'): Float32Array {
-  const metres = new Float32Array(20_000).fill(exactM);
-  addDepthNoise(metres, noise, shot);
-  return metres;
+  const meters = new Float32Array(20_000).fill(exactM);
+  addDepthNoise(meters, noise, shot);
+  return meters;
 }
 
 function spread(values: Float32Array): { readonly mean: number; readonly sigma: number } {
@@ -12,7 +12,7 @@ function spread(values: Float32Array): { readonly mean: number; readonly sigma: 
   return { mean, sigma: Math.sqrt(values.reduce((sum, value) => sum + (value - mean) ** 2, 0) / values.length) };
 }
 
-test('noise is normal, centred on the truth, and grows with the distance', () => {
+test('noise is normal, centered on the truth, and grows with the distance', () => {
   const { mean, sigma } = spread(noisy(4, { sigmaM: 0.01, sigmaPerM: 0.005 }));
   expect(mean).toBeCloseTo(4, 2);
   // 1 cm + 0.5 % of 4 m; the estimate from 20,000 samples is good to 2 %.

@@ -1,4 +1,4 @@
-import type { DepthFormat } from '../options.ts';
+import type { DepthFormat } from '../profiles.ts';
 import type { EncodedDepth } from './depth-encoding.ts';
 
 /** Depth on the GPU, in the page's own context: a texture for one view, an array with a layer per eye for two. */

@@ -1,5 +1,5 @@
 /**
- * How a depth buffer lies against its view. Coordinates are normalised with the origin at the top left and y down, for view and
+ * How a depth buffer lies against its view. Coordinates are normalized with the origin at the top left and y down, for view and
  * buffer alike (WebXR Depth Sensing §1.1). First the covered rectangle, then the flips, then the turn.
  */
 export interface DepthTransform {
@@ -45,13 +45,13 @@ export function affineToMatrix({ a, b, c, d, tx, ty }: Affine): Float32Array {
 }
 
 /**
- * The projection to draw a depth buffer with: `clipFromView` followed by the map in normalised coordinates. Row 0 of the drawn
+ * The projection to draw a depth buffer with: `clipFromView` followed by the map in normalized coordinates. Row 0 of the drawn
  * target is the buffer's top row, so reading it back needs no turning over.
  *
  * @param clipFromView Column-major 4×4.
  */
 export function depthClipFromView(clipFromView: ArrayLike<number>, map: Affine): Float32Array {
-  // Normalised device coordinates to view UV and depth UV to the target's device coordinates: x = 2u − 1, y = 1 − 2v before,
+  // Normalized device coordinates to view UV and depth UV to the target's device coordinates: x = 2u − 1, y = 1 − 2v before,
   // y = 2v − 1 after.
   const ax = map.a;
   const ay = -map.c;

@@ -7,13 +7,13 @@ import { addDepthNoise } from './depth-noise.ts';
 import { aimSensor, type DepthCameraPose } from './depth-sensor.ts';
 import { affineToMatrix, depthUvFromViewUv } from './depth-transform.ts';
 
-/** `stopped`: no depth any more. `frozen`: the last depth again and again. */
+/** `stopped`: no depth any more. `frozen`: every frame has the last depth. */
 export type DepthState = 'working' | 'stopped' | 'frozen';
 
 /** One picture of the depth camera, and where it was taken. */
 export interface DepthShot extends DepthCameraPose {
-  /** Row-major from the top, metres, 0 where unknown. */
-  readonly metres: Float32Array;
+  /** Row-major from the top, meters, 0 where unknown. */
+  readonly meters: Float32Array;
 }
 
 /** Depth sensing as one session was granted it. */
@@ -22,7 +22,7 @@ export interface SessionDepth extends DepthConfiguration {
   readonly heightPx: number;
   /** Column-major 4×4. */
   readonly bufferFromView: Float32Array;
-  readonly gpuValues: 'metres' | 'window';
+  readonly gpuValues: 'meters' | 'window';
   /** The page may pause depth sensing (WebXR Depth Sensing §2.3). */
   active: boolean;
   /** Once a frame, before the page is asked: where the eyes are by now. */
@@ -55,10 +55,10 @@ export function createSessionDepth(view: RoomView, granted: DepthConfiguration, 
   const measure = (stand: Stand, index: number): DepthShot | null => {
     const pose = stand.poses[index];
     if (!pose) return null;
-    const metres = camera.measure(pose).slice();
-    if (maxM !== null) for (let i = 0; i < metres.length; i++) if ((metres[i] ?? 0) > maxM) metres[i] = 0;
-    if (noise) addDepthNoise(metres, noise, `${stand.frame}/${index}`);
-    return { ...pose, metres };
+    const meters = camera.measure(pose).slice();
+    if (maxM !== null) for (let i = 0; i < meters.length; i++) if ((meters[i] ?? 0) > maxM) meters[i] = 0;
+    if (noise) addDepthNoise(meters, noise, `${stand.frame}/${index}`);
+    return { ...pose, meters };
   };
   const depth: SessionDepth = {
     ...granted,

@@ -1,18 +1,24 @@
+/** A page's context. */
+export type Gl = WebGLRenderingContext | WebGL2RenderingContext;
+
+export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {
+  return gl instanceof WebGL2RenderingContext;
+}
+
 /**
  * The page's own context, borrowed for a moment: a real device works behind its back, so whatever we bind is bound back. Only
  * what uploads and framebuffers depend on; nothing is drawn in it.
  */
-export function borrowGl<T>(gl: WebGL2RenderingContext, work: () => T): T {
-  const textures = TEXTURE_TARGETS.map(([target, binding]) => [gl[target], gl.getParameter(gl[binding])] as const);
-  const stores = PIXEL_STORES.map(([name, neutral]) => [gl[name], gl.getParameter(gl[name]), neutral] as const);
-  const unpackBuffer = gl.getParameter(gl.PIXEL_UNPACK_BUFFER_BINDING);
-  const packBuffer = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
-  const drawFramebuffer = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING);
-  const readFramebuffer = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+export function borrowGl<T>(gl: Gl, work: () => T): T {
+  const giveBack = isWebGl2(gl) ? keepWebGl2(gl) : keepFramebuffer(gl);
+  const textures = TEXTURE_TARGETS.filter(([target]) => target in gl).map(
+    ([target, binding]) => [(gl as WebGL2RenderingContext)[target], gl.getParameter((gl as WebGL2RenderingContext)[binding])] as const,
+  );
+  const stores = PIXEL_STORES.filter(([name]) => name in gl).map(
+    ([name, neutral]) => [(gl as WebGL2RenderingContext)[name], gl.getParameter((gl as WebGL2RenderingContext)[name]), neutral] as const,
+  );
   const renderbuffer = gl.getParameter(gl.RENDERBUFFER_BINDING);
   const scissored = gl.isEnabled(gl.SCISSOR_TEST);
-  gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
-  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
   for (const [name, , neutral] of stores) gl.pixelStorei(name, neutral);
   if (scissored) gl.disable(gl.SCISSOR_TEST);
   try {
@@ -21,12 +27,30 @@ export function borrowGl<T>(gl: WebGL2RenderingContext, work: () => T): T {
     if (scissored) gl.enable(gl.SCISSOR_TEST);
     for (const [target, texture] of textures) gl.bindTexture(target, texture);
     for (const [name, value] of stores) gl.pixelStorei(name, value);
+    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
+    giveBack();
+  }
+}
+
+function keepFramebuffer(gl: WebGLRenderingContext): () => void {
+  const framebuffer = gl.getParameter(gl.FRAMEBUFFER_BINDING);
+  return () => gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+}
+
+/** Unbinds the pixel buffers, from and into which texels would go. */
+function keepWebGl2(gl: WebGL2RenderingContext): () => void {
+  const unpackBuffer = gl.getParameter(gl.PIXEL_UNPACK_BUFFER_BINDING);
+  const packBuffer = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
+  const drawFramebuffer = gl.getParameter(gl.DRAW_FRAMEBUFFER_BINDING);
+  const readFramebuffer = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+  gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
+  gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
+  return () => {
     gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, unpackBuffer);
     gl.bindBuffer(gl.PIXEL_PACK_BUFFER, packBuffer);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, drawFramebuffer);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, readFramebuffer);
-    gl.bindRenderbuffer(gl.RENDERBUFFER, renderbuffer);
-  }
+  };
 }
 
 const TEXTURE_TARGETS = [

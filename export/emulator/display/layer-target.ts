@@ -1,8 +1,9 @@
-import { borrowGl } from './app-gl.ts';
+import type { Gl } from './app-gl.ts';
 
 /** The framebuffer that the device lends to a page: its own, never the canvas, so that a page that draws into the canvas shows nothing here either. */
 export interface LayerTarget {
-  readonly framebuffer: WebGLFramebuffer;
+  /** Null: the canvas itself, as for sessions on the page. */
+  readonly framebuffer: WebGLFramebuffer | null;
   readonly widthPx: number;
   readonly heightPx: number;
   /** Of another size from now on, and empty; the framebuffer stays the same one. */
@@ -21,100 +22,19 @@ export interface LayerTargetOptions {
   readonly alpha: boolean;
 }
 
-const SAMPLES = 4;
-
-export function createLayerTarget(
-  gl: WebGL2RenderingContext,
-  startWidthPx: number,
-  startHeightPx: number,
-  { antialias, depth, stencil, alpha }: LayerTargetOptions,
-): LayerTarget {
-  const buffers: WebGLRenderbuffer[] = [];
-  let widthPx = startWidthPx;
-  let heightPx = startHeightPx;
-  const colorFormat = alpha ? gl.RGBA8 : gl.RGB8;
-  const attach = (attachment: GLenum, format: GLenum, samples: number): void => {
-    const buffer = gl.createRenderbuffer();
-    buffers.push(buffer);
-    gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-    if (samples > 0) gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, widthPx, heightPx);
-    else gl.renderbufferStorage(gl.RENDERBUFFER, format, widthPx, heightPx);
-    gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
-  };
-  const samples = antialias ? Math.min(SAMPLES, gl.getParameter(gl.MAX_SAMPLES) as number) : 0;
-  const framebuffer = gl.createFramebuffer();
-  const resolved = samples > 0 ? gl.createFramebuffer() : null;
-  const allocate = (): void => {
-    gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
-    attach(gl.COLOR_ATTACHMENT0, colorFormat, samples);
-    if (depth && stencil) attach(gl.DEPTH_STENCIL_ATTACHMENT, gl.DEPTH24_STENCIL8, samples);
-    else if (depth) attach(gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24, samples);
-    else if (stencil) attach(gl.STENCIL_ATTACHMENT, gl.STENCIL_INDEX8, samples);
-    if (resolved) {
-      gl.bindFramebuffer(gl.FRAMEBUFFER, resolved);
-      attach(gl.COLOR_ATTACHMENT0, colorFormat, 0);
-    }
-  };
-  const free = (): void => {
-    for (const buffer of buffers.splice(0)) gl.deleteRenderbuffer(buffer);
-  };
-  borrowGl(gl, allocate);
-
-  /** Of a context that was lost nothing is left, when it is back either: pages make a new layer then. */
-  const isGone = (): boolean => gl.isContextLost() || !gl.isFramebuffer(framebuffer);
-
+/** What stands for a framebuffer of the device where a page draws into its canvas: nothing is cleared, scaled or shown elsewhere. */
+export function canvasTarget(gl: Gl): LayerTarget {
   return {
-    framebuffer,
+    framebuffer: null,
     get widthPx() {
-      return widthPx;
+      return gl.drawingBufferWidth;
     },
     get heightPx() {
-      return heightPx;
+      return gl.drawingBufferHeight;
     },
-    resize: (toWidthPx, toHeightPx) => {
-      if (isGone()) return;
-      widthPx = toWidthPx;
-      heightPx = toHeightPx;
-      free();
-      borrowGl(gl, allocate);
-    },
-    clear: () => {
-      if (isGone()) return;
-      borrowGl(gl, () => {
-        const colorMask = gl.getParameter(gl.COLOR_WRITEMASK) as boolean[];
-        const depthMask = gl.getParameter(gl.DEPTH_WRITEMASK) as boolean;
-        const stencilMask = gl.getParameter(gl.STENCIL_WRITEMASK) as number;
-        gl.colorMask(true, true, true, true);
-        gl.depthMask(true);
-        gl.stencilMask(0xff);
-        gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, framebuffer);
-        gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
-        if (depth) gl.clearBufferfv(gl.DEPTH, 0, [1]);
-        if (stencil) gl.clearBufferiv(gl.STENCIL, 0, [0]);
-        gl.colorMask(colorMask[0] ?? true, colorMask[1] ?? true, colorMask[2] ?? true, colorMask[3] ?? true);
-        gl.depthMask(depthMask);
-        gl.stencilMask(stencilMask);
-      });
-    },
-    read: (out) => {
-      if (isGone()) {
-        out.fill(0);
-        return;
-      }
-      borrowGl(gl, () => {
-        gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
-        if (resolved) {
-          gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, resolved);
-          gl.blitFramebuffer(0, 0, widthPx, heightPx, 0, 0, widthPx, heightPx, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-          gl.bindFramebuffer(gl.READ_FRAMEBUFFER, resolved);
-        }
-        gl.readPixels(0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, out);
-      });
-    },
-    dispose: () => {
-      gl.deleteFramebuffer(framebuffer);
-      gl.deleteFramebuffer(resolved);
-      free();
-    },
+    resize: () => {},
+    clear: () => {},
+    read: (out) => void out.fill(0),
+    dispose: () => {},
   };
 }

@@ -1,5 +1,5 @@
-import type { XRAnchor, XRFrame, XRInputSource, XRPose } from 'iwer';
-import { type GlobalSpace, XRRigidTransform, XRSpace } from 'iwer';
+import type { XRAnchor, XRInputSource, XRPose } from 'iwer';
+import { type GlobalSpace, XRSpace } from 'iwer';
 import { Matrix4, Vector3 } from 'three';
 import type { Room } from '../rooms/room.ts';
 import { castRay, type HitKind, type RayHit } from './cast-ray.ts';
@@ -29,11 +29,17 @@ export class EmulatedHitTestSource {
 
 export class EmulatedTransientHitTestSource extends EmulatedHitTestSource {}
 
+/** What a hit needs of the frame that it was found in. */
+interface HitFrame {
+  getPose(space: XRSpace, baseSpace: XRSpace): XRPose;
+  readonly session: { anchorAt(space: XRSpace): Promise<XRAnchor> };
+}
+
 export class EmulatedHitTestResult {
-  readonly #frame: XRFrame;
+  readonly #frame: HitFrame;
   readonly #space: XRSpace;
 
-  constructor(frame: XRFrame, space: XRSpace) {
+  constructor(frame: HitFrame, space: XRSpace) {
     this.#frame = frame;
     this.#space = space;
   }
@@ -42,8 +48,9 @@ export class EmulatedHitTestResult {
     return this.#frame.getPose(this.#space, baseSpace);
   }
 
+  /** Also when the frame is over: pages keep the last result and anchor it when the user taps, as browsers let them. */
   createAnchor(): Promise<XRAnchor> {
-    return this.#frame.createAnchor(new XRRigidTransform(), this.#space);
+    return this.#frame.session.anchorAt(this.#space);
   }
 }
 
@@ -59,7 +66,7 @@ export class EmulatedTransientHitTestResult {
 
 /** WebXR Hit Test §6, "compute hit test results": without wishes about entities, planes alone. */
 export function computeHits(
-  frame: XRFrame,
+  frame: HitFrame,
   room: Room,
   world: GlobalSpace,
   space: XRSpace,

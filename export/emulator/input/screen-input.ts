@@ -8,7 +8,7 @@ import { writeMatrix } from '../write-matrix.ts';
  * touch to release.
  */
 export interface ScreenInput {
-  /** Normalised, origin at the top left of the view. A silent press fires no select events: an overlay took it. */
+  /** Normalized, origin at the top left of the view. A silent press fires no select events: an overlay took it. */
   press(x: number, y: number, silent?: boolean): void;
   move(x: number, y: number): void;
   release(): void;

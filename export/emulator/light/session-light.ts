@@ -12,7 +12,7 @@ export interface LightOptions {
 
 export const LIGHT_DEFAULTS: Required<LightOptions> = { lagFrames: 0, flicker: 0, seed: 0 };
 
-/** `room`: what the room's light is. `stopped`: no estimate any more. `frozen`: the last one again and again. Else the room's with changes. */
+/** `room`: the room's light. `stopped`: no estimate any more. `frozen`: every frame has the last estimate. Else the room's light, changed. */
 export type LightState = 'room' | 'stopped' | 'frozen' | LightChanges;
 
 /** What is left out is as in the room. */
@@ -22,7 +22,7 @@ export interface LightChanges {
   /** Null: the device finds no direction, or no intensity. */
   readonly directionWorld?: readonly [number, number, number] | null;
   readonly intensity?: readonly [number, number, number] | null;
-  /** A colour for each face of the cube map: +x, −x, +y, −y, +z, −z; linear radiance. Null: there is no cube map. */
+  /** A color for each face of the cube map: +x, −x, +y, −y, +z, −z; linear radiance. Null: there is no cube map. */
   readonly reflection?: readonly (readonly [number, number, number])[] | null;
 }
 

@@ -1,11 +1,11 @@
 import { BoxGeometry, Group, Mesh } from 'three';
-import { createLamp } from './lamp.ts';
+import { createMovableLight } from './movable-light.ts';
 import { type Room, type RoomMesh, type RoomPlane, rectanglePlane } from './room.ts';
 import { createScanMaterial } from './scan-material.ts';
 
 /** Plain data: a solid block standing about the y axis. */
 export interface RoomBox {
-  /** A semantic label of WebXR; `floor`, `table` and the like also make a plane of its top. */
+  /** A semantic label of WebXR. Labels of horizontal surfaces, such as `floor` and `table`, also make a plane of its top. */
   readonly label: string;
   readonly centerWorld: readonly [number, number, number];
   readonly sizeM: readonly [number, number, number];
@@ -19,9 +19,9 @@ const TOP_IS_PLANE = new Set(['floor', 'table', 'desk', 'couch', 'shelf', 'bed']
 /** A room of blocks, for tests that work out by hand what is where. */
 export function createBoxRoom(boxes: readonly RoomBox[]): Room {
   const solids = new Group();
-  const lamp = createLamp();
+  const movableLight = createMovableLight();
   for (const box of boxes) {
-    const mesh = new Mesh(new BoxGeometry(...box.sizeM), createScanMaterial(box.albedo ?? [0.6, 0.6, 0.6], lamp));
+    const mesh = new Mesh(new BoxGeometry(...box.sizeM), createScanMaterial(box.albedo ?? [0.6, 0.6, 0.6], movableLight));
     mesh.position.set(...box.centerWorld);
     mesh.rotation.y = box.yawRad ?? 0;
     mesh.name = box.label;
@@ -34,9 +34,9 @@ export function createBoxRoom(boxes: readonly RoomBox[]): Room {
     planes: boxes.filter(({ label }) => TOP_IS_PLANE.has(label)).map(topOf),
     meshes: meshes.map(toRoomMesh),
     get primaryLight() {
-      return lamp.light;
+      return movableLight.light;
     },
-    moveLight: lamp.move,
+    moveLight: movableLight.move,
     probeWorld: [0, 1.4, 0],
     dispose: () => {
       for (const mesh of meshes) {

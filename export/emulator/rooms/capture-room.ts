@@ -1,7 +1,7 @@
 import { SpatialEntity, SpatialEntityType } from '@iwer/sem';
 import { NativePlane } from 'iwer';
 import { Group, type Material, type Mesh } from 'three';
-import { createLamp } from './lamp.ts';
+import { createMovableLight } from './movable-light.ts';
 import type { Room, RoomMesh, RoomPlane } from './room.ts';
 import { createScanMaterial } from './scan-material.ts';
 
@@ -19,10 +19,10 @@ const ALBEDO = [0.62, 0.6, 0.57] as const;
  */
 export function createCaptureRoom(capture: unknown): Room {
   const solids = new Group();
-  const lamp = createLamp();
+  const movableLight = createMovableLight();
   const planes: RoomPlane[] = [];
   const meshes: RoomMesh[] = [];
-  const material = createScanMaterial(ALBEDO, lamp);
+  const material = createScanMaterial(ALBEDO, movableLight);
   for (const json of readEntities(capture)) {
     const entity = SpatialEntity.fromPBJSON(json);
     if (!entity) continue;
@@ -44,9 +44,9 @@ export function createCaptureRoom(capture: unknown): Room {
     planes,
     meshes,
     get primaryLight() {
-      return lamp.light;
+      return movableLight.light;
     },
-    moveLight: lamp.move,
+    moveLight: movableLight.move,
     probeWorld: PROBE_WORLD,
     dispose: () => {
       for (const solid of solids.children) (solid as Mesh).geometry.dispose();

@@ -3,7 +3,7 @@ import { createCaptureRoom } from './capture-room.ts';
 import type { Room } from './room.ts';
 import { createStudioRoom } from './studio/create-studio-room.ts';
 
-/** Plain data that a room is made from. Nothing is fetched: whoever wants a capture brings its JSON. */
+/** Plain data that a room is made from. Nothing is fetched: the caller loads the JSON of a capture. */
 export type RoomSource =
   /** The furnished, textured room of our own. */
   | 'studio'

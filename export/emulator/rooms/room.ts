@@ -1,7 +1,7 @@
 import type { Object3D, Scene, WebGLRenderer } from 'three';
 
 /**
- * A room for the emulated device: world space, metres, y up, floor at y = 0. What one sees is what is measured and hit: the
+ * A room for the emulated device: world space, meters, y up, floor at y = 0. What one sees is what is measured and hit: the
  * solids and nothing else.
  */
 export interface Room {

@@ -1,5 +1,5 @@
 import { DoubleSide, ShaderMaterial, Vector3 } from 'three';
-import type { Lamp } from './lamp.ts';
+import type { MovableLight } from './movable-light.ts';
 
 const VERTEX = `
 varying vec3 positionWorld;
@@ -19,8 +19,8 @@ uniform vec3 towardsLightWorld;
 uniform vec3 lightIntensity;
 varying vec3 positionWorld;
 
-float gridLine(float metres) {
-  float cells = metres * 4.0;
+float gridLine(float meters) {
+  float cells = meters * 4.0;
   float width = fwidth(cells);
   return (1.0 - smoothstep(0.0, max(1.5 * width, 0.02), abs(fract(cells + 0.5) - 0.5))) * smoothstep(0.5, 0.1, width);
 }
@@ -37,7 +37,7 @@ void main() {
 }`;
 
 /** For rooms that bring geometry and no pictures. `albedo` is linear-sRGB. */
-export function createScanMaterial(albedo: readonly [number, number, number], { light, towardsWorld }: Lamp): ShaderMaterial {
+export function createScanMaterial(albedo: readonly [number, number, number], { light, towardsWorld }: MovableLight): ShaderMaterial {
   return new ShaderMaterial({
     side: DoubleSide,
     defines: { PI: Math.PI },

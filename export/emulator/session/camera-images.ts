@@ -1,15 +1,16 @@
+import { type Gl, isWebGl2 } from '../display/app-gl.ts';
 import { P_EYE } from '../private.ts';
 import type { EmulatedView } from './emulated-view.ts';
 
 /** Camera images in a page's context, one texture per view, filled once per frame from the room's canvas. */
 export class CameraImages {
-  readonly #gl: WebGL2RenderingContext;
+  readonly #gl: Gl;
   readonly #textures = new Map<
     number,
     { readonly texture: WebGLTexture; readonly widthPx: number; readonly heightPx: number; of: object }
   >();
 
-  constructor(gl: WebGL2RenderingContext) {
+  constructor(gl: Gl) {
     this.#gl = gl;
   }
 
@@ -26,8 +27,10 @@ export class CameraImages {
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, 1);
     // Views stand side by side and are as high as the canvas: only the columns are to be cut out.
-    gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, x);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+    if (isWebGl2(gl)) {
+      gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, x);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
+    } else gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, cutOut(canvas, x, widthPx, heightPx));
     return texture;
   }
 
@@ -40,9 +43,17 @@ export class CameraImages {
     const gl = this.#gl;
     const texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, widthPx, heightPx);
+    if (isWebGl2(gl)) gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA8, widthPx, heightPx);
     for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.LINEAR);
     for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
     return texture;
   }
+}
+
+/** WebGL 1 can skip no columns. */
+function cutOut(canvas: HTMLCanvasElement, x: number, widthPx: number, heightPx: number): TexImageSource {
+  if (widthPx === canvas.width) return canvas;
+  const part = new OffscreenCanvas(widthPx, heightPx);
+  part.getContext('2d')?.drawImage(canvas, -x, 0);
+  return part;
 }

@@ -2,34 +2,107 @@ import { P_FRAME, P_SESSION } from 'iwer';
 import { encodeDepth, encodeWindowDepth } from '../depth/depth-encoding.ts';
 import { EmulatedWebGlDepthInformation } from '../depth/depth-information.ts';
 import { createDepthTexture, type DepthTexture } from '../depth/depth-texture.ts';
-import { borrowGl } from '../display/app-gl.ts';
+import { borrowGl, type Gl, isWebGl2 } from '../display/app-gl.ts';
+import { type EmulatedCompositionLayer, EmulatedProjectionLayer, P_LAYER } from '../layers/composition-layer.ts';
+import {
+  type CylinderLayerInit,
+  createCylinderLayer,
+  createProjectionLayer,
+  createQuadLayer,
+  type ProjectionLayerInit,
+  type QuadLayerInit,
+} from '../layers/create-layers.ts';
+import { accessImages, EmulatedSubImage, partForEye } from '../layers/sub-image.ts';
 import { type EmulatedLightProbe, probeState } from '../light/light-probe.ts';
 import { createReflectionCube } from '../light/reflection-cube.ts';
 import { P_EMULATED, P_EYE } from '../private.ts';
+import { isXrCompatible } from '../xr-compatible.ts';
 import { CameraImages } from './camera-images.ts';
+import type { EmulatedFrame } from './emulated-frame.ts';
 import type { EmulatedSession } from './emulated-session.ts';
 import { type EmulatedCamera, EmulatedView } from './emulated-view.ts';
+import type { EmulatedRenderState } from './render-state.ts';
 
 /** XRWebGLBinding: what the device brings into a page's own context. */
 export class EmulatedBinding {
   readonly #session: EmulatedSession;
-  readonly #gl: WebGL2RenderingContext;
+  readonly #gl: Gl;
   readonly #images: CameraImages;
   /** Each is the page's, which may delete it sooner. */
   readonly #cubes: WebGLTexture[] = [];
   #depth: DepthTexture | null = null;
 
-  constructor(session: EmulatedSession, context: WebGL2RenderingContext) {
+  constructor(session: EmulatedSession, context: Gl) {
     if (session[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
     if (context.isContextLost()) throw new DOMException('The WebGL context is lost.', 'InvalidStateError');
     this.#session = session;
     this.#gl = context;
+    if (session[P_SESSION].mode === 'inline') {
+      throw new DOMException('A binding is for immersive sessions: one on the page draws into its canvas.', 'InvalidStateError');
+    }
+    if (!isXrCompatible(context)) throw new DOMException('The context is not XR compatible.', 'InvalidStateError');
     this.#images = new CameraImages(context);
     session[P_EMULATED].disposers.push(() => this.#dispose());
   }
 
   get nativeProjectionScaleFactor(): number {
     return 1;
+  }
+
+  get usesDepthValues(): boolean {
+    return false;
+  }
+
+  // --- Layers: WebXR Layers §5 ---
+
+  createProjectionLayer(init: ProjectionLayerInit = {}): EmulatedProjectionLayer {
+    return createProjectionLayer(this.#session, this.#gl, init);
+  }
+
+  createQuadLayer(init: QuadLayerInit): ReturnType<typeof createQuadLayer> {
+    return createQuadLayer(this.#session, this.#gl, init);
+  }
+
+  createCylinderLayer(init: CylinderLayerInit): ReturnType<typeof createCylinderLayer> {
+    return createCylinderLayer(this.#session, this.#gl, init);
+  }
+
+  createEquirectLayer(): never {
+    throw new DOMException('The emulated device has projection, quad and cylinder layers only.', 'NotSupportedError');
+  }
+
+  createCubeLayer(): never {
+    return this.createEquirectLayer();
+  }
+
+  getSubImage(layer: EmulatedCompositionLayer, frame: EmulatedFrame, eye: 'none' | 'left' | 'right' = 'none'): EmulatedSubImage {
+    if (layer instanceof EmulatedProjectionLayer) throw new TypeError('Projection layers are asked for with getViewSubImage.');
+    this.#checkLayer(layer);
+    if (frame?.session !== this.#session || !frame[P_FRAME].active || !frame[P_FRAME].animationFrame) {
+      throw new DOMException('The frame belongs to another session, or is over.', 'InvalidStateError');
+    }
+    if (layer.layout === 'stereo' && eye === 'none') throw new TypeError('A stereo layer is asked for with an eye: left or right.');
+    const images = accessImages(layer, frame);
+    const { viewport, index } = partForEye(layer.layout, images, eye);
+    return new EmulatedSubImage(images, viewport, index);
+  }
+
+  getViewSubImage(layer: EmulatedProjectionLayer, view: EmulatedView): EmulatedSubImage {
+    if (!(layer instanceof EmulatedProjectionLayer)) throw new TypeError('Layers but projection layers are asked for with getSubImage.');
+    this.#checkLayer(layer);
+    this.#checkView(view);
+    const { frame, eye } = view[P_EYE];
+    const images = accessImages(layer, frame);
+    const { viewport, index } = partForEye(layer.layout, images, eye.name);
+    return new EmulatedSubImage(images, view.viewportIn(viewport), index);
+  }
+
+  #checkLayer(layer: EmulatedCompositionLayer): void {
+    const { session, destroyed } = layer[P_LAYER];
+    if (session !== this.#session) throw new TypeError('The layer belongs to another session.');
+    if (destroyed) throw new DOMException('The layer was destroyed.', 'InvalidStateError');
+    const { layers } = session[P_SESSION].renderState as EmulatedRenderState;
+    if (!layers.includes(layer)) throw new TypeError('The layer is not in the session’s list: set it with updateRenderState first.');
   }
 
   /** WebXR Depth Sensing §3.3. */
@@ -41,13 +114,14 @@ export class EmulatedBinding {
     const { index } = view[P_EYE];
     const shot = world.tracked ? depth.shot(index) : null;
     if (!shot) return null;
-    const { metres } = shot;
+    const { meters } = shot;
     const windowNearM = depth.gpuValues === 'window' ? this.#session.renderState.depthNear : null;
-    const encoded = windowNearM === null ? encodeDepth(metres, depth.format) : encodeWindowDepth(metres, depth.widthPx, windowNearM);
+    const encoded = windowNearM === null ? encodeDepth(meters, depth.format) : encodeWindowDepth(meters, depth.widthPx, windowNearM);
     const layers = eyes.length === 2 ? 2 : 1;
-    const texture = borrowGl(this.#gl, () => {
+    const gl = requireWebGl2(this.#gl);
+    const texture = borrowGl(gl, () => {
       const format = windowNearM === null ? depth.format : 'float32';
-      this.#depth ??= createDepthTexture(this.#gl, depth.widthPx, depth.heightPx, layers, format);
+      this.#depth ??= createDepthTexture(gl, depth.widthPx, depth.heightPx, layers, format);
       this.#depth.upload(encoded, index);
       return this.#depth.texture;
     });
@@ -66,7 +140,7 @@ export class EmulatedBinding {
   getCameraImage(camera: EmulatedCamera): WebGLTexture {
     const view = camera[P_EYE];
     this.#checkView(view);
-    return borrowGl(this.#gl, () => this.#images.update(this.#session[P_EMULATED].surroundings.view.canvas, view));
+    return borrowGl(this.#gl, () => this.#images.update(this.#session[P_EMULATED].roomServices.view.canvas, view));
   }
 
   /** WebXR Lighting Estimation §5.1: a new texture each time. */
@@ -77,7 +151,8 @@ export class EmulatedBinding {
     if (state?.session !== this.#session) throw new DOMException('The light probe belongs to another session.', 'InvalidStateError');
     const faces = this.#session[P_EMULATED].light.reflection();
     if (!faces) return null;
-    const cube = borrowGl(this.#gl, () => createReflectionCube(this.#gl, faces, state.format));
+    const gl = requireWebGl2(this.#gl);
+    const cube = borrowGl(gl, () => createReflectionCube(gl, faces, state.format));
     this.#cubes.push(cube);
     return cube;
   }
@@ -93,4 +168,10 @@ export class EmulatedBinding {
     this.#depth?.dispose();
     for (const cube of this.#cubes.splice(0)) this.#gl.deleteTexture(cube);
   }
+}
+
+/** Depth textures and float cube maps have no formats in WebGL 1. */
+function requireWebGl2(gl: Gl): WebGL2RenderingContext {
+  if (isWebGl2(gl)) return gl;
+  throw new DOMException('The emulated device gives depth and reflections on the GPU to contexts of WebGL 2 only.', 'NotSupportedError');
 }

@@ -1,4 +1,4 @@
-import type { XRReferenceSpace } from 'iwer';
+import type { XRAnchor, XRReferenceSpace, XRRigidTransform, XRSpace } from 'iwer';
 import { P_DEVICE, P_FRAME, P_SESSION, XRFrame, XRViewerPose } from 'iwer';
 import { EmulatedCpuDepthInformation } from '../depth/depth-information.ts';
 import {
@@ -35,13 +35,13 @@ export class EmulatedFrame extends XRFrame {
   override getViewerPose(referenceSpace: XRReferenceSpace): XRViewerPose {
     this.#check();
     if (!this[P_FRAME].animationFrame) throw new DOMException('The frame of an event has no views.', 'InvalidStateError');
-    const { world, eyes } = this.#session[P_EMULATED];
+    const { world, eyes, viewportScales } = this.#session[P_EMULATED];
     const { device } = world;
     // The type of iwer leaves out what the specification allows.
-    if (!world.tracked) return null as unknown as XRViewerPose;
+    if (!world.tracked && this.#session[P_SESSION].mode !== 'inline') return null as unknown as XRViewerPose;
     const views = eyes.map((eye, index) => {
       const space = device.viewSpaces[eye.name];
-      return new EmulatedView(eye, index, this.getPose(space, referenceSpace).transform, this.#session, this);
+      return new EmulatedView(eye, index, viewportScales[index], this.getPose(space, referenceSpace).transform, this.#session, this);
     });
     return new XRViewerPose(this.getPose(device.viewerSpace, referenceSpace).transform, views, false);
   }
@@ -56,6 +56,14 @@ export class EmulatedFrame extends XRFrame {
     if (depth.usage !== 'cpu-optimized') throw new DOMException('Depth was granted for the GPU.', 'InvalidStateError');
     const shot = this.#session[P_EMULATED].world.tracked ? depth.shot(view[P_EYE].index) : null;
     return (shot ? new EmulatedCpuDepthInformation(view, depth, shot) : null) as never;
+  }
+
+  // --- Anchors: WebXR Anchors §4 ---
+
+  override async createAnchor(pose: XRRigidTransform, space: XRSpace): Promise<XRAnchor> {
+    this.#session.requireFeature('anchors');
+    this.#check();
+    return super.createAnchor(pose, space);
   }
 
   // --- Light: WebXR Lighting Estimation §4.3 ---
@@ -88,9 +96,9 @@ export class EmulatedFrame extends XRFrame {
   }
 
   #hits(space: Parameters<typeof computeHits>[3], wishes: Parameters<typeof computeHits>[4]): EmulatedHitTestResult[] {
-    const { world, surroundings } = this.#session[P_EMULATED];
-    if (!surroundings.room || !world.tracked) return [];
-    return computeHits(this, surroundings.room, world.device[P_DEVICE].globalSpace, space, wishes);
+    const { world, roomServices } = this.#session[P_EMULATED];
+    if (!roomServices.room || !world.tracked) return [];
+    return computeHits(this, roomServices.room, world.device[P_DEVICE].globalSpace, space, wishes);
   }
 
   #check(): void {

@@ -1,9 +1,12 @@
 import { P_SESSION, P_WEBGL_LAYER, XRLayer, XRViewport } from 'iwer';
-import { createLayerTarget, type LayerTarget } from '../display/layer-target.ts';
+import { type Gl, isWebGl2 } from '../display/app-gl.ts';
+import { createLayerTarget } from '../display/create-layer-target.ts';
+import { canvasTarget, type LayerTarget } from '../display/layer-target.ts';
 import { P_EMULATED, P_EYE } from '../private.ts';
 import { isXrCompatible } from '../xr-compatible.ts';
 import { EmulatedSession } from './emulated-session.ts';
 import { EmulatedView } from './emulated-view.ts';
+import { pictureSizePx } from './picture-size.ts';
 
 export interface LayerInit {
   readonly antialias?: boolean;
@@ -20,24 +23,29 @@ const SCALE_LIMITS = { min: 0.2, max: 1 };
  * layer's framebuffer still seems to work.
  */
 export class EmulatedLayer extends XRLayer {
-  readonly [P_WEBGL_LAYER]: { session: EmulatedSession; context: WebGL2RenderingContext; antialias: boolean };
+  readonly [P_WEBGL_LAYER]: { session: EmulatedSession; context: Gl; antialias: boolean };
   readonly target: LayerTarget;
   readonly #scale: number;
+  /** The same object each time that a view is asked for. */
+  readonly #viewports = new WeakMap<EmulatedView, XRViewport>();
 
-  constructor(session: EmulatedSession, context: WebGL2RenderingContext, init: LayerInit = {}) {
+  constructor(session: EmulatedSession, context: Gl, init: LayerInit = {}) {
     super();
     if (session[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
     if (context.isContextLost()) throw new DOMException('The WebGL context is lost.', 'InvalidStateError');
-    if (!(context instanceof WebGL2RenderingContext)) {
-      throw new DOMException('The emulated device draws with WebGL 2 only.', 'NotSupportedError');
+    const { world, disposers } = session[P_EMULATED];
+    if (session[P_SESSION].mode === 'inline') {
+      this.#scale = 1;
+      this.target = canvasTarget(context);
+      this[P_WEBGL_LAYER] = { session, context, antialias: context.getContextAttributes()?.antialias ?? false };
+      return;
     }
     if (!isXrCompatible(context)) {
       throw new DOMException('The context is not XR compatible: make it with { xrCompatible: true }.', 'InvalidStateError');
     }
-    const antialias = init.antialias ?? true;
-    const { world, disposers } = session[P_EMULATED];
+    const antialias = (init.antialias ?? true) && isWebGl2(context);
     this.#scale = Math.min(Math.max(init.framebufferScaleFactor ?? 1, SCALE_LIMITS.min), SCALE_LIMITS.max);
-    this.target = createLayerTarget(context, ...this.#fitted(world.settings.sizePx ?? world.screen.sizePx()), {
+    this.target = createLayerTarget(context, ...pictureSizePx(world, this.#scale), {
       antialias,
       depth: init.depth ?? true,
       stencil: init.stencil ?? false,
@@ -47,26 +55,15 @@ export class EmulatedLayer extends XRLayer {
     this[P_WEBGL_LAYER] = { session, context, antialias };
   }
 
-  /** As large as the device's screen is by now: true where that was another size. */
-  fit(screenPx: readonly [width: number, height: number]): boolean {
-    const [widthPx, heightPx] = this.#fitted(screenPx);
-    if (widthPx === this.target.widthPx && heightPx === this.target.heightPx) return false;
-    this.target.resize(widthPx, heightPx);
-    return true;
-  }
-
-  /** Of an even width, so that two views are of one size. */
-  #fitted([widthPx, heightPx]: readonly [number, number]): [number, number] {
-    return [Math.max(2, Math.round((widthPx * this.#scale) / 2) * 2), Math.max(1, Math.round(heightPx * this.#scale))];
+  /** As large as the device's screen is by now. */
+  fit(): void {
+    const [widthPx, heightPx] = pictureSizePx(this[P_WEBGL_LAYER].session[P_EMULATED].world, this.#scale);
+    if (widthPx !== this.target.widthPx || heightPx !== this.target.heightPx) this.target.resize(widthPx, heightPx);
   }
 
   static getNativeFramebufferScaleFactor(session: EmulatedSession): number {
     if (!(session instanceof EmulatedSession)) throw new TypeError('This is no session.');
     return session[P_SESSION].ended ? 0 : 1;
-  }
-
-  get context(): WebGL2RenderingContext {
-    return this[P_WEBGL_LAYER].context;
   }
 
   get antialias(): boolean {
@@ -84,7 +81,8 @@ export class EmulatedLayer extends XRLayer {
 
   set fixedFoveation(_level: number | null) {}
 
-  get framebuffer(): WebGLFramebuffer {
+  /** Null for sessions on the page: they draw into the canvas. */
+  get framebuffer(): WebGLFramebuffer | null {
     return this.target.framebuffer;
   }
 
@@ -101,7 +99,11 @@ export class EmulatedLayer extends XRLayer {
       throw new DOMException('The view belongs to another session.', 'InvalidStateError');
     }
     view.checkFrame();
-    const { x, y, widthPx, heightPx } = view[P_EYE].eye.viewport;
-    return new XRViewport(x, y, widthPx, heightPx);
+    const known = this.#viewports.get(view);
+    if (known) return known;
+    const { x, y, widthPx, heightPx } = view.viewportIn(view[P_EYE].eye.viewport);
+    const viewport = new XRViewport(x, y, widthPx, heightPx);
+    this.#viewports.set(view, viewport);
+    return viewport;
   }
 }

@@ -27,7 +27,7 @@ export function levelPose(worldFromViewer: ArrayLike<number>): Float32Array {
   return new Float32Array([cos, 0, -sin, 0, 0, 1, 0, 0, sin, 0, cos, 0, at(12), at(13), at(14), 1]);
 }
 
-/** Re-centring: the space's origin jumps to where the viewer is now. */
+/** Re-centering: the space's origin jumps to where the viewer is now. */
 export function moveOrigin(space: XRSpace, globalFromOrigin: Float32Array): void {
   writeMatrix(space[P_SPACE].offsetMatrix, globalFromOrigin);
 }

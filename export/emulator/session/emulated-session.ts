@@ -1,21 +1,30 @@
 import type { XRReferenceSpace } from 'iwer';
-import { P_DEVICE, P_SESSION, P_SPACE, XRReferenceSpaceType, XRSession } from 'iwer';
+import { P_DEVICE, P_SESSION, P_SPACE, P_WEBGL_LAYER, XRAnchor, XRReferenceSpaceType, XRSession, XRSessionEvent, type XRSpace } from 'iwer';
 import { createSessionDepth, type SessionDepth } from '../depth/session-depth.ts';
 import type { Eye } from '../display/eye.ts';
 import type { DepthConfiguration } from '../features.ts';
 import { EmulatedHitTestSource, EmulatedTransientHitTestSource, type HitTestWishes } from '../hit-test/hit-test-source.ts';
+import { EmulatedCompositionLayer, P_LAYER } from '../layers/composition-layer.ts';
 import { createLightProbe, type EmulatedLightProbe, probeState, type ReflectionFormat } from '../light/light-probe.ts';
 import { createSessionLight, type SessionLight } from '../light/session-light.ts';
-import type { DepthFormat, DepthUsage } from '../options.ts';
 import { P_EMULATED } from '../private.ts';
-import type { Surroundings, World } from '../world.ts';
+import type { DepthFormat, DepthUsage } from '../profiles.ts';
+import type { RoomServices, World } from '../world.ts';
+import { boundsOf, EmulatedBoundedReferenceSpace } from './bounded-space.ts';
+import { createSurfaces, type Surfaces } from './detected-surfaces.ts';
 import { EmulatedReferenceSpace, levelPose } from './emulated-reference-space.ts';
-import { runFrame } from './run-frame.ts';
-import { createSurfaces, type Surfaces } from './surfaces.ts';
+import {
+  changeRenderState,
+  checkRenderState,
+  type EmulatedRenderState,
+  initialRenderState,
+  type RenderStateWishes,
+} from './render-state.ts';
+import { createViewportScale, type ViewportScale } from './viewport-scale.ts';
 
 export interface EmulatedSessionState {
   readonly world: World;
-  readonly surroundings: Surroundings;
+  readonly roomServices: RoomServices;
   readonly depth: SessionDepth | null;
   readonly light: SessionLight;
   readonly overlayRoot: HTMLElement | null;
@@ -26,12 +35,14 @@ export interface EmulatedSessionState {
   readonly disposers: (() => void)[];
   /** Of the frame that runs or ran last. */
   eyes: readonly Eye[];
-  /** Where `local` spaces begin: the viewer's place when the session began, or was re-centred. */
+  /** Where `local` spaces begin: the viewer's place when the session began, or was re-centered. */
   localOrigin: Float32Array;
+  /** Of each eye. */
+  readonly viewportScales: readonly ViewportScale[];
 }
 
 export interface SessionGrant {
-  readonly mode: 'immersive-ar' | 'immersive-vr';
+  readonly mode: 'immersive-ar' | 'immersive-vr' | 'inline';
   readonly features: readonly string[];
   readonly depth: DepthConfiguration | null;
   readonly overlayRoot: HTMLElement | null;
@@ -40,33 +51,94 @@ export interface SessionGrant {
 /** iwer's session with a frame loop of ours, and with the modules that iwer lacks. */
 export class EmulatedSession extends XRSession {
   readonly [P_EMULATED]: EmulatedSessionState;
+  #stopFrames: () => void = () => {};
 
   constructor(world: World, grant: SessionGrant) {
     super(world.device, grant.mode, [...grant.features]);
-    const surroundings = world.surroundings();
     world.device[P_DEVICE].updateViews();
     this[P_EMULATED] = {
       world,
-      surroundings,
-      depth: grant.depth ? createSessionDepth(surroundings.view, grant.depth, world.settings.depth) : null,
-      light: createSessionLight(surroundings.light, world.settings.light),
+      // A session on the page needs no room.
+      get roomServices() {
+        return world.roomServices();
+      },
+      depth: grant.depth ? createSessionDepth(world.roomServices().view, grant.depth, world.settings.depth) : null,
+      light: createSessionLight(() => world.roomServices().light(), world.settings.light),
       overlayRoot: grant.overlayRoot,
-      surfaces: createSurfaces(surroundings.room, world.device[P_DEVICE].globalSpace),
+      surfaces: createSurfaces(() => world.roomServices().room, world.device[P_DEVICE].globalSpace),
       hitTests: { active: new Set(), wishes: new WeakMap() },
       probes: [],
       disposers: [],
       eyes: [],
       localOrigin: levelPose(world.device[P_DEVICE].viewerSpace[P_SPACE].offsetMatrix),
+      viewportScales: [createViewportScale(), createViewportScale()],
     };
-    // The base class has started iwer's own loop, which computes depth and hits from the poses of the frame before.
+    // The base class has started iwer's own loop, which computes depth and hits from the poses of the previous frame.
     const state = this[P_SESSION];
     if (state.deviceFrameHandle !== undefined) globalThis.cancelAnimationFrame(state.deviceFrameHandle);
     delete state.deviceFrameHandle;
     state.onDeviceFrame = () => {};
-    world.frames.start((timeS) => runFrame(this, timeS));
+    state.renderState = initialRenderState(grant.mode);
+  }
+
+  /** Starts the session's frames, which end with it. */
+  startFrames(run: (session: EmulatedSession, timeS: number) => boolean): void {
+    this.#stopFrames = this[P_EMULATED].world.frames.start((timeS) => run(this, timeS));
+  }
+
+  override async end(): Promise<void> {
+    if (!this[P_SESSION].ended) this.#leave();
+    return super.end();
+  }
+
+  #leave(): void {
+    const { world, depth, disposers } = this[P_EMULATED];
+    this.#stopFrames();
+    if (!this.#isInline()) {
+      world.screenInput.reset();
+      world.screen.hide();
+    }
+    depth?.dispose();
+    for (const dispose of disposers.splice(0)) dispose();
+  }
+
+  // --- What sessions on the page know of the device: nothing ---
+
+  #isInline(): boolean {
+    return this[P_SESSION].mode === 'inline';
+  }
+
+  override get visibilityState(): never {
+    return (this.#isInline() ? 'visible' : super.visibilityState) as never;
+  }
+
+  override get interactionMode(): never {
+    return (this.#isInline() ? 'screen-space' : super.interactionMode) as never;
   }
 
   // --- Frames ---
+
+  override updateRenderState(wishes: object = {}): void {
+    const state = this[P_SESSION];
+    if (state.ended) throw new DOMException('The session has ended.', 'InvalidStateError');
+    checkRenderState(wishes as RenderStateWishes, state.mode, this.enabledFeatures, (layer) => ownerOf(layer) === this);
+    const former = (state.pendingRenderState ?? state.renderState) as EmulatedRenderState;
+    state.pendingRenderState = changeRenderState(former, wishes as RenderStateWishes);
+  }
+
+  /** The rate is told, and frames come as the emulator's clock gives them. */
+  override async updateTargetFrameRate(rate: number): Promise<void> {
+    const state = this[P_SESSION];
+    if (state.ended) throw new DOMException('The session has ended.', 'InvalidStateError');
+    const { supportedFrameRates } = state;
+    if (!supportedFrameRates?.includes(rate)) {
+      throw new TypeError(`The device has no frame rate of ${rate} Hz. It has ${[...(supportedFrameRates ?? [])].join(', ')}.`);
+    }
+    if (rate === state.nominalFrameRate) return;
+    await null;
+    state.nominalFrameRate = rate;
+    this.dispatchEvent(new XRSessionEvent('frameratechange', { session: this }));
+  }
 
   /** iwer fires `select` with `selectstart`, when the button goes down; it belongs before `selectend` (WebXR Device API §10.2). */
   override dispatchEvent(event: Event): boolean {
@@ -83,15 +155,31 @@ export class EmulatedSession extends XRSession {
 
   override async requestReferenceSpace(type: XRReferenceSpaceType): Promise<XRReferenceSpace> {
     const state = this[P_SESSION];
+    const types: readonly string[] = Object.values(XRReferenceSpaceType);
+    if (!types.includes(type)) throw new TypeError(`"${type}" is no reference space. Those are ${types.join(', ')}.`);
     if (state.ended || !state.referenceSpaceIsSupported(type)) {
       throw new DOMException(`The reference space "${type}" is not supported by this session.`, 'NotSupportedError');
     }
     const { globalSpace, viewerSpace } = state.device[P_DEVICE];
     const parent = type === XRReferenceSpaceType.Viewer ? viewerSpace : globalSpace;
     const origin = type === XRReferenceSpaceType.Local ? this[P_EMULATED].localOrigin : undefined;
-    const space = new EmulatedReferenceSpace(type, parent, origin);
+    const space =
+      type === XRReferenceSpaceType.BoundedFloor
+        ? new EmulatedBoundedReferenceSpace(type, parent, boundsOf(this[P_EMULATED].roomServices.room))
+        : new EmulatedReferenceSpace(type, parent, origin);
     state.referenceSpaces.push(space);
     return space;
+  }
+
+  // --- Anchors: WebXR Anchors §4 ---
+
+  /** An anchor at the origin of `space`, which stands in the world; resolved in the next frame. */
+  async anchorAt(space: XRSpace): Promise<XRAnchor> {
+    this.requireFeature('anchors');
+    const anchor = new XRAnchor(space, this);
+    return new Promise((resolve, reject) => {
+      this[P_SESSION].newAnchors.set(anchor, { resolve: (value) => resolve(value as XRAnchor), reject });
+    });
   }
 
   // --- Depth: WebXR Depth Sensing §2.3 ---
@@ -141,7 +229,7 @@ export class EmulatedSession extends XRSession {
   }
 
   async requestLightProbe({ reflectionFormat = 'srgba8' }: { reflectionFormat?: ReflectionFormat } = {}): Promise<EmulatedLightProbe> {
-    this.#requireFeature('light-estimation');
+    this.requireFeature('light-estimation');
     if (reflectionFormat !== 'srgba8' && reflectionFormat !== this.preferredReflectionFormat) {
       throw new DOMException(`The reflection format "${reflectionFormat}" is not supported.`, 'NotSupportedError');
     }
@@ -153,8 +241,8 @@ export class EmulatedSession extends XRSession {
 
   /** Once per probe, and again when the cube map is another one. */
   announceReflections(): void {
-    const { light, probes, surroundings, world } = this[P_EMULATED];
-    const another = light.follow(world.lightState, surroundings.lightMoves);
+    const { light, probes, roomServices, world } = this[P_EMULATED];
+    const another = light.follow(world.lightState, roomServices.lightMoves);
     for (const probe of probes) {
       const state = probeState(probe);
       if (!state || !(another || state.changed)) continue;
@@ -166,13 +254,13 @@ export class EmulatedSession extends XRSession {
   // --- Hits: WebXR Hit Test §5 ---
 
   override async requestHitTestSource(wishes: object): Promise<never> {
-    this.#requireFeature('hit-test');
+    this.requireFeature('hit-test');
     if (!(wishes as HitTestWishes).space) throw new TypeError('A hit test needs a space.');
     return this.#addHitTest(EmulatedHitTestSource, wishes as HitTestWishes) as never;
   }
 
   async requestHitTestSourceForTransientInput(wishes: HitTestWishes): Promise<EmulatedTransientHitTestSource> {
-    this.#requireFeature('hit-test');
+    this.requireFeature('hit-test');
     if (!wishes.profile) throw new TypeError('A hit test for transient input needs a profile.');
     return this.#addHitTest(EmulatedTransientHitTestSource, wishes);
   }
@@ -190,10 +278,17 @@ export class EmulatedSession extends XRSession {
     return this[P_EMULATED].overlayRoot ? { type: 'screen' } : null;
   }
 
-  #requireFeature(feature: string): void {
+  /** @throws DOMException InvalidStateError when the session has ended, NotSupportedError when it was not granted the feature. */
+  requireFeature(feature: string): void {
     if (this[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
     if (!this.enabledFeatures.includes(feature)) {
       throw new DOMException(`The session was not granted "${feature}".`, 'NotSupportedError');
     }
   }
+}
+
+/** The session that a layer was made for. */
+function ownerOf(layer: object): unknown {
+  if (layer instanceof EmulatedCompositionLayer) return layer[P_LAYER].session;
+  return P_WEBGL_LAYER in layer ? (layer[P_WEBGL_LAYER] as { session: unknown }).session : null;
 }

@@ -1,8 +1,8 @@
-import type { XRRigidTransform, XRSession } from 'iwer';
+import type { XRFrame, XRRigidTransform, XRSession } from 'iwer';
 import { P_FRAME, XRView } from 'iwer';
 import type { Eye } from '../display/eye.ts';
 import { P_EYE } from '../private.ts';
-import type { EmulatedFrame } from './emulated-frame.ts';
+import { requestScale, scaledViewport, type ViewportPx, type ViewportScale } from './viewport-scale.ts';
 
 /** XRCamera of WebXR Raw Camera Access §3.2. */
 export class EmulatedCamera {
@@ -19,11 +19,18 @@ export class EmulatedCamera {
 }
 
 export class EmulatedView extends XRView {
-  readonly [P_EYE]: { readonly eye: Eye; readonly index: number; readonly frame: EmulatedFrame; camera: EmulatedCamera | null };
+  readonly [P_EYE]: {
+    readonly eye: Eye;
+    readonly index: number;
+    readonly frame: XRFrame;
+    /** Undefined where the viewport cannot be scaled. */
+    readonly scale: ViewportScale | undefined;
+    camera: EmulatedCamera | null;
+  };
 
-  constructor(eye: Eye, index: number, transform: XRRigidTransform, session: XRSession, frame: EmulatedFrame) {
+  constructor(eye: Eye, index: number, scale: ViewportScale | undefined, transform: XRRigidTransform, session: XRSession, frame: XRFrame) {
     super(eye.name as string as XRView['eye'], Float32Array.from(eye.clipFromView), transform, session);
-    this[P_EYE] = { eye, index, frame, camera: null };
+    this[P_EYE] = { eye, index, frame, scale, camera: null };
   }
 
   /** Raw Camera Access §3.1, "obtain camera": aligned with the view, as large as its viewport. */
@@ -33,6 +40,18 @@ export class EmulatedView extends XRView {
     this.checkFrame();
     state.camera ??= new EmulatedCamera(this);
     return state.camera;
+  }
+
+  /** WebXR Device API §7.2: holds from the next question for the viewport on, in this frame and those that follow. */
+  override requestViewportScale(scale: number | null | undefined): void {
+    const { scale: current } = this[P_EYE];
+    if (current) requestScale(current, scale);
+  }
+
+  /** The part of `full` that this view is drawn into. */
+  viewportIn(full: ViewportPx): ViewportPx {
+    const { frame, scale } = this[P_EYE];
+    return scale ? scaledViewport(scale, full, frame) : full;
   }
 
   /** @throws DOMException when the frame that this view is of is over. */

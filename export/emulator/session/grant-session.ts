@@ -3,16 +3,42 @@ import { P_SYSTEM } from 'iwer';
 import { grantFeatures, type SessionWishes } from '../features.ts';
 import type { World } from '../world.ts';
 import { EmulatedSession } from './emulated-session.ts';
+import { runFrame } from './run-frame.ts';
+import { runInlineFrame } from './run-inline-frame.ts';
 
 type Request = Parameters<XRSystem[typeof P_SYSTEM]['grantSession']>[0];
 
+/** The world with the session that runs in it, if one does. */
+export interface SessionWorld extends World {
+  /** The immersive one: there is one at a time. */
+  session: EmulatedSession | null;
+  /** Those on the page. */
+  readonly inlineSessions: Set<EmulatedSession>;
+}
+
+/** What iwer takes for "not supported": modes that there are not (WebIDL's enumerations). */
+export function checkModes(system: XRSystem): void {
+  const ask = system.isSessionSupported.bind(system);
+  system.isSessionSupported = async (mode) => {
+    if (!MODES.includes(mode)) throw new TypeError(`"${mode}" is no session mode. Those are ${MODES.join(', ')}.`);
+    return ask(mode);
+  };
+}
+
+const MODES: readonly string[] = ['inline', 'immersive-vr', 'immersive-ar'];
+
 /** What follows `requestSession` once the mode is known to be supported (WebXR Device API §4.1). */
-export function grantSession(world: World, system: XRSystem, { mode, options, resolve, reject }: Request): void {
+export function grantSession(world: SessionWorld, system: XRSystem, { mode, options, resolve, reject }: Request): void {
   try {
     const session = makeSession(world, system, mode, options as SessionWishes);
-    system[P_SYSTEM].activeSession = session;
-    world.session = session;
+    session.startFrames(mode === 'inline' ? runInlineFrame : runFrame);
+    if (mode === 'inline') world.inlineSessions.add(session);
+    else {
+      system[P_SYSTEM].activeSession = session;
+      world.session = session;
+    }
     const forget = (): void => {
+      if (world.inlineSessions.delete(session)) return;
       delete system[P_SYSTEM].activeSession;
       world.session = null;
     };
@@ -24,7 +50,7 @@ export function grantSession(world: World, system: XRSystem, { mode, options, re
 }
 
 function makeSession(world: World, system: XRSystem, mode: Request['mode'], wishes: SessionWishes): EmulatedSession {
-  if (mode === 'inline') throw new DOMException('The emulated device has immersive sessions only.', 'NotSupportedError');
+  if (mode === 'inline') return makeInlineSession(world, wishes);
   if (system[P_SYSTEM].activeSession) throw new DOMException('There is an immersive session already.', 'InvalidStateError');
   if (world.settings.requireGesture && !navigator.userActivation.isActive) {
     throw new DOMException('An immersive session can only be requested in the handler of a user gesture.', 'SecurityError');
@@ -34,6 +60,15 @@ function makeSession(world: World, system: XRSystem, mode: Request['mode'], wish
   const root = wishes.domOverlay?.root;
   const overlayRoot = grant.features.includes('dom-overlay') && root instanceof HTMLElement ? root : null;
   return withLocalStorage(() => new EmulatedSession(world, { ...grant, mode, overlayRoot }));
+}
+
+/** On the page, beside an immersive one too: all that it can know is that there is a viewer. */
+function makeInlineSession(world: World, wishes: SessionWishes): EmulatedSession {
+  const grant = grantFeatures(wishes, new Set(['viewer']), world.settings.depth);
+  if ('missing' in grant) {
+    throw new DOMException(`Sessions on the page have no "${grant.missing}": only the reference space "viewer".`, 'NotSupportedError');
+  }
+  return withLocalStorage(() => new EmulatedSession(world, { mode: 'inline', features: ['viewer'], depth: null, overlayRoot: null }));
 }
 
 /** iwer reads stored anchors when a session is made, which throws where a page has no storage (sandboxed frames, bare schemes). */

@@ -4,8 +4,8 @@ import type { Eye } from '../display/eye.ts';
 import { P_EMULATED } from '../private.ts';
 import type { World } from '../world.ts';
 import { EmulatedFrame } from './emulated-frame.ts';
-import { EmulatedLayer } from './emulated-layer.ts';
 import type { EmulatedSession } from './emulated-session.ts';
+import { type Presentation, presentationOf } from './presentation.ts';
 import { projectEye } from './projection.ts';
 
 /**
@@ -14,20 +14,19 @@ import { projectEye } from './projection.ts';
  */
 export function runFrame(session: EmulatedSession, timeS: number): boolean {
   const state = session[P_SESSION];
-  const { world, surroundings } = session[P_EMULATED];
+  const { world, roomServices } = session[P_EMULATED];
   const device = world.device[P_DEVICE];
   applyRenderState(session);
-  const layer = currentLayer(session);
-  if (state.ended || !layer) return false;
+  const shown = presentationOf(session);
+  if (state.ended || !shown) return false;
 
-  if (world.settings.sizePx && layer.fit(world.settings.sizePx)) {
-    surroundings.view.resize(layer.target.widthPx, layer.target.heightPx);
-  }
+  const { canvas } = roomServices.view;
+  if (canvas.width !== shown.widthPx || canvas.height !== shown.heightPx) roomServices.view.resize(shown.widthPx, shown.heightPx);
   device.updateViews();
   const frame = new EmulatedFrame(session, state.frameHandle, timeS * 1000);
   // Inputs, visibility and resets, with their events; it also applies the poses that a recording plays.
   device.onFrameStart(frame);
-  session[P_EMULATED].eyes = aimEyes(world, layer, state.renderState.depthNear, state.renderState.depthFar);
+  session[P_EMULATED].eyes = aimEyes(world, shown, state.renderState.depthNear, state.renderState.depthFar);
   world.screenInput.aim(session[P_EMULATED].eyes[0]?.clipFromView ?? new Float32Array(16));
   world.screenInput.fire(frame, session, state.updateActiveInputSources);
   state.updateActiveInputSources();
@@ -37,8 +36,8 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
     return !state.ended;
   }
 
-  layer.target.clear();
-  surroundings.view.drawRoom(state.mode === 'immersive-ar' ? session[P_EMULATED].eyes : []);
+  shown.clear();
+  roomServices.view.drawRoom(state.mode === 'immersive-ar' ? session[P_EMULATED].eyes : []);
   if (state.hasAnchors) state.updateTrackedAnchors();
   if (state.hasPlanes) session[P_EMULATED].surfaces.addPlanes(frame);
   if (state.hasMeshes) session[P_EMULATED].surfaces.addMeshes(frame);
@@ -47,47 +46,29 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   frame.beginAnimation();
   runCallbacks(session, frame, timeS * 1000);
   frame[P_FRAME].active = false;
-  if (!state.ended && world.settings.display) showLayer(session, layer);
+  if (!state.ended && world.settings.display) showPresentation(session, shown);
   return true;
 }
 
 /** Lays what the page drew over the room on the device's screen. */
-export function showLayer(session: EmulatedSession, layer: EmulatedLayer): void {
-  const { surroundings, world } = session[P_EMULATED];
-  surroundings.view.drawLayer(readLayer(layer), session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque');
+export function showPresentation(session: EmulatedSession, shown: Presentation): void {
+  const { roomServices, world } = session[P_EMULATED];
+  roomServices.view.drawLayer(shown.read(), session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque');
 }
 
-/** The page's premultiplied pixels, rows from the bottom; the same array while the layer's size stays. */
-export function readLayer({ target }: EmulatedLayer): Uint8Array {
-  const bytes = target.widthPx * target.heightPx * 4;
-  if (layerPixels.length !== bytes) layerPixels = new Uint8Array(bytes);
-  target.read(layerPixels);
-  return layerPixels;
-}
-
-// Read, uploaded and forgotten within one frame.
-let layerPixels = new Uint8Array(0);
-
-export function currentLayer(session: EmulatedSession): EmulatedLayer | null {
-  const layer: unknown = session[P_SESSION].renderState.baseLayer;
-  return layer instanceof EmulatedLayer ? layer : null;
-}
-
-/** "Apply the pending render state"; a new base layer turns the screen on. */
+/** "Apply the pending render state"; something else to show turns the screen on. */
 function applyRenderState(session: EmulatedSession): void {
   const state = session[P_SESSION];
   if (!state.pendingRenderState) return;
-  const former = currentLayer(session);
+  const before = presentationOf(session) !== null;
   state.renderState = state.pendingRenderState;
   state.pendingRenderState = null;
-  const layer = currentLayer(session);
-  if (!layer || layer === former) return;
-  const { surroundings, world, overlayRoot } = session[P_EMULATED];
-  surroundings.view.resize(layer.target.widthPx, layer.target.heightPx);
-  if (world.settings.display) world.screen.show(surroundings.view.canvas, overlayRoot);
+  if (before || !presentationOf(session)) return;
+  const { roomServices, world, overlayRoot } = session[P_EMULATED];
+  if (world.settings.display) world.screen.show(roomServices.view.canvas, overlayRoot);
 }
 
-function runCallbacks(session: EmulatedSession, frame: EmulatedFrame, timeMs: number): void {
+export function runCallbacks(session: EmulatedSession, frame: EmulatedFrame, timeMs: number): void {
   const state = session[P_SESSION];
   const callbacks = state.frameCallbacks;
   state.currentFrameCallbacks = callbacks;
@@ -108,8 +89,7 @@ function runCallbacks(session: EmulatedSession, frame: EmulatedFrame, timeMs: nu
 const scratchWorldFromView = new Matrix4();
 const scratchOffset = new Matrix4();
 
-function aimEyes(world: World, layer: EmulatedLayer, nearM: number, farM: number): Eye[] {
-  const { widthPx, heightPx } = layer.target;
+function aimEyes(world: World, { widthPx, heightPx }: Presentation, nearM: number, farM: number): Eye[] {
   const { device } = world;
   const names = world.settings.views === 1 ? (['none'] as const) : (['left', 'right'] as const);
   const eyeWidthPx = widthPx / names.length;

@@ -71,7 +71,7 @@ describe('displaced', () => {
   });
 });
 
-describe('neighbourhood', () => {
+describe('neighborhood', () => {
   test.each([
     ['two pixels', `void main() { gl_FragColor = ${HERE} - IMG_NORM_PIXEL(inputImage, shift); }`],
     ['one pixel, in a loop', 'void main() { for (int i = 0; i < 3; i++) gl_FragColor += IMG_NORM_PIXEL(inputImage, shift * float(i)); }'],
@@ -87,11 +87,11 @@ describe('neighbourhood', () => {
     ['an image handed on', 'vec4 f(sampler2D i) { return IMG_THIS_PIXEL(i); } void main() { gl_FragColor = f(inputImage); }'],
     ['what cannot be parsed', 'void main() { gl_FragColor = ; }'],
   ])('%s', (_, body) => {
-    expect(accessOf(body)).toBe('neighbourhood');
+    expect(accessOf(body)).toBe('neighborhood');
   });
 
   test('several passes', () => {
-    expect(accessOf(`void main() { gl_FragColor = ${HERE}; }`, { PASSES: [{ TARGET: 'a' }, {}] })).toBe('neighbourhood');
+    expect(accessOf(`void main() { gl_FragColor = ${HERE}; }`, { PASSES: [{ TARGET: 'a' }, {}] })).toBe('neighborhood');
   });
 });
 

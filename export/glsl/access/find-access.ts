@@ -1,4 +1,5 @@
 import type { Access } from '../../../nodes/kit/definition.ts';
+import { calleesFirst, functionsOf } from '../check/call-graph.ts';
 import type { CheckedShader } from '../check/check-shader.ts';
 import { isImageType } from '../check/glsl-type.ts';
 import { checkIsf } from '../isf/checked-isf.ts';
@@ -12,20 +13,20 @@ import { partsOf } from '../syntax/walk.ts';
 import { createPositions, type Position } from './here.ts';
 
 /**
- * What a shader reads of its images (design §6), found in its text; `neighbourhood` wherever that cannot be told, because the
+ * What a shader reads of its images, found in its text; `neighborhood` wherever that cannot be told, because the
  * compiler may then assume nothing. A file with several passes reads several pixels by way of its buffers.
  */
 export function findAccess(shader: IsfShader): Access {
   if (shader.passes.some((pass) => pass.persistent)) return 'persistent';
   if (shader.passes.some((pass) => pass.width !== null || pass.height !== null)) return 'resize';
   const passIndex = shader.passes.length - 1;
-  if (shader.passes.filter((pass, i) => pass.target !== null || i === passIndex).length > 1) return 'neighbourhood';
+  if (shader.passes.filter((pass, i) => pass.target !== null || i === passIndex).length > 1) return 'neighborhood';
   try {
     const { checked } = checkIsf(shader);
     // What a vertex shader hands on may stand for any place.
-    return varyingsOf(checked).size > 0 || shader.vertex !== null ? 'neighbourhood' : accessOf(checked, passIndex);
+    return varyingsOf(checked).size > 0 || shader.vertex !== null ? 'neighborhood' : accessOf(checked, passIndex);
   } catch (error) {
-    if (error instanceof GlslError) return 'neighbourhood';
+    if (error instanceof GlslError) return 'neighborhood';
     throw error;
   }
 }
@@ -43,11 +44,11 @@ const DERIVATIVES: ReadonlySet<string> = new Set(['dFdx', 'dFdy', 'fwidth']);
 
 function accessOf(shader: CheckedShader, passIndex: number): Access {
   const reads = countReads(shader, passIndex, createPositions(collectCalls(shader, passIndex)));
-  if (reads === null) return 'neighbourhood';
+  if (reads === null) return 'neighborhood';
   let access: Access = 'pointwise';
   for (const { here, elsewhere } of reads.values()) {
     if (elsewhere === 0) continue;
-    if (here + elsewhere > 1) return 'neighbourhood';
+    if (here + elsewhere > 1) return 'neighborhood';
     access = 'displaced';
   }
   return access;
@@ -55,32 +56,32 @@ function accessOf(shader: CheckedShader, passIndex: number): Access {
 
 /** Null where an image is handed to a function or a derivative is taken. */
 function countReads(shader: CheckedShader, passIndex: number, positionOf: (expression: Expression) => Position): ReadsByImage | null {
-  const known = new Map<FunctionSymbol, ReadsByImage>();
+  const known = new Map<FunctionSymbol, ReadsByImage | null>();
   let unclear = false;
 
-  function ofFunction(symbol: FunctionSymbol): ReadsByImage {
-    const before = known.get(symbol);
-    if (before !== undefined) return before;
-    // In place before the body is looked at, so that recursion, which GLSL forbids, ends.
+  function readsOf(count: (into: Map<string, Reads>) => void): ReadsByImage | null {
     const reads = new Map<string, Reads>();
-    known.set(symbol, reads);
-    if (symbol.parameterTypes.some(isImageType)) unclear = true;
-    if (symbol.declaration.body !== null) countIn(symbol.declaration.body, 1, reads);
-    return reads;
+    unclear = false;
+    count(reads);
+    return unclear ? null : reads;
+  }
+
+  function countCallee(symbol: FunctionSymbol, times: number, into: Map<string, Reads>): void {
+    const reads = known.get(symbol) ?? null;
+    if (reads === null) unclear = true;
+    else for (const [image, { here, elsewhere }] of reads) add(into, image, here * times || 0, elsewhere * times || 0);
   }
 
   function countIn(part: Statement | Expression, times: number, into: Map<string, Reads>): void {
     const isLoop = part.kind === 'for' || part.kind === 'while' || part.kind === 'do';
     if (part.kind === 'call') countCall(part, times, into);
-    // A global is set before `main`, wherever it is used.
+    // The initializer of a global runs once, before `main`, so its uses do not count.
     for (const inner of taken(part, passIndex)) countIn(inner, isLoop ? Number.POSITIVE_INFINITY : times, into);
   }
 
   function countCall(call: CallExpression, times: number, into: Map<string, Reads>): void {
     if (DERIVATIVES.has(call.token.text) && call.symbol === null) unclear = true;
-    if (call.symbol?.kind === 'function') {
-      for (const [image, reads] of ofFunction(call.symbol)) add(into, image, reads.here * times || 0, reads.elsewhere * times || 0);
-    }
+    if (call.symbol?.kind === 'function') countCallee(call.symbol, times, into);
     const read = classifyImageCall(call);
     const [image] = call.args;
     // A curve is the same for all pixels.
@@ -90,11 +91,19 @@ function countReads(shader: CheckedShader, passIndex: number, positionOf: (expre
     add(into, image.token.text, here ? times : 0, here ? 0 : times);
   }
 
-  const total = new Map<string, Reads>();
-  for (const declaration of shader.declarations) if (declaration.kind === 'variables') countIn(declaration, 1, total);
-  if (shader.main.symbol !== null)
-    for (const [image, reads] of ofFunction(shader.main.symbol)) add(total, image, reads.here, reads.elsewhere);
-  return unclear ? null : total;
+  for (const symbol of calleesFirst(functionsOf(shader.declarations))) {
+    const { body } = symbol.declaration;
+    const reads = readsOf((into) => {
+      if (symbol.parameterTypes.some(isImageType)) unclear = true;
+      if (body !== null) countIn(body, 1, into);
+    });
+    known.set(symbol, reads);
+  }
+  const { main, declarations } = shader;
+  return readsOf((total) => {
+    for (const declaration of declarations) if (declaration.kind === 'variables') countIn(declaration, 1, total);
+    if (main.symbol !== null) countCallee(main.symbol, 1, total);
+  });
 }
 
 function add(into: Map<string, Reads>, image: string, here: number, elsewhere: number): void {

@@ -9,12 +9,16 @@ const PIXEL_NAMES: ReadonlySet<string> = new Set(['gl_FragCoord', 'isf_FragCoord
 /** Deeper than any author writes a position. */
 const MAX_DEPTH = 50;
 
+/** Variables and parameters that a position is handed on by, one after the other: more would be a matter of the stack. */
+const MAX_FOLLOWED = 100;
+
 /**
  * Finds out which positions are this pixel's. Variables that are set once and parameters that are given the same everywhere
  * are followed; what cannot be followed is elsewhere, which is the safe answer.
  */
 export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly CallExpression[]>): (expression: Expression) => Position {
   const known = new Map<VariableSymbol, Position>();
+  let followed = 0;
 
   function find(expression: Expression): Position {
     if (expression.depth > MAX_DEPTH) return 'elsewhere';
@@ -44,7 +48,10 @@ export function createPositions(calls: ReadonlyMap<FunctionSymbol, readonly Call
     if (before !== undefined) return before;
     // In place before the search goes on, so that what a broken text makes circular ends.
     known.set(symbol, 'elsewhere');
+    if (followed >= MAX_FOLLOWED) return 'elsewhere';
+    followed += 1;
     const position = searchVariable(symbol);
+    followed -= 1;
     known.set(symbol, position);
     return position;
   }

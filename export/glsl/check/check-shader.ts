@@ -13,6 +13,7 @@ import { GlslError } from '../syntax/token.ts';
 import { arrayType, checkDimensions, resolveType } from './check-expression.ts';
 import { checkDeclarator, checkStatements, inScope } from './check-statement.ts';
 import { isConstant } from './constant.ts';
+import { isImageType } from './glsl-type.ts';
 import { type CheckContext, createScope } from './scope.ts';
 
 /** A shader whose names are known. */
@@ -21,6 +22,8 @@ export interface CheckedShader {
   readonly declarations: ParsedShader['declarations'];
   readonly main: FunctionDeclaration;
   readonly structs: ReadonlyMap<GlslType, StructSymbol>;
+  /** Images that the text declares and nobody brings: they are transparent. */
+  readonly strayImages: readonly VariableSymbol[];
 }
 
 /**
@@ -31,7 +34,13 @@ export interface CheckedShader {
 export function checkShader(shader: ParsedShader, given: ReadonlyMap<string, VariableSymbol>): CheckedShader {
   const outermost = createScope(null);
   for (const [name, symbol] of given) outermost.variables.set(name, symbol);
-  const context: CheckContext = { scope: createScope(outermost), functions: new Map(), structs: new Map(), returnType: '' };
+  const context: CheckContext = {
+    scope: createScope(outermost),
+    functions: new Map(),
+    structs: new Map(),
+    strayImages: [],
+    returnType: '',
+  };
   let main: FunctionDeclaration | null = null;
   for (const declaration of shader.declarations) {
     if (declaration.kind === 'variables') {
@@ -42,7 +51,7 @@ export function checkShader(shader: ParsedShader, given: ReadonlyMap<string, Var
     }
   }
   if (main === null) throw new GlslError({ line: 1, column: 1 }, 'The shader has no "void main() { … }".');
-  return { declarations: shader.declarations, main, structs: context.structs };
+  return { declarations: shader.declarations, main, structs: context.structs, strayImages: context.strayImages };
 }
 
 function checkFunction(declaration: FunctionDeclaration, context: CheckContext): void {
@@ -115,6 +124,10 @@ function checkGlobals(declaration: VariableDeclaration, given: ReadonlyMap<strin
       declarator.symbol = outputVariable(declarator, type, given, context);
     } else {
       refuse(declarator, words, type);
+      if (isImageType(type)) {
+        declareStrayImage(declarator, type, context);
+        continue;
+      }
       const role = ['varying', 'in', 'out'].some((word) => words.has(word)) ? 'varying' : 'global';
       declarator.symbol = declareGlobal(declarator, type, role, words.has('const'), context);
     }
@@ -124,7 +137,7 @@ function checkGlobals(declaration: VariableDeclaration, given: ReadonlyMap<strin
 function declareGlobal(
   declarator: Declarator,
   type: GlslType,
-  role: 'global' | 'varying',
+  role: 'global' | 'varying' | 'image',
   isConst: boolean,
   context: CheckContext,
 ): VariableSymbol {
@@ -142,6 +155,12 @@ function declareGlobal(
   };
   context.scope.variables.set(symbol.name, symbol);
   return symbol;
+}
+
+function declareStrayImage(declarator: Declarator, type: GlslType, context: CheckContext): void {
+  const symbol = declareGlobal(declarator, type, 'image', false, context);
+  declarator.symbol = symbol;
+  if (!context.strayImages.some(({ name }) => name === symbol.name)) context.strayImages.push(symbol);
 }
 
 /** `out vec4 color;` of ES 3.00 is the older `gl_FragColor`. */
@@ -166,7 +185,7 @@ function refuse(declarator: Declarator, words: ReadonlySet<string>, type: GlslTy
       'SCR043',
     );
   }
-  if (type.startsWith('sampler')) {
+  if (/^[iu]?sampler/.test(type) && !(words.has('uniform') && isImageType(type))) {
     throw new GlslError(
       declarator.name,
       `The image "${name}" is not in the header. Add it to INPUTS as { "NAME": "${name}", "TYPE": "image" }.`,

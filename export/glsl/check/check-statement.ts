@@ -94,7 +94,7 @@ function checkLocals(declaration: VariableDeclaration, context: CheckContext): v
   }
 }
 
-/** Sizes and initialiser; gives the variable's type. The name itself is declared after them, as it begins to count there. */
+/** Sizes and initializer; gives the variable's type. The name itself is declared after them, as it begins to count there. */
 export function checkDeclarator(declarator: Declarator, element: GlslType, context: CheckContext): GlslType {
   checkDimensions(declarator.dimensions, context);
   const type = arrayType(element, declarator.dimensions);

@@ -1,37 +1,32 @@
 import type { CallExpression, Expression, ForStatement, FunctionSymbol, Statement, VariableSymbol } from '../syntax/ast.ts';
 import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
 import { partsOf, walkExpression, walkStatement } from '../syntax/walk.ts';
+import { calleesFirst, functionsOf } from './call-graph.ts';
 import type { CheckedShader } from './check-shader.ts';
 
 /**
- * How often the loops of a shader go round for one pixel, all together, at most; infinite where the text does not say. Counted are
- * loops of the form `for (int i = 0; i < 8; i++)`, with other constants and steps, which leave `i` alone: most shaders have no
- * others, and need no trial on the graphics device to know that they end.
+ * The greatest number of iterations of all loops of a shader together, for one pixel; infinite where the text does not bound it.
+ * Counted are loops of the form `for (int i = 0; i < 8; i++)`, with any constants and step, whose body does not set `i`. Most
+ * shaders have no other loops, so no trial on the GPU is needed to know that they end.
  */
 export function countRounds({ main, declarations }: CheckedShader): number {
   const known = new Map<FunctionSymbol, number>();
 
-  function ofFunction(symbol: FunctionSymbol): number {
-    const before = known.get(symbol);
-    if (before !== undefined) return before;
-    // Stands for a function that calls itself.
-    known.set(symbol, Number.POSITIVE_INFINITY);
-    const { body } = symbol.declaration;
-    const rounds = body === null ? 0 : ofPart(body);
-    known.set(symbol, rounds);
-    return rounds;
-  }
-
   function ofPart(part: Statement | Expression): number {
     if (part.kind === 'while' || part.kind === 'do') return Number.POSITIVE_INFINITY;
-    const called = part.kind === 'call' && part.symbol?.kind === 'function' ? ofFunction(part.symbol) : 0;
+    // Not known yet is only what calls itself.
+    const called = part.kind === 'call' && part.symbol?.kind === 'function' ? (known.get(part.symbol) ?? Number.POSITIVE_INFINITY) : 0;
     const inside = partsOf(part).reduce((sum, inner) => sum + ofPart(inner), called);
     return part.kind === 'for' ? roundsOf(part) * (1 + inside) : inside;
   }
 
+  for (const symbol of calleesFirst(functionsOf(declarations))) {
+    const { body } = symbol.declaration;
+    known.set(symbol, body === null ? 0 : ofPart(body));
+  }
   const globals = declarations.flatMap((declaration) => (declaration.kind === 'variables' ? declaration.declarators : []));
   const initial = globals.reduce((sum, { initializer }) => sum + (initializer === null ? 0 : ofPart(initializer)), 0);
-  return initial + (main.symbol === null ? Number.POSITIVE_INFINITY : ofFunction(main.symbol));
+  return initial + (main.symbol === null ? Number.POSITIVE_INFINITY : (known.get(main.symbol) ?? Number.POSITIVE_INFINITY));
 }
 
 /** Below this part of what it is added to, a step may be lost in single precision. */
@@ -78,27 +73,30 @@ function stepOf(step: Expression, symbol: VariableSymbol): number | null {
   return step.token.text === '+=' ? by : step.token.text === '-=' ? -by : null;
 }
 
+/** Constants that are made of constants are followed so far: further than any author goes, and not as far as the stack. */
+const MAX_FOLLOWED = 100;
+
 /** A number that stands in the text; null for all else. */
-function numberIn(expression: Expression): number | null {
+function numberIn(expression: Expression, left = MAX_FOLLOWED): number | null {
   switch (expression.kind) {
     case 'literal':
       return literalValue(expression.token.text);
     case 'group':
-      return numberIn(expression.inner);
+      return numberIn(expression.inner, left);
     case 'name': {
       const { symbol } = expression;
       const value = symbol?.constant ? symbol.declaration?.initializer : undefined;
-      return value ? numberIn(value) : null;
+      return value && left > 0 ? numberIn(value, left - 1) : null;
     }
     case 'prefix': {
-      const value = numberIn(expression.operand);
+      const value = numberIn(expression.operand, left);
       if (value === null) return null;
       return expression.token.text === '-' ? -value : expression.token.text === '+' ? value : null;
     }
     case 'call': {
       const [only, ...more] = expression.args;
       const converts = expression.symbol === null && more.length === 0 && only !== undefined;
-      const value = converts ? numberIn(only) : null;
+      const value = converts ? numberIn(only, left) : null;
       if (value === null) return null;
       return expression.token.text === 'int' ? Math.trunc(value) : expression.token.text === 'float' ? value : null;
     }

@@ -38,6 +38,7 @@ export interface CheckContext {
   /** Declared so far: a call sees only what stands above it, as in GLSL. */
   readonly functions: Map<string, FunctionSymbol[]>;
   readonly structs: Map<GlslType, StructSymbol>;
+  readonly strayImages: VariableSymbol[];
   /** Type that `return` gives; empty outside of functions. */
   returnType: GlslType;
 }

@@ -37,7 +37,7 @@ describe('a driver’s log', () => {
         line: 4,
         column: 29,
         message: '"f": no matching overloaded function found.',
-        fix: 'Check how many values the function takes, and of which types.',
+        fix: 'Check the number and types of the arguments.',
       },
     ]);
   });
@@ -81,7 +81,7 @@ describe('a driver’s log', () => {
   test.each([
     [
       "'*' : wrong operand types - no operation '*' exists that takes a left-hand operand of type 'structure 'a_Ray' (symbol id 3004)' and a right operand of type 'const 3X3 matrix of float' (or there is no acceptable conversion)",
-      'wrong operand types: Ray and mat3 do not go together.',
+      'wrong operand types: Ray and mat3 cannot be combined.',
     ],
     [
       "'=' : cannot convert from 'array[3] of mediump 2-component vector of int' to 'uniform 4X2 matrix of float'",

@@ -6,8 +6,8 @@ import { ASSIGNMENTS } from '../syntax/parse-expression.ts';
 import { GlslError, type Place, type Token } from '../syntax/token.ts';
 import { TYPES } from '../syntax/words.ts';
 import { type LogLine, readLog } from './driver-log.ts';
-import { authorsWord, fixFor, inAuthorsWords } from './plain-words.ts';
-import { argumentsAt, statementAt } from './statement.ts';
+import { authorsWord, fixFor, inAuthorsWords } from './driver-wording.ts';
+import { argumentsAt, statementAt } from './statement-at.ts';
 
 type TokensOf = (file: string) => readonly Token[];
 
@@ -107,7 +107,7 @@ function firstMistakes(told: readonly Told[], tokens: TokensOf): readonly Told[]
   const undeclared = new Set<string>();
   const kept: Told[] = [];
   for (const [i, one] of told.entries()) {
-    if (isPrintersOwn(one, told[i + 1])) continue;
+    if (isPrintersOwn(one, told[i + 1]) || isToldByReturn(one, told[i - 1])) continue;
     const { file, line, column } = one.diagnostic;
     if (file === undefined || line === undefined || column === undefined || one.line.severity === 'warning') {
       kept.push(one);
@@ -135,6 +135,11 @@ function firstMistakes(told: readonly Told[], tokens: TokensOf): readonly Told[]
 function isPrintersOwn({ line, found, diagnostic }: Told, next: Told | undefined): boolean {
   const isOperator = line.quoted !== null && /^[^\w\s]+$/.test(line.quoted);
   return isOperator && found === null && next !== undefined && next.found !== null && next.diagnostic.line === diagnostic.line;
+}
+
+/** Of a `return;` that gives nothing drivers also say, of the head, that the function gives nothing. */
+function isToldByReturn({ line }: Told, before: Told | undefined): boolean {
+  return /does not return a value/i.test(line.message) && before !== undefined && /must return a value/i.test(before.line.message);
 }
 
 function isAt(token: Token, { line, column }: Diagnostic): boolean {

@@ -21,19 +21,19 @@ export interface CheckedIsf {
  */
 const known = new WeakMap<IsfShader, CheckedIsf>();
 
-/** Throws `GlslError`, with the file of what is wrong. */
-export function checkIsf(shader: IsfShader): CheckedIsf {
+/** Throws `GlslError`, with the file of what is wrong. `partial`: functions may lack their bodies. */
+export function checkIsf(shader: IsfShader, partial = false): CheckedIsf {
   const before = known.get(shader);
   if (before !== undefined) return before;
   const given = givenSymbols(shader);
-  const made = { given, checked: checkWhole(parse(shader), given), vertex: checkVertex(shader) };
+  const made = { given, checked: checkWhole(parse(shader), given, partial), vertex: checkVertex(shader, partial) };
   known.set(shader, made);
   return made;
 }
 
-function checkWhole(parsed: ParsedShader, given: ReadonlyMap<string, VariableSymbol>): CheckedShader {
+function checkWhole(parsed: ParsedShader, given: ReadonlyMap<string, VariableSymbol>, partial: boolean): CheckedShader {
   const checked = checkShader(parsed, given);
-  checkCalls(checked, (name) => VERTEX_STARTS.has(name));
+  checkCalls(checked, (name) => partial || VERTEX_STARTS.has(name));
   return checked;
 }
 
@@ -44,8 +44,8 @@ function parse(shader: IsfShader): ParsedShader {
   return shader.dialect === 'transition' ? parseTransition(shader) : parseShader(shader.source);
 }
 
-function checkVertex(shader: IsfShader): CheckedIsf['vertex'] {
+function checkVertex(shader: IsfShader, partial: boolean): CheckedIsf['vertex'] {
   if (shader.vertex === null) return null;
   const given = givenSymbols(shader, 'vertex');
-  return inFile(shader.vertex.file, () => ({ given, checked: checkWhole(parseShader(shader.vertex?.source ?? ''), given) }));
+  return inFile(shader.vertex.file, () => ({ given, checked: checkWhole(parseShader(shader.vertex?.source ?? ''), given, partial) }));
 }

@@ -40,7 +40,7 @@ const SPEAKS_OF_LICENCE = /\blicen[sc]ed?\b/i;
 /** Comments in the wild run to pages; a credit is a line. */
 const MAX_CREDIT_LINES = 6;
 
-/** Whose work a source is and under which terms, as far as its comments say. A licence that is not known is quoted. */
+/** Whose work a source is and under which terms, as far as its comments say. A license that is not known is quoted. */
 export function findTerms(source: string): Terms {
   const lines = commentLines(source);
   const credit = [...new Set(lines.filter((line) => CREDIT.test(line)))].slice(0, MAX_CREDIT_LINES).join('; ');

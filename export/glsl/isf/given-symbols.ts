@@ -51,7 +51,7 @@ const BUILTINS: Readonly<Record<string, string>> = {
   gl_FragData: 'vec4[]',
 };
 
-/** Every variable that a shader may use without declaring it, made anew because the check writes into them. */
+/** The variables that a shader may use without declaring them. Each call returns new symbols, because the check writes into them. */
 export function givenSymbols(shader: IsfShader, stage: 'vertex' | 'fragment' = 'fragment'): Map<string, VariableSymbol> {
   const given = new Map<string, VariableSymbol>();
 

@@ -43,9 +43,9 @@ describe('the node type of a file', () => {
       inputs: {
         inputImage: { type: 'layer', label: 'Layer', doc: 'A layer.', required: true },
         flash: { type: 'pulse', label: 'flash', doc: 'True in the frame of a pulse.', required: false, multiple: true },
-        room: { type: 'depth', label: 'room', doc: 'Distance to the real world; unknown everywhere where no wire is.', required: false },
+        room: { type: 'depth', label: 'room', doc: 'Room depth; unknown everywhere where not connected.', required: false },
       },
-      outputs: { layer: { type: 'layer', label: 'Layer', doc: 'The finished picture.', domain: 'same', depth: 'same' } },
+      outputs: { layer: { type: 'layer', label: 'Layer', doc: 'The result.', domain: 'same', depth: 'same' } },
       params: {
         radius: { type: 'number', stage: 'uniform', label: 'Radius', doc: 'How far.', default: 2, min: 0, max: 9, unit: 'px' },
         mode: {
@@ -92,7 +92,7 @@ describe('the node type of a file', () => {
   test('a file whose GLSL is broken keeps its ports', () => {
     const definition = define({ INPUTS: [IMAGE] }, 'gl_FragColor = ;');
     expect(Object.keys(definition.inputs)).toEqual(['inputImage']);
-    expect(definition.lowering).toMatchObject({ access: 'neighbourhood' });
+    expect(definition.lowering).toMatchObject({ access: 'neighborhood' });
   });
 
   test('names come from files', () => {

@@ -9,7 +9,7 @@ const FIT: ChoiceParam = {
   type: 'choice',
   stage: 'structure',
   label: 'Fit',
-  doc: 'How a picture of another size is laid onto the view: cut off what does not fit, show all of it, or stretch it.',
+  doc: 'How an image of another size fits the view: crop what does not fit, show all of it, or stretch it.',
   default: 'cover',
   options: [
     { value: 'cover', label: 'Cover' },
@@ -61,19 +61,19 @@ export function portsOf(inputs: readonly IsfInput[]): Record<string, InputPort> 
 function portOf(input: IsfInput): InputPort | null {
   const { label, optional } = input;
   if (input.type === 'image')
-    return { type: 'layer', label, doc: input.doc || (optional ? 'Nothing, where no wire is.' : 'A layer.'), required: !optional };
+    return { type: 'layer', label, doc: input.doc || (optional ? 'Transparent where not connected.' : 'A layer.'), required: !optional };
   if (input.type === 'depth') {
     return {
       type: 'depth',
       label,
-      doc: input.doc || 'Distance to the real world; unknown everywhere where no wire is.',
+      doc: input.doc || 'Room depth; unknown everywhere where not connected.',
       required: !optional,
     };
   }
   if (input.type === 'event')
     return { type: 'pulse', label, doc: input.doc || 'True in the frame of a pulse.', required: false, multiple: true };
   if (input.type === 'audio' || input.type === 'audioFFT')
-    return { type: 'audio', label, doc: input.doc || 'The sound to look at; silence where no wire is.', required: false };
+    return { type: 'audio', label, doc: input.doc || 'The sound to analyze; silence where not connected.', required: false };
   return null;
 }
 
@@ -140,9 +140,9 @@ function unit(input: IsfInput): { unit?: IsfInput['unit'] } {
 
 /** A layer keeps its depth as long as its pixels stay where they are. */
 function outputOf(shader: IsfShader, access: ReturnType<typeof findAccess>): OutputPort {
-  const port = { type: 'layer', label: 'Layer', doc: 'The finished picture.' } as const;
+  const port = { type: 'layer', label: 'Layer', doc: 'The result.' } as const;
   if (imageInputs(shader).length === 0) return { ...port, domain: 'view', depth: false };
-  const stays = access === 'pointwise' || access === 'neighbourhood';
+  const stays = access === 'pointwise' || access === 'neighborhood';
   const depth = { auto: stays ? ('same' as const) : false, same: 'same' as const, none: false, over: true }[shader.depth];
   return { ...port, domain: 'same', depth };
 }

@@ -1,7 +1,7 @@
 import type { Node } from 'jsonc-parser';
 import { type Curve, curveMisfit, DIAGONAL } from '../../../nodes/kit/curve.ts';
 import type { Unit } from '../../../nodes/kit/definition.ts';
-import { flagOf, type Header, items, numberOf, property, textOf } from './header.ts';
+import { flagOf, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 import type { IsfInput, IsfInputType } from './isf-shader.ts';
 
 /** How many numbers a value of the type has; 0 for what only a wire can bring, and for curves, which may have more or fewer. */
@@ -39,13 +39,13 @@ export function isIdentifier(name: string): boolean {
 export function readInputs(header: Header): IsfInput[] {
   const list = property(header.root, 'INPUTS');
   if (list !== undefined && list.type !== 'array' && list.type !== 'null')
-    header.error(list, 'INPUTS has to be a list: [ { "NAME": …, "TYPE": … } ].');
+    header.error(list, 'INPUTS must be a list: [ { "NAME": …, "TYPE": … } ].');
   const inputs: IsfInput[] = [];
   for (const node of items(list)) {
     const input = readInput(header, node);
     if (input === null) continue;
     if (inputs.some((other) => other.name === input.name)) {
-      header.error(property(node, 'NAME') ?? node, `There are two inputs with the name "${input.name}".`, 'Give one of them another name.');
+      header.error(property(node, 'NAME') ?? node, `Two inputs have the name “${input.name}”.`, 'Give one of them another name.');
     } else {
       inputs.push(input);
     }
@@ -55,13 +55,13 @@ export function readInputs(header: Header): IsfInput[] {
 
 function readInput(header: Header, node: Node): IsfInput | null {
   if (node.type !== 'object') {
-    header.error(node, 'An input has to be an object: { "NAME": …, "TYPE": … }.');
+    header.error(node, 'An input must be an object: { "NAME": …, "TYPE": … }.');
     return null;
   }
   const nameNode = property(node, 'NAME');
   const name = textOf(nameNode)?.trim() ?? '';
   if (nameNode === undefined || !isIdentifier(name)) {
-    header.error(nameNode ?? node, 'The NAME of an input has to be a word of letters, digits and "_" that does not begin with a digit.');
+    header.error(nameNode ?? node, 'The NAME of an input is invalid. Use letters, digits and “_”, and start with no digit.');
     return null;
   }
   const typeNode = property(node, 'TYPE');
@@ -80,14 +80,14 @@ function readInput(header: Header, node: Node): IsfInput | null {
   if (type !== written && typeNode)
     header.warn(
       typeNode,
-      `The TYPE "${written}" is written "${type}": Scrim reads it all the same; other programs may leave the input out.`,
+      `The TYPE "${written}" must be written "${type}". Scrim reads it anyway; other programs may leave the input out.`,
     );
   const { line, column } = header.place(nameNode.offset);
   const choices = type === 'long' ? readChoices(header, node, name) : [];
   const min = readValue(header, node, 'MIN', type, name);
   const max = readValue(header, node, 'MAX', type, name);
   const ordered = min === null || max === null || min.every((value, i) => value <= (max[i] ?? value));
-  if (!ordered) header.warn(property(node, 'MIN') ?? node, `MIN is greater than MAX at the input "${name}": neither is used.`);
+  if (!ordered) header.warn(property(node, 'MIN') ?? node, `MIN of the input “${name}” is greater than MAX. Neither is used.`);
   const range = ordered && type !== 'audio' && type !== 'audioFFT' ? { min, max } : { min: null, max: null };
   return {
     name,
@@ -124,12 +124,12 @@ function readDefault(
     const value = written?.[0];
     if (value !== undefined && choices.some((choice) => choice.value === value)) return [value];
     if (value !== undefined)
-      header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is not one of its VALUES: the first is used.`);
+      header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is not one of its VALUES. The first is used.`);
     return [choices[0]?.value ?? 0];
   }
   const clamped = (written ?? zero).map((value, i) => Math.min(Math.max(value, min?.[i] ?? value), max?.[i] ?? Number.POSITIVE_INFINITY));
   if (written !== null && clamped.some((value, i) => value !== written[i])) {
-    header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is outside of MIN and MAX: the nearest value is used.`);
+    header.warn(property(node, 'DEFAULT') ?? node, `The DEFAULT of "${name}" is outside MIN and MAX. The nearest value is used.`);
   }
   return clamped;
 }
@@ -143,7 +143,7 @@ function readCurve(header: Header, node: Node, name: string): Curve {
     .map(numberOf);
   const misfit = curveMisfit(numbers);
   if (misfit === null) return numbers as Curve;
-  header.warn(written, `The DEFAULT of "${name}" has to be ${misfit}: the diagonal is used.`);
+  header.warn(written, `The DEFAULT of "${name}" must be ${misfit}. The diagonal is used.`);
   return DIAGONAL;
 }
 
@@ -162,7 +162,7 @@ function readValue(header: Header, node: Node, key: string, type: IsfInputType, 
   return null;
 }
 
-/** A single number stands for all components of a point; a colour may leave out its alpha. */
+/** A single number stands for all components of a point; a color may leave out its alpha. */
 function expand(type: IsfInputType, numbers: readonly number[]): readonly number[] | null {
   const size = SIZES[type];
   const [first] = numbers;
@@ -186,7 +186,7 @@ function readChoices(header: Header, node: Node, name: string): IsfInput['choice
   const choices: { value: number; label: string }[] = [];
   items(valuesNode).forEach((item, i) => {
     const value = numberOf(item);
-    if (value === null) header.warn(item, `One of the VALUES of "${name}" is not a number: it is left out.`);
+    if (value === null) header.warn(item, `One of the VALUES of "${name}" is not a number. It is left out.`);
     else choices.push({ value: Math.trunc(value), label: labels[i] ?? String(value) });
   });
   if (choices.length === 0) header.warn(valuesNode, `VALUES of the input "${name}" lists no numbers.`);
@@ -206,8 +206,7 @@ function readUnit(header: Header, node: Node, name: string): Unit {
   const unitNode = property(node, 'UNIT') ?? property(property(header.root, 'SCRIM_UNITS'), name);
   const unit = textOf(unitNode);
   if (unit !== null && UNITS.has(unit)) return unit as Unit;
-  if (unitNode !== undefined)
-    header.warn(unitNode, `The unit of "${name}" is not one that Scrim knows.`, `Use one of ${[...UNITS].join(', ')}.`);
+  if (unitNode !== undefined) header.warn(unitNode, `The unit of “${name}” is unknown.`, `Use one of ${[...UNITS].join(', ')}.`);
   return 'none';
 }
 
@@ -218,7 +217,7 @@ function readSampleCount(node: Node, type: IsfInputType): number | null {
   return count >= 1 ? count : null;
 }
 
-/** However it is capitalised. */
+/** However it is capitalized. */
 function typeMeant(written: string): IsfInputType | null {
   const types = Object.keys(SIZES) as IsfInputType[];
   return types.find((type) => type.toLowerCase() === written.toLowerCase() && !NOT_IN_HEADERS.has(type)) ?? null;

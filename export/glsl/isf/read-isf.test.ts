@@ -21,7 +21,7 @@ describe('inputs', () => {
       { "NAME": "mode", "TYPE": "long", "VALUES": [3, 5], "LABELS": ["three", "five"], "DEFAULT": 5 },
       { "NAME": "step", "TYPE": "long", "MIN": 1, "MAX": 3, "DEFAULT": 2 },
       { "NAME": "size", "TYPE": "float", "MIN": 1.0, "MAX": 9.0, "DEFAULT": 2.5, "IDENTITY": 1.0, "LABEL": "Size", "DOC": "How large.", "UNIT": "px", "STEP": 0.5 },
-      { "NAME": "centre", "TYPE": "point2D", "DEFAULT": [0.25, 0.75], "MIN": [0, 0], "MAX": [1, 1] },
+      { "NAME": "center", "TYPE": "point2D", "DEFAULT": [0.25, 0.75], "MIN": [0, 0], "MAX": [1, 1] },
       { "NAME": "tint", "TYPE": "color", "DEFAULT": [1.0, 0.5, 0.0] },
       { "NAME": "picture", "TYPE": "image", "OPTIONAL": true },
       { "NAME": "sound", "TYPE": "audio", "MAX": 256 },
@@ -36,7 +36,7 @@ describe('inputs', () => {
       ['mode', 'long', [5]],
       ['step', 'long', [2]],
       ['size', 'float', [2.5]],
-      ['centre', 'point2D', [0.25, 0.75]],
+      ['center', 'point2D', [0.25, 0.75]],
       ['tint', 'color', [1, 0.5, 0, 1]],
       ['picture', 'image', []],
       ['sound', 'audio', []],
@@ -206,7 +206,7 @@ describe('the header as a whole', () => {
     expect(diagnostics[0]?.message.length).toBeGreaterThan(20);
   });
 
-  test('a licence before it is passed over', () => {
+  test('a license before it is passed over', () => {
     expect(readIsf('/* MIT */\n// by me\n/*{ "CREDIT": "me" }*/ void main() {}', 'x.fs')).toMatchObject({
       output: { credit: 'me' },
       diagnostics: [],
@@ -217,7 +217,7 @@ describe('the header as a whole', () => {
     expect(readIsf('\ufeff/*{ "CREDIT": "me" }*/ void main() {}', 'bom.fs')).toMatchObject({ output: { credit: 'me' }, diagnostics: [] });
   });
 
-  test('the licence is in a key of ours, or in comments, as people have it', () => {
+  test('the license is in a key of ours, or in comments, as people have it', () => {
     const body = '// License Creative Commons Attribution-NonCommercial-ShareAlike 3.0\nvoid main() {}';
     expect(readIsf(`/*{ "CREDIT": "me" }*/ ${body}`, 'x.fs').output?.licence).toBe('CC BY-NC-SA 3.0');
     expect(readIsf(`/*{ "LICENSE": "MIT" }*/ ${body}`, 'x.fs').output?.licence).toBe('MIT');

@@ -1,14 +1,14 @@
 import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import { findTerms } from './find-terms.ts';
-import { type Header, items, property, readHeader, textOf } from './header.ts';
+import { type Header, items, property, readHeader, textOf } from './isf-header.ts';
 import type { IsfInput, IsfShader } from './isf-shader.ts';
 import { readInputs } from './read-inputs.ts';
 import { readImported, readPasses } from './read-passes.ts';
 import { readRenamed } from './read-renamed.ts';
 
 /**
- * Reads the header of an ISF file, versions 1 and 2, as leniently as hosts do: trailing, doubled and missing commas, control
- * characters and comments are put up with. `file` is its name in the library or project. What is wrong comes as SCR040 with
+ * Reads the header of an ISF file, versions 1 and 2, as leniently as hosts do: it accepts trailing, doubled and missing commas,
+ * control characters and comments. `file` is its name in the library or project. What is wrong comes as SCR040 with
  * line and column; `output` is null only where nothing can be done with the file. `vertex` is the text of the vertex shader
  * beside it, `companionOf(file)`.
  */
@@ -57,6 +57,6 @@ function kindOf(inputs: readonly IsfInput[]): IsfShader['kind'] {
 function readWord<const W extends string>(header: Header, key: string, words: readonly [W, ...W[]]): W {
   const node = property(header.root, key);
   const word = words.find((w) => w === textOf(node));
-  if (node !== undefined && word === undefined) header.warn(node, `${key} has to be one of ${words.map((w) => `"${w}"`).join(', ')}.`);
+  if (node !== undefined && word === undefined) header.warn(node, `${key} must be one of ${words.map((w) => `"${w}"`).join(', ')}.`);
   return word ?? words[0];
 }

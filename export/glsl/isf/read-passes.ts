@@ -1,5 +1,5 @@
 import type { Node } from 'jsonc-parser';
-import { entries, flagOf, type Header, items, numberOf, property, textOf } from './header.ts';
+import { entries, flagOf, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 import type { IsfImport, IsfInput, IsfPass, NamedSize } from './isf-shader.ts';
 import { isIdentifier } from './read-inputs.ts';
 import { isSizeProblem, parseSizeExpression } from './size-expression.ts';
@@ -18,7 +18,7 @@ const OUTPUT_PASS: IsfPass = { target: null, persistent: false, float: false, ha
 export function readPasses(header: Header, inputs: readonly IsfInput[]): IsfPass[] {
   const list = property(header.root, 'PASSES');
   if (list !== undefined && list.type !== 'array' && list.type !== 'null')
-    header.error(list, 'PASSES has to be a list: [ { "TARGET": … }, { } ].');
+    header.error(list, 'PASSES must be a list: [ { "TARGET": … }, { } ].');
   const nodes = items(list);
   if (nodes.length > MAX_PASSES) header.error(nodes[MAX_PASSES] as Node, `The shader has more than ${MAX_PASSES} passes.`);
   const buffers = readPersistentBuffers(header);
@@ -28,13 +28,13 @@ export function readPasses(header: Header, inputs: readonly IsfInput[]): IsfPass
 
 function readPass(header: Header, node: Node, inputs: readonly IsfInput[], buffers: ReadonlyMap<string, Node | null>): IsfPass {
   if (node.type !== 'object') {
-    header.error(node, 'A pass has to be an object: { } or { "TARGET": … }.');
+    header.error(node, 'A pass must be an object: { } or { "TARGET": … }.');
     return OUTPUT_PASS;
   }
   const targetNode = property(node, 'TARGET');
   const target = textOf(targetNode)?.trim() || null;
   if (targetNode !== undefined && target !== null && !isIdentifier(target)) {
-    header.error(targetNode, 'The TARGET of a pass has to be a word of letters, digits and "_" that does not begin with a digit.');
+    header.error(targetNode, 'The TARGET of a pass is invalid. Use letters, digits and “_”, and start with no digit.');
   } else if (targetNode !== undefined && inputs.some((input) => input.name === target)) {
     header.error(targetNode, `The TARGET "${target}" has the name of an input.`, 'Give the target another name.');
   }
@@ -56,12 +56,12 @@ function readSize(header: Header, settings: readonly (Node | undefined)[], key: 
   const number = numberOf(node);
   if (number !== null) {
     if (number >= 1) return [number];
-    header.error(node, `${key} of a pass has to be at least 1 pixel.`);
+    header.error(node, `${key} of a pass must be at least 1 pixel.`);
     return null;
   }
   const text = textOf(node);
   if (text === null || text.trim() === '') {
-    if (text === null) header.error(node, `${key} of a pass has to be a number of pixels or an expression such as "$WIDTH / 2.0".`);
+    if (text === null) header.error(node, `${key} of a pass must be a number of pixels or an expression such as "$WIDTH / 2.0".`);
     return null;
   }
   const size = parseSizeExpression(text, (name) => inputs.some((input) => input.name === name && /^(float|long|bool)$/.test(input.type)));
@@ -105,7 +105,7 @@ export function readImported(header: Header): IsfImport[] {
     const cube = textOf(property(value, 'TYPE')) === 'cube' || found.length > 1;
     if (found.length !== (cube ? SIDES : 1)) {
       const wanted = cube ? 'a PATH with six files: +x, -x, +y, -y, +z, -z' : 'a PATH';
-      header.error(name, `The imported picture "${String(name.value)}" needs ${wanted}.`);
+      header.error(name, `The imported image “${String(name.value)}” needs ${wanted}.`);
     }
     return { name: String(name.value), paths: found, cube, line, column };
   });

@@ -1,5 +1,5 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
-import { entries, type Header, items, numberOf, property, textOf } from './header.ts';
+import { entries, type Header, items, numberOf, property, textOf } from './isf-header.ts';
 
 type RenamedParams = NonNullable<NodeDefinition['renamed']>;
 
@@ -9,7 +9,7 @@ type RenamedParams = NonNullable<NodeDefinition['renamed']>;
  */
 export function readRenamed(header: Header): RenamedParams {
   const list = property(header.root, 'SCRIM_RENAMED');
-  if (list !== undefined && list.type !== 'array') header.error(list, 'SCRIM_RENAMED has to be a list: [ { "old": { "TO": "new" } } ].');
+  if (list !== undefined && list.type !== 'array') header.error(list, 'SCRIM_RENAMED must be a list: [ { "old": { "TO": "new" } } ].');
   return items(list).map((step) =>
     Object.fromEntries(
       (step.type === 'object' ? entries(step) : []).flatMap(([key, value]) => {
@@ -18,7 +18,7 @@ export function readRenamed(header: Header): RenamedParams {
         const written = property(value, 'TIMES');
         const times = written === undefined ? 1 : numberOf(written);
         if (from !== null && to !== null && times !== null && times > 0) return [[from, { to, times }]];
-        header.error(key, 'SCRIM_RENAMED says of each input what it is called now, and what its numbers are multiplied with.');
+        header.error(key, 'An entry of SCRIM_RENAMED is invalid. Give the new name as TO and a positive factor as TIMES.');
         return [];
       }),
     ),

@@ -19,9 +19,9 @@ const WORD = /[A-Za-z_$][\w$]*/y;
 const ESCAPE = /\\(?:["\\/bfnrt]|u[0-9a-fA-F]{4})/y;
 
 /**
- * Writes a header in JSON that other programs' readers put up with: numbers such as `.5`, `1.`, `+1` and `1.0f`, names without quotes, `TRUE`
- * and `YES`, other quotes, comments after `#`, semicolons for commas, backslashes that escape nothing. What is missing, such as
- * a bracket, is not made up. Null where a text is not closed, or a value is none.
+ * Rewrites a header as valid JSON. It repairs faults that other programs accept: numbers such as `.5`, `1.`, `+1` and `1.0f`, names
+ * without quotes, `TRUE` and `YES`, other quotes, comments after `#`, semicolons for commas, backslashes that escape nothing. What
+ * is missing, such as a bracket, is not added. Null where a text is not closed, or a value is invalid.
  */
 export function repairJson(source: string): RepairedJson | null {
   let text = '';

@@ -117,7 +117,7 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
     operation(0);
     if (!accept('?')) return;
     value();
-    if (!accept(':')) fail('A ":" is missing after the "?" in the size.');
+    if (!accept(':')) fail('Expected “:” after “?” in the size.');
     value();
     apply(['?:']);
   }
@@ -146,7 +146,7 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
       operation(BEFORE);
     } else if (accept('(')) {
       value();
-      if (!accept(')')) fail('A ")" is missing in the size.');
+      if (!accept(')')) fail('Expected “)” in the size.');
     } else if (lexeme.kind === 'number') {
       position += 1;
       output.push(Number(lexeme.text));
@@ -169,15 +169,15 @@ function parse(lexemes: readonly Lexeme[], isParam: (name: string) => boolean): 
 
   function call(lexeme: Lexeme): void {
     const called = FUNCTIONS.get(lexeme.text);
-    if (called === undefined) fail(`"${lexeme.text}" is not known in a size: use ${[...FUNCTIONS.keys()].join(', ')} or a $input.`);
+    if (called === undefined) fail(`“${lexeme.text}” is unknown in a size. Use ${[...FUNCTIONS.keys()].join(', ')} or a $input.`);
     position += 1;
-    if (!accept('(')) fail(`A "(" is missing after "${lexeme.text}".`);
+    if (!accept('(')) fail(`Expected “(” after “${lexeme.text}”.`);
     value();
     for (let i = 1; i < called.takes; i += 1) {
       if (!accept(',')) fail(`"${lexeme.text}" takes ${called.takes} values in a size.`);
       value();
     }
-    if (!accept(')')) fail(`A ")" is missing after the values of "${lexeme.text}".`);
+    if (!accept(')')) fail(`Expected “)” after the values of “${lexeme.text}”.`);
     apply(called.does);
   }
 

@@ -1,4 +1,4 @@
-import type { NameSignature } from './names.ts';
+import type { NameSignature } from './shader-name.ts';
 
 export interface BuiltinFunction {
   readonly name: string;
@@ -76,9 +76,9 @@ notEqual | B notEqual(T a, T b) | By component, whether both differ.
 any | bool any(B x) | Whether one component is true.
 all | bool all(B x) | Whether every component is true.
 not | B not(B x) | Each component the other way round.
-texture | vec4 texture(sampler2D image, vec2 uv); vec4 texture(sampler2D image, vec2 uv, float bias) | Colour of an image at coordinates from 0 to 1. IMG_NORM_PIXEL also works in other ISF hosts.
+texture | vec4 texture(sampler2D image, vec2 uv); vec4 texture(sampler2D image, vec2 uv, float bias) | Color of an image at coordinates from 0 to 1. IMG_NORM_PIXEL also works in other ISF hosts.
 texture2D | vec4 texture2D(sampler2D image, vec2 uv) | The older name of texture.
-textureLod | vec4 textureLod(sampler2D image, vec2 uv, float level) | Colour of an image at coordinates from 0 to 1, at a level of detail.
+textureLod | vec4 textureLod(sampler2D image, vec2 uv, float level) | Color of an image at coordinates from 0 to 1, at a level of detail.
 textureSize | ivec2 textureSize(sampler2D image, int level) | Width and height of an image, pixels. IMG_SIZE gives them as floats.
 texelFetch | vec4 texelFetch(sampler2D image, ivec2 pixel, int level) | One pixel of an image, unfiltered.
 dFdx | T dFdx(T x) | How much the value changes towards the next pixel to the right.

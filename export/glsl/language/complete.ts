@@ -2,8 +2,8 @@ import { getLocation } from 'jsonc-parser';
 import type { Place } from '../syntax/token.ts';
 import { TYPES } from '../syntax/words.ts';
 import { BUILTIN_FUNCTIONS } from './builtin-docs.ts';
-import type { NameKind, ShaderName } from './names.ts';
 import { commentAt, type ShaderDocument } from './shader-document.ts';
+import type { NameKind, ShaderName } from './shader-name.ts';
 import { isBefore, offsetOf } from './source-text.ts';
 import { typeOfValue } from './type-at.ts';
 import { HEADER_KEYS, INPUT_TYPE_DOCS, ISF_FUNCTIONS } from './vocabulary.ts';
@@ -37,7 +37,7 @@ const QUALIFIER_WORDS = ['const', 'in', 'out', 'inout', 'struct', 'true', 'false
 
 const SWIZZLES = ['x', 'y', 'z', 'w', 'xy', 'xyz', 'r', 'g', 'b', 'a', 'rgb', 'rgba'];
 
-/** What can stand at a place; whoever shows it narrows it down by what has been typed of it. */
+/** Everything that can stand at a place. The editor filters it by the characters already typed. */
 export function completionsAt(document: ShaderDocument, place: Place): readonly Completion[] {
   const inside = commentAt(document.source, place);
   if (inside === 'header') return headerCompletions(document, place);
@@ -192,7 +192,7 @@ function valuesAt(key: string, isTechnique: boolean, inputs: readonly string[]):
     }
     case 'UNIT':
       return {
-        m: 'Metres',
+        m: 'Meters',
         s: 'Seconds',
         rad: 'Radians; shown in degrees',
         px: 'Pixels',

@@ -1,5 +1,5 @@
 import type { Place, Token } from '../syntax/token.ts';
-import type { NameKind, NameSignature, ShaderName } from './names.ts';
+import type { NameKind, NameSignature, ShaderName } from './shader-name.ts';
 
 /** A name while the text is being read. */
 export interface Draft extends ShaderName {

@@ -1,5 +1,5 @@
 import type { Node } from 'jsonc-parser';
-import { entries, type Header, items, property, textOf } from '../isf/header.ts';
+import { entries, type Header, items, property, textOf } from '../isf/isf-header.ts';
 import type { TextRange } from './source-text.ts';
 
 /** A place in the header that names something of the GLSL's: an input, a buffer, a picture. */

@@ -9,8 +9,8 @@ import { lex } from '../syntax/lexer.ts';
 import type { Place } from '../syntax/token.ts';
 import { walkExpression, walkStatement } from '../syntax/walk.ts';
 import { completionsAt } from './complete.ts';
-import { formatShader } from './format.ts';
-import { coloursOf, numberAt, printColour, printLiteral, stepOf } from './literals.ts';
+import { formatShader } from './format-shader.ts';
+import { colorsOf, numberAt, printColor, printLiteral, stepOf } from './literals.ts';
 import { definitionsAt, hoverAt, referencesAt, signatureAt } from './look-up.ts';
 import { renameAt, renameStart } from './rename.ts';
 import { readShaderDocument } from './shader-document.ts';
@@ -98,7 +98,7 @@ describe('what names mean', () => {
     expect(compared).toBeGreaterThan(0);
   });
 
-  test('an inner name hides an outer one until its block ends, and not in its own initialiser', () => {
+  test('an inner name hides an outer one until its block ends, and not in its own initializer', () => {
     const text = 'void main() { float a = 1.0; { float a = |a + 1.0; a; } a; }';
     const { document, place, source } = at(text);
     expect(referencesAt(document, place).map(({ start }) => start.column)).toHaveLength(3);
@@ -143,7 +143,7 @@ describe('completion', () => {
     expect(labels('void main() { 1.|')).toEqual([]);
   });
 
-  test('a broken header leaves its inputs; a comment asks for nothing', () => {
+  test('a broken header keeps its inputs; a comment has no completions', () => {
     const whole = at('void main() { | }');
     const broken = whole.source.replace('"INPUTS": [', '"INPUTS": [[');
     const document = readShaderDocument(broken, 'shaders/a.fs', { chunkOf, before: whole.document });
@@ -219,13 +219,13 @@ describe('renaming', () => {
   });
 
   test.each([
-    ['void main() { float |a; float b; a; b; }', 'b', /mean something else|already/],
-    ['float b; void main() { float |a; b; a; }', 'b', /mean something else/],
-    ['float |a; void main() { float b; a; b; }', 'b', /mean something else/],
+    ['void main() { float |a; float b; a; b; }', 'b', /conflicts|already/],
+    ['float b; void main() { float |a; b; a; }', 'b', /conflicts/],
+    ['float |a; void main() { float b; a; b; }', 'b', /conflicts/],
     ['float |a; float b; void main() { }', 'b', /already/],
-    ['float |a; void main() { }', 'while', /word of GLSL/],
+    ['float |a; void main() { }', 'while', /GLSL keyword/],
     ['float |a; void main() { }', 'mix', /function of GLSL/],
-    ['void main() { T|IME; }', 'now', /belongs to the host/],
+    ['void main() { T|IME; }', 'now', /declared by the host/],
     ['void |main() { }', 'start', /fixed/],
   ])('%s to %s is refused', (text, to, reason) => {
     expect(renamed(text, to)).toMatch(reason);
@@ -324,19 +324,19 @@ describe('formatting', () => {
 });
 
 describe('literals', () => {
-  test('colours are found in the code and the header, and printed in their own form', () => {
+  test('colors are found in the code and the header, and printed in their own form', () => {
     const source = `${HEADER}vec3 a = vec3(0.2, 1, .5); vec4 b = vec4(0.0, 0.0, 0.0, 0.5); vec3 c = vec3(0.5); vec3 d = vec3(2.0, 0, 0), e = vec3(x, 0, 0);`;
-    const found = coloursOf(source);
-    expect(found.map(({ colour }) => colour)).toEqual([
+    const found = colorsOf(source);
+    expect(found.map(({ color }) => color)).toEqual([
       [1, 0.5, 0.25, 1],
       [0.2, 1, 0.5, 1],
       [0, 0, 0, 0.5],
       [0.5, 0.5, 0.5, 1],
     ]);
     const [list, call] = found;
-    if (!list || !call) throw new Error('No colours.');
-    expect(printColour(list, [0, 0.25, 1, 1])).toBe('[0.0, 0.25, 1.0, 1.0]');
-    expect(printColour(call, [0, 0.1234, 1, 1])).toBe('vec3(0.0, 0.123, 1.0)');
+    if (!list || !call) throw new Error('No colors.');
+    expect(printColor(list, [0, 0.25, 1, 1])).toBe('[0.0, 0.25, 1.0, 1.0]');
+    expect(printColor(call, [0, 0.1234, 1, 1])).toBe('vec3(0.0, 0.123, 1.0)');
   });
 
   test.each([

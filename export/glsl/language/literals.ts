@@ -1,17 +1,17 @@
-import { items, property, readHeader, textOf } from '../isf/header.ts';
+import { items, property, readHeader, textOf } from '../isf/isf-header.ts';
 import type { Place, Token } from '../syntax/token.ts';
-import type { Outline } from './names.ts';
+import type { Outline } from './shader-name.ts';
 import { lexLeniently, rangeOf, type TextRange, touches } from './source-text.ts';
 
-export type Colour = readonly [red: number, green: number, blue: number, alpha: number];
+export type Color = readonly [red: number, green: number, blue: number, alpha: number];
 
-/** A colour that the text holds as numbers. Components from 0 to 1, as they stand there. */
-export interface ColourLiteral {
+/** A color that the text holds as numbers. Components from 0 to 1, as they stand there. */
+export interface ColorLiteral {
   readonly range: TextRange;
-  readonly colour: Colour;
+  readonly color: Color;
   /** `vec3` and lists of three numbers have no alpha. */
   readonly hasAlpha: boolean;
-  /** Text of another colour in its place. */
+  /** Text of another color in its place. */
   readonly form: 'call' | 'list';
 }
 
@@ -24,9 +24,9 @@ export interface NumberLiteral {
   readonly decimals: number;
 }
 
-/** `vec3(0.2, 0.4, 1.0)` and the like, and the DEFAULT of colour inputs; what goes beyond 0 to 1 is no colour. */
-export function coloursOf(source: string, outline: Pick<Outline, 'tokens'> = { tokens: lexLeniently(source) }): readonly ColourLiteral[] {
-  const found: ColourLiteral[] = [...headerColours(source)];
+/** `vec3` and `vec4` of literals, such as `vec3(0.2, 0.4, 1.0)`, and the DEFAULT of color inputs. All numbers of a color are 0 to 1. */
+export function colorsOf(source: string, outline: Pick<Outline, 'tokens'> = { tokens: lexLeniently(source) }): readonly ColorLiteral[] {
+  const found: ColorLiteral[] = [...headerColors(source)];
   const { tokens } = outline;
   tokens.forEach((token, i) => {
     const size = token.text === 'vec3' ? 3 : token.text === 'vec4' ? 4 : 0;
@@ -41,27 +41,27 @@ export function coloursOf(source: string, outline: Pick<Outline, 'tokens'> = { t
     }
     const close = tokens[at + 1];
     if (close?.text !== ')') return;
-    const colour = colourOf(numbers.length === 1 ? new Array<number>(size).fill(numbers[0] ?? 0) : numbers);
-    if (colour === null || (numbers.length !== 1 && numbers.length !== size)) return;
-    found.push({ range: { start: rangeOf(token).start, end: rangeOf(close).end }, colour, hasAlpha: size === 4, form: 'call' });
+    const color = colorOf(numbers.length === 1 ? new Array<number>(size).fill(numbers[0] ?? 0) : numbers);
+    if (color === null || (numbers.length !== 1 && numbers.length !== size)) return;
+    found.push({ range: { start: rangeOf(token).start, end: rangeOf(close).end }, color, hasAlpha: size === 4, form: 'call' });
   });
   return found;
 }
 
-function headerColours(source: string): ColourLiteral[] {
+function headerColors(source: string): ColorLiteral[] {
   const { header } = readHeader(source, '');
   if (header === null) return [];
-  return items(property(header.root, 'INPUTS')).flatMap((input): ColourLiteral[] => {
+  return items(property(header.root, 'INPUTS')).flatMap((input): ColorLiteral[] => {
     const list = property(input, 'DEFAULT');
     if (textOf(property(input, 'TYPE')) !== 'color' || list?.type !== 'array') return [];
     const numbers = items(list).map(({ value }) => (typeof value === 'number' && value >= 0 && value <= 1 ? value : Number.NaN));
-    const colour = numbers.some(Number.isNaN) ? null : colourOf(numbers);
+    const color = numbers.some(Number.isNaN) ? null : colorOf(numbers);
     const range = { start: header.place(list.offset), end: header.place(list.offset + list.length) };
-    return colour === null ? [] : [{ range, colour, hasAlpha: numbers.length === 4, form: 'list' }];
+    return color === null ? [] : [{ range, color, hasAlpha: numbers.length === 4, form: 'list' }];
   });
 }
 
-function colourOf(numbers: readonly number[]): Colour | null {
+function colorOf(numbers: readonly number[]): Color | null {
   const [red, green, blue, alpha = 1] = numbers;
   return red === undefined || green === undefined || blue === undefined || numbers.length > 4 ? null : [red, green, blue, alpha];
 }
@@ -71,9 +71,9 @@ function unitValue({ kind, text }: Token): number | null {
   return value >= 0 && value <= 1 ? value : null;
 }
 
-/** What to write in the place of a colour. */
-export function printColour({ form, hasAlpha }: Pick<ColourLiteral, 'form' | 'hasAlpha'>, colour: Colour): string {
-  const numbers = (hasAlpha ? colour : colour.slice(0, 3)).map((value) => printNumber(value, 3)).join(', ');
+/** What to write in the place of a color. */
+export function printColor({ form, hasAlpha }: Pick<ColorLiteral, 'form' | 'hasAlpha'>, color: Color): string {
+  const numbers = (hasAlpha ? color : color.slice(0, 3)).map((value) => printNumber(value, 3)).join(', ');
   return form === 'list' ? `[${numbers}]` : `vec${hasAlpha ? 4 : 3}(${numbers})`;
 }
 

@@ -1,8 +1,8 @@
-import { property, readHeader, textOf } from '../isf/header.ts';
+import { property, readHeader, textOf } from '../isf/isf-header.ts';
 import type { Place, Token } from '../syntax/token.ts';
 import { BUILTIN_FUNCTIONS } from './builtin-docs.ts';
-import type { NameSignature, ShaderName } from './names.ts';
 import { commentAt, findName, headerUsesOf, type ShaderDocument, wordAt } from './shader-document.ts';
+import type { NameSignature, ShaderName } from './shader-name.ts';
 import { isBefore, rangeOf, type TextRange } from './source-text.ts';
 import { typeOfValue } from './type-at.ts';
 import { HEADER_KEYS, INPUT_TYPE_DOCS, ISF_FUNCTIONS } from './vocabulary.ts';
@@ -169,7 +169,7 @@ export function usesOf({ outline }: ShaderDocument, name: ShaderName): readonly 
   });
 }
 
-/** TYPE of an input as the header writes it; for whoever edits the header. */
+/** TYPE of an input as the header writes it, for edits of the header. */
 export function typeOfInput(source: string, file: string, name: string): string | null {
   const { header } = readHeader(source, file);
   const input = property(header?.root, 'INPUTS')?.children?.find((one) => textOf(property(one, 'NAME')) === name);

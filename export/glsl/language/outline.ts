@@ -3,7 +3,7 @@ import { KEYWORDS, TYPES } from '../syntax/words.ts';
 import { closingOf, openingOf } from './brackets.ts';
 import { commentAbove } from './comment-above.ts';
 import { adopted, behind, byPlace, type Draft, draftOf, type Frame, frameOf, scopeFrom } from './drafts.ts';
-import type { NameKind, Outline, ShaderName } from './names.ts';
+import type { NameKind, Outline, ShaderName } from './shader-name.ts';
 import { lexLeniently } from './source-text.ts';
 
 /** A declaration that is being read: where its list of variables goes on after a comma. */
@@ -37,7 +37,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
   const outermost = frame;
   let depth = 0;
   let declaration: Declaration | null = null;
-  /** Declared, but not yet there for its own initialiser. */
+  /** Declared, but not yet there for its own initializer. */
   let pending: Draft | null = null;
   let lastStruct: Draft | null = null;
   let functionDepth = -1;
@@ -254,7 +254,7 @@ function createReader(source: string, tokens: readonly Token[], given: readonly 
     const name = declare('variable', token, typeWithSize(type, index), frame);
     if (frame !== outermost) name.scope ??= scopeFrom(token);
     if (known === undefined && after?.text === '=') {
-      // Its own initialiser does not see it.
+      // Its own initializer does not see it.
       frame.names.delete(token.text);
       pending = name;
     }

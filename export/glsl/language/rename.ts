@@ -1,8 +1,8 @@
 import { isBuiltinFunction } from '../check/builtin-functions.ts';
 import type { Place } from '../syntax/token.ts';
 import { usesOf } from './look-up.ts';
-import { isFreeWord, type Outline, type ShaderName } from './names.ts';
 import { type DocumentOptions, findName, headerUsesOf, isFromHeader, readShaderDocument, type ShaderDocument } from './shader-document.ts';
+import { isFreeWord, type Outline, type ShaderName } from './shader-name.ts';
 import { applyEdits, rangeOf, type TextEdit, type TextRange } from './source-text.ts';
 import { ISF_FUNCTIONS } from './vocabulary.ts';
 
@@ -18,12 +18,12 @@ export function renameStart(document: ShaderDocument, place: Place): RenameStart
   if (found === null) return { ok: false, reason: 'Only what this file or its header declares can be renamed.' };
   const { name, range } = found;
   if (name.file?.endsWith('.fs'))
-    return { ok: false, reason: `“${name.name}” is declared in the header of ${name.file}: rename it there.` };
+    return { ok: false, reason: `“${name.name}” is declared in the header of ${name.file}. Rename it there.` };
   if (name.file !== null) return { ok: false, reason: `“${name.name}” is declared in ${name.file}, which other techniques use as well.` };
-  if (name.declarations.length === 0) return { ok: false, reason: `“${name.name}” belongs to the host: its name is fixed.` };
-  if (name.kind === 'member') return { ok: false, reason: `“${name.name}” is a member of a struct: rename it by hand.` };
+  if (name.declarations.length === 0) return { ok: false, reason: `“${name.name}” is declared by the host, so its name is fixed.` };
+  if (name.kind === 'member') return { ok: false, reason: `“${name.name}” is a member of a struct. Rename it by hand.` };
   if (['main', 'vertex', 'surface'].includes(name.name) && name.kind === 'function')
-    return { ok: false, reason: `“${name.name}” is what the host calls: its name is fixed.` };
+    return { ok: false, reason: `“${name.name}” is called by the host, so its name is fixed.` };
   return { ok: true, range, name, isInput: isFromHeader(name) };
 }
 
@@ -36,11 +36,10 @@ export function renameAt(document: ShaderDocument, place: Place, to: string, opt
   if (!start.ok) return start;
   const { name } = start;
   if (to === name.name) return { ok: true, edits: [] };
-  if (!isFreeWord(to))
-    return { ok: false, reason: `“${to}” cannot be a name: it is a word of GLSL itself, or holds more than letters, digits and “_”.` };
-  if (isBuiltinFunction(to) || ISF_FUNCTIONS.has(to)) return { ok: false, reason: `“${to}” is a function of GLSL or ISF already.` };
+  if (!isFreeWord(to)) return { ok: false, reason: `“${to}” is not a valid name. Use letters, digits and “_”, and no GLSL keyword.` };
+  if (isBuiltinFunction(to) || ISF_FUNCTIONS.has(to)) return { ok: false, reason: `“${to}” is already a function of GLSL or ISF.` };
   if (name.scope === null && document.names.some((other) => other.name === to && other.scope === null)) {
-    return { ok: false, reason: `There is something called “${to}” already.` };
+    return { ok: false, reason: `“${to}” is already declared.` };
   }
   const ranges = [...headerUsesOf(document, name).map(({ range }) => range), ...usesOf(document, name).map(rangeOf)];
   const edits = ranges.map((range) => ({ ...range, text: to }));
@@ -48,7 +47,7 @@ export function renameAt(document: ShaderDocument, place: Place, to: string, opt
   const after = readShaderDocument(applyEdits(document.source, edits), document.file, texts);
   return meansTheSame(document.outline, after.outline)
     ? { ok: true, edits }
-    : { ok: false, reason: `“${to}” is used where “${name.name}” is: the shader would mean something else.` };
+    : { ok: false, reason: `“${to}” conflicts with another name where “${name.name}” is used.` };
 }
 
 /**
@@ -61,7 +60,7 @@ export function renameBeside(document: ShaderDocument, place: Place, to: string,
   const same = beside.names.find((other) => other.name === name.name && (other.file === document.file || isVarying(beside, other)));
   const ranges = same === undefined ? [] : usesOf(beside, same).map(rangeOf);
   if (beside.names.some((other) => other.name === to && other.scope === null))
-    return { ok: false, reason: `There is something called “${to}” in ${beside.file} already.` };
+    return { ok: false, reason: `“${to}” is already declared in ${beside.file}.` };
   const edits = ranges.map((range) => ({ ...range, text: to }));
   const header = isFromHeader(name)
     ? { fragment: { file: document.file, source: renamedSource(document, place, to, { chunkOf: options.chunkOf }) } }
@@ -69,7 +68,7 @@ export function renameBeside(document: ShaderDocument, place: Place, to: string,
   const after = readShaderDocument(applyEdits(beside.source, edits), beside.file, { ...options, ...header });
   return meansTheSame(beside.outline, after.outline)
     ? { ok: true, edits }
-    : { ok: false, reason: `“${to}” is used in ${beside.file}: the shader would mean something else.` };
+    : { ok: false, reason: `“${to}” conflicts with another name in ${beside.file}.` };
 }
 
 function renamedSource(document: ShaderDocument, place: Place, to: string, options: DocumentOptions): string {

@@ -1,14 +1,14 @@
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { INPUT_TYPES } from '../isf/given-symbols.ts';
-import { findHeader, readHeader } from '../isf/header.ts';
+import { findHeader, readHeader } from '../isf/isf-header.ts';
 import type { IsfInput } from '../isf/isf-shader.ts';
 import { readInputs } from '../isf/read-inputs.ts';
 import type { Place, Token } from '../syntax/token.ts';
 import { TECHNIQUE_INTERFACE } from '../technique/interface.ts';
 import { isTechnique as holdsTechnique } from '../technique/technique-shader.ts';
 import { type HeaderName, readHeaderNames } from './header-names.ts';
-import type { Outline, ShaderName } from './names.ts';
 import { readOutline } from './outline.ts';
+import type { Outline, ShaderName } from './shader-name.ts';
 import { offsetOf, type TextRange, touches } from './source-text.ts';
 import { ISF_VARIABLES, TECHNIQUE_DOCS, VERTEX_VARIABLES } from './vocabulary.ts';
 
@@ -33,10 +33,10 @@ export interface DocumentOptions {
   /** The same file a moment ago: while its header is broken, its inputs are those that it had. */
   readonly before?: ShaderDocument;
   /** Of a vertex shader, `edge.vs`: the file that it belongs to, whose header counts for both. */
-  readonly fragment?: NeighbourFile | undefined;
+  readonly fragment?: NeighborFile | undefined;
 }
 
-export interface NeighbourFile {
+export interface NeighborFile {
   readonly file: string;
   readonly source: string;
 }
@@ -92,7 +92,7 @@ function imageNames(headerNames: readonly HeaderName[], inputs: readonly IsfInpu
   return headerNames
     .filter(({ role, name }) => (role === 'target' || role === 'imported') && !isInput.has(name))
     .map((found) => {
-      const doc = found.role === 'target' ? 'A buffer of this effect, which one of its passes draws.' : 'A picture of this effect.';
+      const doc = found.role === 'target' ? 'A buffer of this effect that one of its passes draws.' : 'An image of this effect.';
       return { ...givenName('image', found.name, 'sampler2D', doc), declarations: [tokenAt(found)] };
     });
 }

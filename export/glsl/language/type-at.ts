@@ -3,7 +3,7 @@ import type { Token } from '../syntax/token.ts';
 import { TYPES } from '../syntax/words.ts';
 import { openingOf } from './brackets.ts';
 import { BUILTIN_FUNCTIONS } from './builtin-docs.ts';
-import type { Outline, ShaderName } from './names.ts';
+import type { Outline, ShaderName } from './shader-name.ts';
 import { ISF_FUNCTIONS } from './vocabulary.ts';
 
 /** What the members of a value are taken from: a struct, or a vector by its type. */

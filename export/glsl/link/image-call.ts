@@ -55,7 +55,7 @@ export function classifyImageCall(call: CallExpression): ImageCall | null {
   }
 }
 
-/** A colour given by its position needs the size too where that is in pixels. */
+/** A color given by its position needs the size too where that is in pixels. */
 export function usesOf(call: ImageCall): readonly ImageUse[] {
   if (call.use !== 'color') return [call.use];
   return call.position === 'pixel' || call.position === 'texel' || call.position === 'offset' ? ['color', 'size'] : ['color'];

@@ -6,6 +6,8 @@ import type { LinkedSampler, LinkedSound } from './linked-pass.ts';
 export interface Image {
   readonly name: string;
   readonly kind: 'input' | 'room' | 'buffer' | 'sound' | 'picture' | 'cube' | 'curve' | 'absent';
+  /** Read by a direction, whether it is there or not. */
+  readonly isCube: boolean;
   /** Room depth, whether it is there or not. */
   readonly isRoom: boolean;
   /** For buffers: the version of this pass, see `plan-passes.ts`. */
@@ -20,7 +22,7 @@ export interface Image {
   readonly sound: LinkedSound | null;
 }
 
-/** What is read of an image: its colours, how large it is, its depth, or the height of a curve. */
+/** What is read of an image: its colors, how large it is, its depth, or the height of a curve. */
 export type ImageUse = 'color' | 'size' | 'depth' | 'curve';
 
 /** What the names below add to that of a sampler. */
@@ -79,7 +81,7 @@ export function imageText(image: Image, uses: ReadonlySet<ImageUse>, premultipli
   if (image.kind === 'absent') {
     if (uses.has('size')) parts.push(`const vec2 ${sizeUniform(image)} = vec2(1.0);`);
     const nothing = image.sound?.analysis === 'waveform' ? 'vec4(0.5, 0.5, 0.5, 1.0)' : 'vec4(0.0)';
-    if (uses.has('color')) parts.push(`vec4 ${colorFunction(image)}(vec2 uv) { return ${nothing}; }`);
+    if (uses.has('color')) parts.push(`vec4 ${colorFunction(image)}(${image.isCube ? 'vec3' : 'vec2'} uv) { return ${nothing}; }`);
     if (uses.has('depth')) parts.push(`float ${depthFunction(image)}(vec2 uv) { return 0.0; }`);
     return parts.join('\n');
   }
@@ -146,17 +148,17 @@ uniform mat3 ${sampler}_uvFromViewUv;
 uniform vec4 ${sampler}_decode;
 float ${depthFunction(image)}(vec2 uv) {
   vec2 at = scrim_place(${sampler}_uvFromViewUv, uv);
-  return scrim_inside(at) ? scrim_metres(${sampler}_decode, textureLod(${sampler}, at, 0.0).r) : 0.0;
+  return scrim_inside(at) ? scrim_meters(${sampler}_decode, textureLod(${sampler}, at, 0.0).r) : 0.0;
 }`;
 }
 
 /**
  * Shared by all images of a text.
  *
- * `scrim_metres` decodes what the red channel `d` of a depth sampler holds, with its `NAME_decode`:
- * - metres: `decode = (scale, offset, 0, 0)`, usually (1, 0, 0, 0); m = d scale + offset;
+ * `scrim_meters` decodes what the red channel `d` of a depth sampler holds, with its `NAME_decode`:
+ * - meters: `decode = (scale, offset, 0, 0)`, usually (1, 0, 0, 0); m = d scale + offset;
  * - a depth buffer drawn with the projection `P` (column-major): `decode = (P[10], P[14], 0, 1)`. Clip z = P10 z + P14 and
- *   clip w = -z, so with m = -z metres 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); that holds for off-axis and
+ *   clip w = -z, so with m = -z meters 2 d - 1 = P14 / m - P10, and m = P14 / (2 d - 1 + P10); that holds for off-axis and
  *   infinite projections alike. Where d is still 1 nothing was drawn, which is 0.
  */
 const IMAGE_HELPERS = {
@@ -170,7 +172,7 @@ const IMAGE_HELPERS = {
   scrim_straight: `vec4 scrim_straight(vec4 color) {
   return color.a > 0.0 ? vec4(color.rgb / color.a, color.a) : vec4(0.0);
 }`,
-  scrim_metres: `float scrim_metres(vec4 decode, float d) {
+  scrim_meters: `float scrim_meters(vec4 decode, float d) {
   if (decode.w == 0.0) return d * decode.x + decode.y;
   return d < 1.0 ? decode.y / (2.0 * d - 1.0 + decode.x) : 0.0;
 }`,

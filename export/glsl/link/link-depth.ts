@@ -13,8 +13,8 @@ import { FRAGMENT_HEAD } from './prelude.ts';
 const OPACITY = 'opacity';
 
 /**
- * The pass that makes the depth of a file with `"SCRIM_DEPTH": "over"`, in metres: that of the first image where its alpha,
- * times `opacity` if there is such an input, is above one half, else that of the second (design §7). To be drawn only where
+ * The pass that makes the depth of a file with `"SCRIM_DEPTH": "over"`, in meters: that of the first image where its alpha,
+ * times `opacity` if there is such an input, is above one half, else that of the second (docs/ARCHITECTURE.md, “Drawing”). To be drawn only where
  * something reads the depth. Throws where the file's depth is no computed one (`definition.outputs.layer.depth` is not `true`).
  */
 export function linkIsfDepth(shader: IsfShader, options: LinkOptions): LinkedPass {

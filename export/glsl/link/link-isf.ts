@@ -3,7 +3,9 @@ import { checkIsf } from '../isf/checked-isf.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import { companionOf } from '../isf/read-isf.ts';
 import type { GlslSymbol } from '../syntax/ast.ts';
+import { asWritten } from '../syntax/free-names.ts';
 import { GlslError } from '../syntax/token.ts';
+import { checkLimits } from './limits.ts';
 import { linkPass, reachOfPass } from './link-pass.ts';
 import { type LinkUnit, loopsOf, usable } from './link-unit.ts';
 import { varyingsOf } from './link-vertex.ts';
@@ -16,7 +18,7 @@ import { type PlannedPass, planPasses } from './plan-passes.ts';
  */
 export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonly LinkedPass[]> {
   try {
-    const checked = checkIsf(shader);
+    const checked = checkIsf(shader, options.partial);
     const unit = { shader, options, ...checked, loops: loopsOf(checked, options) };
     return { output: linkPasses(unit, planPasses(shader)), diagnostics: [...strayUniforms(unit), ...strayVaryings(unit)] };
   } catch (error) {
@@ -24,7 +26,9 @@ export function linkIsf(shader: IsfShader, options: LinkOptions): Result<readonl
     const { code, message, place } = error;
     return {
       output: null,
-      diagnostics: [{ code, severity: 'error', message, nodeId: options.node, file: error.file ?? shader.file, ...place }],
+      diagnostics: [
+        { code, severity: 'error', message: asWritten(message), nodeId: options.node, file: error.file ?? shader.file, ...place },
+      ],
     };
   }
 }
@@ -38,7 +42,11 @@ function linkPasses(unit: LinkUnit, passes: readonly PlannedPass[]): LinkedPass[
   }
   const unused = usable(unit.checked).filter((symbol) => !reached.has(symbol));
   const last = authors.at(-1);
-  return passes.map((pass) => linkPass(unit, pass, pass === last ? unused : []));
+  return passes.map((pass) => {
+    const linked = linkPass(unit, pass, pass === last ? unused : []);
+    checkLimits(unit.shader, linked);
+    return linked;
+  });
 }
 
 /** Other hosts leave them at 0, or at what they are declared with, and so does Scrim. */
@@ -47,9 +55,10 @@ function strayUniforms(unit: LinkUnit): Diagnostic[] {
   for (const declaration of unit.checked.declarations) {
     if (declaration.kind !== 'variables' || !declaration.qualifiers.some((qualifier) => qualifier.text === 'uniform')) continue;
     for (const { name, symbol, initializer } of declaration.declarators) {
-      if (symbol?.role !== 'global') continue;
-      const stays = initializer === null ? '0' : 'what it is';
-      const message = `Nothing sets the uniform "${name.text}", so it stays ${stays}. Declare it under INPUTS in the header.`;
+      const isImage = symbol !== null && unit.checked.strayImages.includes(symbol);
+      if (symbol?.role !== 'global' && !isImage) continue;
+      const stays = isImage ? 'transparent' : initializer === null ? '0' : 'what it is';
+      const message = `Nothing sets the uniform "${asWritten(name.text)}", so it stays ${stays}. Declare it under INPUTS in the header.`;
       const place = { file: unit.shader.file, line: name.line, column: name.column };
       diagnostics.push({ code: 'SCR043', severity: 'warning', message, nodeId: unit.options.node, ...place });
     }
@@ -64,7 +73,7 @@ function strayVaryings(unit: LinkUnit): Diagnostic[] {
     if (set?.has(name)) return [];
     const { file } = unit.shader;
     const why = set === null ? 'which is not there' : 'which does not declare it';
-    const message = `Nothing sets "${name}", so it stays 0: it comes from the vertex shader ${companionOf(file)}, ${why}.`;
+    const message = `Nothing sets "${asWritten(name)}", so it stays 0: it comes from the vertex shader ${companionOf(file)}, ${why}.`;
     const { line, column } = token ?? { line: 1, column: 1 };
     return [{ code: 'SCR043', severity: 'warning', message, nodeId: unit.options.node, file, line, column }];
   });

@@ -116,7 +116,7 @@ function printMain(unit: LinkUnit, pass: PlannedPass, context: PrintContext): vo
   writer.own('void main() {');
   writer.indent(1);
   if (context.loopBudget) writer.own(LOOP_BUDGET_START);
-  // The viewport may lie anywhere in the target, so GLSL's own position will not do; this one is exact at pixel centres.
+  // `gl_FragCoord` counts from the corner of the target, and the viewport may lie anywhere in it. This value is exact at pixel centers.
   if (usesFragCoord(reach)) writer.own('scrim_fragCoord = vec4(floor(scrim_uv * RENDERSIZE) + 0.5, 0.5, 1.0);');
   writer.own('scrim_fragColor = vec4(0.0);');
   printHoistedGlobals(unit.checked, context);

@@ -16,12 +16,14 @@ export interface LinkSource {
   readonly shader: IsfShader;
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly options: LinkOptions;
+  readonly checked?: CheckedShader;
 }
 
 /** `free`: there is nothing to look after. `counted`: they take long, but end. `bounded`: they have to be kept from never ending. */
 export type Loops = 'free' | 'counted' | 'bounded';
 
 export interface LinkUnit extends LinkSource, CheckedIsf {
+  readonly checked: CheckedShader;
   readonly loops: Loops;
 }
 
@@ -42,7 +44,7 @@ export interface PassNames {
 export function namePass(unit: LinkSource, pass: PlannedPass): PassNames {
   const names = createNames();
   for (const symbol of unit.given.values()) if (symbol.role === 'input') names.of(symbol);
-  const images = passImages(unit.shader, pass, unit.options, names);
+  const images = passImages(unit.shader, pass, unit.options, names, unit.checked?.strayImages ?? []);
   return { names, images };
 }
 

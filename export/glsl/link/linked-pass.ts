@@ -32,7 +32,7 @@ export type PassTarget =
 export interface LinkedSampler {
   /** Uniform name in the shader: `PassSampler.name`. */
   readonly name: string;
-  readonly source: /** Colour of the layer at input port `input`. */
+  readonly source: /** Color of the layer at input port `input`. */
     | { readonly kind: 'input'; readonly input: string }
     /** Depth of that layer. */
     | { readonly kind: 'input-depth'; readonly input: string }
@@ -75,6 +75,8 @@ export interface LinkOptions {
   readonly loopBudget?: boolean;
   /** Optional image, depth and sound inputs without a wire: reads give transparent black, 0 and silence. */
   readonly absent?: readonly string[];
+  /** The text is what stands above a mistake (`linkAbove`): functions may have their bodies below. */
+  readonly partial?: boolean;
   /** Image inputs whose layer has no depth: `LAYER_DEPTH` gives 0. */
   readonly withoutDepth?: readonly string[];
 }

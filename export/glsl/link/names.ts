@@ -1,5 +1,6 @@
 import { isBuiltinFunction } from '../check/builtin-functions.ts';
 import type { GlslSymbol } from '../syntax/ast.ts';
+import { asWritten } from '../syntax/free-names.ts';
 import { KEYWORDS, RESERVED } from '../syntax/words.ts';
 
 /**
@@ -68,7 +69,7 @@ export function createNames(): Names {
 
 /** What an author may have called a printed name, as drivers quote it; likeliest first. */
 export function authorsNames(printed: string): readonly string[] {
-  return [printed.replace(ADDED, ''), printed.replace(/_u(?=_)/g, '_').replace(ADDED, '')];
+  return [printed.replace(ADDED, ''), printed.replace(/_u(?=_)/g, '_').replace(ADDED, '')].map(asWritten);
 }
 
 const ADDED = /^[a-z]\d*_/;

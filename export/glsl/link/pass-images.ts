@@ -1,4 +1,4 @@
-import { MAX_SOUND_COUNT } from '../../program/sound.ts';
+import { MAX_SOUND_COUNT } from '../../program/sound-limits.ts';
 import type { IsfInput, IsfShader } from '../isf/isf-shader.ts';
 import type { Expression, VariableSymbol } from '../syntax/ast.ts';
 import { GlslError } from '../syntax/token.ts';
@@ -7,16 +7,40 @@ import type { LinkedSound, LinkOptions } from './linked-pass.ts';
 import type { Names } from './names.ts';
 import type { PlannedPass } from './plan-passes.ts';
 
-/** Images of one pass by the author's name, in the header's order, with samplers named for its text. */
-export function passImages(shader: IsfShader, pass: PlannedPass, options: LinkOptions, names: Names): Map<string, Image> {
+/**
+ * Images of one pass by the author's name, in the header's order, with samplers named for its text. `stray`: those of the text that
+ * the header does not have.
+ */
+export function passImages(
+  shader: IsfShader,
+  pass: PlannedPass,
+  options: LinkOptions,
+  names: Names,
+  stray: readonly VariableSymbol[],
+): Map<string, Image> {
   const images = new Map<string, Image>();
   const absent = new Set(options.absent ?? []);
   const withoutDepth = new Set(options.withoutDepth ?? []);
 
-  function add(name: string, kind: Image['kind'], more: Partial<Pick<Image, 'isRoom' | 'buffer' | 'sound' | 'repeat'>> = {}): void {
+  function add(
+    name: string,
+    kind: Image['kind'],
+    more: Partial<Pick<Image, 'isCube' | 'isRoom' | 'buffer' | 'sound' | 'repeat'>> = {},
+  ): void {
     const sampler = names.fresh(name, IMAGE_SUFFIXES);
     const hasDepth = kind === 'input' && !withoutDepth.has(name);
-    images.set(name, { name, kind, sampler, hasDepth, isRoom: false, buffer: '', sound: null, repeat: false, ...more });
+    images.set(name, {
+      name,
+      kind,
+      sampler,
+      hasDepth,
+      isCube: kind === 'cube',
+      isRoom: false,
+      buffer: '',
+      sound: null,
+      repeat: false,
+      ...more,
+    });
   }
 
   for (const input of shader.inputs) {
@@ -33,6 +57,7 @@ export function passImages(shader: IsfShader, pass: PlannedPass, options: LinkOp
     const buffer = pass.readable.get(target);
     add(target, buffer === undefined ? 'absent' : 'buffer', { buffer: buffer ?? '' });
   }
+  for (const { name, type } of stray) if (!images.has(name)) add(name, 'absent', { isCube: type === 'samplerCube' });
   return images;
 }
 

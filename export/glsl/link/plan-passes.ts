@@ -75,7 +75,7 @@ function bufferFormat({ float, half }: IsfPass): PassTarget['format'] {
   return float && !half ? 'rgba32f' : outputFormat({ float });
 }
 
-/** What is handed on is a picture: colours, if bright ones, to which 16 bits do justice. */
+/** What is handed on is a picture: colors, if bright ones, to which 16 bits do justice. */
 function outputFormat({ float }: Pick<IsfPass, 'float'>): PassTarget['format'] {
   return float ? 'rgba16f' : 'rgba8';
 }

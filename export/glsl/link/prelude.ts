@@ -73,7 +73,7 @@ bool scrim_spend(int line) {
   return false;
 }`;
 
-/** The same for loops that are known to end: they are told of, and go on. */
+/** The same for loops that are known to end: one that exceeds the budget is reported, and continues. */
 export const COUNTED_LOOPS_TEXT = LOOP_BUDGET_TEXT.replace('return false', 'return true');
 
 export const LOOP_BUDGET_START = `scrim_roundsLeft = ${LOOP_BUDGET_UNIFORM} > 0 ? ${LOOP_BUDGET_UNIFORM} : ${LOOP_BUDGET};`;
@@ -85,8 +85,8 @@ export function spend(line: number): string {
 }
 
 /**
- * How the author's colour becomes what the target holds. Clamped before alpha is multiplied in: a bright colour would outshine
- * its own alpha. A node's own buffers, and layers of files that ask for it, take the colour as it is.
+ * How the author's color becomes what the target holds. Clamped before alpha is multiplied in: a bright color would outshine
+ * its own alpha. A node's own buffers, and layers of files that ask for it, take the color as it is.
  */
 export function outputText(premultiplied: boolean, target: PassTarget): string {
   if (premultiplied || target.kind === 'buffer') return 'scrim_output = scrim_fragColor;';

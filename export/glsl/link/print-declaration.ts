@@ -87,7 +87,7 @@ function printVaryingQualifiers({ name, type }: VariableSymbol, { writer, stage,
   writer.write(`${base === 'int' || base === 'uint' ? 'flat ' : ''}${stage === 'vertex' ? 'out' : 'in'} `);
 }
 
-/** ES 3.00 allows only constants as initialisers of globals; the others are assigned when `main` begins. */
+/** ES 3.00 allows only constants as initializers of globals; the others are assigned when `main` begins. */
 export function needsHoisting(declarator: Declarator): boolean {
   return declarator.initializer !== null && !isConstant(declarator.initializer);
 }

@@ -42,7 +42,7 @@ export function printTypeName(type: TypeSpecifier, context: PrintContext, length
   printDimensions(type.dimensions, context, length);
 }
 
-/** `length` is written where the author left the size of an array to its initialiser. */
+/** `length` is written where the author left the size of an array to its initializer. */
 export function printDimensions(dimensions: TypeSpecifier['dimensions'], context: PrintContext, length: number | null = null): void {
   for (const dimension of dimensions) {
     context.writer.write('[');

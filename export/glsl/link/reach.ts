@@ -48,6 +48,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
   const { passIndex, images, names } = options;
   const instances = new Map<FunctionSymbol, Instance[]>();
   const pending: Instance[] = [];
+  const pendingGlobals: VariableSymbol[] = [];
   const globals = new Set<VariableSymbol>();
   const params = new Set<string>();
   const builtins = new Set<string>();
@@ -81,9 +82,15 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
     if (symbol.role === 'builtin') visitBuiltin(symbol.name);
     if ((symbol.role !== 'global' && symbol.role !== 'varying') || globals.has(symbol)) return;
     globals.add(symbol);
-    const declaration = symbol.declaration;
-    for (const dimension of declaration?.dimensions ?? []) if (dimension !== null) walkExpression(dimension, walkIn(NO_IMAGES));
-    if (declaration?.initializer) walkExpression(declaration.initializer, walkIn(NO_IMAGES));
+    pendingGlobals.push(symbol);
+  }
+
+  /** What variables start with, one by one: each may start with the next. */
+  function visitGlobals(): void {
+    for (let symbol = pendingGlobals.pop(); symbol !== undefined; symbol = pendingGlobals.pop()) {
+      const { dimensions = [], initializer = null } = symbol.declaration ?? {};
+      for (const part of [...dimensions, initializer]) if (part !== null) walkExpression(part, walkIn(NO_IMAGES));
+    }
   }
 
   function visitBuiltin(name: string): void {
@@ -128,6 +135,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
     if (symbol.kind === 'function') instanceOf(symbol, NO_IMAGES);
     else visitName(symbol);
   }
+  visitGlobals();
   for (let instance = pending.pop(); instance !== undefined; instance = pending.pop()) {
     const walk = walkIn(instance.binding);
     for (const parameter of instance.symbol.declaration.parameters) {
@@ -136,6 +144,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
     }
     const { body } = instance.symbol.declaration;
     if (body !== null) walkStatement(body, walk);
+    visitGlobals();
   }
   for (const declaration of shader.declarations) {
     if (declaration.kind !== 'variables') continue;
@@ -146,6 +155,7 @@ export function findReach(shader: CheckedShader, options: ReachOptions): Reach {
       ...members.flatMap((member) => [...member.type.dimensions, ...member.dimensions]),
     ];
     for (const size of sizes) if (size !== null) walkExpression(size, walkIn(NO_IMAGES));
+    visitGlobals();
   }
   return { instances, globals, params, builtins, images: used, hasLoops, instanceFor };
 }
@@ -156,8 +166,8 @@ function checkKind(call: CallExpression, read: ImageCall, image: Image): void {
     throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`, 'SCR043');
   }
   const takesDirection = read.use === 'color' && (read.position === 'direction' || read.position === 'norm');
-  if (image.kind === 'cube' ? !takesDirection : read.use === 'color' && read.position === 'direction') {
-    const [what, instead] = image.kind === 'cube' ? ['a cube', 'textureCube and a direction'] : ['no cube', 'IMG_NORM_PIXEL or IMG_PIXEL'];
+  if (image.isCube ? !takesDirection : read.use === 'color' && read.position === 'direction') {
+    const [what, instead] = image.isCube ? ['a cube', 'textureCube and a direction'] : ['no cube', 'IMG_NORM_PIXEL or IMG_PIXEL'];
     throw new GlslError(call.token, `"${image.name}" is ${what}: "${call.token.text}" does not read that. Use ${instead}.`, 'SCR043');
   }
   if (image.isRoom === (read.use === 'depth' && read.room)) return;

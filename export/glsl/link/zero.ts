@@ -2,11 +2,19 @@ import { numericOf } from '../check/glsl-type.ts';
 import type { GlslType } from '../syntax/ast.ts';
 import type { PrintContext } from './print-context.ts';
 
-/** A value of the type with all numbers 0; null for arrays, whose size the type does not say, and for unknown types. */
-export function zeroOf(type: GlslType, context: PrintContext): string | null {
+/** WebGL takes structs in structs four deep (ANGLE's limit), so that the text stays short and the walk ends. */
+const MAX_STRUCTS = 4;
+
+/** A value of the type with all numbers 0; null for arrays, whose size the type does not say, and for what is unknown or too deep. */
+export function zeroOf(type: GlslType, context: PrintContext, left = MAX_STRUCTS): string | null {
   if (numericOf(type) !== null) return `${type}(0)`;
   const struct = context.structs.get(type);
-  if (struct === undefined) return null;
-  const members = [...struct.members.values()].map((member) => zeroOf(member, context));
-  return members.every((member) => member !== null) ? `${context.names.of(struct)}(${members.join(', ')})` : null;
+  if (struct === undefined || left === 0) return null;
+  const members: string[] = [];
+  for (const member of struct.members.values()) {
+    const zero = zeroOf(member, context, left - 1);
+    if (zero === null) return null;
+    members.push(zero);
+  }
+  return `${context.names.of(struct)}(${members.join(', ')})`;
 }

@@ -1,6 +1,6 @@
 import type { CubeTable } from './read-cube.ts';
 
-/** A colour table as `operator/color-lut` reads it: squares of red (to the right) by green (down), blue from square to square. */
+/** A color table as `operator/color-lut` reads it: squares of red (to the right) by green (down), blue from square to square. */
 export interface LutPicture {
   readonly widthPx: number;
   readonly heightPx: number;
@@ -40,7 +40,7 @@ export function lutPicture(table: CubeTable): LutPicture {
   return { widthPx, heightPx, size, columns, rgba };
 }
 
-/** What the table makes of a colour: between entries in a straight line along each axis, beyond its domain as at its end. */
+/** What the table makes of a color: between entries in a straight line along each axis, beyond its domain as at its end. */
 export function lookUp(table: CubeTable, color: readonly [number, number, number]): number[] {
   const { kind, size, values, domainMin, domainMax } = table;
   const places = color.map((value, i) => {

@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { lookUp, lutPicture } from './lut-picture.ts';
 import { type CubeTable, readCube } from './read-cube.ts';
 
-/** Two entries an axis that leave every colour as it is. */
+/** Two entries an axis that leave every color as it is. */
 const SAME = `# nothing changes
 TITLE "Same"
 LUT_3D_SIZE 2
@@ -29,7 +29,7 @@ describe('a .cube file', () => {
     expect(lookUp(read, [0.2, 0.7, 0.4])).toEqual([0.2, 0.7, 0.4].map((value) => expect.closeTo(value, 6)));
   });
 
-  test('says which colours its entries are for', () => {
+  test('says which colors its entries are for', () => {
     const wide = table(SAME.replace('LUT_3D_SIZE 2', 'LUT_3D_SIZE 2\nDOMAIN_MIN -1 -1 -1\nDOMAIN_MAX 3 3 3'));
     expect(lookUp(wide, [1, 0, -5])).toEqual([0.5, 0.25, 0]);
     expect(table('LUT_1D_SIZE 2\nLUT_1D_INPUT_RANGE 0 2\n0 0 0\n1 1 1')).toMatchObject({ domainMax: [2, 2, 2] });

@@ -1,6 +1,6 @@
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 
-/** A colour table as a .cube file has it (Adobe, Cube LUT Specification 1.0). */
+/** A color table as a .cube file has it (Adobe, Cube LUT Specification 1.0). */
 export interface CubeTable {
   readonly kind: '1D' | '3D';
   /** Entries along each axis. */

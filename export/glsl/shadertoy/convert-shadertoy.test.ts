@@ -60,7 +60,7 @@ function inputNames({ inputs }: IsfShader): string[] {
 }
 
 describe('one tab', () => {
-  test('without channels is a generator under the author’s name and licence', () => {
+  test('without channels is a generator under the author’s name and license', () => {
     const { text, diagnostics } = convert(WAVES);
     const shader = read(text);
     expect(diagnostics).toEqual([]);
@@ -139,8 +139,8 @@ void mainImage(out vec4 o, vec2 p) { o = texture(iChannel0, p / iResolution.xy);
 // Image
 void mainImage(out vec4 o, vec2 p) { o = texture(iChannel0, p / iResolution.xy) + texture(iChannel1, p); }`);
     expect(diagnostics.map(({ severity, message }) => `${severity}: ${message}`)).toEqual([
-      'warning: The text does not say what iChannel0 of Buffer A is: Buffer A is taken.',
-      'warning: The text does not say what iChannel0 of Image is: Buffer A is taken.',
+      'warning: iChannel0 of Buffer A is not specified. Buffer A is used.',
+      'warning: iChannel0 of Image is not specified. Buffer A is used.',
     ]);
     expect(inputNames(read(text))).toEqual(['inputImage:image']);
   });
@@ -169,7 +169,7 @@ ${WAVES}`);
   });
 
   test.each([
-    ['no image', '// Buffer A\nvoid mainImage(out vec4 o, vec2 p) { o = vec4(1.0); }', 'There is no Image tab'],
+    ['no image', '// Buffer A\nvoid mainImage(out vec4 o, vec2 p) { o = vec4(1.0); }', 'The Image tab is missing'],
     ['nothing to draw', '// Image\nfloat a = 1.0;', 'The tab Image has no "void mainImage'],
     ['tabs that nothing parts', `${WAVES}\n${WAVES}`, 'The tab Image has 2 functions mainImage'],
   ])('%s is said', (_, source, message) => {
@@ -234,8 +234,8 @@ describe('the site’s JSON', () => {
     const sound = { type: 'sound', name: 'Sound', inputs: [], outputs: [], code: 'vec2 mainSound(int s, float t) { return vec2(0.0); }' };
     const source = JSON.stringify({ ...WORK, renderpass: [{ ...image, inputs: [{ ...STONES, type: 'keyboard' }] }, sound] });
     expect(convert(source).diagnostics.map(({ severity, message }) => [severity, message])).toEqual([
-      ['warning', 'iChannel1 of Image is of the kind “keyboard”, which a layer only stands in for.'],
-      ['warning', 'The tab “Sound” is left out: Scrim draws pictures and no sound.'],
+      ['warning', 'iChannel1 of Image is of kind “keyboard”. A layer takes its place.'],
+      ['warning', 'The tab “Sound” is left out: Scrim supports no sound tabs.'],
     ]);
   });
 });

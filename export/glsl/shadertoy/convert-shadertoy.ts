@@ -5,8 +5,8 @@ import { readShadertoyJson } from './read-json.ts';
 import { hasMain, readPasted } from './read-pasted.ts';
 import { type Shadertoy, tabName } from './shadertoy.ts';
 
-/** What shadertoy.com/terms says of works whose author names no licence. */
-export const SITE_LICENCE = 'CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no licence)';
+/** What shadertoy.com/terms says of works whose author names no license. */
+export const SITE_LICENCE = 'CC BY-NC-SA 3.0 (the default of shadertoy.com: the source names no license)';
 
 export interface ConvertedShader {
   /** Empty where the source does not say. */
@@ -25,7 +25,7 @@ export function isShadertoy(source: string): boolean {
 
 /**
  * A work of shadertoy.com as an ISF file: pasted tabs, or the site's JSON. Buffers become passes that keep their picture for the
- * next frame where somebody reads it then; pictures become layers; the pointer becomes a point from 0 to 1. Credit and licence are
+ * next frame where somebody reads it then; pictures become layers; the pointer becomes a point from 0 to 1. Credit and license are
  * read from the source and its comments. What cannot be converted is SCR045; `file` is its name in messages.
  */
 export function convertShadertoy(source: string, file: string): Result<ConvertedShader> {
@@ -46,8 +46,8 @@ function mistakesOf({ tabs }: Shadertoy, file: string): Diagnostic[] {
   if (!tabs.some(({ buffer }) => buffer === null)) {
     return [
       error(
-        'There is no Image tab in it.',
-        'Paste the code of the Image tab, and before each tab a line such as "// Image" or "// Buffer A".',
+        'The Image tab is missing.',
+        'Paste the code of the Image tab, and add a line before each tab such as "// Image" or "// Buffer A".',
       ),
     ];
   }
@@ -57,11 +57,6 @@ function mistakesOf({ tabs }: Shadertoy, file: string): Diagnostic[] {
     const where = tabName(tab);
     return mains === 0
       ? [error(`The tab ${where} has no "void mainImage(out vec4 fragColor, in vec2 fragCoord)".`, 'Paste the whole code of the tab.')]
-      : [
-          error(
-            `The tab ${where} has ${mains} functions mainImage.`,
-            'Where these are several tabs, put a line such as "// Buffer A" before each.',
-          ),
-        ];
+      : [error(`The tab ${where} has ${mains} functions mainImage.`, 'Add a line such as "// Buffer A" before each tab.')];
   });
 }

@@ -138,7 +138,7 @@ interface PassText {
   readonly FLOAT?: true;
 }
 
-/** Buffers keep their picture where they, or one before them, read it: that is the one of the frame before. */
+/** A buffer is persistent where its own pass or an earlier one reads it: that read gets the previous frame. */
 function passesOf(tabs: readonly Tab[], buffers: ReadonlyMap<BufferLetter, string>): PassText[] {
   return tabs.map(({ buffer }, place) => {
     const target = buffer === null ? undefined : buffers.get(buffer);

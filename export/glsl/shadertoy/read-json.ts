@@ -30,7 +30,7 @@ export function readShadertoyJson(source: string, file: string): Result<Shaderto
     const buffer = bufferOf(pass);
     if (type === 'common') common.push(code);
     else if (type === 'image' || buffer !== null) tabs.push({ buffer, code, channels: channelsOf(pass, buffer, letters, warn) });
-    else warn(`The tab “${text(pass.name) || type}” is left out: Scrim draws pictures and no ${type === 'sound' ? 'sound' : 'cube maps'}.`);
+    else warn(`The tab “${text(pass.name) || type}” is left out: Scrim supports no ${type === 'sound' ? 'sound' : 'cube map'} tabs.`);
   }
   tabs.sort((a, b) => (a.buffer ?? 'Z').localeCompare(b.buffer ?? 'Z'));
   const id = text(info.id);
@@ -79,7 +79,7 @@ function channelsOf(
     const source = text(input.src) || text(input.filepath);
     const known = letters.get(String(input.id)) ?? BUFFER_LETTERS[Number(/\/buffer0([0-3])\.png$/.exec(source)?.[1] ?? Number.NaN)];
     if (type === 'buffer' && known !== undefined) return { kind: 'buffer', buffer: known };
-    if (!PICTURES.has(type)) warn(`iChannel${index} of ${tabName({ buffer })} is of the kind “${type}”, which a layer only stands in for.`);
+    if (!PICTURES.has(type)) warn(`iChannel${index} of ${tabName({ buffer })} is of kind “${type}”. A layer takes its place.`);
     return { kind: 'picture', key: source || String(input.id), repeat: text(object(input.sampler).wrap) === 'repeat' };
   });
 }

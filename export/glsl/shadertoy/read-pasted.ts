@@ -102,8 +102,8 @@ function channelsOf(code: string, { buffer, letters, file, diagnostics }: Channe
         code: 'SCR045',
         severity: 'warning',
         file,
-        message: `The text does not say what iChannel${index} of ${tabName({ buffer })} is: Buffer ${guess} is taken.`,
-        fix: `Where that is wrong, write "// iChannel${index}: Buffer A" below the heading of the tab.`,
+        message: `iChannel${index} of ${tabName({ buffer })} is not specified. Buffer ${guess} is used.`,
+        fix: `Add a line such as "// iChannel${index}: Buffer A" below the heading of the tab to change it.`,
       });
     }
     return { kind: 'buffer', buffer: guess };

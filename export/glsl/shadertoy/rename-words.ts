@@ -14,7 +14,7 @@ export interface Declared {
 const LINE_BREAK = /\r\n|\r|\n/;
 
 /**
- * What `code` declares, where it stands below `before`. Code that cannot be read declares nothing: whoever links it says what is
+ * What `code` declares, where it stands below `before`. Code that cannot be parsed declares nothing: the linker reports what is
  * wrong, and where.
  */
 export function declaredIn(code: string, before: string): Declared {

@@ -125,7 +125,7 @@ interface ExpressionBase {
   type: GlslType;
   /** Print it converted to this type; empty for as it is. */
   convertTo: GlslType;
-  /** Levels of the tree from here down. The parser bounds it, so that whoever walks the tree may call itself. */
+  /** Levels of the tree from here down. The parser bounds it, so that a recursive walk cannot exhaust the stack. */
   readonly depth: number;
 }
 
@@ -172,7 +172,7 @@ export interface VariableSymbol {
   /** `varying`: handed from the vertex shader to the fragment shader. */
   readonly role: 'global' | 'varying' | 'local' | 'parameter' | 'input' | 'image' | 'builtin';
   readonly token: Token | null;
-  /** Value known at compile time, as GLSL ES 3.00 §4.3.3 demands of `const` and of global initialisers. */
+  /** Value known at compile time, as GLSL ES 3.00 §4.3.3 demands of `const` and of global initializers. */
   constant: boolean;
   /** Another variable of the name is in the same scope in ES 3.00, though not in older GLSL: print it under a fresh name. */
   rename: boolean;

@@ -2,7 +2,7 @@ import type { Declarator, Dimension, Expression, TypeSpecifier, VariableDeclarat
 import type { Cursor } from './cursor.ts';
 import { constructorOf, parseAssignment, parseDimensions } from './parse-expression.ts';
 import { parseType } from './parse-type.ts';
-import type { Token } from './token.ts';
+import { GlslError, type Token } from './token.ts';
 import { DROPPED_QUALIFIERS, KEYWORDS, QUALIFIERS, TYPES } from './words.ts';
 
 /** Whether a declaration begins here rather than an expression: a qualifier, or a type before a name. */
@@ -21,6 +21,7 @@ export function parseQualifiers(cursor: Cursor): Token[] {
   const qualifiers: Token[] = [];
   while (atQualifier(cursor)) {
     const token = cursor.next();
+    if (token.text === 'noperspective') throw new GlslError(token, '"noperspective" is not in WebGL 2: leave it out.', 'SCR043');
     if (token.text === 'layout') {
       cursor.expect('(', 'after "layout"');
       while (!cursor.accept(')')) {
@@ -42,10 +43,10 @@ export function parseVariables(cursor: Cursor): VariableDeclaration {
   return { kind: 'variables', start, qualifiers, type, declarators: parseDeclarators(cursor, type) };
 }
 
-/** `a = 1.0, b[2]`; none at all after a struct. */
+/** `a = 1.0, b[2]`; none at all after a struct, and in `uniform vec2;`, which declares nothing. */
 export function parseDeclarators(cursor: Cursor, type: TypeSpecifier): Declarator[] {
   const declarators: Declarator[] = [];
-  if (type.struct !== null && cursor.at(';')) return declarators;
+  if (cursor.at(';')) return declarators;
   do {
     const name = cursor.name('the variable');
     const dimensions = parseDimensions(cursor);

@@ -24,7 +24,7 @@ export function parseExpression(cursor: Cursor): Expression {
   return left;
 }
 
-/** Without commas: an argument or an initialiser. */
+/** Without commas: an argument or an initializer. */
 export function parseAssignment(cursor: Cursor): Expression {
   return cursor.nested(() => {
     const left = parseConditional(cursor);

@@ -1,11 +1,12 @@
 import type { FunctionDeclaration, Parameter, ParsedShader, VariableDeclaration } from './ast.ts';
 import { type Cursor, createCursor } from './cursor.ts';
+import { freeNames } from './free-names.ts';
 import { parseDeclarators, parseQualifiers } from './parse-declaration.ts';
 import { parseDimensions } from './parse-expression.ts';
 import { parseBlock, skipPrecision } from './parse-statement.ts';
 import { parseType } from './parse-type.ts';
 import { preprocess } from './preprocess.ts';
-import { GlslError } from './token.ts';
+import { GlslError, type Token } from './token.ts';
 
 /**
  * Reads a fragment shader: GLSL ES 1.00 and 3.00, and what desktop GLSL adds that authors of ISF files use. Throws
@@ -16,7 +17,9 @@ import { GlslError } from './token.ts';
  * of everything that a macro touches.
  */
 export function parseShader(source: string): ParsedShader {
-  const cursor = createCursor(preprocess(source));
+  const tokens = freeNames(preprocess(source));
+  refuseLength(tokens);
+  const cursor = createCursor(tokens);
   const declarations: (FunctionDeclaration | VariableDeclaration)[] = [];
   while (cursor.peek().kind !== 'end') {
     if (cursor.accept(';')) continue;
@@ -25,6 +28,20 @@ export function parseShader(source: string): ParsedShader {
     else declarations.push(parseDeclaration(cursor));
   }
   return { declarations };
+}
+
+/** Drivers take minutes for longer texts. */
+export const MAX_TEXT = 1024 * 1024;
+
+export const TOO_LONG = 'The shader is too long: more than 1 MiB of GLSL would be made of it, which drivers take minutes for.';
+
+/** Before anything is made of it. */
+function refuseLength(tokens: readonly Token[]): void {
+  let length = 0;
+  for (const token of tokens) {
+    length += token.text.length;
+    if (length > MAX_TEXT) throw new GlslError(token, TOO_LONG, 'SCR043');
+  }
 }
 
 function parseDeclaration(cursor: Cursor): FunctionDeclaration | VariableDeclaration {

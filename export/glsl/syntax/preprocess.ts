@@ -186,8 +186,8 @@ function macroName(directive: Token, rest: readonly Token[]): Token {
 }
 
 function requireExtension(rest: readonly Token[]): void {
-  const [name, , behaviour] = rest;
-  if (name === undefined || behaviour?.text !== 'require' || EXTENSIONS_IN_CORE.has(name.text)) return;
+  const [name, , behavior] = rest;
+  if (name === undefined || behavior?.text !== 'require' || EXTENSIONS_IN_CORE.has(name.text)) return;
   throw new GlslError(name, `The extension ${name.text} is not in WebGL 2, so this shader cannot run.`, 'SCR043');
 }
 

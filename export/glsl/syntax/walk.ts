@@ -5,7 +5,7 @@ export interface Walk {
   expression?(expression: Expression): readonly Expression[] | undefined;
   /** Called for each statement before its parts; gives the parts to go on with, or undefined for all. */
   statement?(statement: Statement): readonly (Statement | Expression)[] | undefined;
-  /** Called for each variable, after its initialiser. */
+  /** Called for each variable, after its initializer. */
   declarator?(declarator: Declarator): void;
 }
 

@@ -59,6 +59,12 @@ export const KEYWORDS: ReadonlySet<string> = new Set([
   ...PRECISIONS,
 ]);
 
+/** Keywords that GLSL ES 1.00 (§3.6) neither has nor reserves: files for it may call things so. */
+export const NEW_WORDS: ReadonlySet<string> = new Set([
+  ...[...TYPES].filter((type) => /^(?:u|mat\dx|[iu]?sampler2DArray|[iu]sampler|samplerCubeShadow)/.test(type)),
+  'case',
+]);
+
 /** Reserved by GLSL ES 3.00 §3.7 and usable in older GLSL: the printer renames them. */
 export const RESERVED: ReadonlySet<string> = new Set(
   (

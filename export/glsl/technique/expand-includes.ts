@@ -36,7 +36,7 @@ export function expandIncludes(source: string, file: string, chunkOf: (name: str
       included.add(name);
       const asked = place ?? { line: i + 1, column: line.indexOf('#') + 1 };
       const chunk = chunkOf(name);
-      if (chunk === undefined) throw new GlslError(asked, `There is no chunk "${name}" to include.`, 'SCR043');
+      if (chunk === undefined) throw new GlslError(asked, `The chunk “${name}” does not exist.`, 'SCR043');
       add(chunk, sources.push(`chunks/${name}.glsl`) - 1, asked);
     }
   }

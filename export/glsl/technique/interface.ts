@@ -2,8 +2,8 @@
  * What a technique is written against, as GLSL that the checker reads before the author's text. In the printed text every name
  * in it has the prefix `a_`, and the one who draws defines it (`export/runtime/scenes/materials/technique-wrapper.ts`).
  *
- * Positions are in metres and directions of unit length, in world space; colours are linear-sRGB with straight alpha. `rest` is
- * where the point is on the object itself, in metres along the object's own axes, before bones move it. `outward` is for outlines:
+ * Positions are in meters and directions of unit length, in world space; colors are linear-sRGB with straight alpha. `rest` is
+ * where the point is on the object itself, in meters along the object's own axes, before bones move it. `outward` is for outlines:
  * moving each vertex by it moves all faces that meet there by one, so that no gaps open at hard edges.
  */
 export const TECHNIQUE_INTERFACE = `struct Vertex { vec3 position; vec3 normal; vec2 uv; vec4 color; vec3 rest; vec3 outward; };

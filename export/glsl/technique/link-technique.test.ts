@@ -95,13 +95,13 @@ describe('what is wrong with a technique is said on its line', () => {
 
   test.each([
     ['vec4 other() { return vec4(1.0); }', 1, 'The technique has no "vec4 surface(const in Surface s) { … }".'],
-    ['vec4 surface(vec3 s) { return vec4(1.0); }', 2, '"surface" has to return vec4 and take one Surface.'],
-    ['#include <no/such>\nvec4 surface(Surface s) { return s.color; }', 2, 'There is no chunk "no/such" to include.'],
+    ['vec4 surface(vec3 s) { return vec4(1.0); }', 2, '"surface" must return vec4 and take one Surface.'],
+    ['#include <no/such>\nvec4 surface(Surface s) { return s.color; }', 2, 'The chunk “no/such” does not exist.'],
     ['vec4 surface(Surface s) {\n  return s.color\n}', 3, expect.stringContaining(';')],
     [
       'void vertex(inout Vertex v) { v.position += LIGHT(0).towards; }\nvec4 surface(Surface s) { return s.color; }',
       2,
-      'Lights are there in "surface" only, not in "vertex".',
+      'Lights are available in "surface" only, not in "vertex".',
     ],
   ])('%s', (body, line, message) => {
     const { output, diagnostics } = link(`${HEADER}\n${body}`);

@@ -22,7 +22,7 @@ import { INTERFACE_FUNCTION, INTERFACE_LINES, PRINTED_STRUCTS, TECHNIQUE_INTERFA
 import { techniqueImages, techniqueImageText } from './technique-images.ts';
 import type { TechniqueShader } from './technique-shader.ts';
 
-/** A technique's own text for the two stages of whoever draws with it, and a whole shader to try it with. */
+/** The text that a technique adds to the vertex and fragment stages of a material, and a complete shader to try it with. */
 export interface LinkedTechnique {
   /** Declares uniforms and structs, and `void a_vertex(inout a_Vertex v)`, which does nothing where the author has none. */
   readonly vertex: string;
@@ -84,6 +84,7 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loop
     throw new GlslError({ line: INTERFACE_LINES + 1, column: 1 }, 'The technique has no "vec4 surface(const in Surface s) { … }".');
   const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
   const checked = checkShader(parsed, given);
+  refuseStrayImages(checked);
   checkCalls(checked, (name) => checked.declarations.some((one) => one.kind === 'function' && one.name.text === name && isInterface(one)));
   const unit: Unit = { technique, expanded, checked, given, loopBudget, absent: new Set(absent) };
   const names = namesFor(unit);
@@ -102,6 +103,13 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loop
   };
 }
 
+function refuseStrayImages({ strayImages: [stray] }: CheckedShader): void {
+  if (stray?.token) {
+    const fix = `Add it to INPUTS as { "NAME": "${stray.name}", "TYPE": "image" }.`;
+    throw new GlslError(stray.token, `The image "${stray.name}" is not in the header. ${fix}`, 'SCR043');
+  }
+}
+
 /** Calls both functions; text after the author's, so that its lines stay where they are. */
 function mainFor(author: ParsedShader): string {
   const vertex = functionOf(author, 'vertex', 'void', 'Vertex') ? 'Vertex v; vertex(v);' : '';
@@ -114,7 +122,7 @@ function functionOf(shader: ParsedShader, name: string, returns: string, takes: 
     if (declaration.kind !== 'function' || declaration.name.text !== name || declaration.body === null) continue;
     const [parameter, ...others] = declaration.parameters;
     if (declaration.returnType.name.text === returns && parameter?.type.name.text === takes && others.length === 0) return declaration;
-    throw new GlslError(declaration.name, `"${name}" has to return ${returns} and take one ${takes}.`);
+    throw new GlslError(declaration.name, `"${name}" must return ${returns} and take one ${takes}.`);
   }
   return null;
 }
@@ -160,7 +168,7 @@ function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): 
 function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
   for (const symbol of usesOf(unit, vertex).reach.instances.keys()) {
     if (symbol.name === INTERFACE_FUNCTION)
-      throw new GlslError(vertex.name, 'Lights are there in "surface" only, not in "vertex".', 'SCR043');
+      throw new GlslError(vertex.name, 'Lights are available in "surface" only, not in "vertex".', 'SCR043');
   }
 }
 
@@ -206,7 +214,7 @@ function printStage(unit: Unit, root: FunctionDeclaration): Stage {
       if (declarator.symbol && reach.globals.has(declarator.symbol) && needsHoisting(declarator)) {
         throw new GlslError(
           declarator.name,
-          'A variable outside of functions can only start with a constant: set it in "surface" instead.',
+          'A global variable must be initialized with a constant. Set it in "surface" instead.',
           'SCR043',
         );
       }
@@ -245,7 +253,7 @@ bool scrim_spend(const in int line) {
   return scrim_roundsLeft >= 0;
 }`;
 
-/** What stands for that which only whoever draws can give. */
+/** Declarations of what the drawing material supplies, so that the trial shader compiles without one. */
 const TRIAL_HEAD = `${FRAGMENT_HEAD}
 uniform vec3 a_EYE;
 uniform vec3 a_AMBIENT;

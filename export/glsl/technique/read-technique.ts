@@ -1,6 +1,6 @@
 import { hasErrors, type Result } from '../../../nodes/kit/diagnostics.ts';
 import type { TechniquePass } from '../../program/program.ts';
-import { type Header, items, property, readHeader, textOf } from '../isf/header.ts';
+import { type Header, items, property, readHeader, textOf } from '../isf/isf-header.ts';
 import { isIdentifier, readInputs } from '../isf/read-inputs.ts';
 import { readRenamed } from '../isf/read-renamed.ts';
 import type { TechniqueShader } from './technique-shader.ts';
@@ -103,7 +103,7 @@ function readImported(header: Header): TechniqueShader['imported'] {
 
 function readPasses(header: Header): readonly TechniquePass[] {
   const list = property(header.root, 'PASSES');
-  if (list !== undefined && list.type !== 'array') header.error(list, 'PASSES has to be a list: [ { "SIDE": "back" }, { } ].');
+  if (list !== undefined && list.type !== 'array') header.error(list, 'PASSES must be a list: [ { "SIDE": "back" }, { } ].');
   const nodes = items(list);
   if (nodes.length > MAX_PASSES && list) header.error(list, `The technique has more than ${MAX_PASSES} passes.`);
   const passes = nodes.map((node): TechniquePass => {

@@ -12,7 +12,7 @@ export function techniqueDefinition(technique: TechniqueShader, name: string): N
     doc: technique.description || `${title}, a technique.`,
     ...(technique.categories.length > 0 ? { keywords: technique.categories.map((category) => category.toLowerCase()) } : {}),
     inputs: portsOf(technique.inputs),
-    outputs: { technique: { type: 'technique', label: 'Technique', doc: 'What to draw objects with, for “Apply technique”.' } },
+    outputs: { technique: { type: 'technique', label: 'Material', doc: 'The material to draw objects with, for “Set material”.' } },
     params: paramsOf(technique.inputs),
     lowering: { kind: 'technique', shader: technique.file },
     ...(technique.renamed.length === 0 ? {} : { renamed: technique.renamed }),

@@ -17,6 +17,7 @@ export function techniqueImages(
     images.set(name, {
       name,
       kind: absent.has(name) ? 'absent' : 'input',
+      isCube: false,
       isRoom: false,
       buffer: '',
       sampler,
@@ -30,6 +31,7 @@ export function techniqueImages(
     images.set(name, {
       name,
       kind: 'buffer',
+      isCube: false,
       isRoom: false,
       buffer: path,
       sampler: names.fresh(name, IMAGE_SUFFIXES),
@@ -41,7 +43,7 @@ export function techniqueImages(
   return images;
 }
 
-/** Declarations and functions for the images that a stage reads. Colours come linear, with straight alpha. */
+/** Declarations and functions for the images that a stage reads. Colors come linear, with straight alpha. */
 export function techniqueImageText({ images }: Reach): string[] {
   const texts = [...images].map(([image, uses]) => imageText(image, uses));
   if (texts.length === 0) return [];
@@ -51,7 +53,7 @@ export function techniqueImageText({ images }: Reach): string[] {
 
 function imageText({ name, kind, sampler }: Image, uses: ReadonlySet<ImageUse>): string {
   if (uses.has('depth')) {
-    throw new GlslError({ line: 1, column: 1 }, `Techniques read the colours of “${name}”, not its depth.`, 'SCR043');
+    throw new GlslError({ line: 1, column: 1 }, `Techniques read the colors of “${name}”, not its depth.`, 'SCR043');
   }
   const size = uses.has('size') ? [kind === 'absent' ? `const vec2 ${sampler}_size = vec2(1.0);` : `uniform vec2 ${sampler}_size;`] : [];
   if (kind === 'buffer')

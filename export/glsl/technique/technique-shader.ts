@@ -14,7 +14,7 @@ export interface TechniqueShader {
   readonly credit: string;
   readonly licence: string;
   readonly categories: readonly string[];
-  /** Numbers, toggles, choices, points, colours and images. */
+  /** Numbers, toggles, choices, points, colors and images. */
   readonly inputs: readonly IsfInput[];
   /** Names of the images that are read by their own coordinates; the others are layers as the view shows them. */
   readonly pictures: readonly string[];

@@ -25,7 +25,7 @@ const TYPES: Readonly<Record<string, IsfInput['type']>> = {
   sampler2D: 'image',
 };
 
-/** There is no type for colours: their names tell. */
+/** There is no type for colors: their names tell. */
 const COLOR = /colou?r|clr/i;
 
 const SIZES: Readonly<Partial<Record<IsfInput['type'], number>>> = {
@@ -71,14 +71,20 @@ function shaderOf(source: string, file: string, inputs: readonly IsfInput[]): Is
     version: 2,
     kind: 'operator',
     title: null,
-    description: 'Goes from one layer to the other as its progress goes from 0 to 1.',
+    description: 'Changes from one layer to the other as “Progress” goes from 0 to 1.',
     credit: commentValue(source, 'author'),
     licence: commentValue(source, 'licen[sc]e'),
     categories: ['Transition'],
     inputs: [
-      inputOf(FROM_IMAGE, 'image', { label: 'From', doc: 'The layer that is left: all of it at progress 0.' }),
-      inputOf(TO_IMAGE, 'image', { label: 'To', doc: 'The layer that comes: all of it at progress 1.' }),
-      inputOf(PROGRESS, 'float', { label: 'Progress', doc: 'How far it has gone.', default: [0], min: [0], max: [1] }),
+      inputOf(FROM_IMAGE, 'image', { label: 'From', doc: 'The layer shown at progress 0.' }),
+      inputOf(TO_IMAGE, 'image', { label: 'To', doc: 'The layer shown at progress 1.' }),
+      inputOf(PROGRESS, 'float', {
+        label: 'Progress',
+        doc: 'How far the transition has gone, from 0 to 1.',
+        default: [0],
+        min: [0],
+        max: [1],
+      }),
       ...inputs,
     ],
     passes: [{ target: null, persistent: false, float: false, half: false, width: null, height: null }],
@@ -96,7 +102,7 @@ function readUniforms(declaration: VariableDeclaration, source: string, file: st
     if (GIVEN.has(text)) return [];
     const type = typeOf(declaration, declarator);
     if (type === null) {
-      const message = `The uniform "${text}" is of a type that no param has.`;
+      const message = `The uniform “${text}” has a type that no parameter has.`;
       const fix = `Use one of ${Object.keys(TYPES).join(', ')}.`;
       diagnostics.push({ code: 'SCR043', severity: 'warning', message, fix, file, line, column });
       return [];

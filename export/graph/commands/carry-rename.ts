@@ -1,7 +1,7 @@
 import { castDraft } from 'immer';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
-import { own } from '../own.ts';
 import type { Graph, PortAddress, Project } from '../project.ts';
+import { getOwn } from '../record.ts';
 import { sortWires } from '../wires.ts';
 import { type Change, carryRoutes, change, draftGraph, setWires, unchanged } from './change.ts';
 
@@ -35,10 +35,10 @@ export function carryRename(project: Project, type: string, { from, to }: PortRe
   if (users.length === 0) return unchanged(project);
   return change(project, (draft) => {
     for (const [name, graph] of users) {
-      const isPort = ({ node, port }: PortAddress) => port === from && own(graph.nodes, node)?.type === type;
+      const isPort = ({ node, port }: PortAddress) => port === from && getOwn(graph.nodes, node)?.type === type;
       const drafted = draftGraph(draft, name);
       for (const [id, node] of Object.entries(graph.nodes)) {
-        const held = node.type === type ? own(node.params, from) : undefined;
+        const held = node.type === type ? getOwn(node.params, from) : undefined;
         const target = drafted.nodes[id];
         if (held === undefined || !target) continue;
         delete target.params[from];

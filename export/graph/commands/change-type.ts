@@ -1,14 +1,14 @@
 import { castDraft } from 'immer';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { conversion, type WireType } from '../../../nodes/kit/wire-types.ts';
-import { bindingMisfit } from '../library/binding.ts';
-import { createFaceLookup, inputOf, type NodeFace, takesSeveral } from '../library/faces.ts';
-import { subgraphType } from '../names.ts';
-import { own } from '../own.ts';
+import { subgraphType } from '../document-names.ts';
+import { bindingMisfit } from '../library/binding-misfit.ts';
+import { createInterfaceLookup, inputOf, type NodeInterface, takesSeveral } from '../library/node-interface.ts';
 import type { Graph, Project, Wire } from '../project.ts';
+import { getOwn } from '../record.ts';
 import { sortWires } from '../wires.ts';
 import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, refuse, setWires } from './change.ts';
-import { oneWhereOneFits, settle } from './settle.ts';
+import { dropExtraWires, pruneConnections } from './prune-connections.ts';
 
 export interface ChangeType {
   readonly library: NodeLibrary;
@@ -23,33 +23,33 @@ export interface ChangeType {
  */
 export function changeType(project: Project, { library, graph: name, node: id, type }: ChangeType): Change {
   const graph = graphOf(project, name);
-  const node = own(graph.nodes, id);
-  if (!node) return refuse(project, 'SCR012', `There is no node ${id}.`, { nodeId: id });
-  const faceOf = createFaceLookup(project, library);
-  const face = faceOf(type);
-  if (!face) return refuse(project, 'SCR010', `There is no node type ${type}.`, { nodeId: id });
+  const node = getOwn(graph.nodes, id);
+  if (!node) return refuse(project, 'SCR012', `Node ${id} does not exist.`, { nodeId: id });
+  const interfaceOf = createInterfaceLookup(project, library);
+  const nodeInterface = interfaceOf(type);
+  if (!nodeInterface) return refuse(project, 'SCR010', `Node type ${type} does not exist.`, { nodeId: id });
   const params = Object.entries(node.params).filter(([param, binding]) => {
-    const definition = own(face.params, param);
+    const definition = getOwn(nodeInterface.params, param);
     return definition !== undefined && bindingMisfit(definition, binding) === null;
   });
-  const moved = rewire(graph, id, faceOf(node.type), face);
-  const wires = oneWhereOneFits(sortWires(moved.map(([, after]) => after)), (to) => (to.node === id ? face : undefined));
+  const moved = rewire(graph, id, interfaceOf(node.type), nodeInterface);
+  const wires = dropExtraWires(sortWires(moved.map(([, after]) => after)), (to) => (to.node === id ? nodeInterface : undefined));
   const retype = (before: Project) =>
     change(before, (draft) => {
       const { nodes } = draftGraph(draft, name);
-      nodes[id] = castDraft({ ...node, type, version: face.version, params: Object.fromEntries(params) });
+      nodes[id] = castDraft({ ...node, type, version: nodeInterface.version, params: Object.fromEntries(params) });
       setWires(draft, name, wires);
       carryRoutes(draft, name, moved);
     });
-  // Wires that were wrong before, and ports shown outside.
-  return inTurn(project, retype, (before) => settle(before, library, [type, subgraphType(name)]));
+  // Removes wires that were invalid before, and exposed ports that no longer exist.
+  return inTurn(project, retype, (before) => pruneConnections(before, library, [type, subgraphType(name)]));
 }
 
 function rewire(
   graph: Graph,
   id: string,
-  before: NodeFace | undefined,
-  after: NodeFace,
+  before: NodeInterface | undefined,
+  after: NodeInterface,
 ): readonly (readonly [before: Wire, after: Wire])[] {
   const inputs = movePorts(
     graph.wires.filter(({ to }) => to.node === id).map(({ to }) => to.port),
@@ -60,7 +60,7 @@ function rewire(
   );
   const outputs = movePorts(
     graph.wires.filter(({ from }) => from.node === id).map(({ from }) => from.port),
-    (port) => before && own(before.outputs, port)?.type,
+    (port) => before && getOwn(before.outputs, port)?.type,
     Object.entries(after.outputs).map(([port, output]) => ({ port, output })),
     ({ output }) => output.type,
     () => true,

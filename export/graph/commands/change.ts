@@ -1,11 +1,11 @@
 import { applyPatches as applyToDraft, castDraft, current, type Draft, enablePatches, type Patch, produceWithPatches } from 'immer';
 import { type Diagnostic, type DiagnosticCode, hasErrors } from '../../../nodes/kit/diagnostics.ts';
-import { own } from '../own.ts';
 import type { Graph, Project, Wire } from '../project.ts';
+import { getOwn } from '../record.ts';
 import { routesAfter } from '../routes.ts';
 import { printWire } from '../wires.ts';
 
-/** What every command answers. A refused one gives the same project, no patches, and an error that says why. */
+/** The result of a command. A refused command returns the same project, no patches and an error with the reason. */
 export interface Change {
   readonly project: Project;
   /** From the project before to the one after. */
@@ -17,7 +17,7 @@ export interface Change {
 
 export type ProjectDraft = Draft<Project>;
 
-/** Names what a diagnostic is about. */
+/** What a diagnostic is about. */
 export interface Place {
   readonly nodeId?: string;
   readonly port?: string;
@@ -25,8 +25,10 @@ export interface Place {
 }
 
 /**
- * Changes a draft of the project. Lists in it (wires, exposed ports) are replaced as wholes, never spliced: a splice near the
- * front of ten thousand wires would be ten thousand patches.
+ * Records the edits of `recipe` to a draft of the project. Replace lists (wires, exposed ports) as a whole and never splice them:
+ * a splice near the front of ten thousand wires gives ten thousand patches.
+ *
+ * @returns The changed project, with the patches and the inverse patches.
  */
 export function change(project: Project, recipe: (draft: ProjectDraft) => void): Change {
   enablePatches();
@@ -44,7 +46,13 @@ export function unchanged(project: Project): Change {
   return { project, patches: [], inverse: [], diagnostics: [] };
 }
 
-/** Several changes as one step, each on what the one before made; refused as a whole when one of them is. */
+/**
+ * Combines several changes into one step. Each works on the result of the previous one.
+ *
+ * @returns The combined change; where one step is refused, the whole is, and the project stays as it is.
+ * @example
+ * inTurn(project, (before) => addNode(before, node), (before) => connect(before, wire));
+ */
 export function inTurn(project: Project, ...steps: readonly ((project: Project) => Change)[]): Change {
   let sum = unchanged(project);
   for (const step of steps) {
@@ -67,7 +75,7 @@ export function applyPatches(project: Project, patches: readonly Patch[]): Proje
 
 /** The graph that the editor shows, so it exists: another name is a programmer's mistake. */
 export function graphOf(project: Project, name: string): Graph {
-  const graph = own(project.graphs, name);
+  const graph = getOwn(project.graphs, name);
   if (!graph) throw new Error(`There is no graph "${name}".`);
   return graph;
 }
@@ -86,7 +94,7 @@ export function setWires(draft: ProjectDraft, graph: string, wires: readonly Wir
 /** Wires that have become others keep their ways. */
 export function carryRoutes(draft: ProjectDraft, graph: string, replaced: readonly (readonly [before: Wire, after: Wire])[]): void {
   const layout = draft.layout[graph];
-  if (layout && replaced.some(([before]) => own(layout.routes, printWire(before)))) {
+  if (layout && replaced.some(([before]) => getOwn(layout.routes, printWire(before)))) {
     layout.routes = castDraft(routesAfter(current(layout).routes, replaced));
   }
 }

@@ -2,16 +2,16 @@ import { describe, expect, test } from '@jest/globals';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import { readShader, TEST_LIBRARY } from '../../../tests/support/test-library.ts';
 import { TestStudio, wireOf } from '../../../tests/support/test-studio.ts';
-import { isNodeId, makeNodeId } from '../names.ts';
+import { isNodeId, makeNodeId } from '../document-names.ts';
 import { printWire, sortWires } from '../wires.ts';
-import { removeAsset } from './assets.ts';
+import { removeAsset } from './asset-commands.ts';
 import { changeType } from './change-type.ts';
-import { exposePort, hidePort, removeGraph, renameGraph } from './graphs.ts';
-import { putFrame, putNote, removeFromLayout, setCollapsed } from './layout.ts';
-import { addNode } from './nodes.ts';
-import { setParam } from './params.ts';
+import { putFrame, putNote, removeFromLayout, setCollapsed } from './layout-commands.ts';
+import { addNode } from './node-commands.ts';
+import { setParam } from './param-commands.ts';
 import { setPage, setTitle } from './project-info.ts';
-import { connect, reorderWires } from './wires.ts';
+import { exposePort, hidePort, removeGraph, renameGraph } from './subgraph-commands.ts';
+import { connect, reorderWires } from './wire-commands.ts';
 
 const library: NodeLibrary = TEST_LIBRARY;
 
@@ -140,7 +140,7 @@ describe('params', () => {
     ['a text for a number', 'sepia-aaaa.amount', '1'],
     ['too much', 'sepia-aaaa.amount', 1.01],
     ['an unknown param', 'sepia-aaaa.amnt', 1],
-    ['a vector of three for a colour', 'color-aaaa.color', [1, 1, 1]],
+    ['a vector of three for a color', 'color-aaaa.color', [1, 1, 1]],
     ['a vector with a hole', 'color-aaaa.color', [1, Number.NaN, 1, 1]],
     ['an unknown choice', 'box-aaaa.shape', 'cone'],
   ])('%s is refused and changes nothing', (_, address, value) => {
@@ -258,7 +258,7 @@ describe('subgraphs', () => {
     expect(made.undo().save()).toEqual(before);
   });
 
-  test('a port for one wire is wired inside or shown outside, not both', () => {
+  test('a port for one wire is connected inside or exposed, not both', () => {
     const made = lookStudio()
       .in('look')
       .add('noise-a', 'generator/noise')

@@ -27,7 +27,7 @@ export type Migrated =
 
 /** The document in the newest version, whatever the version it was saved in. */
 export function migrateDocument(json: unknown, format: DocumentFormat): Migrated {
-  if (!isObject(json)) return { ok: false, code: 'SCR002', at: null, message: 'The document must be an object.' };
+  if (!isObject(json)) return { ok: false, code: 'SCR002', at: null, message: 'The document is not an object.' };
   if (json.format !== format.format) {
     return { ok: false, code: 'SCR002', at: 'format', message: `The key "format" must be "${format.format}".` };
   }
@@ -45,7 +45,7 @@ export function migrateDocument(json: unknown, format: DocumentFormat): Migrated
     try {
       lifted = { ...format.steps[from - 1]?.(lifted), version: from + 1 };
     } catch (error) {
-      const message = `The file could not be brought from version ${from} to ${from + 1}: ${String(error)}`;
+      const message = `The file cannot be migrated from version ${from} to ${from + 1}: ${String(error)}.`;
       return { ok: false, code: 'SCR002', at: null, message };
     }
   }

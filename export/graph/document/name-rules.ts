@@ -1,5 +1,5 @@
+import { isEntryId, isNodeId, isNodeType, isPortName, isShaderFile } from '../document-names.ts';
 import type { NameRule } from '../json/shape-reader.ts';
-import { isEntryId, isNodeId, isNodeType, isPortName, isShaderFile } from '../names.ts';
 import { parseWire } from '../wires.ts';
 
 export const NODE_ID: NameRule = {

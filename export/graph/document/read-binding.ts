@@ -1,8 +1,8 @@
 import { NAMED_EASINGS } from '../../../nodes/kit/ease.ts';
 import type { JsonPath } from '../json/positions.ts';
 import { isObject, type ShapeReader } from '../json/shape-reader.ts';
-import { own } from '../own.ts';
 import type { Binding, Keyframe, ParamValue, Track } from '../project.ts';
+import { getOwn } from '../record.ts';
 
 const REPEATS = ['once', 'loop', 'mirror'] as const satisfies readonly Track['repeat'][];
 
@@ -11,9 +11,9 @@ export function readBinding(reader: ShapeReader, json: unknown, path: JsonPath):
   if (!isObject(json)) return { value: readValue(reader, json, path) };
   const fields = reader.fields(json, path, ['track', 'expression', 'port']);
   const kinds = Object.keys(json);
-  if (kinds.length !== 1) reader.problem(path, 'a param is bound to one thing: a value, a track, an expression or a port.');
-  if (own(json, 'track') !== undefined) return { track: readTrack(reader, fields('track'), [...path, 'track']) };
-  if (own(json, 'expression') !== undefined) return { expression: reader.text(fields('expression'), [...path, 'expression']) };
+  if (kinds.length !== 1) reader.problem(path, 'a parameter must be bound to exactly one of a value, a track, an expression or a port.');
+  if (getOwn(json, 'track') !== undefined) return { track: readTrack(reader, fields('track'), [...path, 'track']) };
+  if (getOwn(json, 'expression') !== undefined) return { expression: reader.text(fields('expression'), [...path, 'expression']) };
   return { port: readValue(reader, fields('port'), [...path, 'port']) };
 }
 
@@ -48,7 +48,7 @@ function readKeyframe(reader: ShapeReader, json: unknown, path: JsonPath): Keyfr
 
 function readEasing(reader: ShapeReader, json: unknown, path: JsonPath): Keyframe['easing'] {
   if (!Array.isArray(json)) return reader.oneOf(json, path, NAMED_EASINGS);
-  if (json.length !== 4) reader.problem(path, 'the handles of an easing are four numbers: [x1, y1, x2, y2].');
+  if (json.length !== 4) reader.problem(path, 'the control points of an easing must be four numbers: [x1, y1, x2, y2].');
   const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = readNumbers(reader, json, path);
   // Where they may lie is for the checks, which know the node.
   return [x1, y1, x2, y2];

@@ -1,7 +1,6 @@
 import type { JsonPath } from '../json/positions.ts';
 import { isObject, type ShapeReader } from '../json/shape-reader.ts';
 import { DEFAULT_PAGE } from '../new-project.ts';
-import { own } from '../own.ts';
 import {
   type Asset,
   type ExposedPort,
@@ -12,6 +11,7 @@ import {
   type Project,
   type Wire,
 } from '../project.ts';
+import { getOwn } from '../record.ts';
 import { parseWire, sortWires } from '../wires.ts';
 import { ENTRY_ID, GRAPH_NAME, NODE_ID, NODE_TYPE, PORT_NAME } from './name-rules.ts';
 import { readBinding } from './read-binding.ts';
@@ -23,7 +23,7 @@ export type ProjectDocument = Omit<Project, 'layout' | 'sources'>;
 export function readProject(reader: ShapeReader, json: unknown): ProjectDocument {
   const fields = reader.fields(json, [], ['format', 'version', 'title', 'page', 'graphs', 'assets']);
   const graphs = reader.record(fields('graphs'), ['graphs'], GRAPH_NAME, (item, path) => readGraph(reader, item, path));
-  if (isObject(json) && own(graphs, MAIN_GRAPH) === undefined) reader.problem(['graphs'], `the graph "${MAIN_GRAPH}" is missing.`);
+  if (isObject(json) && getOwn(graphs, MAIN_GRAPH) === undefined) reader.problem(['graphs'], `the graph "${MAIN_GRAPH}" is missing.`);
   return {
     title: reader.text(fields('title'), ['title']),
     page: readPage(reader, fields('page')),
@@ -36,7 +36,23 @@ function readPage(reader: ShapeReader, json: unknown): PageInfo {
   if (json === undefined) return DEFAULT_PAGE;
   const fields = reader.fields(json, ['page'], ['description', 'language']);
   const text = (key: keyof PageInfo) => (fields(key) === undefined ? DEFAULT_PAGE[key] : reader.text(fields(key), ['page', key]));
-  return { description: text('description'), language: text('language') };
+  const language = text('language');
+  if (!isLanguage(language)) {
+    reader.problem(
+      ['page', 'language'],
+      `${JSON.stringify(language)} is not a language tag. Use a BCP 47 tag such as "en", "de-CH" or "zh-Hant".`,
+    );
+  }
+  return { description: text('description'), language };
+}
+
+/** BCP 47 (RFC 5646), by its form: whether anybody speaks it is not asked. */
+function isLanguage(tag: string): boolean {
+  try {
+    return Intl.getCanonicalLocales(tag).length === 1;
+  } catch {
+    return false;
+  }
 }
 
 function readGraph(reader: ShapeReader, json: unknown, path: JsonPath): Graph {
@@ -57,7 +73,7 @@ function readNode(reader: ShapeReader, json: unknown, path: JsonPath): GraphNode
   const fields = reader.fields(json, path, ['type', 'version', 'muted', 'params']);
   const versionPath = [...path, 'version'];
   const version = reader.number(fields('version'), versionPath);
-  if (!Number.isInteger(version) || version < 1) reader.problem(versionPath, 'a version is a whole number from 1.');
+  if (!Number.isInteger(version) || version < 1) reader.problem(versionPath, 'a version must be a whole number from 1.');
   const muted = fields('muted') !== undefined && reader.flag(fields('muted'), [...path, 'muted']);
   return {
     type: reader.name(fields('type'), [...path, 'type'], NODE_TYPE),
@@ -74,7 +90,7 @@ function readWire(reader: ShapeReader, json: unknown, path: JsonPath): Wire {
   const wire = parseWire(text);
   if (wire && NODE_ID.is(wire.from.node) && NODE_ID.is(wire.to.node) && PORT_NAME.is(wire.from.port) && PORT_NAME.is(wire.to.port))
     return wire;
-  if (typeof json === 'string') reader.problem(path, 'a wire is written "video-a1b2.layer -> sepia-k7q2.inputImage".');
+  if (typeof json === 'string') reader.problem(path, 'a wire must be written as "video-a1b2.layer -> sepia-k7q2.inputImage".');
   return NO_WIRE;
 }
 

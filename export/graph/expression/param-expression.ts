@@ -1,6 +1,6 @@
 import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
 import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
-import { type ParsedExpression, parseExpression } from './parse-expression.ts';
+import { type ParsedExpression, parseExpression } from './expression-parser.ts';
 
 /** Reads the expression that a param is bound to: one number for each that the param holds. */
 export function parseBinding(param: ParamDefinition, expression: string): ParsedExpression {

@@ -27,20 +27,20 @@ export function parseJson(text: string, file: string): ParsedJson {
   }
   const twice = findDuplicateKey(json);
   if (twice === null) return { ok: true, value };
-  const message = `The key ${JSON.stringify(twice.key)} stands twice in the same object. Remove one of the two.`;
+  const message = `The key ${JSON.stringify(twice.key)} occurs twice in the same object. Remove one of the two.`;
   return { ok: false, diagnostic: { code: 'SCR002', severity: 'error', file, ...positionOf(json, twice.offset), message } };
 }
 
 function syntaxError(text: string, file: string): Diagnostic {
   if (text.trim() === '') {
-    const fix = 'Put the file back as it was saved last, from a backup or from version control.';
+    const fix = 'Restore the file from a backup or from version control.';
     return { code: 'SCR001', severity: 'error', file, line: 1, column: 1, message: `${file} is empty.`, fix };
   }
   const error = firstError(text);
-  if (error === null) return { code: 'SCR001', severity: 'error', file, message: 'This is not JSON.' };
+  if (error === null) return { code: 'SCR001', severity: 'error', file, message: 'The file is not JSON.' };
   const place = { severity: 'error', file, ...positionOf(text, error.offset) } as const;
   const number = /^[-+]?(?:NaN|Infinity)\b/i.exec(text.slice(error.offset, error.offset + 16));
-  if (number) return { code: 'SCR006', ...place, message: `${number[0]} is not a number that a project can hold. Write a finite one.` };
+  if (number) return { code: 'SCR006', ...place, message: `${number[0]} is not a finite number. Write a finite one.` };
   return { code: 'SCR001', ...place, message: `${WORDS[printParseErrorCode(error.error)] ?? 'Something unexpected is'} here.` };
 }
 
@@ -56,7 +56,7 @@ function firstError(text: string): ParseError | null {
 }
 
 const WORDS: Readonly<Record<string, string>> = {
-  InvalidSymbol: 'A word that means nothing in JSON is',
+  InvalidSymbol: 'An unknown word is',
   InvalidNumberFormat: 'A broken number is',
   PropertyNameExpected: 'A key in double quotes is missing',
   ValueExpected: 'A value is missing',

@@ -1,4 +1,4 @@
-import { own } from '../own.ts';
+import { getOwn } from '../record.ts';
 import type { JsonPath } from './positions.ts';
 
 /** One thing that has not the shape it should have. */
@@ -10,15 +10,15 @@ export interface ShapeProblem {
   readonly message: string;
 }
 
-/** More would help nobody. */
+/** A longer list would not help. */
 const MAX_PROBLEMS = 50;
 
 /** Uniforms are 32-bit floats: what is larger would reach a shader as infinity. */
 export const MAX_NUMBER = 3.4028234663852886e38;
 
 /**
- * Reads parsed JSON field by field. What is wrong is noted and an empty value returned, so that one pass finds everything; the
- * caller throws the result away when `problems` is not empty. Recursion is as deep as the schema, never as the file.
+ * Reads parsed JSON field by field. A wrong value is added to `problems` and read as an empty one, so that one pass finds all
+ * problems; the caller discards the result where there are any. Recursion is as deep as the schema, never as the file.
  */
 export interface ShapeReader {
   readonly problems: readonly ShapeProblem[];
@@ -66,9 +66,9 @@ export function createShapeReader(): ShapeReader {
         return NO_FIELDS;
       }
       for (const key of Object.keys(value)) {
-        if (!keys.includes(key)) problem([...path, key], `Scrim knows no such key here; it knows ${keys.join(', ')}. Remove it.`, 'key');
+        if (!keys.includes(key)) problem([...path, key], `this key is unknown; known keys are ${keys.join(', ')}. Remove it.`, 'key');
       }
-      return (key) => own(value, key);
+      return (key) => getOwn(value, key);
     },
 
     record: <T>(value: unknown, path: JsonPath, names: NameRule, item: (value: unknown, path: JsonPath) => T) => {

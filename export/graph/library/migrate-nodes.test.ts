@@ -4,7 +4,7 @@ import { newProject } from '../new-project.ts';
 import type { Binding, Project } from '../project.ts';
 import { migrateNodes } from './migrate-nodes.ts';
 
-/** Version 2 renamed `size`; version 3 counts in metres what was in centimetres, in keyframes too. */
+/** Version 2 renamed `size`; version 3 counts in meters what was in centimeters, in keyframes too. */
 const BOX: NodeDefinition = defineNode({
   type: 'objects/box',
   version: 3,
@@ -16,11 +16,11 @@ const BOX: NodeDefinition = defineNode({
   lowering: { kind: 'geometry' },
   migrations: [
     ({ size, ...rest }) => ({ ...rest, ...(size === undefined ? {} : { side: size }) }),
-    ({ side, ...rest }) => ({ ...rest, ...(side === undefined ? {} : { side: inMetres(side) }) }),
+    ({ side, ...rest }) => ({ ...rest, ...(side === undefined ? {} : { side: inMeters(side) }) }),
   ],
 });
 
-function inMetres(saved: unknown): unknown {
+function inMeters(saved: unknown): unknown {
   if (typeof saved === 'number') return saved / 100;
   const { track } = saved as { track: { keys: { value: number }[] } };
   return { track: { ...track, keys: track.keys.map((key) => ({ ...key, value: key.value / 100 })) } };
@@ -72,7 +72,7 @@ describe('migrateNodes', () => {
   });
 });
 
-/** As a shader file says it (`SCRIM_RENAMED`): version 2 measures in pixels what was in metres, version 3 only renames. */
+/** As a shader file says it (`SCRIM_RENAMED`): version 2 measures in pixels what was in meters, version 3 only renames. */
 const LINES: NodeDefinition = defineNode({
   type: 'technique/lines',
   version: 3,
@@ -98,7 +98,7 @@ describe('params that a shader file renamed', () => {
   test.each<[string, Binding, Binding]>([
     ['a value', { value: 0.004 }, { value: 3 }],
     ['an expression', { expression: '0.004 + time' }, { expression: '(0.004 + time) * 750' }],
-    ['what a port has while nothing is wired', { port: 0.008 }, { port: 6 }],
+    ['the value of a port that is not connected', { port: 0.008 }, { port: 6 }],
     [
       'a track',
       { track: { keys: [{ timeS: 0, value: 0.002, easing: 'linear' }], repeat: 'loop' } },
@@ -113,7 +113,7 @@ describe('params that a shader file renamed', () => {
     const { project, diagnostics } = migrated(linesOf(1, {}));
     expect(project.graphs.main?.wires[0]?.to).toEqual({ node: 'lines-aaaa', port: 'width' });
     expect(project.graphs.main?.exposed.inputs).toEqual([{ name: 'thickness', node: 'lines-aaaa', port: 'width' }]);
-    expect(diagnostics[0]).toMatchObject({ severity: 'warning', port: 'width', fix: 'Multiply it with 750.' });
+    expect(diagnostics[0]).toMatchObject({ severity: 'warning', port: 'width', fix: 'Multiply the connected value by 750.' });
     expect(migrated(linesOf(2, {}, 'widthPx'))).toMatchObject({ diagnostics: [] });
   });
 });

@@ -14,9 +14,11 @@ export interface Migrated<P> {
 }
 
 /**
- * Lifts the params of every node to the version of its type that the library has. Nodes that need nothing, and graphs without
- * nodes that do, stay the same objects. Nodes of unknown types and of newer versions stay as they are; `validateProject` names
- * them.
+ * Migrates the params of every node to the version of its type in the library. Unchanged nodes and graphs stay the same objects.
+ * Nodes of unknown types and of newer versions stay unchanged; `validateProject` reports them.
+ *
+ * @returns The migrated project, and SCR018 for params that cannot be migrated and for wires whose unit has changed.
+ * @throws Error where a node type lacks a migration, which is a programmer's mistake.
  */
 export function migrateNodes<P extends Pick<Project, 'graphs'>>(project: P, library: NodeLibrary): Migrated<P> {
   const diagnostics: Diagnostic[] = [];
@@ -37,7 +39,7 @@ function migrateGraph(graph: Graph, library: NodeLibrary, diagnostics: Diagnosti
     if (definition === undefined || node.version >= definition.version) continue;
     const migrated = migrateNode(node, definition);
     if (typeof migrated === 'string') {
-      const message = `The params of ${id} (${node.type}) were saved by version ${node.version} and cannot be read any more: ${migrated}`;
+      const message = `The parameters of ${id} (${node.type}, version ${node.version}) cannot be migrated: ${migrated}`;
       diagnostics.push({ code: 'SCR018', severity: 'error', nodeId: id, message });
       continue;
     }
@@ -62,8 +64,15 @@ function renameWired(graph: Graph, library: NodeLibrary, diagnostics: Diagnostic
     if (!node || !definition) return port;
     const { to, times } = renamedPort(port, node, definition);
     if (times !== 1) {
-      const message = `What is wired to “${definition.params[to]?.label ?? to}” of ${id} was measured otherwise when it was saved.`;
-      diagnostics.push({ code: 'SCR018', severity: 'warning', nodeId: id, port: to, message, fix: `Multiply it with ${times}.` });
+      const message = `The unit of “${definition.params[to]?.label ?? to}” of ${id} has changed since the project was saved.`;
+      diagnostics.push({
+        code: 'SCR018',
+        severity: 'warning',
+        nodeId: id,
+        port: to,
+        message,
+        fix: `Multiply the connected value by ${times}.`,
+      });
     }
     return to;
   });

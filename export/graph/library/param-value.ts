@@ -33,7 +33,7 @@ export function misfit(param: ParamDefinition, value: unknown): string | null {
       return typeof value === 'string' ? null : 'a text';
     case 'choice':
       if (param.options.some((option) => option.value === value)) return null;
-      return `one of ${param.options.map((option) => JSON.stringify(option.value)).join(', ')}`;
+      return `one of ${param.options.map(({ value: is, label }) => `${JSON.stringify(is)} (${label})`).join(', ')}`;
     case 'curve':
       return curveMisfit(value);
     case 'asset':

@@ -1,7 +1,7 @@
 import type { NodeDefinition, NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
-import { isChunkFile } from '../names.ts';
-import { sortedEntries } from '../own.ts';
+import { isChunkFile } from '../document-names.ts';
+import { sortedEntries } from '../record.ts';
 
 /** Makes a node type of an ISF file or a technique. `file` is what `lowering.shader` will name: `shaders/edge.fs`. */
 export type ReadShader = (file: string, source: string) => Result<NodeDefinition>;
@@ -19,9 +19,13 @@ export function projectShaderName(file: string): string {
 }
 
 /**
- * The library with the project's own shaders before it: a file `sepia.fs` that is a filter is `filter/sepia`, whatever the
- * library calls so. A file whose header cannot be read brings no type and is in `diagnostics`. A file in `chunks/` brings none: it
- * is what techniques get that include it, the library's too.
+ * Adds a project's own shaders to a library. They take precedence: a filter `sepia.fs` replaces the library's `filter/sepia`. A
+ * file with a broken header adds no type and is in `diagnostics`. A file in `chunks/` adds no type: techniques include it, those
+ * of the library too.
+ *
+ * @param base The library without the project's shaders.
+ * @param sources Shader texts by file name in `shaders/`.
+ * @param readShader Reads every text at each call, so pass a cached one (`createShaderCache`).
  */
 export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<string, string>>, readShader: ReadShader): ProjectLibrary {
   const definitions = new Map<string, NodeDefinition>();
@@ -51,8 +55,11 @@ export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<strin
   };
 }
 
-/** Reads every text once: most edits change no shader. Forgets texts that the last two projects had no more. */
-export function rememberShaders(readShader: ReadShader): { readonly read: ReadShader; endRound(): void } {
+/**
+ * Caches the results of `readShader` by file and text, because most edits change no shader. `endGeneration` drops texts that
+ * neither the current nor the previous generation has read.
+ */
+export function createShaderCache(readShader: ReadShader): { readonly read: ReadShader; endGeneration(): void } {
   let current = new Map<string, Result<NodeDefinition>>();
   let previous = new Map<string, Result<NodeDefinition>>();
   return {
@@ -62,7 +69,7 @@ export function rememberShaders(readShader: ReadShader): { readonly read: ReadSh
       current.set(key, result);
       return result;
     },
-    endRound: () => {
+    endGeneration: () => {
       previous = current;
       current = new Map();
     },

@@ -1,23 +1,23 @@
 import type { AssetParam, ParamDefinition } from '../../../nodes/kit/definition.ts';
 import { parseBinding, parseValue } from '../expression/param-expression.ts';
-import { bindingMisfit } from '../library/binding.ts';
+import { bindingMisfit } from '../library/binding-misfit.ts';
 import { boundValue, outOfRange } from '../library/param-value.ts';
-import { own } from '../own.ts';
 import type { Binding } from '../project.ts';
+import { getOwn } from '../record.ts';
 import { type GraphCheck, inGraph, reportError } from './context.ts';
 
 export function checkParams(check: GraphCheck): void {
   for (const [nodeId, node] of Object.entries(check.graph.nodes)) {
-    const face = check.faceOf(node.type);
+    const nodeInterface = check.interfaceOf(node.type);
     // Params of another version cannot be judged; the version itself is told at the node.
-    if (!face || node.version !== face.version) continue;
+    if (!nodeInterface || node.version !== nodeInterface.version) continue;
     for (const [port, binding] of Object.entries(node.params)) {
-      const param = own(face.params, port);
+      const param = getOwn(nodeInterface.params, port);
       if (param) checkBinding(check, nodeId, port, param, binding);
-      else reportError(check, 'SCR018', { nodeId, port }, `${nodeId} (${face.title}) has no param “${port}”.`, 'Remove it.');
+      else reportError(check, 'SCR018', { nodeId, port }, `${nodeId} (${nodeInterface.title}) has no parameter “${port}”.`, 'Remove it.');
     }
-    for (const [port, param] of Object.entries(face.params)) {
-      if (param.type === 'asset' && isUsed(param, face.params, node.params)) checkChosen(check, nodeId, port, param, node.params);
+    for (const [port, param] of Object.entries(nodeInterface.params)) {
+      if (param.type === 'asset' && isUsed(param, nodeInterface.params, node.params)) checkChosen(check, nodeId, port, param, node.params);
     }
   }
 }
@@ -41,37 +41,37 @@ function checkBinding(check: GraphCheck, nodeId: string, port: string, param: Pa
   if (param.type === 'asset') checkAsset(check, nodeId, port, param, String(value));
   const range = outOfRange(param, value);
   if (range === null) return;
-  const message = `“${param.label}” of ${nodeId} is ${JSON.stringify(value)}, but goes ${range}: the nearest value is used.`;
+  const message = `“${param.label}” of ${nodeId} is ${JSON.stringify(value)} but must be ${range}. The nearest value is used.`;
   check.report({ code: 'SCR018', severity: 'warning', ...place, message: inGraph(check, message) });
 }
 
 function checkAsset(check: GraphCheck, nodeId: string, port: string, param: ParamDefinition & { type: 'asset' }, id: string): void {
   if (id === '') return;
-  const asset = own(check.project.assets, id);
+  const asset = getOwn(check.project.assets, id);
   const place = { nodeId, port };
   if (!asset) {
     reportError(
       check,
       'SCR030',
       place,
-      `“${param.label}” of ${nodeId} is the asset ${id}, which is not in the project.`,
-      'Choose another.',
+      `“${param.label}” of ${nodeId} names the asset ${id}, which is not in the project.`,
+      'Choose another file.',
     );
   } else if (asset.kind !== param.accept) {
-    const message = `“${param.label}” of ${nodeId} takes a file of the kind “${param.accept}”, but ${id} is of the kind “${asset.kind}”.`;
-    reportError(check, 'SCR033', place, message, 'Choose another.');
+    const message = `“${param.label}” of ${nodeId} takes a file of kind “${param.accept}”, but ${id} is of kind “${asset.kind}”.`;
+    reportError(check, 'SCR033', place, message, 'Choose another file.');
   }
 }
 
 /** Whether the node, as its other params are set, has a use for the file. */
 function isUsed(
   { where }: AssetParam,
-  face: Readonly<Record<string, ParamDefinition>>,
+  nodeInterface: Readonly<Record<string, ParamDefinition>>,
   params: Readonly<Record<string, Binding>>,
 ): boolean {
   if (!where) return true;
-  const binding = own(params, where.param);
-  return ((binding && boundValue(binding)) ?? own(face, where.param)?.default) === where.is;
+  const binding = getOwn(params, where.param);
+  return ((binding && boundValue(binding)) ?? getOwn(nodeInterface, where.param)?.default) === where.is;
 }
 
 function checkChosen(
@@ -81,10 +81,10 @@ function checkChosen(
   param: ParamDefinition,
   params: Readonly<Record<string, Binding>>,
 ): void {
-  const binding = own(params, port);
+  const binding = getOwn(params, port);
   if ((binding && boundValue(binding)) || !check.live.has(nodeId)) return;
   const exposed = check.graph.exposed.inputs.some((e) => e.node === nodeId && e.port === port);
   if (exposed) return;
-  const message = `${nodeId} has no “${param.label}” yet: nothing is shown of it.`;
-  check.report({ code: 'SCR030', severity: 'warning', nodeId, port, message: inGraph(check, message), fix: 'Choose one.' });
+  const message = `“${param.label}” of ${nodeId} is not set, so the node shows nothing.`;
+  check.report({ code: 'SCR030', severity: 'warning', nodeId, port, message: inGraph(check, message), fix: 'Choose a file.' });
 }

@@ -10,12 +10,12 @@ export function checkAssetPaths(project: ProjectLogic): Diagnostic[] {
     const problem = assetPathProblem(path);
     if (problem === null) return [];
     const shown = JSON.stringify(path.slice(0, 120));
-    const message = `The path ${shown} of the asset ${id} will not do: ${problem}. Assets lie inside the project folder.`;
+    const message = `The path ${shown} of the asset ${id} is invalid: ${problem}.`;
     return [{ code: 'SCR031', severity: 'error', message, fix: 'Import the file again.' }];
   });
 }
 
-/** No subgraph within itself, directly or through others; and nothing is shown outside the main graph. */
+/** No subgraph contains itself, directly or through others. The main graph exposes no port. */
 export function checkGraphs(project: ProjectLogic): Diagnostic[] {
   const uses = usesOfGraphs(project);
   const cycles = findCycles(uses.keys(), (name) => uses.get(name) ?? []);
@@ -30,7 +30,7 @@ export function checkGraphs(project: ProjectLogic): Diagnostic[] {
   });
   const { inputs = [], outputs = [] } = project.graphs[MAIN_GRAPH]?.exposed ?? {};
   if (inputs.length + outputs.length > 0) {
-    diagnostics.push({ code: 'SCR020', severity: 'warning', message: 'The main graph shows ports outside, but nothing is outside of it.' });
+    diagnostics.push({ code: 'SCR020', severity: 'warning', message: 'The main graph exposes ports, which only subgraphs can do.' });
   }
   return diagnostics;
 }

@@ -1,7 +1,7 @@
-import { bindingAgainst, portsOfWire } from '../connect.ts';
-import { breaksLoops, inputOf, takesSeveral } from '../library/faces.ts';
-import { own } from '../own.ts';
+import { bindingAgainst, portsOfWire } from '../can-connect.ts';
+import { breaksLoops, inputOf, takesSeveral } from '../library/node-interface.ts';
 import type { ExposedPort, Wire } from '../project.ts';
+import { getOwn } from '../record.ts';
 import { findCycles } from '../topology.ts';
 import { printAddress, printWire } from '../wires.ts';
 import { type GraphCheck, reportError, reportUnfinished } from './context.ts';
@@ -20,7 +20,7 @@ export function checkWires(check: GraphCheck): void {
 }
 
 function checkEnds(check: GraphCheck, wire: Wire): void {
-  const ports = portsOfWire(check.graph, check.faceOf, wire);
+  const ports = portsOfWire(check.graph, check.interfaceOf, wire);
   if (!ports.ok) {
     // Unknown types are told once, at the node.
     if (ports.reason.code === 'SCR010') return;
@@ -35,9 +35,9 @@ function checkEnds(check: GraphCheck, wire: Wire): void {
 
 function checkSeveral(check: GraphCheck, wires: readonly Wire[]): void {
   const [{ to }] = wires as [Wire];
-  const node = own(check.graph.nodes, to.node);
-  const face = node && check.faceOf(node.type);
-  const input = face && inputOf(face, to.port);
+  const node = getOwn(check.graph.nodes, to.node);
+  const nodeInterface = node && check.interfaceOf(node.type);
+  const input = nodeInterface && inputOf(nodeInterface, to.port);
   if (!input) return;
   const place = { nodeId: to.node, port: to.port };
   if (!takesSeveral(input)) {
@@ -55,7 +55,7 @@ function checkSeveral(check: GraphCheck, wires: readonly Wire[]): void {
   for (const { from } of wires) {
     const source = printAddress(from);
     if (seen.has(source))
-      reportError(check, 'SCR016', place, `${source} is wired to ${printAddress(to)} twice.`, 'Keep one of the two wires.');
+      reportError(check, 'SCR016', place, `${source} is connected to ${printAddress(to)} twice.`, 'Keep one of the two wires.');
     seen.add(source);
   }
 }
@@ -65,17 +65,17 @@ export function checkCycles(check: GraphCheck): void {
   const { nodes, wires } = check.graph;
   const successors = new Map<string, string[]>(Object.keys(nodes).map((id) => [id, []]));
   for (const { from, to } of wires) {
-    const node = own(nodes, to.node);
-    if (node && !breaksLoops(node, check.faceOf)) successors.get(from.node)?.push(to.node);
+    const node = getOwn(nodes, to.node);
+    if (node && !breaksLoops(node, check.interfaceOf)) successors.get(from.node)?.push(to.node);
   }
   for (const cycle of findCycles(successors.keys(), (id) => successors.get(id) ?? [])) {
     const [first = ''] = cycle;
     const loop = [...cycle, first].join(' → ');
-    reportError(check, 'SCR014', { nodeId: first }, `Wires form a loop: ${loop}.`, 'Delete one of its wires, or put a delay into it.');
+    reportError(check, 'SCR014', { nodeId: first }, `Wires form a loop: ${loop}.`, 'Delete one of its wires, or add a delay.');
   }
 }
 
-/** Required ports: wired, or shown outside for others to wire. */
+/** Required inputs are connected or exposed. */
 export function checkRequiredInputs(check: GraphCheck): void {
   const filled = new Set<string>();
   for (const { to } of check.graph.wires) filled.add(printAddress(to));
@@ -83,10 +83,10 @@ export function checkRequiredInputs(check: GraphCheck): void {
   for (const [nodeId, node] of Object.entries(check.graph.nodes)) {
     // A bypassed node reads nothing but what it lets through.
     if (node.muted === true) continue;
-    for (const [port, { required, label }] of Object.entries(check.faceOf(node.type)?.inputs ?? {})) {
+    for (const [port, { required, label }] of Object.entries(check.interfaceOf(node.type)?.inputs ?? {})) {
       if (!required || filled.has(printAddress({ node: nodeId, port }))) continue;
-      const message = `${nodeId} needs a wire into “${label}”.`;
-      reportUnfinished(check, 'SCR015', { nodeId, port }, message, 'Wire it, or mute or delete the node.');
+      const message = `Input “${label}” of ${nodeId} is not connected.`;
+      reportUnfinished(check, 'SCR015', { nodeId, port }, message, 'Connect it, or mute or delete the node.');
     }
   }
 }
@@ -99,19 +99,25 @@ export function checkExposed(check: GraphCheck): void {
     for (const exposed of check.graph.exposed[side]) {
       const place = { nodeId: exposed.node, port: exposed.port };
       const address = printAddress(exposed);
-      if (names.has(exposed.name)) reportError(check, 'SCR012', place, `Two ${side} are shown outside as “${exposed.name}”.`);
-      if (ports.has(address)) reportError(check, 'SCR012', place, `${address} is shown outside twice.`);
+      if (names.has(exposed.name)) reportError(check, 'SCR012', place, `Two ${side} are exposed as “${exposed.name}”.`);
+      if (ports.has(address)) reportError(check, 'SCR012', place, `${address} is exposed twice.`);
       names.add(exposed.name);
       ports.add(address);
       if (!isThere(check, side, exposed)) {
-        reportError(check, 'SCR012', place, `“${exposed.name}” stands for ${address}, but there are no such ${side}.`, 'Stop showing it.');
+        reportError(
+          check,
+          'SCR012',
+          place,
+          `“${exposed.name}” exposes ${address}, which does not exist among the ${side}.`,
+          'Stop exposing it.',
+        );
       } else if (side === 'inputs' && isFull(check, exposed)) {
         reportError(
           check,
           'SCR016',
           place,
-          `${address} is shown outside as “${exposed.name}”, but wired inside.`,
-          'Delete the wire inside.',
+          `${address} is exposed as “${exposed.name}” but connected inside.`,
+          'Disconnect it inside the subgraph.',
         );
       }
     }
@@ -119,19 +125,21 @@ export function checkExposed(check: GraphCheck): void {
 }
 
 /** Takes one wire and has it already, so that one from outside would be the second. */
-function isFull({ graph, faceOf }: GraphCheck, { node: id, port }: ExposedPort): boolean {
-  const node = own(graph.nodes, id);
-  const face = node && faceOf(node.type);
-  const input = face && inputOf(face, port);
+function isFull({ graph, interfaceOf }: GraphCheck, { node: id, port }: ExposedPort): boolean {
+  const node = getOwn(graph.nodes, id);
+  const nodeInterface = node && interfaceOf(node.type);
+  const input = nodeInterface && inputOf(nodeInterface, port);
   if (!input || takesSeveral(input)) return false;
   return graph.wires.some(({ to }) => to.node === id && to.port === port);
 }
 
-function isThere({ graph, faceOf }: GraphCheck, side: 'inputs' | 'outputs', { node: id, port }: ExposedPort): boolean {
-  const node = own(graph.nodes, id);
+function isThere({ graph, interfaceOf }: GraphCheck, side: 'inputs' | 'outputs', { node: id, port }: ExposedPort): boolean {
+  const node = getOwn(graph.nodes, id);
   if (!node) return false;
-  const face = faceOf(node.type);
+  const nodeInterface = interfaceOf(node.type);
   // Unknown types are told once, at the node.
-  if (!face) return true;
-  return own<unknown>(face[side], port) !== undefined || (side === 'inputs' && own(face.params, port) !== undefined);
+  if (!nodeInterface) return true;
+  return (
+    getOwn<unknown>(nodeInterface[side], port) !== undefined || (side === 'inputs' && getOwn(nodeInterface.params, port) !== undefined)
+  );
 }

@@ -1,13 +1,13 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic, DiagnosticCode } from '../../../nodes/kit/diagnostics.ts';
-import type { FaceLookup } from '../library/faces.ts';
+import type { InterfaceLookup } from '../library/node-interface.ts';
 import { type Graph, MAIN_GRAPH, type ProjectLogic } from '../project.ts';
 
 /** One graph under examination. */
 export interface GraphCheck {
   readonly project: ProjectLogic;
   readonly library: NodeLibrary;
-  readonly faceOf: FaceLookup;
+  readonly interfaceOf: InterfaceLookup;
   readonly name: string;
   readonly graph: Graph;
   /** Nodes on which the screen depends; none where it does not depend on the graph. */

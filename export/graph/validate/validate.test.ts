@@ -216,7 +216,7 @@ describe('validateProject', () => {
       ['error SCR017 s-aaaa', 'warning SCR015 s-aaaa layer'],
     ],
     [
-      'a port shown outside that is not there',
+      'an exposed port that does not exist',
       projectOf(VIDEO_TO_SCREEN, {
         subgraphs: {
           look: {
@@ -241,7 +241,10 @@ describe('validateProject', () => {
     const [diagnostic] = validate(
       projectOf({ nodes: { 'a-aaaa': 'filter/sepia', 'screen-aaaa': 'output/screen' }, wires: ['a-aaaa.layer -> screen-aaaa.layer'] }),
     );
-    expect(diagnostic).toMatchObject({ message: 'a-aaaa needs a wire into “inputImage”.', fix: 'Wire it, or mute or delete the node.' });
+    expect(diagnostic).toMatchObject({
+      message: 'Input “inputImage” of a-aaaa is not connected.',
+      fix: 'Connect it, or mute or delete the node.',
+    });
   });
 
   test('a mistake in a subgraph names the subgraph', () => {

@@ -1,11 +1,11 @@
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import { createFaceLookup } from '../library/faces.ts';
+import { subgraphName } from '../document-names.ts';
+import { createInterfaceLookup } from '../library/node-interface.ts';
 import { nodesBehind, screensOf } from '../liveness.ts';
-import { subgraphName } from '../names.ts';
-import { own, sortedEntries } from '../own.ts';
 import { type Graph, MAIN_GRAPH, type ProjectLogic } from '../project.ts';
-import { checkNodeTypes, checkScreens } from './check-nodes.ts';
+import { getOwn, sortedEntries } from '../record.ts';
+import { checkNodeTypes, checkScreens } from './check-node-types.ts';
 import { checkParams } from './check-params.ts';
 import { checkAssetPaths, checkGraphs } from './check-project.ts';
 import { checkCycles, checkExposed, checkRequiredInputs, checkWires } from './check-wires.ts';
@@ -14,17 +14,22 @@ import type { GraphCheck } from './context.ts';
 const GRAPH_CHECKS = [checkNodeTypes, checkScreens, checkWires, checkCycles, checkRequiredInputs, checkExposed, checkParams];
 
 /**
- * Everything wrong with a project by the node types of `library`, which is to include the project's own shaders
- * (`projectLibrary`). What only is unfinished, and nothing on screen depends on it, is a warning. Params of older versions are
- * not judged: `migrateNodes` first.
+ * Finds all mistakes in a project. Unfinished work that the output does not depend on gives warnings. Params of older versions
+ * are not checked: call `migrateNodes` first.
+ *
+ * @param library Node types, with the project's own shaders (`projectLibrary`).
+ * @returns All diagnostics, graph by graph in the order of their names.
+ * @example
+ * const { project } = migrateNodes(loaded, library);
+ * const isValid = !hasErrors(validateProject(project, library));
  */
 export function validateProject(project: ProjectLogic, library: NodeLibrary): Diagnostic[] {
   const diagnostics = [...checkAssetPaths(project), ...checkGraphs(project)];
-  const faceOf = createFaceLookup(project, library);
+  const interfaceOf = createInterfaceLookup(project, library);
   const liveOf = liveNodes(project, library);
   for (const [name, graph] of sortedEntries(project.graphs)) {
     const live = liveOf.get(name) ?? NONE;
-    const check: GraphCheck = { project, library, faceOf, name, graph, live, report: (diagnostic) => diagnostics.push(diagnostic) };
+    const check: GraphCheck = { project, library, interfaceOf, name, graph, live, report: (diagnostic) => diagnostics.push(diagnostic) };
     for (const run of GRAPH_CHECKS) run(check);
   }
   return diagnostics;
@@ -36,11 +41,11 @@ const NONE: ReadonlySet<string> = new Set();
 function liveNodes(project: ProjectLogic, library: NodeLibrary): ReadonlyMap<string, ReadonlySet<string>> {
   const found = new Map<string, ReadonlySet<string>>();
   const visit = (name: string) => {
-    const graph = own(project.graphs, name);
+    const graph = getOwn(project.graphs, name);
     if (!graph || found.has(name)) return;
     const live = nodesBehind(graph, rootsOf(name, graph, library));
     found.set(name, live);
-    for (const id of live) visit(subgraphName(own(graph.nodes, id)?.type ?? '') ?? MAIN_GRAPH);
+    for (const id of live) visit(subgraphName(getOwn(graph.nodes, id)?.type ?? '') ?? MAIN_GRAPH);
   };
   visit(MAIN_GRAPH);
   return found;

@@ -1,7 +1,7 @@
 import type { LinkedShader } from '../../program/program.ts';
 
 /**
- * A quad in the room: the panel with a dot where each hand points, or the ray that leads there. `dots` are in metres from the
+ * A quad in the room: the panel with a dot where each hand points, or the ray that leads there. `dots` are in meters from the
  * panel's middle; the third number is 0 for none, 1 while pointing, 2 while holding. Premultiplied.
  */
 export const PANEL_SHADER: LinkedShader = {

@@ -3,7 +3,7 @@ import type { Control } from '../../program/program.ts';
 import { type MutableInput, nextTap } from '../../runtime/sessions/input/session-input.ts';
 import { createSessionFrame } from '../../runtime/sessions/session-frame.ts';
 import { createControlValues } from '../control-values.ts';
-import { layOutPanel, PX_PER_M, SIZES } from './layout.ts';
+import { layOutPanel, PX_PER_M, SIZES } from './panel-layout.ts';
 import { createPointing } from './pointing.ts';
 import { castRay, createRayHit } from './ray-hit.ts';
 

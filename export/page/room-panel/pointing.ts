@@ -3,7 +3,7 @@ import type { Control } from '../../program/program.ts';
 import { createSessionInput } from '../../runtime/sessions/input/session-input.ts';
 import { createSessionFrame } from '../../runtime/sessions/session-frame.ts';
 import type { ControlValues } from '../control-values.ts';
-import { isOnPanel, type PanelLayout, type Part, partAt, sliderValueAt } from './layout.ts';
+import { isOnPanel, type PanelLayout, type Part, partAt, sliderValueAt } from './panel-layout.ts';
 import { castRay, createRayHit, type RayHit } from './ray-hit.ts';
 
 /** A trigger is pulled from here on, and let go below the other: a finger that trembles pulls it once. */

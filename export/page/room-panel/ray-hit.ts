@@ -1,4 +1,4 @@
-import { type PanelLayout, PX_PER_M } from './layout.ts';
+import { type PanelLayout, PX_PER_M } from './panel-layout.ts';
 
 /** Where a ray meets the plane of the panel. */
 export interface RayHit {
@@ -7,7 +7,7 @@ export interface RayHit {
   /** Pixels of the panel's picture, origin at the top left; they may lie beside it. */
   x: number;
   y: number;
-  /** Metres along the ray. */
+  /** Meters along the ray. */
   distanceM: number;
 }
 

@@ -1,10 +1,10 @@
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { ControlValues } from '../control-values.ts';
-import { createPanelDrawer, type PanelDrawer } from './draw.ts';
-import { layOutPanel } from './layout.ts';
-import { createMeasure, paintPanel, type Touch } from './paint.ts';
+import { createMeasure, paintPanel, type Touch } from './paint-panel.ts';
+import { createPanelDrawer, type PanelDrawer } from './panel-drawer.ts';
+import { layOutPanel } from './panel-layout.ts';
+import { createPanelPose } from './panel-pose.ts';
 import { createPointing } from './pointing.ts';
-import { createPanelPose } from './pose.ts';
 
 /** The controls on a panel in the room, for one session that hides the page. */
 export interface RoomPanel {
@@ -14,7 +14,7 @@ export interface RoomPanel {
   draw(frame: SessionFrame): void;
   /** Places are void: it stands anew where the viewer is. */
   reset(): void;
-  /** What it had on the GPU is gone; it is made anew with the next frame. */
+  /** Its GPU objects are lost. The next frame creates them again. */
   contextLost(): void;
   dispose(): void;
 }

@@ -1,9 +1,8 @@
 import { ASSET_WORDS } from '../../../nodes/kit/asset-words.ts';
+import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/assets.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset } from '../../../nodes/kit/runtime.ts';
 import type { AudioAsset } from '../../../nodes/kit/sound.ts';
-import type { VideoAsset } from '../../../nodes/kit/video.ts';
 import type { ProgramAsset } from '../../program/program.ts';
 import type { FrameClock } from '../clock.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
@@ -180,7 +179,7 @@ function unreadable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'node
 
 function undecodable(asset: ProgramAsset, error: unknown): Omit<Diagnostic, 'nodeId'> {
   const message = `The ${ASSET_WORDS[asset.kind]} "${asset.path}" cannot be decoded: ${reason(error)}.`;
-  const fix = error instanceof VideoError ? error.fix : 'Check that the file opens in another program, or save it anew.';
+  const fix = error instanceof VideoError ? error.fix : 'Check that the file opens in another program, or save it again.';
   return { code: 'SCR032', severity: 'error', message, fix };
 }
 

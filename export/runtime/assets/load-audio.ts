@@ -1,5 +1,5 @@
 import type { AudioAsset } from '../../../nodes/kit/sound.ts';
-import { MAX_CHANNELS } from '../../program/sound.ts';
+import { MAX_CHANNELS } from '../../program/sound-limits.ts';
 
 export interface LoadedAudio extends AudioAsset {
   dispose(): void;
@@ -11,7 +11,7 @@ const SAMPLE_RATE_HZ = 48_000;
 /** Decodes a whole file, without an audio device and before any gesture. Rejects where the browser cannot decode it. */
 export async function loadAudio(bytes: ArrayBuffer): Promise<LoadedAudio> {
   const context = new OfflineAudioContext(1, 1, SAMPLE_RATE_HZ);
-  // The decoder takes the bytes away from whoever else holds them.
+  // `decodeAudioData` detaches its buffer, so it gets a copy: others may still use `bytes`.
   const buffer = await context.decodeAudioData(bytes.slice(0)).catch(() => {
     throw new Error('it is no sound that this browser can decode');
   });

@@ -76,7 +76,7 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
     node.report({
       code: 'SCR047',
       severity: 'warning',
-      message: `The processor’s work for ${node.id} has failed, so its picture stays as it was: ${reason}.`,
+      message: `The effect ${node.id} failed on the CPU and keeps its last result: ${reason}.`,
       fix: 'Load the page again. If that does not help, leave the effect out.',
     });
   };

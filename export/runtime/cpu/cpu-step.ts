@@ -1,7 +1,7 @@
 import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
 import type { CpuOperation, NodeOperation } from '../../program/program.ts';
+import type { Step } from '../program-instance/step.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
-import type { Step } from '../stage/step.ts';
 import type { CpuFilter } from './cpu-filter.ts';
 
 export function isCpu(operation: NodeOperation): operation is CpuOperation {

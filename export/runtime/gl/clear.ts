@@ -9,7 +9,7 @@ export function clearAll(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuff
   if (withDepth) gl.clearBufferfv(gl.DEPTH, 0, FARTHEST);
 }
 
-/** Clears depth, and colour where one is given (premultiplied), inside a rectangle. */
+/** Clears depth, and color where one is given (premultiplied), inside a rectangle. */
 export function clearRectangle(
   gl: WebGL2RenderingContext,
   framebuffer: WebGLFramebuffer | null,

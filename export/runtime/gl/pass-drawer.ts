@@ -13,7 +13,7 @@ export interface PassDrawer {
   /** Everything drawn until `end` goes here. */
   begin(framebuffer: WebGLFramebuffer | null, x: number, y: number, widthPx: number, heightPx: number, blend: PassBlend): void;
   use(program: GlProgram): void;
-  /** A null texture stands for transparent, or for unknown depth. `nearest` for anything that is not colour. */
+  /** A null texture stands for transparent, or for unknown depth. `nearest` for anything that is not color. */
   texture(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
   /** The six sides of a cube; null stands for transparent. */
   cube(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null): void;
@@ -78,7 +78,7 @@ export function createPassDrawer(objects: GlObjects): PassDrawer {
   };
 }
 
-/** All zero: transparent as colour, unknown as depth. */
+/** All zero: transparent as color, unknown as depth. */
 function createEmptyTexture(objects: GlObjects, target: GLenum): WebGLTexture {
   const { gl } = objects;
   const texture = objects.createTexture();

@@ -65,7 +65,7 @@ export function createPictureStore(objects: GlObjects): PictureStore {
 /** The levels of a PNG that has them side by side, the largest first, each a square of half the side before. */
 async function decode(data: string): Promise<readonly ImageBitmap[]> {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-  // The numbers in the file are what counts, whatever the screen's colours.
+  // The numbers in the file are what counts, whatever the screen's colors.
   const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' } as const;
   const whole = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), options);
   const levels: Promise<ImageBitmap>[] = [];
@@ -92,5 +92,5 @@ function upload({ gl, createTexture }: GlObjects, levels: readonly ImageBitmap[]
   return texture;
 }
 
-/** Strokes on surfaces seen aslant stay as dark as they are dense, instead of turning into a grey of fewer of them. */
+/** Strokes on surfaces seen aslant stay as dark as they are dense, instead of turning into a gray of fewer of them. */
 const ANISOTROPY = 4;

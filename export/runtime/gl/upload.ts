@@ -1,5 +1,5 @@
 /**
- * Sets everything an upload from an array or a picture depends on, to WebGL's defaults and no colour conversion: other code on
+ * Sets everything an upload from an array or a picture depends on, to WebGL's defaults and no color conversion: other code on
  * the same context leaves these as it likes. ImageBitmaps ignore flip and premultiplication; they are decoded as wanted.
  */
 export function prepareUpload(gl: WebGL2RenderingContext, alignment: 1 | 4): void {

@@ -1,11 +1,13 @@
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { LinkedShader } from '../../program/program.ts';
-import type { Engine } from '../engine.ts';
 import { allocateTexture } from '../gl/allocate-texture.ts';
 import { COPY_SAMPLER, COPY_SHADER, COPY_UV } from '../gl/copy-shader.ts';
+import type { GlObjects } from '../gl/gl-objects.ts';
+import type { PassDrawer } from '../gl/pass-drawer.ts';
+import type { GlProgram } from '../gl/program-cache.ts';
 import { prepareReadback } from '../gl/upload.ts';
 
-/** Measures the mean colour of what the camera sees. */
+/** Measures the mean color of what the camera sees. */
 export interface CameraMean {
   /** Linear-sRGB; null before the first measurement, and where the frame has no camera image. Asked twice in a frame, it measures once. */
   read(frame: SessionFrame): Readonly<Float32Array> | null;
@@ -41,11 +43,18 @@ void main() {
 /** The value of each encoded byte, linear. */
 const LINEAR = Float32Array.from({ length: 256 }, (_, i) => (i <= 10 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 
+/** What it draws with; all of it is the engine's. */
+export interface CameraMeanTools {
+  readonly objects: GlObjects;
+  readonly drawer: PassDrawer;
+  tool(shader: LinkedShader): GlProgram;
+}
+
 /** `held`: frames come one by one and have to repeat, so each waits for its own measurement; else nobody waits for the GPU. */
-export function createCameraMean(engine: Pick<Engine, 'objects' | 'drawer' | 'tool'>, held: boolean): CameraMean {
-  const { objects, drawer } = engine;
+export function createCameraMean(tools: CameraMeanTools, held: boolean): CameraMean {
+  const { objects, drawer } = tools;
   const { gl } = objects;
-  const program = engine.tool(MEAN_SHADER);
+  const program = tools.tool(MEAN_SHADER);
   const texture = allocateTexture(gl, objects.createTexture(), gl.RGBA8, gl.NEAREST, SIDE_PX, SIDE_PX);
   const framebuffer = objects.createFramebuffer();
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);

@@ -69,7 +69,7 @@ function start(factor: number, ...from: string[]) {
 }
 
 describe('pulses of a node', () => {
-  test('come in wire by wire, and not at all where nothing is wired', () => {
+  test('come in wire by wire, and not at all where the input is not connected', () => {
     expect(start(1, 'b', 'a').frame([1, 2], [3])).toEqual([3, 1, 2]);
     expect(start(1).frame([1, 2], [3])).toEqual([]);
   });

@@ -129,8 +129,8 @@ function overflow(port: string): Omit<Diagnostic, 'nodeId'> {
     code: 'SCR056',
     severity: 'warning',
     port,
-    message: `More than ${PULSE_CAPACITY} pulses came in one frame: the rest of them are lost.`,
-    fix: 'Let fewer through: put a gate before it, or make it slower.',
+    message: `The output emitted more than ${PULSE_CAPACITY} pulses in one frame. The rest are lost.`,
+    fix: 'Emit fewer pulses: add a Gate before the node, or make it slower.',
   };
 }
 

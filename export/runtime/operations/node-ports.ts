@@ -28,7 +28,7 @@ export function createNodePorts(operation: NodeOperation, resources: LiveResourc
       case 'layer':
         return layerOf(ref.layer.color, resources);
       case 'resource':
-        return listOf(ref.resource, resources);
+        return viewOf(ref.resource, resources);
     }
   };
   const merged = (operation.pulses ?? []).map((port) => [port, createMergedPulses(queuesAt(operation, port, resources))] as const);
@@ -68,7 +68,8 @@ function layerOf(id: string, resources: LiveResources): unknown {
   return resource?.kind === 'external' ? resource.layer : null;
 }
 
-function listOf(id: string, resources: LiveResources): unknown {
+/** What nodes see of a resource; a program that names another kind is broken. */
+function viewOf(id: string, resources: LiveResources): object {
   const resource = resources.get(id);
   switch (resource?.kind) {
     case 'objects':
@@ -86,7 +87,10 @@ function listOf(id: string, resources: LiveResources): unknown {
       return resource.queue;
     case 'technique':
       return resource.technique.view;
-    default:
-      return liveResource(resources, id, 'objects').list;
+    case 'target':
+    case 'curve':
+    case 'shadow-maps':
+    case undefined:
+      throw new Error(`The program has no resource ${id} that a node can read or fill.`);
   }
 }

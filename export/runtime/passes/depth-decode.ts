@@ -2,11 +2,11 @@ import type { LayerDepthRef } from '../../program/program.ts';
 
 /** Only the first two numbers change. */
 const scratchDecode = new Float32Array([0, 0, 0, 1]);
-const METRES = new Float32Array([1, 0, 0, 0]);
+const METERS = new Float32Array([1, 0, 0, 0]);
 
 /**
- * `NAME_decode` of a depth sampler, as `scrim_metres` in `export/glsl/link/images.ts` reads it: scale and offset where the
- * texture holds metres, else two numbers of the projection that the depth buffer was drawn with.
+ * `NAME_decode` of a depth sampler, as `scrim_meters` in `export/glsl/link/images.ts` reads it: scale and offset where the
+ * texture holds meters, else two numbers of the projection that the depth buffer was drawn with.
  */
 export function setDecode(
   gl: WebGL2RenderingContext,
@@ -19,6 +19,6 @@ export function setDecode(
     scratchDecode[1] = clipFromView[14] ?? 0;
     gl.uniform4fv(location, scratchDecode);
   } else {
-    gl.uniform4fv(location, METRES);
+    gl.uniform4fv(location, METERS);
   }
 }

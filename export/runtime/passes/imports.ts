@@ -1,4 +1,4 @@
-import type { AssetHandle, ImageAsset } from '../../../nodes/kit/runtime.ts';
+import type { AssetHandle, ImageAsset } from '../../../nodes/kit/assets.ts';
 import type { PassOperation, Program } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';

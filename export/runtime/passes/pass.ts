@@ -32,7 +32,7 @@ const TRANSPARENT = new Float32Array(4);
 
 /** Stands over a pass of a node whose loops are bounded (`export/program/loop-budget.ts`). */
 export interface PassGuard {
-  /** The node goes round too often, in this pass or another: all of them hand their first picture on. */
+  /** The loops of the node exceed their budget, in this pass or another: every pass copies its first input. */
   readonly bypassed: boolean;
   /** Null for a pass that has no loops itself. */
   readonly loops: {

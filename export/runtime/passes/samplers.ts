@@ -1,4 +1,5 @@
-import type { LayerOutput, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
+import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
+import type { RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { LayerDepthRef, PassOperation, PassSampler } from '../../program/program.ts';
 import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
@@ -156,7 +157,7 @@ function roomDepth(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number,
       const depth = output.views[state.viewIndex] ?? null;
       if (locations.texture) drawer.texture(unit, locations.texture, depth?.texture ?? null, 'nearest');
       setPlacement(gl, locations, depth?.uvFromViewUv ?? IDENTITY, depth?.widthPx ?? 1, depth?.heightPx ?? 1, 'none', state);
-      if (locations.decode) setDecode(gl, locations.decode, 'metres', undefined);
+      if (locations.decode) setDecode(gl, locations.decode, 'meters', undefined);
       if (locations.interpolate) gl.uniform1i(locations.interpolate, depth?.interpolate ? 1 : 0);
     },
   };

@@ -16,7 +16,7 @@ export interface Background {
 }
 
 /**
- * A colour; or the camera's picture, where the session shows the world as one; else transparent, through which a device shows
+ * A color; or the camera's picture, where the session shows the world as one; else transparent, through which a device shows
  * the world and a page its own background.
  */
 export function createBackground(

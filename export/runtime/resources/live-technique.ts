@@ -1,22 +1,32 @@
-import type { NumberView, ToggleView, VectorView, Writable } from '../../../nodes/kit/runtime.ts';
+import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
 import type { TechniqueImage, TechniqueImageView, TechniqueUniformView, TechniqueView } from '../../../nodes/kit/technique-view.ts';
-import type { PassSampler, TechniqueResource, TechniqueUniform } from '../../program/program.ts';
-import type { Engine } from '../engine.ts';
+import type { NumberView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
+import type { PassSampler, ResourceId, TechniqueResource, TechniqueUniform } from '../../program/program.ts';
+import type { PictureStore } from '../gl/picture-store.ts';
 import { fitted } from '../passes/fit.ts';
+import type { PlayState } from '../play-state.ts';
+import type { Target } from '../targets/target.ts';
 import { createSlotView, type Slots } from '../values/slots.ts';
 import { IDENTITY } from './identity.ts';
-import type { LiveResources } from './resources.ts';
 
-/** A technique that lives on from program to program: those who drew with it see a new version when its text has changed. */
+/** A technique that is kept over recompiles. Its readers see a new `version` when its shader text has changed. */
 export interface LiveTechnique {
   readonly view: TechniqueView;
-  /** Takes over the text and where values and layers are; before the first frame of a program. */
+  /** Takes over the shader text, the slots and the layers of a program, before its first frame. */
   point(resource: TechniqueResource, parts: TechniqueParts): void;
 }
 
-/** Where a technique's values and pictures are in a running program. */
-export interface TechniqueParts extends Pick<Engine, 'pictures' | 'state'> {
-  readonly live: LiveResources;
+/** A layer of a running program: drawn by the runtime (`target`), or provided by a node (`external`). */
+export type LiveLayer =
+  | { readonly kind: 'target'; readonly domain: 'view' | 'image'; readonly target: Target; readonly tapped: boolean }
+  | { readonly kind: 'external'; readonly domain: 'view' | 'image'; readonly layer: LayerOutput };
+
+/** The parts of a running program that a technique reads. */
+export interface TechniqueParts {
+  readonly pictures: PictureStore;
+  readonly state: PlayState;
+  /** Undefined where the resource is not a layer. */
+  readonly layer: (id: ResourceId) => LiveLayer | undefined;
   readonly slots: Slots;
 }
 
@@ -25,7 +35,7 @@ export function createLiveTechnique(id: string): LiveTechnique {
   let text = '';
   return {
     view,
-    point: (resource, { live, slots, pictures, state }) => {
+    point: (resource, { layer, slots, pictures, state }) => {
       const { vertex, fragment, passes, uniforms, samplers = [], pictures: carried = [] } = resource;
       const names = [...samplers, ...carried].map(({ name }) => name);
       const next = JSON.stringify([vertex, fragment, passes, uniforms.map(({ name, type }) => [name, type]), names]);
@@ -42,7 +52,7 @@ export function createLiveTechnique(id: string): LiveTechnique {
       };
       view.uniforms = [...uniforms.map((uniform) => uniformView(uniform, slots)), { name: 'a_TIME', kind: 'number', view: time }];
       view.images = [
-        ...samplers.map((sampler) => layerView(sampler, live)),
+        ...samplers.map((sampler) => layerView(sampler, layer)),
         ...carried.map(({ name, data }) => ({ name, at: () => pictureImage(pictures.texture(data)) })),
       ];
     },
@@ -58,8 +68,14 @@ function uniformView({ name, slot }: TechniqueUniform, slots: Slots): TechniqueU
       return { name, kind: 'number', view: view as NumberView };
     case 'color':
       return { name, kind: 'color', view: view as VectorView };
-    default:
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
       return { name, kind: 'vector', view: view as VectorView };
+    case 'text':
+    case 'curve':
+    case undefined:
+      throw new Error(`The technique reads ${name}, which has no slot of numbers.`);
   }
 }
 
@@ -70,9 +86,9 @@ function pictureImage(texture: WebGLTexture | null): TechniqueImage {
   return Object.assign(scratchImage, { texture, uvFromViewUv: IDENTITY });
 }
 
-function layerView({ name, source, fit }: PassSampler, live: LiveResources): TechniqueImageView {
-  const resource = source.kind === 'color' ? live.get(source.resource) : undefined;
-  if (resource?.kind !== 'target' && resource?.kind !== 'external') throw new Error(`A technique reads ${name}, which is no layer.`);
+function layerView({ name, source, fit }: PassSampler, layer: TechniqueParts['layer']): TechniqueImageView {
+  const resource = source.kind === 'color' ? layer(source.resource) : undefined;
+  if (resource === undefined) throw new Error(`A technique reads ${name}, which is not a layer.`);
   return {
     name,
     at: (viewIndex, viewWidthPx, viewHeightPx) => {
@@ -84,7 +100,7 @@ function layerView({ name, source, fit }: PassSampler, live: LiveResources): Tec
         scratchImage.heightPx = resource.domain === 'view' ? viewHeightPx : (layer?.heightPx ?? 0);
         scratchImage.uvFromViewUv = layer?.uvFromViewUv ?? IDENTITY;
       } else {
-        // Nothing has a size while programs are only compiled.
+        // Targets have no size while programs are only compiled.
         const buffer = resource.target.peek(index) && resource.target.front(index);
         scratchImage.texture = buffer?.color ?? null;
         scratchImage.widthPx = buffer?.widthPx ?? 0;

@@ -1,19 +1,18 @@
-import type { EnvironmentOutput, LayerOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/runtime.ts';
+import type { LayerOutput } from '../../../nodes/kit/runtime.ts';
+import type { EnvironmentOutput, LightList, ObjectList, RoomDepthOutput } from '../../../nodes/kit/scene-lists.ts';
 import type { Program, Resource, ResourceId } from '../../program/program.ts';
-import type { Engine } from '../engine.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createLiveSound, type LiveSound } from '../sound/live-sound.ts';
-import { createTarget, MAX_VIEWS, type Target } from '../targets/target.ts';
+import { createTarget, MAX_VIEWS } from '../targets/target.ts';
 import { createPulseQueue, type PulseQueue } from '../values/pulses.ts';
 import type { Slots } from '../values/slots.ts';
 import { IDENTITY } from './identity.ts';
 import { createLiveCurve, type LiveCurve } from './live-curve.ts';
-import { createLiveTechnique, type LiveTechnique } from './live-technique.ts';
+import { createLiveTechnique, type LiveLayer, type LiveTechnique, type TechniqueParts } from './live-technique.ts';
 
 /** What stands behind a resource of the program while it is played. */
 export type LiveResource =
-  | { readonly kind: 'target'; readonly domain: 'view' | 'image'; readonly target: Target; readonly tapped: boolean }
-  | { readonly kind: 'external'; readonly domain: 'view' | 'image'; readonly layer: LayerOutput }
+  | LiveLayer
   | { readonly kind: 'room-depth'; readonly depth: RoomDepthOutput }
   | { readonly kind: 'objects'; readonly list: ObjectList }
   | { readonly kind: 'lights'; readonly list: LightList }
@@ -53,10 +52,21 @@ function sharedWith(resource: Resource): ResourceId | null {
 }
 
 /** Gives techniques and curves their texts and values of a program that is about to be drawn. */
-export function pointResources(program: Program, live: LiveResources, engine: Pick<Engine, 'pictures' | 'state'>, slots: Slots): void {
+export function pointResources(
+  program: Program,
+  live: LiveResources,
+  engine: Pick<TechniqueParts, 'pictures' | 'state'>,
+  slots: Slots,
+): void {
+  const { pictures, state } = engine;
+  const layer = (id: ResourceId): LiveLayer | undefined => {
+    const resource = live.get(id);
+    return resource?.kind === 'target' || resource?.kind === 'external' ? resource : undefined;
+  };
   for (const resource of program.resources) {
     if (resource.kind === 'curve') liveResource(live, resource.id, 'curve').curve.point(slots, resource.slot);
-    if (resource.kind === 'technique') liveResource(live, resource.id, 'technique').technique.point(resource, { live, slots, ...engine });
+    if (resource.kind === 'technique')
+      liveResource(live, resource.id, 'technique').technique.point(resource, { layer, slots, pictures, state });
   }
 }
 

@@ -1,4 +1,4 @@
-import type { NumberView } from '../../../nodes/kit/runtime.ts';
+import type { NumberView } from '../../../nodes/kit/value-views.ts';
 import type { CreateSceneBackend, SceneBackend, SceneHost, ShadowMaps } from '../scene-backend.ts';
 import { createNeutralEnvironment } from './environments/neutral.ts';
 import { createPanoramaStore } from './environments/panorama-store.ts';

@@ -1,5 +1,6 @@
 import { Scene } from 'three';
-import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
 import type { SceneLook } from '../../../nodes/kit/scene-look.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
 import { createMaskTwin } from './materials/mask-twin.ts';
@@ -17,7 +18,7 @@ export interface MaskSceneOptions {
   readonly occlusion: OcclusionPatch | null;
 }
 
-/** What hides white has no colour to write over it, so it has to be there before. */
+/** What hides white has no color to write over it, so it has to be there before. */
 const DEPTH_FIRST = -1;
 
 /** White where chosen objects are to be seen. What hides them lies a little behind, so that a thing does not hide itself. */

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { BoxGeometry, Matrix4, Mesh, MeshBasicMaterial, PerspectiveCamera } from 'three';
-import type { ObjectItem, ObjectList } from '../../../nodes/kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
 import type { LiveResource } from '../resources/resources.ts';

@@ -1,5 +1,5 @@
 import { Matrix4, Raycaster, Vector2, Vector3 } from 'three';
-import type { ObjectItem, ObjectList } from '../../../nodes/kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../../nodes/kit/scene-lists.ts';
 import type { NodeOperation, Operation } from '../../program/program.ts';
 import type { Inspected } from '../inspected.ts';
 

@@ -17,10 +17,10 @@ export interface SceneRenderer {
   readonly three: ThreeRenderer;
   /** Draws over what the view's framebuffer holds, and leaves that framebuffer bound. */
   draw(view: DrawView, scene: Scene, camera: Camera): void;
-  /** Clears a target of three's own, or one face of a cube, to depth 1 and colour 0, and draws into it; leaves no framebuffer bound. */
+  /** Clears a target of three's own, or one face of a cube, to depth 1 and color 0, and draws into it; leaves no framebuffer bound. */
   drawDepth(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /** Clears a target of three's own without depth, or one face of a cube, to white and as far away as can be, and draws into it; leaves no framebuffer bound. */
-  drawVeil(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
+  drawTranslucentShadow(target: WebGLRenderTarget, scene: Scene, camera: Camera, face?: number): void;
   /** Draws over what a target of three's own holds, which has to be covered; leaves no framebuffer bound. */
   drawOver(target: WebGLRenderTarget, scene: Scene, camera: Camera): void;
   /** Clears the corner of a target of three's own, depth and stencil too, and draws into it; leaves no framebuffer bound. */
@@ -42,7 +42,7 @@ interface ExternalFramebuffers {
 /**
  * The target through which three draws into framebuffers that the player owns (ADR 7). Two properties of three's WebXR path
  * carry it: `setRenderTargetFramebuffer` makes `setRenderTarget` bind a framebuffer from outside and take the viewport from the
- * target; `isXRRenderTarget` makes materials encode into the texture's colour space, as they do for the canvas.
+ * target; `isXRRenderTarget` makes materials encode into the texture's color space, as they do for the canvas.
  * `tests/browser/scenes-three.test.ts` pins both.
  */
 function createFramebufferTarget(): WebGLRenderTarget {
@@ -50,8 +50,8 @@ function createFramebufferTarget(): WebGLRenderTarget {
   return Object.assign(target, { isXRRenderTarget: true });
 }
 
-/** Alpha: the largest half float; three would multiply the colour by it. */
-const NO_VEIL = [1, 1, 1, 65504] as const;
+/** Alpha: the largest half float; three would multiply the color by it. */
+const NOTHING_TRANSLUCENT = [1, 1, 1, 65504] as const;
 
 export function createSceneRenderer(host: SceneHost): SceneRenderer {
   const { gl } = host;
@@ -90,7 +90,7 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       const { x, y, widthPx, heightPx } = view.viewport;
       external.setRenderTargetFramebuffer(target, view.framebuffer);
       target.viewport.set(x, y, widthPx, heightPx);
-      // Wide points and lines may leave the viewport; the neighbouring view is not theirs.
+      // Wide points and lines may leave the viewport; the neighboring view is not theirs.
       target.scissor.set(x, y, widthPx, heightPx);
       target.scissorTest = true;
       three.setRenderTarget(target);
@@ -110,13 +110,13 @@ export function createSceneRenderer(host: SceneHost): SceneRenderer {
       }
       three.setRenderTarget(null);
     },
-    drawVeil: (veilTarget, scene, camera, face = 0) => {
+    drawTranslucentShadow: (target, scene, camera, face = 0) => {
       restoreState();
-      three.setRenderTarget(veilTarget, face);
+      three.setRenderTarget(target, face);
       if (compiling) {
         compiling.push(three.compileAsync(scene, camera));
       } else {
-        gl.clearBufferfv(gl.COLOR, 0, NO_VEIL);
+        gl.clearBufferfv(gl.COLOR, 0, NOTHING_TRANSLUCENT);
         three.render(scene, camera);
       }
       three.setRenderTarget(null);

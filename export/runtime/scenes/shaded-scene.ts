@@ -1,8 +1,10 @@
 import { BackSide, DoubleSide, FrontSide, type Material, Scene } from 'three';
-import type { DrawnScene, NumberView, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
+import type { NumberView } from '../../../nodes/kit/value-views.ts';
 import type { NeutralEnvironment } from './environments/neutral.ts';
 import type { PanoramaStore } from './environments/panorama-store.ts';
-import { createSurroundings } from './environments/surroundings.ts';
+import { createSceneEnvironment } from './environments/scene-environment.ts';
 import type { LightLimits, TextureLimits } from './lights/light-limits.ts';
 import { createLightRig } from './lights/light-rig.ts';
 import type { RenderedShadowMaps } from './lights/shadow-maps.ts';
@@ -11,8 +13,8 @@ import { isOpaque } from './materials/layer-blending.ts';
 import { createLayerTwin, type LayerTwinOptions } from './materials/layer-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';
 import { createTechniquePlans } from './materials/technique-plans.ts';
+import { createTranslucentShadowPatch } from './materials/translucent-shadow-patch.ts';
 import { createTwinCache } from './materials/twins.ts';
-import { createVeilPatch } from './materials/veil-patch.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from './proxies/drawable.ts';
 import type { ProxyPlan } from './proxies/proxy.ts';
 import { createProxySet } from './proxies/proxy-set.ts';
@@ -48,9 +50,9 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   scene.matrixWorldAutoUpdate = false;
   const view = createViewCamera();
   const lights = createLightRig(scene);
-  const veils = createVeilPatch();
+  const translucentShadows = createTranslucentShadowPatch();
   const { maxTextures } = renderer.three.capabilities;
-  const surroundings = createSurroundings({ ...options, scene });
+  const surroundings = createSceneEnvironment({ ...options, scene });
   const twins = createTwinCache();
   const proxies = createProxySet(scene, plan);
   let outdated = false;
@@ -58,7 +60,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
   const onChange = (): void => {
     outdated = true;
   };
-  const techniques = createTechniquePlans({ twins, veils, ambient: options.ambient, occlusion, onChange });
+  const techniques = createTechniquePlans({ twins, translucentShadows, ambient: options.ambient, occlusion, onChange });
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     const features = programFeatures(master);
@@ -67,19 +69,19 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     if (item.role === 'phantom') return [{ material: depth(), renderOrder: PHANTOMS_FIRST }];
     const draw = (side: Side): ProxyPlan => ({
       material: mapMaterials(master, (part) =>
-        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, occlusion, veils, onChange })),
+        twins.get(part, `${features}|${side ?? ''}`, () => createLayerTwin(part, { side, occlusion, translucentShadows, onChange })),
       ),
       renderOrder: master.renderOrder,
     });
     const byTechnique = techniques.plan(master, item, DEPTH_FIRST, (part) =>
-      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, veils, onChange })),
+      twins.get(part, `${features}|`, () => createLayerTwin(part, { side: null, occlusion, translucentShadows, onChange })),
     );
     if (byTechnique) return byTechnique;
-    const colours = isTwoPass(master.material) ? [draw(BackSide), draw(FrontSide)] : [draw(null)];
-    if (materialsOf(master).some(blendsWithoutDepth)) return [...colours, blendedDepth(master, features)];
-    if (!occlusion || !materialsOf(master).every(isOpaque)) return colours;
+    const colors = isTwoPass(master.material) ? [draw(BackSide), draw(FrontSide)] : [draw(null)];
+    if (materialsOf(master).some(blendsWithoutDepth)) return [...colors, blendedDepth(master, features)];
+    if (!occlusion || !materialsOf(master).every(isOpaque)) return colors;
     // A fading surface lets through what is already drawn; with its depth first, that is never a surface behind it.
-    return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, ...colours];
+    return [{ material: depth(), renderOrder: DEPTH_FIRST, shows: occlusion.isSoft }, ...colors];
   }
 
   function blendedDepth(master: Drawable, features: string): ProxyPlan {
@@ -105,7 +107,7 @@ export function createShadedScene(options: ShadedSceneOptions): DrawnScene {
     },
     draw: (drawView) => {
       view.set(drawView.view);
-      textureLimits.tell(0, lights.bindShadows(shadowMaps, veils, maxTextures));
+      textureLimits.tell(0, lights.bindShadows(shadowMaps, translucentShadows, maxTextures));
       occlusion?.bind(drawView);
       techniques.bind(drawView);
       renderer.draw(drawView, scene, view.camera);

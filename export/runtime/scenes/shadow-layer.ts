@@ -1,4 +1,5 @@
-import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
 import type { ShadowCatcherLook } from '../../../nodes/kit/scene-look.ts';
 import type { DrawBinding } from '../scene-backend.ts';
 import { createLightLimits, createTextureLimits } from './lights/light-limits.ts';
@@ -39,13 +40,8 @@ function createVolumeLimits(report: DrawBinding['report']): VolumeLimits {
   const warn = (message: string): void =>
     report?.({ code: 'SCR024', severity: 'warning', port: 'casters', message, fix: 'Choose “Shadow map” as the method.' });
   return {
-    tellShaped: (name) =>
-      warn(
-        `A picture cuts holes into “${name}”, or moves its surface; its shadow is that of the whole triangles, because shadow volumes know nothing else.`,
-      ),
+    tellShaped: (name) => warn(`The shadow of “${name}” ignores its alpha map or displacement map. Shadow volumes use whole triangles.`),
     tellSeeThrough: (name) =>
-      warn(
-        `“${name}” is see-through, and shadow volumes know no alpha: its shadow is as of a solid thing, or it has none where more than half of the light comes through.`,
-      ),
+      warn(`The shadow of “${name}” ignores its transparency. It is solid, or absent where over half of the light passes.`),
   };
 }

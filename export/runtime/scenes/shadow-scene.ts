@@ -1,5 +1,6 @@
 import { type Material, Mesh, PlaneGeometry, Scene } from 'three';
-import type { DrawnScene, ObjectItem } from '../../../nodes/kit/runtime.ts';
+import type { DrawnScene } from '../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../nodes/kit/scene-lists.ts';
 import type { LightLimits } from './lights/light-limits.ts';
 import { createDepthTwin } from './materials/depth-twin.ts';
 import type { OcclusionPatch } from './materials/occlusion-patch.ts';

@@ -1,6 +1,6 @@
 /** Column-major 4×4 matrices, written into arrays that the caller owns. */
 
-/** Distances between which sessions that choose for themselves let things be drawn, metres. */
+/** Distances between which sessions that choose for themselves let things be drawn, meters. */
 export const NEAR_M = 0.05;
 export const FAR_M = 100;
 

@@ -23,7 +23,7 @@ export type MutableRoomDepth = Mutable<RoomDepth>;
 export type MutableLight = Mutable<LightEstimate>;
 export type MutableReflection = Mutable<ReflectionCube>;
 
-/** The one frame that a session fills again and again. */
+/** The frame object that a session fills in place, every frame. */
 export function createSessionFrame(): MutableFrame {
   return {
     index: 0,

@@ -60,7 +60,7 @@ export function createTargetBuffer(objects: GlObjects, resource: TargetResource,
 }
 
 /**
- * Numbers are kept in 32 bits where such can be smoothed, too; else in 16. Without 32-bit float targets, depth in metres is kept in 16 bits (1 mm at 1 m); without any float targets colour is clamped,
+ * Numbers are kept in 32 bits where such can be smoothed, too; else in 16. Without 32-bit float targets, depth in meters is kept in 16 bits (1 mm at 1 m); without any float targets color is clamped,
  * and depth too. Every WebGL 2 device seen since 2020 renders to 16-bit float.
  */
 function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limits: GlLimits): { internal: GLenum; filter: GLenum } {

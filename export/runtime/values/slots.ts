@@ -1,5 +1,5 @@
 import { CURVE_NUMBERS, paddedCurve } from '../../../nodes/kit/curve.ts';
-import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/runtime.ts';
+import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 
 export type SlotValue = number | boolean | string | readonly number[];

@@ -5,7 +5,7 @@ export const definition = defineNode({
   version: 1,
   title: 'Equalize histogram',
   doc: 'Evens out how often each brightness occurs, which makes what is dim, foggy or flat easier to see, and noise too. It is computed beside the picture by the processor: one frame late and without depth.',
-  keywords: ['contrast', 'histogram', 'equalise', 'equalize', 'levels', 'auto', 'cpu', 'worker', 'fog', 'night'],
+  keywords: ['contrast', 'histogram', 'equalize', 'equalize', 'levels', 'auto', 'cpu', 'worker', 'fog', 'night'],
   inputs: {
     inputImage: { type: 'layer', label: 'Layer', doc: 'The picture to spread. What is transparent does not count.', required: true },
   },
@@ -13,7 +13,7 @@ export const definition = defineNode({
     layer: {
       type: 'layer',
       label: 'Layer',
-      doc: 'The picture of the frame before, spread; the first frame shows it as it is.',
+      doc: 'The equalized image of the previous frame; the first frame is unchanged.',
       domain: 'same',
       depth: false,
     },

@@ -67,9 +67,9 @@ describe.each(WAYS)('%s', (name, spread) => {
     expect(Math.max(...made)).toBe(128);
   });
 
-  test('a picture of one colour stays as it is', () => {
-    const grey: Picture = { width: 4, height: 4, data: new Uint8Array(64).fill(99).map((value, i) => (i % 4 === 3 ? 255 : value)) };
-    expect(equalized(grey, spread)).toEqual(grey);
+  test('a picture of one color stays as it is', () => {
+    const gray: Picture = { width: 4, height: 4, data: new Uint8Array(64).fill(99).map((value, i) => (i % 4 === 3 ? 255 : value)) };
+    expect(equalized(gray, spread)).toEqual(gray);
   });
 });
 

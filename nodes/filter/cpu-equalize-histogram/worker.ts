@@ -6,7 +6,7 @@ const scratchCounts = new Uint32Array(256);
 const scratchTable = new Uint8Array(256);
 
 /**
- * Histogram equalisation as OpenCV's `equalizeHist` does it: a value becomes the part of the pixels that are no brighter, of
+ * Histogram equalization as OpenCV's `equalizeHist` does it: a value becomes the part of the pixels that are no brighter, of
  * those above the darkest, which becomes 0 (Gonzalez and Woods, "Digital Image Processing", §3.3). Brightness is the Y of
  * YCbCr (BT.601), so that adding what it changed to red, green and blue alike keeps Cb and Cr.
  */
@@ -54,7 +54,7 @@ function equalize(data: Uint8Array, valueAt: (data: Uint8Array, i: number) => nu
   }
 }
 
-/** BT.601, of straight colour. */
+/** BT.601, of straight color. */
 function luma(data: Uint8Array, i: number): number {
   const alpha = data[i + 3] ?? 0;
   return Math.round(0.299 * straight(data, i, alpha) + 0.587 * straight(data, i + 1, alpha) + 0.114 * straight(data, i + 2, alpha));

@@ -51,4 +51,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

@@ -2,7 +2,7 @@ import type { NodeContext, NodeRuntime, PulseOutput } from '../../kit/runtime.ts
 import type { Controller } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 
-/** Apart, so that a finger at rest in the middle does not pull again and again. */
+/** The two differ, so that a finger that rests in the middle does not pull repeatedly. */
 const PULLED = 0.5;
 const LET_GO = 0.4;
 

@@ -12,7 +12,7 @@ export const definition = defineNode({
     point: {
       type: 'vector3',
       label: 'Point',
-      doc: 'Where the last tap pointed to, in metres: so far along its ray as is set here. Wire it to a position to put something there.',
+      doc: 'Where the last tap pointed to, in meters: so far along its ray as is set here. Connect it to a position to put something there.',
     },
   },
   params: {
@@ -39,7 +39,8 @@ export const definition = defineNode({
       step: 0.05,
       unit: 'm',
     },
-    start: { type: 'vector3', stage: 'uniform', label: 'Start', doc: 'The point before the first tap, metres.', default: [0, 0, 0] },
+    start: { type: 'vector3', stage: 'uniform', label: 'Start', doc: 'The point before the first tap, meters.', default: [0, 0, 0] },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

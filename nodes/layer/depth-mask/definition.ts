@@ -23,7 +23,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'From',
-      doc: 'Where the range begins, metres from the eye.',
+      doc: 'Where the range begins, meters from the eye.',
       default: 0.5,
       min: 0,
       max: 20,
@@ -52,7 +52,7 @@ export const definition = defineNode({
       step: 0.05,
       unit: 'm',
     },
-    invert: { type: 'toggle', stage: 'uniform', label: 'Invert', doc: 'Change black and white over.', default: false },
+    invert: { type: 'toggle', stage: 'uniform', label: 'Invert', doc: 'Swaps black and white.', default: false },
   },
   lowering: { kind: 'image', shader: 'layer/depth-mask/depth-mask.fs', access: 'pointwise' },
 });

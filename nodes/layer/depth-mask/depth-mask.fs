@@ -15,10 +15,10 @@
   ]
 }*/
 
-// A tenth of a millimetre: a hard edge.
+// A tenth of a millimeter: a hard edge.
 const float LEAST_M = 0.0001;
 
-// Metres along the view's axis to what is seen: the nearer of the two, where both are known; 0 where none is.
+// Meters along the view's axis to what is seen: the nearer of the two, where both are known; 0 where none is.
 float seenM() {
   float layerM = LAYER_DEPTH(layer, isf_FragNormCoord);
   float roomM = ROOM_DEPTH(depth, isf_FragNormCoord);

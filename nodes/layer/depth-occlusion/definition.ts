@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'layer/depth-occlusion',
   version: 1,
   title: 'Depth occlusion',
-  doc: 'Hides what of a layer lies behind the real room. Where the depth of the layer or of the room is not known, nothing is hidden. Right after a Scene, see-through things and what is seen through them are hidden each by its own depth; after filters, by that of the nearest.',
+  doc: 'Hides what of a layer lies behind the real room. Where the depth of the layer or of the room is not known, nothing is hidden. Right after a Scene, transparent objects and what is behind them are each hidden by their own depth; after filters, by the nearest depth.',
   keywords: ['occlude', 'hide', 'behind', 'depth', 'mask', 'real'],
   inputs: {
     layer: { type: 'layer', label: 'Layer', doc: 'The layer to hide parts of, with depth.', required: true },
@@ -17,8 +17,8 @@ export const definition = defineNode({
     biasM: {
       type: 'number',
       stage: 'uniform',
-      label: 'Tolerance',
-      doc: 'How far behind a real surface something may lie and still show. Sensors are off by a few centimetres: where real surfaces eat into things that touch them, raise it to that.',
+      label: 'Depth bias',
+      doc: 'How far behind a real surface something may lie and still show. Sensors are off by a few centimeters: where real surfaces eat into things that touch them, raise it to that.',
       default: 0,
       min: 0,
       max: 0.5,
@@ -28,7 +28,7 @@ export const definition = defineNode({
     softnessM: {
       type: 'number',
       stage: 'uniform',
-      label: 'Softness',
+      label: 'Depth softness',
       doc: 'Over how much more depth it fades away. 0 is a hard border.',
       default: 0,
       min: 0,
@@ -39,7 +39,7 @@ export const definition = defineNode({
     borderPx: {
       type: 'number',
       stage: 'uniform',
-      label: 'Border',
+      label: 'Feather',
       doc: 'How wide the soft border is along real things, in pixels of the view. 0 is a hard border; 4 to 8 hide the steps of a coarse sensor.',
       default: 0,
       min: 0,
@@ -48,5 +48,5 @@ export const definition = defineNode({
       unit: 'px',
     },
   },
-  lowering: { kind: 'image', shader: 'layer/depth-occlusion/occlusion.fs', access: 'neighbourhood', early: 'occlusion' },
+  lowering: { kind: 'image', shader: 'layer/depth-occlusion/occlusion.fs', access: 'neighborhood', early: 'occlusion' },
 });

@@ -15,7 +15,7 @@
   ]
 }*/
 
-// How much shows of something at layerM metres, before or behind a room that is roomM metres away; both along the view's
+// How much shows of something at layerM meters, before or behind a room that is roomM meters away; both along the view's
 // axis, 0 where unknown. What is unknown hides nothing. Materials that discard early use the same formula: scenes/materials.
 float visibility(float layerM, float roomM) {
   if (layerM <= 0.0 || roomM <= 0.0) return 1.0;

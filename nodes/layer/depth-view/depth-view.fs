@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Depth view",
-  "DESCRIPTION": "The room's depth in colours, with a scale in metres.",
+  "DESCRIPTION": "The room's depth in colors, with a scale in meters.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Utility", "Depth"],
   "SCRIM_DEPTH": "none",
@@ -26,7 +26,7 @@ const float STEPS = 5.0;
 const float DOT = 0.006;
 
 // From 0, red, by yellow, green and cyan to 1, blue: equal parts of the hue circle.
-vec3 colourOf(float part) {
+vec3 colorOf(float part) {
   float hue = clamp(part, 0.0, 1.0) * 4.0;
   return clamp(vec3(2.0 - hue, min(hue, 4.0 - hue), hue - 2.0), 0.0, 1.0);
 }
@@ -46,11 +46,11 @@ float glyphOf(float digit) {
 }
 
 // Whether a place, in dots from the foot of the first digit, is on the text "12.3 m".
-bool isText(vec2 at, float metres) {
+bool isText(vec2 at, float meters) {
   vec2 cell = floor(at / vec2(4.0, 5.0));
   vec2 place = floor(at - cell * vec2(4.0, 5.0));
   if (cell.y != 0.0 || cell.x < 0.0 || place.x > 2.0) return false;
-  float tenths = floor(metres * 10.0 + 0.5);
+  float tenths = floor(meters * 10.0 + 0.5);
   float glyph = 0.0;
   if (cell.x == 0.0 && tenths >= 100.0) glyph = glyphOf(mod(floor(tenths / 100.0), 10.0));
   if (cell.x == 1.0) glyph = glyphOf(mod(floor(tenths / 10.0), 10.0));
@@ -61,10 +61,10 @@ bool isText(vec2 at, float metres) {
   return mod(floor(glyph / exp2(bit)), 2.0) > 0.5;
 }
 
-// The scale over a colour: a bar with metres beside it, on dark paper.
+// The scale over a color: a bar with meters beside it, on dark paper.
 vec3 withLegend(vec3 color, vec2 at) {
   vec2 onBar = vec2((at.x - LEFT) / WIDE, (at.y - FOOT) / (TOP - FOOT));
-  if (all(greaterThanEqual(onBar, vec2(0.0))) && all(lessThanEqual(onBar, vec2(1.0)))) return colourOf(onBar.y);
+  if (all(greaterThanEqual(onBar, vec2(0.0))) && all(lessThanEqual(onBar, vec2(1.0)))) return colorOf(onBar.y);
   vec2 corner = vec2(LEFT - 0.02, FOOT - 0.04);
   vec2 opposite = vec2(LEFT + WIDE + 0.03 + 24.0 * DOT, TOP + 0.04);
   if (any(lessThan(at, corner)) || any(greaterThan(at, opposite))) return color;
@@ -79,6 +79,6 @@ void main() {
   vec2 at = isf_FragNormCoord * vec2(RENDERSIZE.x / RENDERSIZE.y, 1.0);
   float m = ROOM_DEPTH(depth, isf_FragNormCoord);
   bool isStripe = fract((at.x + at.y) * 24.0) < 0.5;
-  vec3 color = m > 0.0 ? colourOf((m - nearM) / max(farM - nearM, 0.001)) : vec3(isStripe ? 0.12 : 0.22);
+  vec3 color = m > 0.0 ? colorOf((m - nearM) / max(farM - nearM, 0.001)) : vec3(isStripe ? 0.12 : 0.22);
   gl_FragColor = vec4(legend ? withLegend(color, at) : color, opacity);
 }

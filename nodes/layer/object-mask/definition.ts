@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'layer/object-mask',
   version: 1,
   title: 'Object mask',
-  doc: 'Draws where objects are to be seen: white and opaque there, transparent elsewhere, with depth. Wired to a Mask operator, it lets a filter touch some objects only, or everything but them. Phantoms, and what is wired to “Hidden by”, cut out what they stand before.',
+  doc: 'Draws where objects are to be seen: white and opaque there, transparent elsewhere, with depth. Connected to a Mask, it lets a filter touch some objects only, or everything but them. Phantoms, and what is wired to “Hidden by”, cut out what they stand before.',
   keywords: ['matte', 'silhouette', 'stencil', 'selection', 'isolate', 'cut out', 'id', 'holdout'],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'What to mask.', required: true, multiple: true },
@@ -24,7 +24,7 @@ export const definition = defineNode({
       type: 'text',
       stage: 'structure',
       label: 'Names',
-      doc: 'Names of the parts to mask, with commas between them, as the model’s file calls them; a part stands for all that hangs on it. The other parts hide them. Empty means everything.',
+      doc: 'Names of the parts to mask, separated by commas, as the model’s file calls them; a part stands for all that hangs on it. The other parts hide them. Empty means everything.',
       default: '',
     },
   },

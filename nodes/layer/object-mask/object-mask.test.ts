@@ -1,7 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { Group, Matrix4, Mesh, type Object3D } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { ObjectItem, ObjectList } from '../../kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import type { SceneLook } from '../../kit/scene-look.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';

@@ -1,5 +1,6 @@
 import type { Object3D } from 'three';
-import type { NodeContext, NodeRuntime, ObjectItem } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -3,9 +3,9 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'layer/previous-frame',
   version: 1,
-  title: 'Previous frame',
-  doc: 'Gives the layer as it was in the frame before; nothing in the first frame. Wired in a loop, so that what it gives becomes a part of what it takes, it makes trails, echoes and tunnels: moved, blurred, faded or coloured a little, frame after frame. Layers keep 8 bits, so what fades by a share of itself leaves a faint rest; filters that subtract or threshold take that away.',
-  keywords: ['feedback', 'delay', 'history', 'trail', 'echo', 'loop', 'motion blur', 'memory'],
+  title: 'Feedback',
+  doc: 'Outputs the layer of the previous frame; nothing in the first frame. Wired in a loop, so that what it gives becomes a part of what it takes, it makes trails, echoes and tunnels: moved, blurred, faded or colored a little, frame after frame. Layers keep 8 bits, so what fades by a share of itself leaves a faint rest; filters that subtract or threshold take that away.',
+  keywords: ['previous frame', 'delay', 'history', 'trail', 'echo', 'loop', 'motion blur', 'memory'],
   inputs: {
     layer: {
       type: 'layer',
@@ -15,7 +15,7 @@ export const definition = defineNode({
     },
   },
   outputs: {
-    layer: { type: 'layer', label: 'Layer', doc: 'The layer of the frame before, each eye its own.', domain: 'view', depth: false },
+    layer: { type: 'layer', label: 'Layer', doc: 'The layer of the previous frame, one per eye.', domain: 'view', depth: false },
   },
   params: {},
   lowering: { kind: 'image', shader: 'layer/previous-frame/keep.fs', access: 'persistent' },

@@ -8,7 +8,7 @@ const { output: shader, diagnostics } = readIsf(readFileSync(new URL('./keep.fs'
 
 /** How a loop decays, and that each eye has its own, is proved on pixels in `tests/browser/previous-frame.test.ts`. */
 describe('the shader that keeps the frame', () => {
-  test('is one the definition can speak for: the same port, and colours left as they are', () => {
+  test('is one the definition can speak for: the same port, and colors left as they are', () => {
     expect(diagnostics).toEqual([]);
     if (!shader) throw new Error('The shader cannot be read.');
     expect(Object.keys(isfDefinition(shader, 'previous-frame').inputs)).toEqual(Object.keys(definition.inputs));

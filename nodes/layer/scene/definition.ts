@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'layer/scene',
   version: 1,
   title: 'Scene',
-  doc: 'Draws objects as a layer with depth, lit by the lights and by soft neutral surroundings, or by an Environment light instead of these. Phantoms among them hide what is behind them and show no colour.',
+  doc: 'Draws objects as a layer with depth, lit by the lights and by soft neutral surroundings, or by an Environment light instead of these. Phantoms among them hide what is behind them and show no color.',
   keywords: ['render', '3d', 'draw', 'camera', 'virtual'],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'What to draw.', required: true, multiple: true },
@@ -23,8 +23,8 @@ export const definition = defineNode({
     ambient: {
       type: 'number',
       stage: 'uniform',
-      label: 'Surroundings',
-      doc: 'Brightness of the neutral surroundings: at 1 a white matt surface is about white by them alone. Metals mirror them. An Environment light takes their place.',
+      label: 'Environment',
+      doc: 'Brightness of the neutral surroundings: at 1 a white matte surface is about white by them alone. Metals mirror them. An Environment light takes their place.',
       default: 0.5,
       min: 0,
       max: 3,
@@ -35,7 +35,7 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'structure',
       label: 'Shadows',
-      doc: 'Whether objects throw shadows on each other.',
+      doc: 'Whether objects cast shadows on each other.',
       default: true,
     },
   },

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { LightList, ObjectList } from '../../kit/runtime.ts';
+import type { LightList, ObjectList } from '../../kit/scene-lists.ts';
 import type { SceneLook } from '../../kit/scene-look.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';

@@ -5,16 +5,16 @@ const NOTHING_TO_FALL_ON = {
   code: 'SCR015',
   severity: 'warning',
   port: 'receivers',
-  message: 'Neither “Falls on” nor “Room depth” has a wire: there is nothing that shadows could fall on.',
-  fix: 'Wire Real planes, Room depth or phantoms to it.',
+  message: 'Neither “Receivers” nor “Room depth” is connected, so no shadow is visible.',
+  fix: 'Connect Detected planes, Room depth or a Phantom.',
 } as const;
 
 const VOLUMES_FALL_ON_NOTHING = {
   code: 'SCR015',
   severity: 'warning',
   port: 'receivers',
-  message: '“Falls on” has no wire, and shadow volumes do not fall on what room depth shows: it only cuts them off.',
-  fix: 'Wire Real planes or phantoms to it, or choose “Shadow map” as the method.',
+  message: '“Receivers” is not connected. Room depth only hides shadow volumes; it does not receive them.',
+  fix: 'Connect Detected planes or a Phantom, or set “Method” to “Shadow map”.',
 } as const;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -10,12 +10,12 @@ export const definition = defineNode({
   inputs: {},
   outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light, for Scene and Shadow layers.' } },
   params: {
-    color: { type: 'color', stage: 'uniform', label: 'Colour', doc: 'Colour of the light.', default: [1, 1, 1, 1] },
+    color: { type: 'color', stage: 'uniform', label: 'Color', doc: 'Color of the light.', default: [1, 1, 1, 1] },
     intensity: {
       type: 'number',
       stage: 'uniform',
       label: 'Intensity',
-      doc: 'Brightness: at 1 a white matt surface that faces the light is white by it alone.',
+      doc: 'Brightness: at 1 this light alone renders a white matte surface that faces it as white.',
       default: 0.8,
       min: 0,
       max: 10,
@@ -50,7 +50,7 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'uniform',
       label: 'Cast shadows',
-      doc: 'Whether objects in this light throw shadows.',
+      doc: 'Whether objects in this light cast shadows.',
       default: true,
     },
     ...SUN_SHADOW,

@@ -1,5 +1,6 @@
 import { Color } from 'three';
-import type { DirectionalLightItem, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { DirectionalLightItem } from '../../kit/scene-lists.ts';
 import { createSunShadow } from '../../kit/sun-shadow.ts';
 import type { definition } from './definition.ts';
 

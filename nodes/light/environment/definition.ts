@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'light/environment',
   version: 1,
   title: 'Environment light',
-  doc: 'Lights a scene from all sides with a panorama: matt surfaces take its colours, shiny ones mirror it. It takes the place of the scene’s neutral surroundings and casts no shadows; add a directional light where the sun stands.',
+  doc: 'Lights a scene from all sides with a panorama: matte surfaces take its colors, shiny ones mirror it. It takes the place of the scene’s neutral surroundings and casts no shadows; add a directional light where the sun stands.',
   keywords: ['image-based lighting', 'ibl', 'hdri', 'sky', 'dome', 'reflection', 'surroundings', 'skybox'],
   inputs: {
     environment: { type: 'environment', label: 'Environment', doc: 'The panorama to light with.', required: true },
@@ -15,7 +15,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Intensity',
-      doc: 'Brightness: at 1 a white matt surface under a sky of plain white is white.',
+      doc: 'Brightness: at 1 a white matte surface under a sky of plain white is white.',
       default: 1,
       min: 0,
       max: 10,

@@ -1,6 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { EnvironmentAsset, EnvironmentOutput } from '../../kit/runtime.ts';
+import type { EnvironmentAsset } from '../../kit/assets.ts';
+import type { EnvironmentOutput } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -20,6 +21,6 @@ test('hands on the panorama once it has loaded, with both brightnesses multiplie
   set('visible', true);
   node.update({} as never);
   expect(lights.items[0]).toMatchObject({ environment: asset, visible: true });
-  // The light is the same one: nothing that draws has to be made anew.
+  // The light is the same one: nothing that draws has to be created again.
   expect(lights.version).toBe(1);
 });

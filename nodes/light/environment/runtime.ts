@@ -1,4 +1,5 @@
-import type { EnvironmentLightItem, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { EnvironmentLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -1,5 +1,5 @@
 import { defineNode } from '../../kit/definition.ts';
-import { LAMP_CASTS_SHADOW, LAMP_RANGE_M, POINT_SHADOW_FILTER, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
+import { LOCAL_LIGHT_CASTS_SHADOW, LOCAL_LIGHT_RANGE_M, POINT_SHADOW_FILTER, SHADOW_BIAS_PX } from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/point',
@@ -10,12 +10,12 @@ export const definition = defineNode({
   inputs: {},
   outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light, for Scene and Shadow layers.' } },
   params: {
-    color: { type: 'color', stage: 'uniform', label: 'Colour', doc: 'Colour of the light.', default: [1, 1, 1, 1] },
+    color: { type: 'color', stage: 'uniform', label: 'Color', doc: 'Color of the light.', default: [1, 1, 1, 1] },
     intensityCd: {
       type: 'number',
       stage: 'uniform',
       label: 'Intensity',
-      doc: 'Brightness in candela, the same in all directions: at about 3 a white matt surface one metre away that faces the lamp is white by it alone. A bulb of 800 lumen has 64.',
+      doc: 'Brightness in candela, the same in all directions: at about 3 this light alone renders a white matte surface that faces it at one meter as white. A bulb of 800 lumen has 64.',
       default: 3,
       min: 0,
       max: 1000,
@@ -31,8 +31,8 @@ export const definition = defineNode({
       default: [0, 1.5, 0],
       unit: 'm',
     },
-    rangeM: LAMP_RANGE_M,
-    castShadow: LAMP_CASTS_SHADOW,
+    rangeM: LOCAL_LIGHT_RANGE_M,
+    castShadow: LOCAL_LIGHT_CASTS_SHADOW,
     mapSize: {
       type: 'choice',
       stage: 'structure',

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
-import type { PointLightItem } from '../../kit/runtime.ts';
+import type { PointLightItem } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -13,7 +13,7 @@ function make(params: Record<string, PlainValue>) {
 
 /** What it looks like is proved on pixels, in `tests/browser/scenes-lights.test.ts`. */
 describe('light/point', () => {
-  test('shines with its candela, in its linear colour, from its place', () => {
+  test('shines with its candela, in its linear color, from its place', () => {
     const { light } = make({ intensityCd: 2, color: [0.5, 1, 0, 1], positionM: [1, -2, 3], rangeM: 4 });
     // sRGB 0.5 is 0.21404 in linear light.
     expect([...light.intensityCd]).toEqual([expect.closeTo(0.42808, 4), expect.closeTo(2, 6), 0]);

@@ -1,6 +1,7 @@
 import { Color } from 'three';
-import type { LampShadow } from '../../kit/light-shadow.ts';
-import type { NodeContext, NodeRuntime, PointLightItem } from '../../kit/runtime.ts';
+import type { LocalLightShadow } from '../../kit/light-shadow.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { PointLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 // Read by the call that fills it, before anything else can.
@@ -8,7 +9,7 @@ const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { color, intensityCd, positionM, rangeM, castShadow, biasPx } = ctx.params;
-  const shadow: LampShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter };
+  const shadow: LocalLightShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter };
   const light: PointLightItem = {
     key: 'light',
     kind: 'point',

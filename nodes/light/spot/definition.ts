@@ -1,5 +1,12 @@
 import { defineNode } from '../../kit/definition.ts';
-import { CONE_MAP_SIZE, LAMP_CASTS_SHADOW, LAMP_RANGE_M, SHADOW_BIAS_PX, SHADOW_FILTER, SHADOW_SOURCE_M } from '../../kit/light-params.ts';
+import {
+  CONE_MAP_SIZE,
+  LOCAL_LIGHT_CASTS_SHADOW,
+  LOCAL_LIGHT_RANGE_M,
+  SHADOW_BIAS_PX,
+  SHADOW_FILTER,
+  SHADOW_SOURCE_M,
+} from '../../kit/light-params.ts';
 
 export const definition = defineNode({
   type: 'light/spot',
@@ -10,12 +17,12 @@ export const definition = defineNode({
   inputs: {},
   outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light, for Scene and Shadow layers.' } },
   params: {
-    color: { type: 'color', stage: 'uniform', label: 'Colour', doc: 'Colour of the light.', default: [1, 1, 1, 1] },
+    color: { type: 'color', stage: 'uniform', label: 'Color', doc: 'Color of the light.', default: [1, 1, 1, 1] },
     intensityCd: {
       type: 'number',
       stage: 'uniform',
       label: 'Intensity',
-      doc: 'Brightness in the middle of the cone, in candela: at about 3 a white matt surface one metre away that faces the lamp is white by it alone.',
+      doc: 'Brightness in the middle of the cone, in candela: at about 3 this light alone renders a white matte surface that faces it at one meter as white.',
       default: 12,
       min: 0,
       max: 1000,
@@ -62,8 +69,8 @@ export const definition = defineNode({
       step: 0.01,
       unit: 'ratio',
     },
-    rangeM: LAMP_RANGE_M,
-    castShadow: LAMP_CASTS_SHADOW,
+    rangeM: LOCAL_LIGHT_RANGE_M,
+    castShadow: LOCAL_LIGHT_CASTS_SHADOW,
     mapSize: CONE_MAP_SIZE,
     biasPx: SHADOW_BIAS_PX,
     filter: SHADOW_FILTER,

@@ -1,6 +1,7 @@
 import { Color, Vector3 } from 'three';
-import type { LampShadow } from '../../kit/light-shadow.ts';
-import type { NodeContext, NodeRuntime, SpotLightItem } from '../../kit/runtime.ts';
+import type { LocalLightShadow } from '../../kit/light-shadow.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { SpotLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 // Read by the call that fills them, before anything else can.
@@ -10,7 +11,7 @@ const scratchTarget = new Vector3();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { color, intensityCd, positionM, targetM, angleRad, penumbra, rangeM, castShadow, biasPx, sourceM } = ctx.params;
-  const shadow: LampShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter, sourceM: 0 };
+  const shadow: LocalLightShadow = { mapSizePx: Number(ctx.config.mapSize), biasPx: 0, filter: ctx.config.filter, sourceM: 0 };
   const light: SpotLightItem = {
     key: 'light',
     kind: 'spot',

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
-import type { SpotLightItem } from '../../kit/runtime.ts';
+import type { SpotLightItem } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Object3D } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { ObjectList } from '../../kit/runtime.ts';
+import type { ObjectList } from '../../kit/scene-lists.ts';
 import type { TechniqueView } from '../../kit/technique-view.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';

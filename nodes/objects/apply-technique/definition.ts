@@ -3,20 +3,20 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'objects/apply-technique',
   version: 1,
-  title: 'Apply technique',
-  doc: 'Draws objects with a technique instead of their own materials: a cartoon, pen strokes, glass, or one of your own. It keeps their colours, pictures, movement and shadows. Objects that stand in several of these nodes are drawn with the last technique that is for their material. Phantoms stay invisible, and lines and points keep their look.',
-  keywords: ['style', 'shader', 'material', 'look', 'override', 'npr', 'toon', 'gooch', 'hatching', 'charcoal', 'glass'],
+  title: 'Set material',
+  doc: 'Replaces the materials of objects by another: toon, hatching, glass, or one of your own. It keeps their colors, pictures, movement and shadows. Objects that stand in several of these nodes get the last one that matches their material. Phantoms stay invisible; lines and points keep their material.',
+  keywords: ['apply technique', 'style', 'shader', 'look', 'override', 'npr', 'toon', 'gooch', 'hatching', 'charcoal', 'glass'],
   inputs: {
-    objects: { type: 'objects', label: 'Objects', doc: 'What to draw with it.', required: true, multiple: true },
-    technique: { type: 'technique', label: 'Technique', doc: 'How to draw them.', required: true },
+    objects: { type: 'objects', label: 'Objects', doc: 'The objects to draw with the material.', required: true, multiple: true },
+    technique: { type: 'technique', label: 'Material', doc: 'The material to draw them with.', required: true },
   },
-  outputs: { objects: { type: 'objects', label: 'Objects', doc: 'The same objects in their new look.' } },
+  outputs: { objects: { type: 'objects', label: 'Objects', doc: 'The same objects with the new material.' } },
   params: {
     materials: {
       type: 'text',
       stage: 'structure',
-      label: 'Materials',
-      doc: 'Names of the materials to draw with it, with commas between them, as the model’s file calls them. Empty means all.',
+      label: 'Replace',
+      doc: 'Names of the materials to replace, as in the model’s file, separated by commas. Empty means all.',
       default: '',
     },
   },

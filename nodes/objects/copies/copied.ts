@@ -1,5 +1,5 @@
 import { Group, InstancedMesh, Matrix4, type Mesh, type Object3D } from 'three';
-import type { ObjectItem } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
 
 /** The copies of one object. */
 export interface Copied {

@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { Bone, BoxGeometry, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Object3D, Skeleton, SkinnedMesh, Vector3 } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { ObjectItem, ObjectList } from '../../kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

@@ -3,9 +3,23 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'objects/copies',
   version: 1,
-  title: 'Copies',
-  doc: 'Repeats objects: in a row, a grid, a ring, or scattered on the floor. Copies of solid things without bones are drawn all at once, as instances, and share geometry and pictures, so that hundreds of them cost little more than one. All move alike; what is see-through or has bones is drawn copy by copy.',
-  keywords: ['array', 'instance', 'instances', 'repeat', 'duplicate', 'clone', 'scatter', 'grid', 'row', 'ring', 'circle', 'crowd', 'many'],
+  title: 'Array',
+  doc: 'Repeats objects: in a row, a grid, a ring, or scattered on the floor. Copies of solid things without bones are drawn all at once, as instances, and share geometry and pictures, so that hundreds of them cost little more than one. All move alike; transparent and skinned objects are drawn one copy at a time.',
+  keywords: [
+    'copies',
+    'instance',
+    'instances',
+    'repeat',
+    'duplicate',
+    'clone',
+    'scatter',
+    'grid',
+    'row',
+    'ring',
+    'circle',
+    'crowd',
+    'many',
+  ],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'What to repeat, all together.', required: true, multiple: true },
   },
@@ -27,7 +41,7 @@ export const definition = defineNode({
     count: {
       type: 'number',
       stage: 'uniform',
-      label: 'Number',
+      label: 'Count',
       doc: 'How many there are.',
       default: 5,
       min: 0,
@@ -37,7 +51,7 @@ export const definition = defineNode({
     stepM: {
       type: 'vector3',
       stage: 'uniform',
-      label: 'Step',
+      label: 'Spacing',
       doc: 'Of a row: from each to the next. Of a grid: between columns (x) and rows (z).',
       default: [0.5, 0, 0.5],
       min: [-10, -10, -10],
@@ -58,7 +72,7 @@ export const definition = defineNode({
     turnRad: {
       type: 'number',
       stage: 'uniform',
-      label: 'Turn',
+      label: 'Rotation',
       doc: 'How far each is turned about the vertical, more than the one before it; scattered ones at random, up to so far to either side. In a ring all face outwards besides.',
       default: 0,
       min: -Math.PI,
@@ -68,7 +82,7 @@ export const definition = defineNode({
     sizeSpread: {
       type: 'number',
       stage: 'uniform',
-      label: 'Size spread',
+      label: 'Scale variation',
       doc: 'How much sizes differ: at 0.2, at random from 80 % to 120 %.',
       default: 0,
       min: 0,
@@ -79,7 +93,7 @@ export const definition = defineNode({
     seed: {
       type: 'number',
       stage: 'uniform',
-      label: 'Chance',
+      label: 'Seed',
       doc: 'Another number, other places, turns and sizes.',
       default: 1,
       min: 0,

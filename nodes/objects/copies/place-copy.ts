@@ -11,7 +11,7 @@ export interface Arrangement {
   readonly seed: number;
 }
 
-/** Between neighbours on a spiral, so that any number of places covers a disc evenly (Vogel 1979). */
+/** Between neighbors on a spiral, so that any number of places covers a disc evenly (Vogel 1979). */
 const GOLDEN_ANGLE = 2.399963229728653;
 
 // Read by the call that fills it, before anything else can.

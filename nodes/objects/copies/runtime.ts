@@ -1,5 +1,6 @@
 import { Matrix4 } from 'three';
-import type { NodeContext, NodeRuntime, ObjectList } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectList } from '../../kit/scene-lists.ts';
 import { createVersionWatch } from '../../kit/version-watch.ts';
 import { type Copied, canBeInstances, createCopied } from './copied.ts';
 import type { definition } from './definition.ts';

@@ -26,7 +26,7 @@ describe('objects/primitive', () => {
     expect(round(size.getCenter(new Vector3()))).toEqual([0, 0, 0]);
   });
 
-  test('colours are sRGB and light is linear', () => {
+  test('colors are sRGB and light is linear', () => {
     const { material } = make({ color: [0.5, 1, 0, 1] });
     // IEC 61966-2-1: ((0.5 + 0.055) / 1.055) ^ 2.4.
     expect(material.color.r).toBeCloseTo(0.21404, 5);

@@ -13,12 +13,13 @@ import {
   TorusGeometry,
   Vector3,
 } from 'three';
-import type { NodeContext, NodeRuntime, ObjectItem } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
 type Shape = NodeContext<typeof definition>['config']['shape'];
 
-/** Each fills a cube of one metre around the origin, the torus a fifth of its height. Segments give a smooth outline at arm's length. */
+/** Each fills a cube of one meter around the origin, the torus a fifth of its height. Segments give a smooth outline at arm's length. */
 const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
   box: () => new BoxGeometry(1, 1, 1),
   sphere: () => new SphereGeometry(0.5, 48, 32),

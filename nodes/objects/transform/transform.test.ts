@@ -1,7 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Object3D, Vector3 } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { ObjectList } from '../../kit/runtime.ts';
+import type { ObjectList } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -31,7 +31,7 @@ const QUARTER = Math.PI / 2;
 describe('objects/transform', () => {
   test.each<[string, Params, number[]]>([
     ['leaves things where they are by default', {}, [2, 0, 0]],
-    ['moves in metres', { positionM: [0, 2, -3] }, [2, 2, -3]],
+    ['moves in meters', { positionM: [0, 2, -3] }, [2, 2, -3]],
     ['sizes about the origin, together with where things stand', { scale: 0.5 }, [1, 0, 0]],
     ['turns to the left about y', { rotationRad: [0, QUARTER, 0] }, [0, 0, -2]],
     ['sizes and turns before it moves', { scale: 2, rotationRad: [0, QUARTER, 0], positionM: [1, 0, 0] }, [1, 0, -4]],

@@ -3,16 +3,16 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'output/screen',
   version: 1,
-  title: 'Screen',
+  title: 'Output',
   doc: 'What the visitor sees. Every project has one. Where the layer is transparent, the background shows.',
-  keywords: ['output', 'display', 'present', 'result', 'final', 'view', 'viewer'],
-  inputs: { layer: { type: 'layer', label: 'Layer', doc: 'The finished picture.', required: true } },
+  keywords: ['screen', 'display', 'present', 'result', 'final', 'view', 'viewer'],
+  inputs: { layer: { type: 'layer', label: 'Layer', doc: 'The finished layer.', required: true } },
   outputs: {},
   params: {
     antialias: {
       type: 'toggle',
       stage: 'structure',
-      label: 'Smooth edges',
+      label: 'Antialiasing',
       doc: 'Draws objects with four samples per pixel. Costs some speed and memory.',
       default: true,
     },
@@ -24,20 +24,20 @@ export const definition = defineNode({
       default: 'world',
       options: [
         { value: 'world', label: 'The world' },
-        { value: 'color', label: 'A colour' },
+        { value: 'color', label: 'A color' },
       ],
     },
     color: {
       type: 'color',
       stage: 'structure',
-      label: 'Colour',
-      doc: 'The colour behind the layer, if a colour is chosen.',
+      label: 'Color',
+      doc: 'The color behind the layer, if a color is chosen.',
       default: [0, 0, 0, 1],
     },
     aroundHeightM: {
       type: 'number',
       stage: 'structure',
-      label: 'Look at: height',
+      label: 'Orbit height',
       doc: 'Where there is no AR, visitors look around a point: how high above the floor it is.',
       default: 0.75,
       step: 0.05,
@@ -46,7 +46,7 @@ export const definition = defineNode({
     aroundAheadM: {
       type: 'number',
       stage: 'structure',
-      label: 'Look at: ahead',
+      label: 'Orbit offset',
       doc: 'How far ahead (towards −z) of where AR begins that point is.',
       default: 0,
       step: 0.05,
@@ -55,7 +55,7 @@ export const definition = defineNode({
     aroundDistanceM: {
       type: 'number',
       stage: 'structure',
-      label: 'Look at: from',
+      label: 'Orbit distance',
       doc: 'How far away from that point visitors are at first.',
       default: 2.5,
       min: 0.2,

@@ -8,6 +8,6 @@ test('fixes everything before a session starts: an XR framebuffer cannot change 
 test('shows the world behind, smoothly, unless told otherwise', () => {
   const { antialias, background, color } = definition.params;
   expect([antialias.default, background.default]).toEqual([true, 'world']);
-  // A background colour that could be seen through would be no background.
+  // A background color that could be seen through would be no background.
   expect(color.default[3]).toBe(1);
 });

@@ -3,16 +3,16 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'pulse/every',
   version: 1,
-  title: 'Every',
-  doc: 'Gives pulses in equal times: as many whatever the frame rate. The number of a pulse says which it is, from 1.',
-  keywords: ['metronome', 'timer', 'interval', 'clock', 'beat', 'tempo', 'repeat', 'trigger', 'bang'],
+  title: 'Interval',
+  doc: 'Outputs a pulse at a fixed interval, whatever the frame rate. Pulses are numbered from 1.',
+  keywords: ['metronome', 'timer', 'every', 'clock', 'beat', 'tempo', 'repeat', 'trigger', 'bang'],
   inputs: {},
   outputs: { pulse: { type: 'pulse', label: 'Pulse', doc: 'The pulses.' } },
   params: {
     periodS: {
       type: 'number',
       stage: 'uniform',
-      label: 'Every',
+      label: 'Interval',
       doc: 'Seconds between two pulses. 0 gives none.',
       default: 1,
       min: 0,
@@ -28,4 +28,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

@@ -16,7 +16,7 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'uniform',
       label: 'Open',
-      doc: 'Whether pulses go through. Wire a Compare or a Flip-flop to it.',
+      doc: 'Whether pulses go through. Connect a Compare or a Toggle latch to it.',
       default: true,
     },
   },

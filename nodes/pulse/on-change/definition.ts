@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'pulse/on-change',
   version: 1,
   title: 'On change',
-  doc: 'Gives a pulse when a number changes, or a toggle is turned on or off. Wire a Compare to it for “when it gets more than”.',
+  doc: 'Gives a pulse when a number changes, or a toggle is turned on or off. Connect a Compare to it for “when it gets more than”.',
   keywords: ['edge', 'rising', 'falling', 'trigger', 'event', 'detect', 'crossed', 'became'],
   inputs: {},
   outputs: { changed: { type: 'pulse', label: 'Changed', doc: 'A pulse per change; its number is the new one.' } },
@@ -38,4 +38,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: { param: 'least', above: 0 },
 });

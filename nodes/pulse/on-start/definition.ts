@@ -12,7 +12,7 @@ export const definition = defineNode({
     delayS: {
       type: 'number',
       stage: 'uniform',
-      label: 'After',
+      label: 'Delay',
       doc: 'How many seconds after the beginning.',
       default: 0,
       min: 0,
@@ -21,4 +21,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

@@ -38,4 +38,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'source' },
+  stateful: { moves: ['playing'] },
 });

@@ -1,7 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { type FakeContext, fakeContext } from '../../../tests/support/node-context.ts';
-import type { LayerTexture, Writable } from '../../kit/runtime.ts';
+import type { LayerTexture } from '../../kit/runtime.ts';
 import type { CameraImage, SessionFrame } from '../../kit/session.ts';
+import type { Writable } from '../../kit/value-views.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -47,7 +48,10 @@ describe('camera video', () => {
   });
 
   test('asks for the camera only where a filter reads the picture, and never insists', () => {
-    expect(definition.needs).toEqual([expect.objectContaining({ capability: 'camera-image', when: 'sampled', required: false })]);
+    expect(definition.needs).toMatchObject([
+      { capability: 'camera-image', when: 'sampled', required: 'alone' },
+      { capability: 'camera-image', when: 'sampled', required: false },
+    ]);
     expect(definition.lowering).toEqual({ kind: 'source', background: 'world' });
   });
 });

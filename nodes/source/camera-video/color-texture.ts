@@ -1,4 +1,4 @@
-/** A texture of one pixel in a changing colour. */
+/** A texture of one pixel in a changing color. */
 export interface ColorTexture {
   /** `color`: sRGB with straight alpha. Stored premultiplied, as layers are. */
   paint(color: Readonly<Float64Array>): WebGLTexture;

@@ -1,6 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { type FakeContextOptions, fakeContext } from '../../../tests/support/node-context.ts';
-import type { AssetHandle, AssetService, ImageAsset, LayerTexture, Writable } from '../../kit/runtime.ts';
+import type { AssetHandle, AssetService, ImageAsset } from '../../kit/assets.ts';
+import type { LayerTexture } from '../../kit/runtime.ts';
+import type { Writable } from '../../kit/value-views.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

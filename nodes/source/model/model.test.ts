@@ -12,7 +12,7 @@ import {
   VectorKeyframeTrack,
 } from 'three';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
-import type { AssetService, ModelAsset } from '../../kit/runtime.ts';
+import type { AssetService, ModelAsset } from '../../kit/assets.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -106,7 +106,7 @@ describe('source/model', () => {
     const { play, reports } = make({ clip: 'jump' });
     expect(play(0.5)).toEqual([0, 0]);
     play(0.5);
-    expect(reports).toEqual([expect.objectContaining({ code: 'SCR018', port: 'clip', fix: 'It has "rise", "slide".' })]);
+    expect(reports).toEqual([expect.objectContaining({ code: 'SCR018', port: 'clip', fix: 'Choose one of "rise", "slide".' })]);
   });
 
   test('holds, goes on, and changes speed without a jump', () => {

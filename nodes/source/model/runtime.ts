@@ -1,5 +1,7 @@
 import { Matrix4, type Object3D } from 'three';
-import type { ModelAsset, NodeContext, NodeRuntime, ObjectItem } from '../../kit/runtime.ts';
+import type { ModelAsset } from '../../kit/assets.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ObjectItem } from '../../kit/scene-lists.ts';
 import { type Animation, createAnimation } from './animation.ts';
 import type { definition } from './definition.ts';
 
@@ -58,7 +60,7 @@ function findAnimation(ctx: NodeContext<typeof definition>, model: ModelAsset, r
       severity: 'warning',
       port: 'clip',
       message: `The model has no animation "${name}".`,
-      fix: names === '' ? 'It has none at all: leave the field empty.' : `It has ${names}.`,
+      fix: names === '' ? 'Leave the field empty: the model has no animations.' : `Choose one of ${names}.`,
     });
   }
   return null;

@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
-import type { AssetHandle, AssetService, EnvironmentAsset } from '../../kit/runtime.ts';
+import type { AssetHandle, AssetService, EnvironmentAsset } from '../../kit/assets.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'source/video-file',
   version: 1,
   title: 'Video file',
-  doc: 'A video from a file, in its own size, silent, starting by itself. MP4 with H.264 and WebM with VP9 play everywhere; WebM can be see-through, as stickers and smoke are. Where it meets the view, the node that brings them together says how it fits.',
+  doc: 'A video from a file, in its own size, silent, starting by itself. MP4 with H.264 and WebM with VP9 play everywhere; WebM can be transparent, for stickers or smoke. Where it meets the view, the node that brings them together says how it fits.',
   keywords: ['movie', 'clip', 'film', 'mp4', 'webm', 'alpha', 'sticker', 'overlay', 'footage'],
   inputs: {},
   outputs: {
@@ -49,4 +49,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'source' },
+  stateful: { moves: ['playing', 'speed'] },
 });

@@ -1,6 +1,6 @@
+import type { VideoPlayback } from '../../kit/assets.ts';
 import { createMediaTime } from '../../kit/media-time.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
-import type { VideoPlayback } from '../../kit/video.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

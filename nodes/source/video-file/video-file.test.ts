@@ -1,7 +1,8 @@
 import { describe, expect, test } from '@jest/globals';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
-import type { AssetHandle, AssetService, ImageAsset, LayerTexture, Writable } from '../../kit/runtime.ts';
-import type { VideoAsset } from '../../kit/video.ts';
+import type { AssetHandle, AssetService, ImageAsset, VideoAsset } from '../../kit/assets.ts';
+import type { LayerTexture } from '../../kit/runtime.ts';
+import type { Writable } from '../../kit/value-views.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 

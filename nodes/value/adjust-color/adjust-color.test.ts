@@ -11,7 +11,7 @@ function adjust(base: readonly number[], params: { hueRad?: number; saturation?:
 
 const RED = [1, 0, 0, 0.5];
 
-describe('adjust colour', () => {
+describe('adjust color', () => {
   test('changes nothing by itself', () => {
     expect(adjust([0.2, 0.4, 0.6, 0.8], {})).toEqual([0.2, 0.4, 0.6, 0.8]);
   });
@@ -22,7 +22,7 @@ describe('adjust colour', () => {
     expect(adjust(RED, { hueRad: 2 * Math.PI })).toEqual(RED);
   });
 
-  test('pales to a grey of the same lightness, and goes no further than full colour', () => {
+  test('pales to a gray of the same lightness, and goes no further than full color', () => {
     expect(adjust(RED, { saturation: 0 })).toEqual([0.5, 0.5, 0.5, 0.5]);
     expect(adjust([0.75, 0.25, 0.25, 1], { saturation: 4 })).toEqual([1, 0, 0, 1]);
   });

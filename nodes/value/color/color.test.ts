@@ -3,7 +3,7 @@ import { fakeContext } from '../../../tests/support/node-context.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-test('gives its colour, also when that changes', () => {
+test('gives its color, also when that changes', () => {
   const { ctx, set } = fakeContext(definition, { params: { value: [0.1, 0.2, 0.3, 0.4] } });
   const node = create(ctx);
   node.update({} as never);

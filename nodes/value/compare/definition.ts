@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/compare',
   version: 1,
   title: 'Compare',
-  doc: 'Compares two numbers and is on or off. Wire it to a Gate, a Switch or anything that can be turned on.',
+  doc: 'Compares two numbers and is on or off. Connect it to a Gate, a Switch or anything that can be turned on.',
   keywords: ['if', 'greater', 'less', 'equal', 'threshold', 'condition', 'logic', 'test', 'more', 'bigger', 'smaller'],
   inputs: {},
   outputs: { result: { type: 'toggle', label: 'Result', doc: 'Whether it is so.' } },

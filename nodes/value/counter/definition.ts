@@ -35,4 +35,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

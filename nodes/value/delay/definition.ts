@@ -24,5 +24,6 @@ export const definition = defineNode({
     start: { type: 'number', stage: 'uniform', label: 'Start', doc: 'What it gives in the first frame.', default: 0 },
   },
   lowering: { kind: 'value' },
+  stateful: true,
   delay: true,
 });

@@ -17,7 +17,7 @@ function start(delayS: number, first = -1) {
 }
 
 describe('delay', () => {
-  test('of 0 gives the number of the frame before, whatever that took', () => {
+  test('of 0 gives the number of the previous frame, however long that took', () => {
     const { frame } = start(0);
     expect([frame(0.01, 5), frame(0.5, 6), frame(0.001, 7), frame(1, 8)]).toEqual([-1, 5, 6, 7]);
   });

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { parseExpression } from '../../../export/graph/expression/parse-expression.ts';
+import { parseExpression } from '../../../export/graph/expression/expression-parser.ts';
 import { fakeContext } from '../../../tests/support/node-context.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';

@@ -18,7 +18,7 @@ describe('mistakes in the expression of a node', () => {
     const { output, diagnostics } = studio('a + e').compile();
     expect(output).toBeNull();
     expect(diagnostics).toMatchObject([{ code: 'SCR022', severity: 'error', nodeId: 'formula-a', port: 'expression', column: 5 }]);
-    expect(diagnostics[0]?.message).toContain('“e” is no name that Scrim knows; it knows a, b, c, d, time, frame, pi, tau');
+    expect(diagnostics[0]?.message).toContain('Unknown name “e”; use one of a, b, c, d, time, frame, pi, tau');
   });
 
   test('stop no picture that does not depend on it', () => {

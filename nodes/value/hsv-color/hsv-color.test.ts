@@ -21,7 +21,7 @@ test.each([
   expect(color({ hueRad: (degrees / 180) * Math.PI })).toEqual(expected);
 });
 
-test('saturation 0 is a grey of that brightness, brightness 0 is black', () => {
+test('saturation 0 is a gray of that brightness, brightness 0 is black', () => {
   expect(color({ saturation: 0, brightness: 0.4, alpha: 0.5 })).toEqual([0.4, 0.4, 0.4, 0.5]);
   expect(color({ brightness: -1 })).toEqual([0, 0, 0, 1]);
   expect(color({ saturation: 9, brightness: 9 })).toEqual([1, 0, 0, 1]);

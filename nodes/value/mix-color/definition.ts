@@ -3,14 +3,14 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'value/mix-color',
   version: 1,
-  title: 'Mix colours',
-  doc: 'Mixes two colours by an amount: wire a Smooth or a Slider to it to fade from one to the other.',
+  title: 'Mix colors',
+  doc: 'Mixes two colors by an amount: wire a Smooth or a Slider to it to fade from one to the other.',
   keywords: ['color', 'blend', 'fade', 'lerp', 'interpolate', 'gradient', 'between'],
   inputs: {},
-  outputs: { color: { type: 'color', label: 'Colour', doc: 'The mixture.' } },
+  outputs: { color: { type: 'color', label: 'Color', doc: 'The mixture.' } },
   params: {
-    a: { type: 'color', stage: 'uniform', label: 'A', doc: 'The colour at 0.', default: [0, 0, 0, 1] },
-    b: { type: 'color', stage: 'uniform', label: 'B', doc: 'The colour at 1.', default: [1, 1, 1, 1] },
+    a: { type: 'color', stage: 'uniform', label: 'A', doc: 'The color at 0.', default: [0, 0, 0, 1] },
+    b: { type: 'color', stage: 'uniform', label: 'B', doc: 'The color at 1.', default: [1, 1, 1, 1] },
     amount: {
       type: 'number',
       stage: 'uniform',

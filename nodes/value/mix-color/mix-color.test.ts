@@ -15,7 +15,7 @@ function mix(a: readonly number[], b: readonly number[], amount: number, space: 
   return [...ctx.outputs.color.value].map((x) => Math.round(x * 255));
 }
 
-describe('mix colours', () => {
+describe('mix colors', () => {
   // What browsers make of `color-mix(in oklab, red, blue)`, `… in srgb-linear` and `… in srgb`.
   test.each<[Space, number[]]>([
     ['perceived', [140, 83, 162, 255]],
@@ -36,7 +36,7 @@ describe('mix colours', () => {
     ]);
   });
 
-  test('what is transparent lends no colour', () => {
+  test('what is transparent lends no color', () => {
     expect(mix(RED, [0, 0, 1, 0], 0.5, 'screen')).toEqual([255, 0, 0, 128]);
     expect(mix([1, 0, 0, 0], [0, 0, 1, 0], 0.5, 'screen')).toEqual([128, 0, 128, 0]);
   });

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/noise',
   version: 1,
   title: 'Noise',
-  doc: 'Wanders smoothly and without repeating: wire Time to it for flicker, sway or drift. With a position as well, neighbours wander alike.',
+  doc: 'Wanders smoothly and without repeating: wire Time to it for flicker, sway or drift. With a position as well, neighbors wander alike.',
   keywords: ['perlin', 'random', 'wander', 'drift', 'shake', 'wobble', 'flicker', 'organic', 'turbulence'],
   inputs: {},
   outputs: {

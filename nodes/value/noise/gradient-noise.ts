@@ -22,7 +22,7 @@ export function gradientNoise(x: number, y: number, z: number, seed: number): nu
   return near + w * (far - near);
 }
 
-/** Between a corner and its neighbour in x; `fx` to `fz` is the way from that corner. */
+/** Between a corner and its neighbor in x; `fx` to `fz` is the way from that corner. */
 function alongEdge(x0: number, y0: number, z0: number, fx: number, fy: number, fz: number, u: number, seed: number): number {
   const left = slope(hash(x0, y0, z0, seed), fx, fy, fz);
   return left + u * (slope(hash(x0 + 1, y0, z0, seed), fx - 1, fy, fz) - left);
@@ -41,7 +41,7 @@ function slope(hash: number, x: number, y: number, z: number): number {
   return ((h & 1) === 0 ? u : -u) + ((h & 2) === 0 ? v : -v);
 }
 
-/** The finaliser of MurmurHash3 (Austin Appleby, public domain). */
+/** The finalizer of MurmurHash3 (Austin Appleby, public domain). */
 function hash(x: number, y: number, z: number, seed: number): number {
   let h = Math.imul(x, 0x27d4eb2d) ^ Math.imul(y, 0x165667b1) ^ Math.imul(z, 0x1b873593) ^ Math.imul(seed, 0x9e3779b1);
   h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/number',
   version: 1,
   title: 'Number',
-  doc: 'One number. Wire it to several params to change them together.',
+  doc: 'One number. Connect it to several params to change them together.',
   keywords: ['value', 'constant', 'float', 'slider', 'scalar'],
   inputs: {},
   outputs: { number: { type: 'number', label: 'Number', doc: 'The number.' } },

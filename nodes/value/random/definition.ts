@@ -29,4 +29,5 @@ export const definition = defineNode({
     seed: { type: 'number', stage: 'structure', label: 'Seed', doc: 'Another seed draws other numbers.', default: 0, step: 1 },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

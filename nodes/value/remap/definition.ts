@@ -5,7 +5,7 @@ export const definition = defineNode({
   version: 1,
   title: 'Remap',
   doc: 'Moves a number from one range to another: a slider’s 0 to 1 becomes −30 to 30, or seconds become brightness. The ends may be the wrong way round, which turns the range over.',
-  keywords: ['map', 'range', 'scale', 'fit', 'normalise', 'normalize', 'lerp', 'interpolate', 'smoothstep'],
+  keywords: ['map', 'range', 'scale', 'fit', 'normalize', 'normalize', 'lerp', 'interpolate', 'smoothstep'],
   inputs: {},
   outputs: { result: { type: 'number', label: 'Result', doc: 'The number in its new range.' } },
   params: {

@@ -3,11 +3,11 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'value/rgb-color',
   version: 1,
-  title: 'Colour from RGB',
-  doc: 'Makes a colour from red, green and blue.',
+  title: 'Color from RGB',
+  doc: 'Makes a color from red, green and blue.',
   keywords: ['color', 'rgb', 'rgba', 'make', 'combine', 'channel'],
   inputs: {},
-  outputs: { color: { type: 'color', label: 'Colour', doc: 'The colour; channels beyond 0 to 1 are cut off.' } },
+  outputs: { color: { type: 'color', label: 'Color', doc: 'The color; channels beyond 0 to 1 are cut off.' } },
   params: {
     red: { type: 'number', stage: 'uniform', label: 'Red', doc: '0 is none, 1 is all.', default: 1, min: 0, max: 1, step: 0.01 },
     green: { type: 'number', stage: 'uniform', label: 'Green', doc: '0 is none, 1 is all.', default: 1, min: 0, max: 1, step: 0.01 },

@@ -22,4 +22,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: { param: 'halfLifeS', above: 0 },
 });

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/split-vector4',
   version: 1,
   title: 'Split vector 4',
-  doc: 'Takes a vector apart into its four numbers. A colour can be wired to it too: red, green, blue and alpha.',
+  doc: 'Takes a vector apart into its four numbers. A color can be wired to it too: red, green, blue and alpha.',
   keywords: ['vector', 'vec4', 'separate', 'unpack', 'component', 'decompose', 'xyzw'],
   inputs: {},
   outputs: {

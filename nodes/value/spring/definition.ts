@@ -37,4 +37,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: true,
 });

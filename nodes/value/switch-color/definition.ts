@@ -3,11 +3,11 @@ import { defineNode } from '../../kit/definition.ts';
 export const definition = defineNode({
   type: 'value/switch-color',
   version: 1,
-  title: 'Switch colours',
-  doc: 'Chooses one of up to four colours: by the number of a Choice or a Counter, or by a toggle, where off is the first and on the second.',
-  keywords: ['select', 'choose', 'pick', 'if', 'else', 'route', 'index', 'colour'],
+  title: 'Switch colors',
+  doc: 'Chooses one of up to four colors: by the number of a Choice or a Counter, or by a toggle, where off is the first and on the second.',
+  keywords: ['select', 'choose', 'pick', 'if', 'else', 'route', 'index', 'color'],
   inputs: {},
-  outputs: { chosen: { type: 'color', label: 'Chosen', doc: 'The chosen colour.' } },
+  outputs: { chosen: { type: 'color', label: 'Chosen', doc: 'The chosen color.' } },
   params: {
     index: {
       type: 'number',

@@ -30,4 +30,5 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'value' },
+  stateful: { moves: ['speed'] },
 });

@@ -4,22 +4,22 @@ export const definition = defineNode({
   type: 'world/depth',
   version: 1,
   title: 'Room depth',
-  doc: 'How far away the real room is, as the device measures it for each view, or as a picture has it. Wire it to whatever has to know what stands before what. Sensors are coarse, noisy and have holes: what is set here holds for all that read it.',
+  doc: 'How far away the real room is, as the device measures it for each view, or as a picture has it. Connect it to whatever has to know what stands before what. Sensors are coarse, noisy and have holes: what is set here holds for all that read it.',
   keywords: ['depth', 'sensor', 'lidar', 'distance', 'real', 'occlusion', 'bilateral', 'smooth', 'holes', 'painted depth'],
   inputs: {},
   outputs: {
-    depth: { type: 'depth', label: 'Depth', doc: 'Metres along the view axis; unknown where nothing is known.' },
+    depth: { type: 'depth', label: 'Depth', doc: 'Meters along the view axis; unknown where nothing is known.' },
   },
   params: {
     source: {
       type: 'choice',
       stage: 'structure',
-      label: 'From',
+      label: 'Source',
       doc: 'Where the depth comes from: the device, or a picture that was painted or recorded.',
       default: 'device',
       options: [
-        { value: 'device', label: 'The device' },
-        { value: 'picture', label: 'A picture' },
+        { value: 'device', label: 'Device' },
+        { value: 'picture', label: 'Image' },
       ],
     },
     filter: {
@@ -55,8 +55,8 @@ export const definition = defineNode({
     picture: {
       type: 'asset',
       stage: 'asset',
-      label: 'Picture',
-      doc: 'Shades of grey: white is nearest, black farthest, transparent unknown. It is laid over the view so that it covers it.',
+      label: 'Image',
+      doc: 'Shades of gray: white is nearest, black farthest, transparent unknown. It is laid over the view so that it covers it.',
       default: '',
       accept: 'image',
       where: { param: 'source', is: 'picture' },
@@ -64,18 +64,18 @@ export const definition = defineNode({
     shades: {
       type: 'choice',
       stage: 'structure',
-      label: 'Shades',
-      doc: 'What equal steps of grey are: of distance, as one paints them, or of its inverse, as portrait cameras and depth estimators record them.',
+      label: 'Gray scale',
+      doc: 'What equal steps of gray are: of distance, as one paints them, or of its inverse, as portrait cameras and depth estimators record them.',
       default: 'distance',
       options: [
-        { value: 'distance', label: 'Equal steps of distance' },
-        { value: 'inverse', label: 'Equal steps of inverse distance' },
+        { value: 'distance', label: 'Linear distance' },
+        { value: 'inverse', label: 'Inverse distance' },
       ],
     },
     nearM: {
       type: 'number',
       stage: 'uniform',
-      label: 'White is at',
+      label: 'White distance',
       doc: 'Distance of white in the picture.',
       default: 0.5,
       min: 0.05,
@@ -86,7 +86,7 @@ export const definition = defineNode({
     farM: {
       type: 'number',
       stage: 'uniform',
-      label: 'Black is at',
+      label: 'Black distance',
       doc: 'Distance of black in the picture.',
       default: 5,
       min: 0.05,
@@ -96,6 +96,7 @@ export const definition = defineNode({
     },
   },
   lowering: { kind: 'source' },
+  stateful: { param: 'smoothingS', above: 0 },
   needs: [
     {
       capability: 'depth',

@@ -2,23 +2,23 @@ import { linkProgram } from '../../kit/link-program.ts';
 import { setPassState, setSampler } from '../../kit/pass-state.ts';
 
 /**
- * Full-screen passes over pictures of metres. They set all state that they depend on and leave no sampler bound, as everything does
+ * Full-screen passes over pictures of meters. They set all state that they depend on and leave no sampler bound, as everything does
  * that shares the context.
  */
 export interface DepthDrawing {
-  /** Metres in the red channel, all unknown. */
-  createPicture(widthPx: number, heightPx: number): MetresPicture;
-  free(picture: MetresPicture): void;
+  /** Meters in the red channel, all unknown. */
+  createPicture(widthPx: number, heightPx: number): MetersPicture;
+  free(picture: MetersPicture): void;
   /** Samplers are bound to the units in their order. The same pass for the same text. */
   link(fragment: string, samplers: readonly string[]): DepthPass;
   /** From here to `draw`, textures and uniforms are those of the pass. */
-  begin(target: MetresPicture, pass: DepthPass): void;
+  begin(target: MetersPicture, pass: DepthPass): void;
   texture(unit: number, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
   draw(): void;
   dispose(): void;
 }
 
-export interface MetresPicture {
+export interface MetersPicture {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
   readonly widthPx: number;
@@ -34,16 +34,16 @@ export interface DepthPass {
 
 /** Null where the GPU can draw no floats at all. */
 export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | null {
-  // Half floats keep a millimetre at 1 m and four at 4 m, about what the sensors do.
+  // Half floats keep a millimeter at 1 m and four at 4 m, about what the sensors do.
   const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
   if (format === null) return null;
   const vertexArray = gl.createVertexArray();
   const samplers = { linear: createSampler(gl, gl.LINEAR), nearest: createSampler(gl, gl.NEAREST) };
   const passes = new Map<string, DepthPass>();
-  const pictures = new Set<MetresPicture>();
+  const pictures = new Set<MetersPicture>();
   let units = 0;
 
-  const free = (picture: MetresPicture): void => {
+  const free = (picture: MetersPicture): void => {
     gl.deleteTexture(picture.texture);
     gl.deleteFramebuffer(picture.framebuffer);
     pictures.delete(picture);
@@ -110,7 +110,7 @@ void main() {
 }
 `;
 
-/** Before each fragment shader's own text, which says by `float metres()` what is drawn. */
+/** Before each fragment shader's own text, which says by `float meters()` what is drawn. */
 const FRAGMENT_HEAD = `#version 300 es
 precision highp float;
 precision highp int;
@@ -125,7 +125,7 @@ bool isInside(vec2 at) { return all(lessThanEqual(abs(at - 0.5), vec2(0.50001)))
 `;
 
 function createPass(gl: WebGL2RenderingContext, fragment: string, samplers: readonly string[]): DepthPass {
-  const program = linkProgram(gl, VERTEX, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(metres(), 0.0, 0.0, 1.0); }\n`);
+  const program = linkProgram(gl, VERTEX, `${FRAGMENT_HEAD}${fragment}\nvoid main() { color = vec4(meters(), 0.0, 0.0, 1.0); }\n`);
   return {
     program,
     samplers: samplers.map((name) => gl.getUniformLocation(program, name)),

@@ -1,4 +1,4 @@
-import type { DepthDrawing, MetresPicture } from './drawing.ts';
+import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
 /** Gives every unknown sample the distance of what is known around it. */
 export interface HoleFiller {
@@ -15,8 +15,8 @@ export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
   const pull = drawing.link(PULL, ['finer']);
   const push = drawing.link(PUSH, ['own', 'coarser']);
   /** Level 0 is the sensor's own. */
-  const pulled: MetresPicture[] = [];
-  const filled: MetresPicture[] = [];
+  const pulled: MetersPicture[] = [];
+  const filled: MetersPicture[] = [];
 
   const clear = (): void => {
     for (const picture of [...pulled, ...filled]) drawing.free(picture);
@@ -60,7 +60,7 @@ export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
 
 const PULL = `
 uniform sampler2D finer;
-float metres() {
+float meters() {
   ivec2 size = textureSize(finer, 0);
   ivec2 first = ivec2(gl_FragCoord.xy) * 2;
   float sum = 0.0;
@@ -79,7 +79,7 @@ float metres() {
 const PUSH = `
 uniform sampler2D own;
 uniform sampler2D coarser;
-float metres() {
+float meters() {
   float m = texelFetch(own, ivec2(gl_FragCoord.xy), 0).r;
   if (m > 0.0) return m;
   ivec2 last = textureSize(coarser, 0) - 1;

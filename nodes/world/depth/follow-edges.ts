@@ -1,11 +1,11 @@
 import { setInverse3 } from '../../kit/matrices.ts';
 import type { CameraImage, RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, MetresPicture } from './drawing.ts';
+import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
 /** Brings depth to the view's resolution along the edges of things, for one view. */
 export interface EdgeFollower {
   /** Aligned with the view; valid until the next call. */
-  follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): MetresPicture;
+  follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): MetersPicture;
   dispose(): void;
 }
 
@@ -30,9 +30,9 @@ export function createEdgeFollower(gl: WebGL2RenderingContext, drawing: DepthDra
     hasGuide: pass.uniform('hasGuide'),
   };
   const viewUvFromUv = new Float32Array(9);
-  let picture: MetresPicture | null = null;
+  let picture: MetersPicture | null = null;
 
-  const fitted = (widthPx: number, heightPx: number): MetresPicture => {
+  const fitted = (widthPx: number, heightPx: number): MetersPicture => {
     const scale = Math.min(1, MAX_SIDE_PX / Math.max(widthPx, heightPx));
     const width = Math.max(1, Math.round(widthPx * scale));
     const height = Math.max(1, Math.round(heightPx * scale));
@@ -78,23 +78,23 @@ uniform mat3 guideUvFromViewUv;
 uniform bool hasGuide;
 const int SIDE = 5;
 const int COUNT = SIDE * SIDE;
-// How fast samples stop to count: with their distance in samples, and with the difference of colours, each channel in [0, 1].
+// How fast samples stop to count: with their distance in samples, and with the difference of colors, each channel in [0, 1].
 const float NEAR = 1.0;
 const float ALIKE = 0.1;
 
 vec3 guideAt(vec2 viewUv) { return textureLod(guide, place(guideUvFromViewUv, viewUv), 0.0).rgb; }
 
-// What depth sensors usually stray by at a distance, metres.
+// What depth sensors usually stray by at a distance, meters.
 float strayM(float m) { return 0.01 + 0.005 * m; }
 
-float metres() {
+float meters() {
   vec2 at = place(uvFromViewUv, uv);
   if (!isInside(at)) return 0.0;
   ivec2 last = textureSize(room, 0) - 1;
   vec2 size = vec2(last + 1);
   vec2 texel = at * size - 0.5;
   ivec2 first = ivec2(round(texel)) - SIDE / 2;
-  // Metres and weight.
+  // Meters and weight.
   vec2 samples[COUNT];
   float nearestM = 1e9;
   float farthestM = 0.0;
@@ -110,7 +110,7 @@ float metres() {
   if (farthestM <= 0.0) return 0.0;
   float betweenM = 0.5 * (nearestM + farthestM);
   bool isTwo = farthestM - nearestM > 8.0 * strayM(betweenM);
-  // Metres times weight and weight, of either surface.
+  // Meters times weight and weight, of either surface.
   vec2 nearer = vec2(0.0);
   vec2 farther = vec2(0.0);
   vec3 here = isTwo && hasGuide ? guideAt(uv) : vec3(0.0);

@@ -1,8 +1,8 @@
-import type { ImageAsset } from '../../kit/runtime.ts';
+import type { ImageAsset } from '../../kit/assets.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, MetresPicture } from './drawing.ts';
+import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
-/** Depth painted or recorded as shades of grey: the same for all views, laid over each so that it covers it. */
+/** Depth painted or recorded as shades of gray: the same for all views, laid over each so that it covers it. */
 export interface PictureDepth {
   /** Valid until the next call. */
   read(image: ImageAsset, view: ViewFrame, viewIndex: number, nearM: number, farM: number): RoomDepth;
@@ -11,7 +11,7 @@ export interface PictureDepth {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** `shades`: whether equal steps of grey are equal steps of distance, or of its inverse. */
+/** `shades`: whether equal steps of gray are equal steps of distance, or of its inverse. */
 export function createPictureDepth(
   gl: WebGL2RenderingContext,
   drawing: DepthDrawing,
@@ -20,26 +20,26 @@ export function createPictureDepth(
 ): PictureDepth {
   const pass = drawing.link(shades === 'distance' ? DISTANCE : INVERSE, ['shades']);
   const rangeM = pass.uniform('rangeM');
-  let metres: MetresPicture | null = null;
+  let meters: MetersPicture | null = null;
   let drawn: WebGLTexture | null = null;
   let drawnNearM = 0;
   let drawnFarM = 0;
   const views: (Mutable<RoomDepth> | null)[] = Array.from({ length: viewCount }, () => null);
 
-  const draw = (image: ImageAsset, nearM: number, farM: number): MetresPicture => {
-    if (metres && drawn === image.texture && drawnNearM === nearM && drawnFarM === farM) return metres;
-    if (metres?.widthPx !== image.widthPx || metres.heightPx !== image.heightPx) {
-      if (metres) drawing.free(metres);
-      metres = drawing.createPicture(image.widthPx, image.heightPx);
+  const draw = (image: ImageAsset, nearM: number, farM: number): MetersPicture => {
+    if (meters && drawn === image.texture && drawnNearM === nearM && drawnFarM === farM) return meters;
+    if (meters?.widthPx !== image.widthPx || meters.heightPx !== image.heightPx) {
+      if (meters) drawing.free(meters);
+      meters = drawing.createPicture(image.widthPx, image.heightPx);
     }
-    drawing.begin(metres, pass);
+    drawing.begin(meters, pass);
     drawing.texture(0, image.texture, 'nearest');
     gl.uniform2f(rangeM, nearM, farM);
     drawing.draw();
     drawn = image.texture;
     drawnNearM = nearM;
     drawnFarM = farM;
-    return metres;
+    return meters;
   };
   return {
     read: (image, { viewport, worldFromView }, viewIndex, nearM, farM) => {
@@ -54,7 +54,7 @@ export function createPictureDepth(
       return depth;
     },
     dispose: () => {
-      if (metres) drawing.free(metres);
+      if (meters) drawing.free(meters);
     },
   };
 }
@@ -75,11 +75,11 @@ function setCover(out: Float32Array, pictureAspect: number, viewAspect: number):
   out[8] = 1;
 }
 
-/** White is nearest; what is more transparent than not is unknown. Rec. 709 luma, as grey is grey in any case. */
+/** White is nearest; what is more transparent than not is unknown. Rec. 709 luma, as gray is gray in any case. */
 const HEAD = `
 uniform sampler2D shades;
 uniform vec2 rangeM;
-float metres() {
+float meters() {
   vec4 shade = texelFetch(shades, ivec2(gl_FragCoord.xy), 0);
   if (shade.a < 0.5) return 0.0;
   float white = clamp(dot(shade.rgb / shade.a, vec3(0.2126, 0.7152, 0.0722)), 0.0, 1.0);`;

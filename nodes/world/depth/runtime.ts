@@ -1,4 +1,5 @@
-import type { ImageAsset, NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { ImageAsset } from '../../kit/assets.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 import { createDepthDrawing, type DepthDrawing } from './drawing.ts';

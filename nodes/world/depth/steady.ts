@@ -1,6 +1,6 @@
 import { multiplyMatrices, setInverse3 } from '../../kit/matrices.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
-import type { DepthDrawing, MetresPicture } from './drawing.ts';
+import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
 /** Smooths what a sensor measures over time, for one view. */
 export interface Steadier {
@@ -30,8 +30,8 @@ export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing
   const viewUvFromUv = new Float32Array(9);
   const pastFromView = new Float32Array(16);
   const past = { uvFromViewUv: new Float32Array(9), clipFromView: new Float32Array(16), viewFromWorld: new Float32Array(16) };
-  let front: MetresPicture | null = null;
-  let back: MetresPicture | null = null;
+  let front: MetersPicture | null = null;
+  let back: MetersPicture | null = null;
   let isKnown = false;
 
   const resize = (widthPx: number, heightPx: number): void => {
@@ -88,7 +88,7 @@ uniform vec4 lens;
 uniform vec4 pastLens;
 uniform mat4 pastFromView;
 uniform float keep;
-float metres() {
+float meters() {
   float m = texelFetch(now, ivec2(gl_FragCoord.xy), 0).r;
   if (m <= 0.0 || keep <= 0.0) return m;
   vec2 ndc = place(viewUvFromUv, uv) * 2.0 - 1.0;

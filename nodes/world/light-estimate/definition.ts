@@ -4,9 +4,9 @@ import { SUN_SHADOW } from '../../kit/light-params.ts';
 export const definition = defineNode({
   type: 'world/light-estimate',
   version: 1,
-  title: 'Light estimate',
-  doc: 'Lights virtual things as the real room is lit: from all sides, with what shiny surfaces mirror where the device knows it, and from the side of the strongest light, away from which shadows fall. Where the device estimates no light, it is that of a bright day indoors; or its brightness and colour are guessed from the camera picture, if the project asks for the camera.',
-  keywords: ['ambient', 'real light', 'lighting estimation', 'probe', 'spherical harmonics', 'reflection', 'sun', 'room'],
+  title: 'Light estimation',
+  doc: 'Lights virtual things as the real room is lit: from all sides, with what shiny surfaces mirror where the device knows it, and from the side of the strongest light, away from which shadows fall. Where the device estimates no light, it is that of a bright day indoors; or its brightness and color are guessed from the camera picture, if the project asks for the camera.',
+  keywords: ['ambient', 'real light', 'light estimate', 'lighting estimation', 'probe', 'spherical harmonics', 'reflection', 'sun', 'room'],
   inputs: {},
   outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light of the room, for Scene and Shadow layers.' } },
   params: {
@@ -36,19 +36,20 @@ export const definition = defineNode({
       type: 'toggle',
       stage: 'structure',
       label: 'Ask for the camera',
-      doc: 'Asks the visitor for the camera, so that brightness and colour can be guessed from its picture where the device estimates no light. Off, they are guessed only where something else in the project asks for the camera.',
+      doc: 'Asks the visitor for the camera, so that brightness and color can be guessed from its picture where the device estimates no light. Off, they are guessed only where something else in the project asks for the camera.',
       default: false,
     },
     castShadow: {
       type: 'toggle',
       stage: 'uniform',
       label: 'Cast shadows',
-      doc: 'Whether objects throw shadows away from the strongest light.',
+      doc: 'Whether objects cast shadows away from the strongest light.',
       default: true,
     },
     ...SUN_SHADOW,
   },
   lowering: { kind: 'geometry' },
+  stateful: true,
   needs: [
     {
       capability: 'light-estimation',

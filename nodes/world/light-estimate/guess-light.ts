@@ -19,7 +19,7 @@ export const DEFAULT_MEAN: Readonly<Float32Array> = Float32Array.of(0.35, 0.35, 
 const ROOM_REFLECTANCE = 0.5;
 /** Of that light, so much comes from the strongest lamp: enough for a shadow that can be seen, as indoors. */
 const PRIMARY_PART = 0.4;
-/** From above, a little from the right and from behind whoever looks, where lamps and the photographer's window are. */
+/** From above, a little from the right and from behind the viewer, where lamps and the photographer's window are. */
 const DIRECTION: readonly [number, number, number] = [0.36, 0.8, 0.48];
 /** How much more light comes from straight above than from the sides, as a part of the mean: ceilings are brighter than floors. */
 const FROM_ABOVE = 0.3;

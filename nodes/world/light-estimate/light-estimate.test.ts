@@ -3,7 +3,7 @@ import { LIBRARY } from '../../../tests/support/library.ts';
 import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
 import { readShader } from '../../../tests/support/test-library.ts';
 import { TestStudio } from '../../../tests/support/test-studio.ts';
-import type { DirectionalLightItem, ProbeLightItem } from '../../kit/runtime.ts';
+import type { DirectionalLightItem, ProbeLightItem } from '../../kit/scene-lists.ts';
 import type { LightEstimate } from '../../kit/session.ts';
 import { definition } from './definition.ts';
 import { DEFAULT_MEAN } from './guess-light.ts';

@@ -1,4 +1,5 @@
-import type { DirectionalLightItem, NodeContext, NodeRuntime, ProbeLightItem } from '../../kit/runtime.ts';
+import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+import type { DirectionalLightItem, ProbeLightItem } from '../../kit/scene-lists.ts';
 import type { LightEstimate } from '../../kit/session.ts';
 import { createSunShadow } from '../../kit/sun-shadow.ts';
 import type { definition } from './definition.ts';

@@ -4,9 +4,9 @@ import { SURFACE_CASTS_SHADOW, SURFACE_CATCHES_SHADOW } from '../../kit/surface-
 export const definition = defineNode({
   type: 'world/meshes',
   version: 1,
-  title: 'Real meshes',
+  title: 'Detected meshes',
   doc: 'Gives the shapes of the real room that the device has scanned, furniture and all, as phantoms: they catch shadows and hide what is behind them. Headsets have them; phones have planes and depth.',
-  keywords: ['mesh detection', 'scan', 'room', 'furniture', 'surface', 'shadow catcher', 'phantom', 'real', 'occlusion'],
+  keywords: ['mesh detection', 'real meshes', 'scan', 'room', 'furniture', 'surface', 'shadow catcher', 'phantom', 'real', 'occlusion'],
   inputs: {},
   outputs: {
     objects: {

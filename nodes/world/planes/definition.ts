@@ -4,9 +4,9 @@ import { SURFACE_CASTS_SHADOW, SURFACE_CATCHES_SHADOW } from '../../kit/surface-
 export const definition = defineNode({
   type: 'world/planes',
   version: 1,
-  title: 'Real planes',
+  title: 'Detected planes',
   doc: 'Gives the flat surfaces of the real room that the device has found, floors, tables and walls, as phantoms: they catch shadows and hide what is behind them. More of them are found while the visitor looks around.',
-  keywords: ['plane detection', 'floor', 'wall', 'table', 'ceiling', 'surface', 'shadow catcher', 'phantom', 'real'],
+  keywords: ['plane detection', 'real planes', 'floor', 'wall', 'table', 'ceiling', 'surface', 'shadow catcher', 'phantom', 'real'],
   inputs: {},
   outputs: {
     objects: {
@@ -19,13 +19,13 @@ export const definition = defineNode({
     which: {
       type: 'choice',
       stage: 'structure',
-      label: 'Which',
+      label: 'Orientation',
       doc: 'Floors, tables and ceilings lie level, walls and doors stand upright.',
       default: 'all',
       options: [
         { value: 'all', label: 'All' },
-        { value: 'horizontal', label: 'Level ones' },
-        { value: 'vertical', label: 'Upright ones' },
+        { value: 'horizontal', label: 'Horizontal' },
+        { value: 'vertical', label: 'Vertical' },
       ],
     },
     receiveShadow: SURFACE_CATCHES_SHADOW,

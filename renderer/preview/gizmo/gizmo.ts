@@ -8,7 +8,7 @@ import type { PosterPlace } from '../posters.ts';
 import { createOverlay, type Overlay, type ViewBox } from './overlay.ts';
 import { type Place, paramsOf, type ReadParam, readPlace } from './place.ts';
 
-/** What people take hold of in the picture, and what they click at. */
+/** The handles that people drag in the preview, and the objects that they pick by a click. */
 export interface Gizmo {
   take(message: Extract<ToPreview, { kind: 'gizmo' | 'picking' }>): void;
   afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: PosterPlace | null): void;
@@ -157,7 +157,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     if (!held || !view || !box) return false;
     reading = readerOf(inspected, held.node);
     overlay ??= createOverlay(parent);
-    overlay.look(view, box);
+    overlay.setView(view, box);
     const { controls, object } = overlay;
     if (!drag) {
       readPlace(held.handles, reading, object);

@@ -19,9 +19,9 @@ export interface Overlay {
   /** The node's own place within. */
   readonly object: Object3D;
   /** Takes the view's camera over. */
-  look(view: Pick<ViewFrame, 'clipFromView' | 'worldFromView'>, box: ViewBox): void;
+  setView(view: Pick<ViewFrame, 'clipFromView' | 'worldFromView'>, box: ViewBox): void;
   draw(): void;
-  /** `mode` stands on the canvas, for whoever waits for it. */
+  /** Sets `mode` as a data attribute of the canvas, so that tests can wait for it. */
   setShown(mode: GizmoMode | null): void;
   readonly canvas: HTMLCanvasElement;
   dispose(): void;
@@ -67,7 +67,7 @@ export function createOverlay(parentElement: HTMLElement): Overlay {
     parent,
     object,
     canvas,
-    look: ({ clipFromView, worldFromView }, at) => {
+    setView: ({ clipFromView, worldFromView }, at) => {
       box = at;
       camera.matrix.fromArray(worldFromView);
       camera.projectionMatrix.fromArray(clipFromView);

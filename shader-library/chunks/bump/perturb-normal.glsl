@@ -1,4 +1,4 @@
-// The normal of a surface that rises by a height in metres whose slope along the object's own axes is `slope`.
+// The normal of a surface that rises by a height in meters whose slope along the object's own axes is `slope`.
 // Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU, 2010: needs no tangents, only what changes from pixel to pixel.
 vec3 perturbNormal(const in Surface s, const in vec3 slope) {
   vec3 alongX = dFdx(s.position);

@@ -1,4 +1,4 @@
-"""Colour tables for color-lut.test.ts, and what colour-science makes of pictures with them.
+"""Color tables for color-lut.test.ts, and what colour-science makes of pictures with them.
 
 Run once, by hand, after a change: `python color-lut.py PATH_TO_ASTRONAUT_PNG` with what filters.py names. The look is our own.
 """
@@ -11,7 +11,7 @@ from filters import HERE, read, recoloured, save, straight
 
 
 def look(rgb):
-    """Shadows towards teal, lights towards orange, colours crossed over a little."""
+    """Shadows towards teal, lights towards orange, colors crossed over a little."""
     luma = (rgb @ np.array([0.2126, 0.7152, 0.0722]))[..., None]
     toned = rgb + (luma - 0.5) * np.array([0.25, 0.02, -0.3])
     return np.clip(toned[..., [0, 1, 2]] * 0.85 + rgb[..., [1, 2, 0]] * 0.15, 0, 1) ** np.array([0.8, 1, 1.25])

@@ -51,7 +51,7 @@ def recoloured(rgba, rgb):
 
 
 def grid(rgba):
-    """x and y of pixel centres, y up, and the size."""
+    """x and y of pixel centers, y up, and the size."""
     height, width = rgba.shape[:2]
     x, y = np.meshgrid(np.arange(width) + 0.5, height - (np.arange(height) + 0.5))
     return x, y, width, height
@@ -261,7 +261,7 @@ def spin_blur(rgba, angle, center=(0.5, 0.5)):
     return smear(rgba, angle * np.abs(offset), place)
 
 
-# Neighbourhoods
+# Neighborhoods
 
 
 def kuwahara(rgba, radius, sharpness):
@@ -393,10 +393,10 @@ CASES = {
     'hdr-exposure-long': lambda p: exposure(p, 1.5),
     'hdr-exposure-kept': lambda p: exposure(p, 2.5, 1),
     'hdr-exposure-short': lambda p: exposure(p, -2),
-    'film-grain-grey': lambda p: film_grain(p, 0.08),
-    'film-grain-colour': lambda p: film_grain(p, 0.15, 3, 0.7, 1),
+    'film-grain-gray': lambda p: film_grain(p, 0.08),
+    'film-grain-color': lambda p: film_grain(p, 0.15, 3, 0.7, 1),
     'halftone-ink': lambda p: halftone(p, 8, np.pi / 4),
-    'halftone-colour': lambda p: halftone(p, 13.5, 0.3, True),
+    'halftone-color': lambda p: halftone(p, 13.5, 0.3, True),
     'pixelate-8': lambda p: pixelate(p, 8),
     'pixelate-13': lambda p: pixelate(p, 13),
     'swirl-left': lambda p: swirl(p, 1.5, 60),

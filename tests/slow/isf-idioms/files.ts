@@ -49,7 +49,7 @@ const LAYOUTS: readonly FileIdiom[] = [
   file('null for lists', '/*{ "INPUTS": null, "PASSES": null, "IMPORTED": null, "CATEGORIES": null }*/', 'true'),
   file('empty lists', '/*{ "INPUTS": [], "PASSES": [], "IMPORTED": [], "PERSISTENT_BUFFERS": [] }*/', 'true'),
   file('an object without pictures', '/*{ "IMPORTED": {} }*/', 'true'),
-  file('keys that nobody knows', '/*{ "TAGS": ["a"], "VSN": 1, "ISFVSN": 2.0, "MADE_WITH": { "x": [1, { "y": null }] } }*/', 'true'),
+  file('unknown keys', '/*{ "TAGS": ["a"], "VSN": 1, "ISFVSN": 2.0, "MADE_WITH": { "x": [1, { "y": null }] } }*/', 'true'),
   file('a star in a text', '/*{ "DESCRIPTION": "2 * 3 ** / 4" }*/', 'true'),
 ];
 
@@ -118,7 +118,7 @@ const INPUTS: readonly FileIdiom[] = [
     '{ "NAME": "a", "TYPE": "audio", "MAX": 16 }, { "NAME": "b", "TYPE": "audioFFT" }',
     'IMG_NORM_PIXEL(b, vec2(0.5)).r == 0.0',
   ),
-  inputs('a picture that nobody wired', '{ "NAME": "a", "TYPE": "image" }', 'IMG_THIS_PIXEL(a).a == 0.0 && IMG_SIZE(a).x > 0.0'),
+  inputs('an image that is not connected', '{ "NAME": "a", "TYPE": "image" }', 'IMG_THIS_PIXEL(a).a == 0.0 && IMG_SIZE(a).x > 0.0'),
 ].map((idiom) => {
   const before: Readonly<Record<string, string>> = {
     'an input that the code declares, too': 'uniform float a;\n',

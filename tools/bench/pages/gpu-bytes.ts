@@ -35,7 +35,7 @@ export function createGpuBytes(gl: WebGL2RenderingContext): GpuBytes {
   const names = new Map(Object.keys(TEXEL_BYTES).map((name) => [(gl as unknown as Record<string, number>)[name], name]));
   const texel = (format: number): number => {
     const name = names.get(format);
-    if (name === undefined) throw new Error(`Nobody said how large texels of the format 0x${format.toString(16)} are.`);
+    if (name === undefined) throw new Error(`The texel size of the format 0x${format.toString(16)} is unknown.`);
     return TEXEL_BYTES[name] ?? 0;
   };
   /** Of each texture, by what was given: an image of a face and level, or all of it. */

@@ -104,7 +104,7 @@ export function picture(): string {
   return (drawn.gl.canvas as HTMLCanvasElement).toDataURL();
 }
 
-/** Drivers give up where memory does not suffice. */
+/** Drivers lose the context when memory runs out. */
 const LOST = 'The graphics were lost.';
 let drawn: Drawn | null = null;
 let measured: MeasuredPlayer | null = null;

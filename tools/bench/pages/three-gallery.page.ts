@@ -26,7 +26,7 @@ import { type Drawn, measureFrames } from './frame-ms.ts';
 
 type Place = readonly [xM: number, yM: number, zM: number];
 
-/** The gallery's measures, metres. */
+/** The gallery's measures, meters. */
 export interface GalleryPlan {
   readonly middle: Place;
   readonly wall: { readonly width: number; readonly height: number };
@@ -115,10 +115,10 @@ function makeLamps({ lit: [bulbAt, stageAt], pegs }: GalleryPlan, room: Texture)
   for (const { shadow } of [bulb, spot]) shadow.mapSize.set(512, 512);
   const scene = lit(room, 0.05, bulb, spot);
   scene.add(spot.target);
-  const grey: Rgb = [0.75, 0.75, 0.75];
-  for (const at of [bulbAt, stageAt]) scene.add(mesh(BOX, [0.118, 0.118, 0.006], grey, moved(at, 0, 0, -0.045)));
-  for (const [right, up] of pegs) scene.add(mesh(BALL, thrice(0.018), grey, moved(bulbAt, right, up, -0.035)));
-  scene.add(mesh(BALL, thrice(0.034), grey, moved(stageAt, -0.008, -0.01, -0.012)));
+  const gray: Rgb = [0.75, 0.75, 0.75];
+  for (const at of [bulbAt, stageAt]) scene.add(mesh(BOX, [0.118, 0.118, 0.006], gray, moved(at, 0, 0, -0.045)));
+  for (const [right, up] of pegs) scene.add(mesh(BALL, thrice(0.018), gray, moved(bulbAt, right, up, -0.035)));
+  scene.add(mesh(BALL, thrice(0.034), gray, moved(stageAt, -0.008, -0.01, -0.012)));
   scene.traverse((part) => {
     part.castShadow = true;
     part.receiveShadow = part instanceof Mesh;

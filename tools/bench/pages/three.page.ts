@@ -20,7 +20,7 @@ import { FullScreenQuad } from 'three/addons/postprocessing/Pass.js';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import { type Drawn, measureFrames } from './frame-ms.ts';
 
-/** Where a robot stands: metres, radians about the vertical. */
+/** Where a robot stands: meters, radians about the vertical. */
 export interface Standing {
   readonly x: number;
   readonly z: number;

@@ -57,7 +57,7 @@ export const FILTERS: readonly Recipe[] = [
   videoThrough({
     folder: 'radial-blur',
     figure: '12g',
-    title: 'Radial blur: rushing in',
+    title: 'Zoom blur',
     description: 'Smears the room towards one point, as a zoom does during the exposure.',
     filter: 'filter/radial-blur',
     params: { amount: 0.25 },
@@ -65,7 +65,7 @@ export const FILTERS: readonly Recipe[] = [
   videoThrough({
     folder: 'spin-blur',
     figure: '12h',
-    title: 'Radial blur: spinning',
+    title: 'Spin blur',
     description: 'Smears the room around one point, as a turning camera does.',
     filter: 'filter/spin-blur',
     params: { angle: 0.2 },
@@ -82,7 +82,7 @@ export const FILTERS: readonly Recipe[] = [
   videoThrough({
     folder: 'short-exposure',
     figure: '12m',
-    title: 'High dynamic range: short exposure',
+    title: 'Short exposure',
     description: 'The window keeps its details, the room goes dark.',
     filter: 'filter/hdr-exposure',
     params: { stops: -1.6 },
@@ -90,7 +90,7 @@ export const FILTERS: readonly Recipe[] = [
   videoThrough({
     folder: 'long-exposure',
     figure: '12n',
-    title: 'High dynamic range: long exposure',
+    title: 'Long exposure',
     description: 'Dark corners show what is in them, and bright parts are held back from burning out.',
     filter: 'filter/hdr-exposure',
     params: { stops: 1.6, highlights: 0.6 },
@@ -98,9 +98,9 @@ export const FILTERS: readonly Recipe[] = [
   {
     folder: 'skin-colour',
     figure: '12o',
-    title: 'Finding skin colour',
+    title: 'Skin color mask',
     description:
-      'What has the colour of skin, of any shade, keeps its colours, and the rest turns grey. Wire the camera’s video in the place of the picture, and hold up a hand of your own.',
+      'Skin of any shade keeps its color, and the rest turns gray. Connect the camera video in place of the image, and hold up your own hand.',
     nodes: {
       picture: ['source/image-file', 0, 0, { file: 'hands-up04' }],
       skin: ['filter/skin-mask', 1, 0],
@@ -121,9 +121,9 @@ export const FILTERS: readonly Recipe[] = [
   {
     folder: 'near-in-colour-far-in-ink',
     figure: '10b',
-    title: 'Near in colour, far in ink',
+    title: 'Near in color, far in ink',
     description:
-      'Two effects and a mask: what is nearer than 2.75 metres keeps its colours, the rest of the room is drawn in ink. Any layer can be the mask.',
+      'Two effects and a mask: what is nearer than 2.75 meters keeps its colors, the rest of the room is drawn in ink. Any layer can be the mask.',
     nodes: {
       video: ['source/camera-video', 0, 0],
       depth: ['world/depth', 0, 1],
@@ -144,9 +144,9 @@ export const FILTERS: readonly Recipe[] = [
   {
     folder: 'semaphore',
     figure: '14',
-    title: 'Grey room, moving colours',
+    title: 'Gray room, moving colors',
     description:
-      'An installation’s picture in three steps: grey with more contrast, a slow change of brightness, and a tint that goes around the colours.',
+      'An installation’s picture in three steps: gray with more contrast, a slow change of brightness, and a tint that goes around the colors.',
     nodes: {
       video: ['source/camera-video', 0, 0],
       grey: ['filter/grey', 1, 0, { amount: 0.85 }],

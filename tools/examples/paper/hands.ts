@@ -118,7 +118,7 @@ function blend(a: number, b: number): number {
   return Math.max(a, b) + share * share * 0.015;
 }
 
-/** A blue-green wall, light from a window, and the leaves of a plant; nothing of it has the colour of skin. */
+/** A blue-green wall, light from a window, and the leaves of a plant; nothing of it has the color of skin. */
 function wallAt(u: number, v: number): Color {
   const light = 1.12 - 0.4 * Math.hypot(u - 0.2, v - 0.1);
   const [wu, wv] = [u - 0.5, v - 0.02];

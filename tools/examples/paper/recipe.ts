@@ -1,9 +1,9 @@
-import { putAsset } from '../../../export/graph/commands/assets.ts';
+import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
 import type { Change } from '../../../export/graph/commands/change.ts';
-import { addNode } from '../../../export/graph/commands/nodes.ts';
-import { bindParam } from '../../../export/graph/commands/params.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { bindParam } from '../../../export/graph/commands/param-commands.ts';
 import { setPage } from '../../../export/graph/commands/project-info.ts';
-import { connect } from '../../../export/graph/commands/wires.ts';
+import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { newProject } from '../../../export/graph/new-project.ts';
 import { type Asset, type Binding, MAIN_GRAPH, type ParamValue, type Project } from '../../../export/graph/project.ts';
 import { parseWire } from '../../../export/graph/wires.ts';

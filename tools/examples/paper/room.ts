@@ -1,7 +1,7 @@
 import type { Asset } from '../../../export/graph/project.ts';
 import type { RecipeNode } from './recipe.ts';
 
-/** Real things of the studio (`export/emulator/rooms/studio/furniture.ts`), which all examples stand in; metres. */
+/** Real things of the studio (`export/emulator/rooms/studio/furniture.ts`), which all examples stand in; meters. */
 const TABLE = { x: -0.2, z: -0.42, topM: 0.4225, widthM: 1.05, depthM: 0.56, thickM: 0.035 } as const;
 const STOOL = { x: 1.2, z: -0.55, widthM: 0.56, heightM: 0.38 } as const;
 

@@ -1,6 +1,6 @@
 import { portKey, type Source } from '../../flat-graph.ts';
 import { COPY_FILE, COPY_SOURCE } from '../../shaders/copy-shader.ts';
-import type { Fit } from '../fit.ts';
+import type { Fit } from '../layer-fit.ts';
 import type { ScheduledPass } from '../scheduled.ts';
 import { addStep, type Lowering, resourceAt } from './lowering.ts';
 

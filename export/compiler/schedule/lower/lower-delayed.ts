@@ -4,7 +4,7 @@ import { drawPasses, linkPasses } from './lower-passes.ts';
 import { addResource, type Lowering } from './lowering.ts';
 import { sizeOf } from './pass-parts.ts';
 
-/** An image node that gives what it made in the frame before. */
+/** An image node whose output is its result of the previous frame. */
 export function isDelayed({ definition: { lowering, delay } }: FlatNode): boolean {
   return lowering.kind === 'image' && delay === true;
 }

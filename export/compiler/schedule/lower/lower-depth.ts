@@ -66,7 +66,7 @@ function lowerComputedDepth(lowering: Lowering, layer: Source): void {
     samples: 1,
     lifetime: 'frame',
   });
-  lowering.computedDepth.set(portKey(layer), { resource, encoding: 'metres' });
+  lowering.computedDepth.set(portKey(layer), { resource, encoding: 'meters' });
   lowering.writerOf.set(resource, resource);
   const { file, source, variant } = shaderOf(lowering, node, (input) => depthAt(lowering, input) !== null);
   const pass = lowering.shaders.linkDepth(file, source, variant);

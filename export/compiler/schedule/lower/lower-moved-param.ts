@@ -4,7 +4,7 @@ import { parseBinding } from '../../../graph/expression/param-expression.ts';
 import { clampToRange } from '../../../graph/library/param-value.ts';
 import type { Track } from '../../../graph/project.ts';
 import type { NodeOperation } from '../../../program/program.ts';
-import type { MovedParam } from '../slots.ts';
+import type { MovedParam } from '../slot-allocator.ts';
 import { addStep, type Lowering } from './lowering.ts';
 
 /**

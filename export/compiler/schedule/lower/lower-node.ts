@@ -1,17 +1,17 @@
-import type { ParamDefinition } from '../../../../nodes/kit/definition.ts';
+import type { ParamDefinition, Stateful } from '../../../../nodes/kit/definition.ts';
 import { isValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
 import { parseValue } from '../../../graph/expression/param-expression.ts';
 import type { ParamValue } from '../../../graph/project.ts';
 import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import { isDraw, layerOutput } from '../layers.ts';
-import { startValue } from '../slots.ts';
+import { movingBinding, startValue } from '../slot-allocator.ts';
 import { depthAt } from './lower-depth.ts';
 import { shadowMapsOf } from './lower-shadow-maps.ts';
 import { layersOfTechniques } from './lower-technique.ts';
 import { addResource, addStep, type Lowering, layerAt, resourceAt, valueSteps } from './lowering.ts';
 
-type NodeKind = 'value' | 'source' | 'behaviour' | 'geometry';
+type NodeKind = 'value' | 'source' | 'behavior' | 'geometry';
 
 /** A node that its runtime plays, and that draws nothing. */
 export function lowerNode(lowering: Lowering, node: FlatNode): void {
@@ -110,13 +110,15 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   id: string,
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
-  const { type, params, delay } = node.definition;
+  const { type, params, delay, stateful } = node.definition;
   // A CPU filter has its one layer as a picture of its own.
   const ports = kind === 'cpu' ? {} : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const inputs = Object.fromEntries(
     Object.entries(ports).map(([port, { type: wire }]) => [port, sourcesAt(node, port).map((source) => inputRef(lowering, source, wire))]),
   );
+  const slots = uniformParams(lowering, node, params);
+  const state = stateful && stateOf(node, stateful, slots);
   return {
     id,
     node: node.id,
@@ -129,8 +131,9 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
     multiple: Object.keys(ports).filter((port) => ports[port]?.multiple === true),
     ...(pulses.length > 0 ? { pulses } : {}),
     ...(delay ? { delay } : {}),
+    ...(state ? { stateful: state } : {}),
     outputs: {},
-    params: uniformParams(lowering, node, params),
+    params: slots,
     config: Object.fromEntries(
       Object.entries(params).flatMap(([name, param]) =>
         param.stage === 'structure' ? [[name, configValue(param, startValue(node, name, param))]] : [],
@@ -142,6 +145,17 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
       ),
     ),
   };
+}
+
+/** A param that moves may go above any limit. */
+function stateOf(node: FlatNode, stateful: Stateful, slots: Readonly<Record<string, number>>): NodeOperation['stateful'] | null {
+  if (stateful === true) return true;
+  const moves = (name: string) => sourcesAt(node, name).length > 0 || movingBinding(node, name) !== null;
+  if ('moves' in stateful) return stateful.moves.some(moves) ? true : null;
+  const { param, above } = stateful;
+  const slot = slots[param];
+  if (slot === undefined) throw new Error(`${node.id} has no uniform param ${param}.`);
+  return moves(param) ? true : { slot, above };
 }
 
 function uniformParams(lowering: Lowering, node: FlatNode, params: Readonly<Record<string, ParamDefinition>>): Record<string, number> {

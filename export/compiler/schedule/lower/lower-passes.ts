@@ -35,7 +35,7 @@ export function drawPasses(
   passes.forEach((pass, i) => {
     const id = `${node.id}.pass${i}`;
     const drawsInto = isBuffer(pass.target) ? bufferOf(lowered, pass.target) : outputOf(pass, id);
-    // The passes of a node run one after the other, whoever reads what: a persistent buffer is read before it is drawn.
+    // The passes of a node run in their order, whichever buffers they read: a persistent buffer may be read before it is drawn.
     addPass(lowering, node, lowered, { pass, id, target: drawsInto, after: before });
     before = id;
   });
@@ -85,8 +85,8 @@ function hasRoom(node: FlatNode): boolean {
 
 function warnOfMissingDepth({ diagnostics }: Lowering, node: FlatNode, port: string): void {
   const [source] = sourcesAt(node, port);
-  const message = `${node.id} looks at the depth of ${source ? portKey(source) : port}, which has none: nothing is near or far in it.`;
-  const fix = 'Wire a layer that still has its depth: scenes have, and filters that move no pixels keep it.';
+  const message = `${node.id} reads the depth of ${source ? portKey(source) : port}, which has none.`;
+  const fix = 'Connect a layer with depth: scenes have depth, and filters that move no pixels keep it.';
   diagnostics.push({ code: 'SCR043', severity: 'warning', nodeId: node.id, port, message, fix });
 }
 

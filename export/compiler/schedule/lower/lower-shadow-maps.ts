@@ -1,6 +1,6 @@
 import type { ResourceId } from '../../../program/program.ts';
 import { type FlatNode, sourcesAt } from '../../flat-graph.ts';
-import { startValue } from '../slots.ts';
+import { startValue } from '../slot-allocator.ts';
 import { addResource, addStep, type Lowering, resourceAt } from './lowering.ts';
 
 /** The shadow maps that a draw reads, made when nobody has asked for the same casters and lights before; null for none. */

@@ -4,7 +4,10 @@ import type { ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
 import { addResource, type Lowering, resourceAt } from './lowering.ts';
 
-/** Once for each node, whoever asks. A technique is no work by itself: its text and where its values are, for those who draw objects with it. */
+/**
+ * Adds the technique of `node` as a resource, once for any number of users. A technique needs no operation: the resource holds its
+ * text and the slots of its values, for the operations that draw objects with it.
+ */
 export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   const { lowering: kind, inputs, outputs, params } = node.definition;
   if (kind.kind !== 'technique') throw new Error(`${node.id} is no technique.`);
@@ -55,8 +58,8 @@ function missingPicture({ id }: FlatNode, { file, imported }: TechniqueShader, p
     file,
     line,
     column,
-    message: `The library has no picture "${path}".`,
-    fix: 'Make it an input of TYPE "image" and wire a picture to it.',
+    message: `The image “${path}” is not in the library.`,
+    fix: 'Make it an input of TYPE "image" and connect an image to it.',
   };
 }
 

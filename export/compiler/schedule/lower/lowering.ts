@@ -5,7 +5,7 @@ import { type FlatGraph, type FlatNode, portKey, type Source } from '../../flat-
 import type { ShaderStore } from '../../shaders/shader-store.ts';
 import type { LayerTable } from '../layers.ts';
 import type { ScheduledOperation, ScheduledTrial, Step } from '../scheduled.ts';
-import { createSlotAllocator, type MovedParam, type SlotAllocator } from '../slots.ts';
+import { createSlotAllocator, type MovedParam, type SlotAllocator } from '../slot-allocator.ts';
 
 /** The program while it grows: what the lowering of one node leaves for that of the next. */
 export interface Lowering {
@@ -23,7 +23,7 @@ export interface Lowering {
   readonly steps: Step[];
   /** Whole shaders that show whether a driver takes the text of a technique. */
   readonly trials: ScheduledTrial[];
-  /** What an output port is, as `node.port`: the colour of a layer, a list, room depth. */
+  /** What an output port is, as `node.port`: the color of a layer, a list, room depth. */
   readonly resourceOf: Map<string, ResourceId>;
   /** Which of those are drawn into by a draw, and so have a depth buffer. */
   readonly drawn: Set<string>;
@@ -75,7 +75,7 @@ export function addResource(lowering: Lowering, resource: Resource): ResourceId 
   return resource.id;
 }
 
-/** Adds an operation; it waits for whoever completes what it reads, and for `after`. */
+/** Adds an operation. It runs after the operations that complete the resources it reads, and after those in `after`. */
 export function addStep(lowering: Lowering, operation: ScheduledOperation, after: readonly (string | undefined)[] = []): void {
   const waits = new Set<string>();
   for (const id of operation.reads) waits.add(lowering.writerOf.get(id) ?? '');

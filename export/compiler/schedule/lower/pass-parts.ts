@@ -5,7 +5,7 @@ import type { LayerDepthRef, PassSampler, PassUniform, ResourceId, SizeExpressio
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import { importedAssetId } from '../../imported-assets.ts';
 import type { LinkVariant } from '../../shaders/shader-store.ts';
-import { fitOf } from '../fit.ts';
+import { fitOf } from '../layer-fit.ts';
 import { layerInputs, layerOutput } from '../layers.ts';
 import { addResource, type Lowering, resourceAt } from './lowering.ts';
 

@@ -25,7 +25,7 @@ const DAYLIGHT: Daylight = {
 const ESTIMATED_SUN: Triple = [3.3, 2.9, 2.3];
 
 /**
- * A living room of our own: textured, lit softly through a window with a patch of sun on the rug, and known to the millimetre.
+ * A living room of our own: textured, lit softly through a window with a patch of sun on the rug, and known to the millimeter.
  * Everything in it is worked out in code from fixed seeds. Takes about a second to make. The light that a moved sun would throw back from
  * surfaces is not worked out anew.
  */

@@ -10,7 +10,7 @@ export interface Part {
   readonly yawRad?: number;
   /** Tilt about the x axis, before the yaw. */
   readonly pitchRad?: number;
-  /** Multiplies the surface's colour; linear-sRGB. */
+  /** Multiplies the surface's color; linear-sRGB. */
   readonly tint?: readonly [number, number, number];
   /** The box that stands for it while light is baked; none for what hardly shades. */
   readonly blocker?: Blocker;
@@ -38,7 +38,17 @@ function box(surface: SurfaceName, at: Triple, size: Triple, radiusM = 0, more: 
 }
 
 export function furnish(): readonly Part[] {
-  return [...walls(), ...windowParts(), ...sofa(), ...coffeeTable(), ...bookcase(), ...sideboard(), ...lamp(), ...plant(), ...pictures()];
+  return [
+    ...walls(),
+    ...windowParts(),
+    ...sofa(),
+    ...coffeeTable(),
+    ...bookcase(),
+    ...sideboard(),
+    ...movableLight(),
+    ...plant(),
+    ...pictures(),
+  ];
 }
 
 const HALF_W = ROOM.widthM / 2;
@@ -200,7 +210,7 @@ const CLOTHS: readonly Triple[] = [
   [0.7, 0.66, 0.58],
 ];
 
-/** A row of standing books of seeded sizes and colours, with a gap at its end. */
+/** A row of standing books of seeded sizes and colors, with a gap at its end. */
 function books(x0: number, y: number, z: number, row: number): Part[] {
   const out: Part[] = [];
   let x = x0;
@@ -247,7 +257,7 @@ function sideboard(): Part[] {
   ];
 }
 
-function lamp(): Part[] {
+function movableLight(): Part[] {
   const at: Triple = [0.88, 0, -1.95];
   return [
     {

@@ -3,7 +3,7 @@ import { fractal, hash, noise } from './noise.ts';
 /** Display-referred sRGB in [0, 1]. */
 export type Color = readonly [number, number, number];
 
-/** Colour at a place in the picture; `u` to the right and `v` up, both in [0, 1). */
+/** Color at a place in the picture; `u` to the right and `v` up, both in [0, 1). */
 export type Painter = (u: number, v: number) => Color;
 
 export function mix(a: Color, b: Color, t: number): Color {
@@ -38,8 +38,8 @@ export const oakBoards: Painter = (u, v) => {
 export const walnut: Painter = (u, v) => {
   const bend = fractal(u * 3, v * 6, 3, 6, 31);
   const ring = 0.5 + 0.5 * Math.sin((u * 6 + bend * 2.2) * Math.PI * 2);
-  const fibre = noise(u * 90, v * 6, 90, 6, 33);
-  return mix([0.42, 0.28, 0.19], [0.27, 0.17, 0.11], 0.55 * ring + 0.4 * fibre * bend);
+  const fiber = noise(u * 90, v * 6, 90, 6, 33);
+  return mix([0.42, 0.28, 0.19], [0.27, 0.17, 0.11], 0.55 * ring + 0.4 * fiber * bend);
 };
 
 export const plaster: Painter = (u, v) => scale([0.9, 0.88, 0.84], 0.98 + 0.03 * fractal(u * 12, v * 12, 12, 12, 41));
@@ -55,7 +55,7 @@ export const wallpaper: Painter = (u, v) => {
   return mix(ground, [0.72, 0.74, 0.66], 0.55 * Math.max(line, diamond));
 };
 
-/** A woven cloth of the given colour. */
+/** A woven cloth of the given color. */
 export function weave(color: Color, contrast: number, seed: number): Painter {
   const threads = 26;
   return (u, v) => {
@@ -67,7 +67,7 @@ export function weave(color: Color, contrast: number, seed: number): Painter {
   };
 }
 
-/** Stripes of two colours over a weave. */
+/** Stripes of two colors over a weave. */
 export function stripes(a: Color, b: Color, count: number, seed: number): Painter {
   const cloth = weave([1, 1, 1], 0.25, seed);
   return (u, v) => {
@@ -104,7 +104,7 @@ export const rug: Painter = (u, v) => {
   return scale(lozenge < 0.16 ? cream : lozenge < 0.34 ? field : lozenge < 0.42 ? cream : [0.74, 0.64, 0.5], knot);
 };
 
-/** Abstract hills under a sun, in flat colours. */
+/** Abstract hills under a sun, in flat colors. */
 export const pictureOfHills: Painter = (u, v) => {
   if (Math.min(u, 1 - u, v, 1 - v) < 0.1) return [0.93, 0.92, 0.88];
   const ridge = (height: number, seed: number): number => height + 0.13 * fractal(u * 4, seed, 64, 64, seed) - 0.06;

@@ -2,7 +2,7 @@
 export interface Shape {
   readonly positions: number[];
   readonly normals: number[];
-  /** Metres along the surface; turned into texture coordinates by the material. */
+  /** Meters along the surface; turned into texture coordinates by the material. */
   readonly uvM: number[];
   readonly indices: number[];
 }

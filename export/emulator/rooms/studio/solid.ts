@@ -28,7 +28,7 @@ export interface SolidScene {
   blocked(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, maxM: number): boolean;
 }
 
-/** Numbers per box in the flat table: centre, half, sine and cosine of the yaw. Flat, because millions of rays read it. */
+/** Numbers per box in the flat table: center, half, sine and cosine of the yaw. Flat, because millions of rays read it. */
 const STRIDE = 8;
 
 /** @param solids The first is the shell, a box met from inside and not turned. */

@@ -19,7 +19,7 @@ export interface SunMap {
   readonly texture: DepthTexture;
   /** To device coordinates of the map; the same object wherever the sun is. */
   readonly mapFromWorld: Matrix4;
-  /** `towardsSun`: unit vector; to be drawn anew. */
+  /** Sets the direction, a unit vector. Call `draw` afterwards. */
   aim(towardsSun: Triple): void;
   draw(renderer: WebGLRenderer, scene: Scene): void;
   dispose(): void;

@@ -24,7 +24,7 @@ export interface SurfaceStyle {
   readonly tileM: readonly [width: number, height: number];
   /** Strength of the window's reflection at grazing angles. */
   readonly gloss?: number;
-  /** Linear-sRGB radiance per unit of colour: shines of itself instead of being lit. */
+  /** Linear-sRGB radiance per unit of color: shines of itself instead of being lit. */
   readonly glow?: number;
 }
 

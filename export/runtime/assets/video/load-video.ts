@@ -1,8 +1,8 @@
-import type { VideoAsset } from '../../../../nodes/kit/video.ts';
+import type { VideoAsset } from '../../../../nodes/kit/assets.ts';
 import type { FrameClock } from '../../clock.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
-import { createPlayback } from './playback.ts';
 import { createVideoElement, VideoError, videoError } from './video-element.ts';
+import { createPlayback } from './video-playback.ts';
 
 export interface LoadedVideo extends VideoAsset {
   dispose(): void;

@@ -1,4 +1,4 @@
-import type { ImageAsset } from '../../../../nodes/kit/runtime.ts';
+import type { ImageAsset } from '../../../../nodes/kit/assets.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { prepareUpload } from '../../gl/upload.ts';

@@ -1,5 +1,5 @@
 import { BackSide, BoxGeometry, type Euler, Matrix3, Matrix4, Mesh, NoBlending, type Scene, ShaderMaterial } from 'three';
-import type { EnvironmentAsset } from '../../../../nodes/kit/runtime.ts';
+import type { EnvironmentAsset } from '../../../../nodes/kit/assets.ts';
 import { PANORAMA_UV } from './panorama-uv.ts';
 
 /** The panorama behind everything, as far away as the sky: it has no depth. */

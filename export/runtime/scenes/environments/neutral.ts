@@ -3,7 +3,7 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createPmremTarget, type PmremTarget } from './pmrem-target.ts';
 import { withRoughness } from './prefilter.ts';
 
-/** The surroundings that light a scene besides its lamps, made when first asked for and shared by all scenes. */
+/** The neutral environment that lights a scene besides its lights. It is created on first use and shared by all scenes. */
 export interface NeutralEnvironment {
   texture(): Texture;
   dispose(): void;
@@ -15,8 +15,8 @@ const FACE_PX = 64;
 const ROUGHEST_FACE_PX = 8;
 
 /**
- * A colourless studio: light from above, four soft boxes, so that nothing is black for want of a lamp and metals have something
- * to mirror. Its mean radiance is 1: a white matt surface is, on average over all directions, white by it alone.
+ * A colorless studio: light from above, four soft boxes, so that nothing is black without a light and metals have something
+ * to mirror. Its mean radiance is 1: it alone renders a white matte surface as white, on average over all directions.
  *
  * All of it is given as spherical Gaussians, whose blur by a rough surface has a closed form, so each level of three's
  * prefiltered cube map is drawn directly. Filtering a rendered room instead (`RoomEnvironment` through `PMREMGenerator`) took 2.5 s

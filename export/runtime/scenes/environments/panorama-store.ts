@@ -1,5 +1,5 @@
 import type { Texture } from 'three';
-import type { EnvironmentAsset } from '../../../../nodes/kit/runtime.ts';
+import type { EnvironmentAsset } from '../../../../nodes/kit/assets.ts';
 import type { LoadedEnvironment } from '../../scene-backend.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { loadPanorama } from './load-panorama.ts';

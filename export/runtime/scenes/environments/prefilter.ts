@@ -1,5 +1,5 @@
 import { BoxGeometry, CubeCamera, Mesh, type ShaderMaterial, type Texture, type WebGLCubeRenderTarget, type WebGLRenderer } from 'three';
-import type { EnvironmentAsset } from '../../../../nodes/kit/runtime.ts';
+import type { EnvironmentAsset } from '../../../../nodes/kit/assets.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem-target.ts';
 import { SAMPLED_FRAGMENT, SUMMED_FRAGMENT, UNFOLD_FRAGMENT } from './prefilter-shader.ts';

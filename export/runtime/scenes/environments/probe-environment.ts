@@ -1,5 +1,5 @@
 import { CubeTexture, Matrix3, type ShaderMaterial, type Texture, Vector3, type WebGLCubeRenderTarget } from 'three';
-import type { ProbeLightItem } from '../../../../nodes/kit/runtime.ts';
+import type { ProbeLightItem } from '../../../../nodes/kit/scene-lists.ts';
 import type { ReflectionCube } from '../../../../nodes/kit/session.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createCubeMaterial, createCubeTarget, createPmremTarget } from './pmrem-target.ts';

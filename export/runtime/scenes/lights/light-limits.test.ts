@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
-import type { DirectionalLightItem } from '../../../../nodes/kit/runtime.ts';
+import type { DirectionalLightItem } from '../../../../nodes/kit/scene-lists.ts';
 import { createLightLimits, createTextureLimits, MAX_SHADOWS } from './light-limits.ts';
 import { mapSizeOf } from './light-map.ts';
 
@@ -30,7 +30,7 @@ test('as many lights as can be cast shadows without a word; one more is told', (
 
 test('a map larger than the device makes is told with the size that it has instead', () => {
   expect(told([sun({ mapSizePx: 4096 })])).toEqual([]);
-  expect(told([sun({ mapSizePx: 8192 })])).toEqual([expect.stringMatching(/^SCR025 .* larger than 4096 pixels/)]);
+  expect(told([sun({ mapSizePx: 8192 })])).toEqual([expect.stringMatching(/^SCR025 .* shadow maps to 4096 pixels/)]);
 });
 
 test('a map for variance is at most 4096 pixels a side, or what the device makes, and told once', () => {
@@ -41,7 +41,7 @@ test('a map for variance is at most 4096 pixels a side, or what the device makes
   expect([large, DEVICE, { maxSizePx: 2048, floats: true }].map((device) => mapSizeOf(vsm, device))).toEqual([4096, 4096, 2048]);
   // Such a device has soft edges instead, whose maps may be as large as any.
   expect(mapSizeOf(vsm, { maxSizePx: 8192, floats: false })).toBe(8192);
-  expect(told([sun(vsm)], { maxSizePx: 2048, floats: true })).toEqual([expect.stringMatching(/^SCR025 .* larger than 2048 pixels/)]);
+  expect(told([sun(vsm)], { maxSizePx: 2048, floats: true })).toEqual([expect.stringMatching(/^SCR025 .* shadow maps to 2048 pixels/)]);
 });
 
 test('what shadows lose for want of texture units is told in one message', () => {
@@ -52,13 +52,13 @@ test('what shadows lose for want of texture units is told in one message', () =>
   limits.tell(2, 1);
   limits.tell(0, 4);
   expect(messages).toEqual([
-    expect.stringMatching(/^SCR025 .*edges of 2 of them are “Soft” instead, and see-through .* of 1 of them\.$/),
-    expect.stringMatching(/^SCR025 .*: see-through things throw no shadow in the light of 4 of them\.$/),
+    expect.stringMatching(/^SCR025 .*: 2 of them use “Soft” shadow edges, and transparent .* of 1 of them\.$/),
+    expect.stringMatching(/^SCR025 .*: transparent objects cast no shadow in the light of 4 of them\.$/),
   ]);
 });
 
 test('filters that the device lacks are told once for all, and only where they are chosen', () => {
   const device = { ...DEVICE, floats: false };
   expect(told([sun({ filter: 'soft' }), sun({ filter: 'basic' }), sun({})], device)).toEqual([]);
-  expect(told([sun({ filter: 'vsm' }), sun({ filter: 'pcss' })], device)).toEqual([expect.stringMatching(/^SCR025 .* as of “Soft”/)]);
+  expect(told([sun({ filter: 'vsm' }), sun({ filter: 'pcss' })], device)).toEqual([expect.stringMatching(/^SCR025 .* use “Soft” instead/)]);
 });

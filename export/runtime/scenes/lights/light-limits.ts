@@ -1,7 +1,7 @@
 import type { WebGLRenderer } from 'three';
-import type { LightItem, LightList } from '../../../../nodes/kit/runtime.ts';
+import type { LightItem, LightList } from '../../../../nodes/kit/scene-lists.ts';
 import type { DrawBinding } from '../../scene-backend.ts';
-import { isLamp } from './is-lamp.ts';
+import { isDirectLight } from './is-direct-light.ts';
 import { MAX_VSM_PX, type MapLimits, mapSizeOf, needsFloats, shadowOf } from './light-map.ts';
 
 /**
@@ -23,7 +23,7 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         code: 'SCR023',
         severity: 'warning',
         port: 'lights',
-        message: `${shadows} lights cast shadows here, and ${MAX_SHADOWS} can: the first ${MAX_SHADOWS} do, the others shine through things.`,
+        message: `${shadows} lights cast shadows here, and ${MAX_SHADOWS} can: the first ${MAX_SHADOWS} do, the others cast no shadows.`,
         fix: 'Turn “Cast shadows” off at the lights where it matters least.',
       });
     }
@@ -32,7 +32,7 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         code: 'SCR025',
         severity: 'info',
         port: 'lights',
-        message: `This device makes no shadow map larger than ${limits.maxSizePx} pixels a side: maps that should be larger are as large as that.`,
+        message: `This device limits shadow maps to ${limits.maxSizePx} pixels a side. Larger maps are reduced to that size.`,
         fix: 'Choose a smaller “Shadow resolution”, or a smaller “Shadow area”, so that all devices show the same.',
       });
     }
@@ -41,7 +41,7 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         code: 'SCR025',
         severity: 'info',
         port: 'lights',
-        message: `Shadow maps with “Variance” edges are at most ${MAX_VSM_PX} pixels a side, because larger ones take gigabytes: maps that should be larger are as large as that.`,
+        message: `Shadow maps with “Variance” edges are limited to ${MAX_VSM_PX} pixels a side, to save memory. Larger maps are reduced to that size.`,
         fix: `Choose ${MAX_VSM_PX} as the “Shadow resolution”, or other “Shadow edges”.`,
       });
     }
@@ -50,19 +50,19 @@ export function createLightLimits(report: DrawBinding['report'], shown: 'all' | 
         code: 'SCR025',
         severity: 'info',
         port: 'lights',
-        message: 'This device cannot filter shadow maps by variance or harden them at contacts: such shadows are as of “Soft”.',
+        message: 'This device cannot draw “Variance” or “Contact-hardening” shadow edges. These shadows use “Soft” instead.',
         fix: 'Choose “Soft” as the shadow edges, so that all devices show the same.',
       });
     }
     if (shown === 'shadows') return;
-    const surroundings = countLights(lists, (light) => !isLamp(light));
-    if (surroundings > 1) {
+    const environments = countLights(lists, (light) => !isDirectLight(light));
+    if (environments > 1) {
       report({
         code: 'SCR023',
         severity: 'warning',
         port: 'lights',
-        message: `${surroundings} lights from all sides are wired here, Environment lights or Light estimates, and a scene has one: the first lights it, the others do not.`,
-        fix: 'Remove all wires of such lights but one.',
+        message: `${environments} environment lights or light estimates are connected, and a scene uses one. The others have no effect.`,
+        fix: 'Disconnect all of these lights but one.',
       });
     }
   };
@@ -73,9 +73,9 @@ function isCutForVariance(light: LightItem, limits: MapLimits): boolean {
   return shadow !== null && mapSizeOf(shadow, limits) < Math.min(shadow.mapSizePx, limits.maxSizePx);
 }
 
-/** Tells the node that draws where its device has too few texture units for all that shadows read. */
+/** Reports at the drawing node that the device has too few texture units for all shadows. */
 export interface TextureLimits {
-  /** Lights whose filter falls back to `soft`, and lights that see-through things do not dim. */
+  /** Lights whose filter falls back to `soft`, and lights that transparent objects do not dim. */
   tell(softened: number, undimmed: number): void;
 }
 
@@ -84,14 +84,14 @@ export function createTextureLimits(report: DrawBinding['report']): TextureLimit
     tell: (softened, undimmed) => {
       if (!report || softened + undimmed === 0) return;
       const losses = [
-        softened > 0 ? `the shadow edges of ${softened} of them are “Soft” instead` : '',
-        undimmed > 0 ? `see-through things throw no shadow in the light of ${undimmed} of them` : '',
+        softened > 0 ? `${softened} of them use “Soft” shadow edges` : '',
+        undimmed > 0 ? `transparent objects cast no shadow in the light of ${undimmed} of them` : '',
       ];
       report({
         code: 'SCR025',
         severity: 'warning',
         port: 'lights',
-        message: `The shadows of so many lights need more textures at once than can be had: ${losses.filter((loss) => loss !== '').join(', and ')}.`,
+        message: `The shadows of these lights need more textures than the device has: ${losses.filter((loss) => loss !== '').join(', and ')}.`,
         fix: 'Turn “Cast shadows” off at the lights where it matters least, or choose “Soft” as their “Shadow edges”.',
       });
     },

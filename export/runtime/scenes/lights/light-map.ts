@@ -16,14 +16,14 @@ import {
   WebGLCubeRenderTarget,
   WebGLRenderTarget,
 } from 'three';
-import type { LampShadow, LightShadow, ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
-import type { DirectionalLightItem, LightItem, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
+import type { LightShadow, LocalLightShadow, ShadowFilter } from '../../../../nodes/kit/light-shadow.ts';
+import type { DirectionalLightItem, LightItem, PointLightItem, SpotLightItem } from '../../../../nodes/kit/scene-lists.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
-import { isLamp } from './is-lamp.ts';
-import { aimCone, aimFace, createLampFit, FACE_COUNT, fitReach, type LampFit } from './lamp-fit.ts';
+import { isDirectLight } from './is-direct-light.ts';
+import { aimCone, aimFace, createLocalShadowFit, FACE_COUNT, fitReach, type LocalShadowFit } from './local-shadow-fit.ts';
 import { createMoments } from './moments.ts';
 import { createShadowFit, fitShadow, type ShadowFit } from './shadow-fit.ts';
-import { createVeil, VEIL, type Veil } from './veil.ts';
+import { createTranslucentShadow, TRANSLUCENT_SHADOW, type TranslucentShadow } from './translucent-shadow.ts';
 
 /** One light's depth map of this frame. */
 export interface ShadowMap {
@@ -34,9 +34,9 @@ export interface ShadowMap {
   readonly kind: 'flat' | 'cube';
   readonly target: WebGLRenderTarget;
   readonly mapFromWorld: Matrix4;
-  /** Normalised depth by which receivers are pulled towards the light. */
+  /** Normalized depth by which receivers are pulled towards the light. */
   readonly bias: number;
-  /** Metres along the receiver's normal; of a lamp with a place, per metre from it. */
+  /** Meters along the receiver's normal; of spot and point lights, per meter of distance. */
   readonly normalBias: number;
   readonly filter: ShadowFilter;
   /** Of `pcss`: 1 less the depth, in red, not filtered; else null. */
@@ -44,16 +44,16 @@ export interface ShadowMap {
   /** Of `vsm`: see `moments.ts`; else null. */
   readonly moments: Texture | null;
   /**
-   * What is left of the light, in red, beyond what is see-through, and how far away the nearest of that is, in alpha: metres along
+   * What is left of the light, in red, beyond what is see-through, and how far away the nearest of that is, in alpha: meters along
    * the light's axis. Null where nothing is.
    */
-  readonly veil: Texture | null;
-  /** Of a lamp with a place, metres; 0 and the whole range for parallel light. */
+  readonly translucent: Texture | null;
+  /** Of spot and point lights, meters; 0 and the whole range for parallel light. */
   readonly nearM: number;
   readonly farM: number;
   /**
-   * Of `pcss`: x, half the size of the light: of parallel light the radius of the penumbra in UV per metre between what casts and what
-   * receives, else metres. y: UV per metre across the map, one metre away from a lamp with a place; 0 for parallel light.
+   * Of `pcss`: x, half the size of the light: of parallel light the radius of the penumbra in UV per meter between what casts and what
+   * receives, else meters. y: UV per meter across the map, one meter away from a spot or point light; 0 for parallel light.
    */
   readonly source: Vector2;
 }
@@ -65,8 +65,8 @@ export interface LightMap {
   readonly shadow: object;
   readonly map: ShadowMap;
   readonly askedSizePx: number;
-  /** Draws the casters as the light sees them; `veils`: those that are see-through, null where none is. */
-  render(renderer: SceneRenderer, scene: Scene, veils: Scene | null, castersWorld: readonly Sphere[]): void;
+  /** Draws the casters as the light sees them; `translucentShadows`: those that are see-through, null where none is. */
+  render(renderer: SceneRenderer, scene: Scene, translucentShadows: Scene | null, castersWorld: readonly Sphere[]): void;
   dispose(): void;
 }
 
@@ -81,13 +81,13 @@ export interface MapLimits {
 export const MAX_VSM_PX = 4096;
 
 /** Side of the map that a light gets. */
-export function mapSizeOf({ mapSizePx, filter }: LightShadow | LampShadow, { maxSizePx, floats }: MapLimits): number {
+export function mapSizeOf({ mapSizePx, filter }: LightShadow | LocalLightShadow, { maxSizePx, floats }: MapLimits): number {
   return Math.min(mapSizePx, maxSizePx, filter === 'vsm' && floats ? MAX_VSM_PX : maxSizePx);
 }
 
 /** Null where the light casts no shadow. */
 export function createLightMap(light: LightItem, limits: MapLimits): LightMap | null {
-  if (!isLamp(light) || light.shadow === null) return null;
+  if (!isDirectLight(light) || light.shadow === null) return null;
   switch (light.kind) {
     case 'directional':
       return createSunMap(light, light.shadow, limits);
@@ -100,7 +100,7 @@ export function createLightMap(light: LightItem, limits: MapLimits): LightMap | 
 
 /** Settings that the map was made for, as they are now; null where the light casts none any more. */
 export function shadowOf(light: LightItem): DirectionalLightItem['shadow'] | PointLightItem['shadow'] {
-  return isLamp(light) ? light.shadow : null;
+  return isDirectLight(light) ? light.shadow : null;
 }
 
 function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: MapLimits): LightMap {
@@ -113,8 +113,8 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
     askedSizePx: shadow.mapSizePx,
     map: {
       ...flat.part,
-      get veil() {
-        return flat.veil.texture();
+      get translucent() {
+        return flat.translucent.texture();
       },
       kind: 'flat',
       mapFromWorld: fit.mapFromWorld,
@@ -130,17 +130,17 @@ function createSunMap(light: DirectionalLightItem, shadow: LightShadow, limits: 
       },
       source,
     },
-    render: (renderer, scene, veils, castersWorld) => {
+    render: (renderer, scene, translucentShadows, castersWorld) => {
       fitShadow(fit, light.towardsLightWorld, castersWorld, shadow.areaM, flat.part.target.width);
       source.set(Math.tan((shadow.sourceRad ?? 0) / 2) / shadow.areaM, 0);
-      flat.render(renderer, scene, veils, cameraOf(fit), 0, fit.farM);
+      flat.render(renderer, scene, translucentShadows, cameraOf(fit), 0, fit.farM);
     },
     dispose: flat.dispose,
   };
 }
 
-function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimits): LightMap {
-  const fit = createLampFit();
+function createConeMap(light: SpotLightItem, shadow: LocalLightShadow, limits: MapLimits): LightMap {
+  const fit = createLocalShadowFit();
   const flat = createFlatTarget(shadow, limits);
   const mapFromWorld = new Matrix4();
   const source = new Vector2();
@@ -150,8 +150,8 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
     askedSizePx: shadow.mapSizePx,
     map: {
       ...flat.part,
-      get veil() {
-        return flat.veil.texture();
+      get translucent() {
+        return flat.translucent.texture();
       },
       kind: 'flat',
       mapFromWorld,
@@ -167,11 +167,11 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
       },
       source,
     },
-    render: (renderer, scene, veils, castersWorld) => {
+    render: (renderer, scene, translucentShadows, castersWorld) => {
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       aimCone(fit, light.positionWorld, light.towardsLightWorld, light.halfAngleRad, mapFromWorld);
       source.set((shadow.sourceM ?? 0) / 2, 0.5 / Math.tan(light.halfAngleRad));
-      flat.render(renderer, scene, veils, cameraOf(fit), fit.nearM, fit.farM);
+      flat.render(renderer, scene, translucentShadows, cameraOf(fit), fit.nearM, fit.farM);
     },
     dispose: flat.dispose,
   };
@@ -179,10 +179,10 @@ function createConeMap(light: SpotLightItem, shadow: LampShadow, limits: MapLimi
 
 const NO_SOURCE = new Vector2();
 
-function createCubeMap(light: PointLightItem, shadow: LampShadow, limits: MapLimits): LightMap {
-  const fit = createLampFit();
+function createCubeMap(light: PointLightItem, shadow: LocalLightShadow, limits: MapLimits): LightMap {
+  const fit = createLocalShadowFit();
   const target = createCubeTarget(mapSizeOf(shadow, limits));
-  const veil = createVeil(() => new WebGLCubeRenderTarget(target.width, VEIL));
+  const translucent = createTranslucentShadow(() => new WebGLCubeRenderTarget(target.width, TRANSLUCENT_SHADOW));
   const mapFromWorld = new Matrix4();
   return {
     light,
@@ -195,8 +195,8 @@ function createCubeMap(light: PointLightItem, shadow: LampShadow, limits: MapLim
       filter: shadow.filter ?? 'soft',
       depths: null,
       moments: null,
-      get veil() {
-        return veil.texture();
+      get translucent() {
+        return translucent.texture();
       },
       bias: 0,
       get normalBias() {
@@ -210,19 +210,19 @@ function createCubeMap(light: PointLightItem, shadow: LampShadow, limits: MapLim
       },
       source: NO_SOURCE,
     },
-    render: (renderer, scene, veils, castersWorld) => {
+    render: (renderer, scene, translucentShadows, castersWorld) => {
       const [x = 0, y = 0, z = 0] = light.positionWorld;
       mapFromWorld.makeTranslation(-x, -y, -z);
       fitReach(fit, light.positionWorld, castersWorld, light.rangeM);
       for (let face = 0; face < FACE_COUNT; face++) {
         aimFace(fit, light.positionWorld, face);
         renderer.drawDepth(target, scene, cameraOf(fit), face);
-        veil.render(renderer, veils, cameraOf(fit), face);
+        translucent.render(renderer, translucentShadows, cameraOf(fit), face);
       }
     },
     dispose: () => {
       target.dispose();
-      veil.dispose();
+      translucent.dispose();
     },
   };
 }
@@ -230,7 +230,7 @@ function createCubeMap(light: PointLightItem, shadow: LampShadow, limits: MapLim
 // Every draw sets all of it before it is read.
 const scratchCamera = createCamera();
 
-function cameraOf(fit: LampFit | ShadowFit): Camera {
+function cameraOf(fit: LocalShadowFit | ShadowFit): Camera {
   scratchCamera.projectionMatrix.copy(fit.clipFromLight);
   scratchCamera.matrixWorld.copy(fit.worldFromLight);
   scratchCamera.matrixWorldInverse.copy(fit.lightFromWorld);
@@ -244,37 +244,37 @@ function createCamera(): Camera {
   return camera;
 }
 
-/** Where a colour buffer is of no use, three insists on one: the smallest. */
+/** Where a color buffer is of no use, three insists on one: the smallest. */
 const COLOR = { format: RedFormat, minFilter: NearestFilter, magFilter: NearestFilter, generateMipmaps: false } as const;
 
 interface FlatTarget {
   readonly part: Pick<ShadowMap, 'target' | 'filter' | 'depths' | 'moments'>;
-  readonly veil: Veil;
-  render(renderer: SceneRenderer, scene: Scene, veils: Scene | null, camera: Camera, nearM: number, farM: number): void;
+  readonly translucent: TranslucentShadow;
+  render(renderer: SceneRenderer, scene: Scene, translucentShadows: Scene | null, camera: Camera, nearM: number, farM: number): void;
   dispose(): void;
 }
 
 /** With whatever the filter reads beside depth that compares. */
-function createFlatTarget(shadow: LightShadow | LampShadow, limits: MapLimits): FlatTarget {
+function createFlatTarget(shadow: LightShadow | LocalLightShadow, limits: MapLimits): FlatTarget {
   const asked = shadow.filter ?? 'soft';
   const sizePx = mapSizeOf(shadow, limits);
   const filter = needsFloats(asked) && !limits.floats ? 'soft' : asked;
   const depthTexture = comparing(new DepthTexture(sizePx, sizePx, UnsignedIntType));
   const target = new WebGLRenderTarget(sizePx, sizePx, { ...COLOR, ...(needsFloats(filter) ? { type: FloatType } : {}), depthTexture });
-  const veil = createVeil(() => new WebGLRenderTarget(sizePx, sizePx, VEIL));
+  const translucent = createTranslucentShadow(() => new WebGLRenderTarget(sizePx, sizePx, TRANSLUCENT_SHADOW));
   const moments = filter === 'vsm' ? createMoments(target.texture, sizePx) : null;
   return {
     part: { target, filter, depths: filter === 'pcss' ? target.texture : null, moments: moments?.texture ?? null },
-    veil,
-    render: (renderer, scene, veils, camera, nearM, farM) => {
+    translucent,
+    render: (renderer, scene, translucentShadows, camera, nearM, farM) => {
       renderer.drawDepth(target, scene, camera);
       moments?.update(renderer, nearM, farM);
-      veil.render(renderer, veils, camera);
+      translucent.render(renderer, translucentShadows, camera);
     },
     dispose: () => {
       target.dispose();
       moments?.dispose();
-      veil.dispose();
+      translucent.dispose();
     },
   };
 }

@@ -1,19 +1,19 @@
 import { type Color, DirectionalLight, PointLight, type Scene, SpotLight, type Texture, Vector3 } from 'three';
-import type { DirectionalLightItem, LightItem, LightList, PointLightItem, SpotLightItem } from '../../../../nodes/kit/runtime.ts';
+import type { DirectionalLightItem, LightItem, LightList, PointLightItem, SpotLightItem } from '../../../../nodes/kit/scene-lists.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
-import type { VeilPatch } from '../materials/veil-patch.ts';
+import type { TranslucentShadowPatch } from '../materials/translucent-shadow-patch.ts';
 import type { ShadowMap } from './light-map.ts';
 import type { RenderedShadowMaps } from './shadow-maps.ts';
 
-/** three's lights for the light lists of one scene. Surroundings are not among them: see `surroundings.ts`. */
+/** The three.js lights for the light lists of one scene. Environments are not among them: see `scene-environment.ts`. */
 export interface LightRig {
-  /** Takes over changed lists and this frame's places and colours. */
+  /** Takes over changed lists and this frame's places and colors. */
   update(lists: readonly LightList[]): void;
   /**
-   * Hands three the maps rendered this frame, or takes them away, and to `veils` what dims. Returns how many lights should be dimmed
+   * Hands three the maps rendered this frame, or takes them away, and to `translucentShadows` what dims. Returns how many lights should be dimmed
    * and are not, because there are no texture units left for it.
    */
-  bindShadows(maps: RenderedShadowMaps | null, veils: VeilPatch, maxTextures: number): number;
+  bindShadows(maps: RenderedShadowMaps | null, translucentShadows: TranslucentShadowPatch, maxTextures: number): number;
   dispose(): void;
 }
 
@@ -26,20 +26,20 @@ const scratchPoint = new Vector3();
 /** The richest of three's materials takes so many besides shadows. */
 const MATERIAL_TEXTURES = 10;
 
-type Veils = (Texture | null)[];
+type Textures = (Texture | null)[];
 
-type Lamp = DirectionalLight | PointLight | SpotLight;
+type DirectLight = DirectionalLight | PointLight | SpotLight;
 
 interface RigLight {
   readonly item: LightItem;
-  readonly light: Lamp;
+  readonly light: DirectLight;
   update(): void;
 }
 
 export function createLightRig(scene: Scene): LightRig {
   const watch = createVersionWatch();
   const rig: RigLight[] = [];
-  const veilsBy = { directional: [] as Veils, spot: [] as Veils, point: [] as Veils };
+  const texturesBy = { directional: [] as Textures, spot: [] as Textures, point: [] as Textures };
   const directionalFarM: number[] = [];
 
   function clear(): void {
@@ -68,8 +68,8 @@ export function createLightRig(scene: Scene): LightRig {
       }
       for (let i = 0; i < rig.length; i++) rig[i]?.update();
     },
-    bindShadows: (maps, veils, maxTextures) => {
-      for (const list of Object.values(veilsBy)) list.length = 0;
+    bindShadows: (maps, translucentShadows, maxTextures) => {
+      for (const list of Object.values(texturesBy)) list.length = 0;
       directionalFarM.length = 0;
       let shadows = 0;
       let dimmed = 0;
@@ -78,13 +78,13 @@ export function createLightRig(scene: Scene): LightRig {
         bindShadow(light, map);
         if (map === null) continue;
         shadows++;
-        if (map.veil !== null) dimmed++;
+        if (map.translucent !== null) dimmed++;
         // three goes through lights of one kind in this order, those with a shadow first.
-        veilsBy[item.kind as keyof typeof veilsBy].push(map.veil);
+        texturesBy[item.kind as keyof typeof texturesBy].push(map.translucent);
         if (item.kind === 'directional') directionalFarM.push(map.farM);
       }
       const fits = 2 * shadows + MATERIAL_TEXTURES <= maxTextures;
-      veils.bind(veilsBy.directional, directionalFarM, veilsBy.spot, veilsBy.point, fits);
+      translucentShadows.bind(texturesBy.directional, directionalFarM, texturesBy.spot, texturesBy.point, fits);
       return fits ? 0 : dimmed;
     },
     dispose: clear,
@@ -150,7 +150,7 @@ function createSpot(item: SpotLightItem): RigLight {
 }
 
 /** Nothing is computed behind our back. */
-function setUp(light: Lamp): void {
+function setUp(light: DirectLight): void {
   light.matrixAutoUpdate = false;
   light.matrixWorldAutoUpdate = false;
   if (!('isPointLight' in light)) {
@@ -161,7 +161,7 @@ function setUp(light: Lamp): void {
   light.shadow.needsUpdate = false;
 }
 
-function bindShadow(light: Lamp, map: ShadowMap | null): void {
+function bindShadow(light: DirectLight, map: ShadowMap | null): void {
   const { shadow } = light;
   light.castShadow = map !== null;
   shadow.map = map?.target ?? null;

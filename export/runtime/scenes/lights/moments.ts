@@ -16,14 +16,14 @@ import type { SceneRenderer } from '../scene-renderer.ts';
 
 /**
  * Blurred moments of a shadow map (Donnelly and Lauritzen 2006), of what casts alone: red is how much of the blur's window casts,
- * green its depth in metres along the light's axis, and blue its depth squared, both times red. Perspective depth would not do:
- * with a caster close to the lamp, all others lie within the last thousandth of it, which squares of 32 bits do not tell apart.
+ * green its depth in meters along the light's axis, and blue its depth squared, both times red. Perspective depth would not do:
+ * with a caster close to the light, all others lie within the last thousandth of it, which squares of 32 bits do not tell apart.
  * What does not cast counts for nothing: receivers need not be in the map, and an empty background would pull the mean behind them,
  * where nothing is ever in shadow.
  */
 export interface Moments {
   readonly texture: Texture;
-  /** After the map was drawn; near and far of it, metres, near 0 for parallel light. */
+  /** After the map was drawn; near and far of it, meters, near 0 for parallel light. */
   update(renderer: SceneRenderer, nearM: number, farM: number): void;
   dispose(): void;
 }
@@ -103,8 +103,8 @@ void main() {
 /** Nothing was drawn where it is still 0: depth 1. */
 const FIRST = /* glsl */ `
   float stored = texture2D( source, at ).r;
-  float metres = reach.x > 0.0 ? reach.x * reach.y / ( reach.x + stored * ( reach.y - reach.x ) ) : ( 1.0 - stored ) * reach.y;
-  return stored > 0.0 ? vec3( 1.0, metres, metres * metres ) : vec3( 0.0 );
+  float meters = reach.x > 0.0 ? reach.x * reach.y / ( reach.x + stored * ( reach.y - reach.x ) ) : ( 1.0 - stored ) * reach.y;
+  return stored > 0.0 ? vec3( 1.0, meters, meters * meters ) : vec3( 0.0 );
 `;
 const SECOND = 'return texture2D( source, at ).rgb;';
 

@@ -1,7 +1,7 @@
 import { Matrix4, type Sphere, Vector3 } from 'three';
 
 /**
- * How far behind the casters the map reaches, metres: beyond any room. Depth is linear in it, and its 24 bits still tell apart
+ * How far behind the casters the map reaches, meters: beyond any room. Depth is linear in it, and its 24 bits still tell apart
  * 4 µm.
  */
 const REACH_M = 60;
@@ -14,7 +14,7 @@ export interface ShadowFit {
   readonly clipFromLight: Matrix4;
   /** Map UV and depth, each in [0, 1], from world. */
   readonly mapFromWorld: Matrix4;
-  /** How far from the camera depth is 1, metres. */
+  /** How far from the camera depth is 1, meters. */
   farM: number;
 }
 
@@ -37,7 +37,7 @@ const scratchCenter = new Vector3();
 export const UV_FROM_CLIP = new Matrix4().set(0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.5, 0.5, 0, 0, 0, 1);
 
 /**
- * Lays a square map of `areaM` metres around the middle of the casters.
+ * Lays a square map of `areaM` meters around the middle of the casters.
  *
  * The middle moves in whole texels of the map, so that the shadow's edge does not crawl while an object moves or an animation
  * plays. Casters outside the square cast no shadow; those before it are kept, however far they stand towards the light.

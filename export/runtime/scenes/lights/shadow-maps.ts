@@ -1,9 +1,9 @@
 import { Scene, Sphere } from 'three';
-import type { LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import type { LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
 import type { ShadowMaps } from '../../scene-backend.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
+import { castsTranslucentShadow, createTranslucentShadowTwin } from '../materials/translucent-shadow-twin.ts';
 import { createTwinCache } from '../materials/twins.ts';
-import { castsVeil, createVeilTwin } from '../materials/veil-twin.ts';
 import { boundsInObject, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { FlatProxy } from '../proxies/proxy.ts';
 import { createProxySet } from '../proxies/proxy-set.ts';
@@ -32,24 +32,24 @@ export function createShadowMaps(
     const material = mapMaterials(master, (part) => twins.get(part, features, () => createDepthTwin(part, 'shadow')));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
-  const veilScene = new Scene();
-  veilScene.matrixWorldAutoUpdate = false;
-  const veilTwins = createTwinCache();
-  const veilProxies = createProxySet(veilScene, (master) => {
-    if (!materialsOf(master).some(castsVeil)) return [];
+  const translucentScene = new Scene();
+  translucentScene.matrixWorldAutoUpdate = false;
+  const translucentTwins = createTwinCache();
+  const translucentProxies = createProxySet(translucentScene, (master) => {
+    if (!materialsOf(master).some(castsTranslucentShadow)) return [];
     const features = programFeatures(master);
-    const material = mapMaterials(master, (part) => veilTwins.get(part, features, () => createVeilTwin(part)));
+    const material = mapMaterials(master, (part) => translucentTwins.get(part, features, () => createTranslucentShadowTwin(part)));
     return [{ material, renderOrder: 0, shows: castsShadow }];
   });
   /** Materials may become see-through while running. */
-  let veiled = 0;
+  let translucentCount = 0;
 
-  function updateVeils(rebuilt: boolean): Scene | null {
-    const now = countVeils(proxies.proxies);
-    veilTwins.sync();
-    if (veilProxies.update(casters, rebuilt || now !== veiled)) veilTwins.sweep();
-    veiled = now;
-    for (let i = 0; i < veilProxies.proxies.length; i++) if (veilProxies.proxies[i]?.object.visible) return veilScene;
+  function updateTranslucent(rebuilt: boolean): Scene | null {
+    const now = countTranslucent(proxies.proxies);
+    translucentTwins.sync();
+    if (translucentProxies.update(casters, rebuilt || now !== translucentCount)) translucentTwins.sweep();
+    translucentCount = now;
+    for (let i = 0; i < translucentProxies.proxies.length; i++) if (translucentProxies.proxies[i]?.object.visible) return translucentScene;
     return null;
   }
   const limits = mapLimitsOf(renderer.three);
@@ -120,30 +120,30 @@ export function createShadowMaps(
       const rebuilt = proxies.update(casters, false);
       if (rebuilt) twins.sweep();
       updateBounds(rebuilt);
-      const veils = updateVeils(rebuilt);
+      const translucentShadows = updateTranslucent(rebuilt);
       let count = 0;
       for (const list of lights) {
         for (const light of list.items) {
-          if (shadowOf(light) !== null && count++ < MAX_SHADOWS) mapFor(light)?.render(renderer, scene, veils, shown);
+          if (shadowOf(light) !== null && count++ < MAX_SHADOWS) mapFor(light)?.render(renderer, scene, translucentShadows, shown);
         }
       }
     },
     dispose: () => {
       proxies.dispose();
-      veilProxies.dispose();
+      translucentProxies.dispose();
       twins.dispose();
-      veilTwins.dispose();
+      translucentTwins.dispose();
       while (maps[0]) remove(maps[0]);
     },
   };
 }
 
-function countVeils(proxies: readonly FlatProxy[]): number {
+function countTranslucent(proxies: readonly FlatProxy[]): number {
   let count = 0;
   for (let i = 0; i < proxies.length; i++) {
     const material = proxies[i]?.master.material;
-    if (Array.isArray(material)) for (const part of material) count += castsVeil(part) ? 1 : 0;
-    else if (material && castsVeil(material)) count++;
+    if (Array.isArray(material)) for (const part of material) count += castsTranslucentShadow(part) ? 1 : 0;
+    else if (material && castsTranslucentShadow(material)) count++;
   }
   return count;
 }

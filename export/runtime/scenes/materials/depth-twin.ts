@@ -8,8 +8,8 @@ import {
   NormalBlending,
 } from 'three';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
+import { castsTranslucentShadow } from './translucent-shadow-twin.ts';
 import { setMap, type Twin } from './twins.ts';
-import { castsVeil } from './veil-twin.ts';
 
 /** Below this, a surface that is blended lets light through rather than stopping it. */
 const SOLID_ALPHA = 0.5;
@@ -20,12 +20,12 @@ const SEEN_ALPHA = 1 / 255;
 /**
  * Draws the master's shape into depth alone: holes cut by its alpha test, moved by its displacement map.
  *
- * - `surface`: for what stands for a real thing or is drawn again in its colours. It lies a little behind the surface itself, so
+ * - `surface`: for what stands for a real thing or is drawn again in its colors. It lies a little behind the surface itself, so
  *   that what lies on the surface wins over it.
  * - `shadow`: both sides, because a single-sided wall casts a shadow whichever way it faces; what is see-through dims the light instead
- *   (`veil-twin.ts`).
+ *   (`translucent-shadow-twin.ts`).
  * - `solid`: as `surface`, but what is blended is there where its alpha is above one half.
- * - `blended`: what is blended and writes no depth with its colours, after all of these: so that its layer has it.
+ * - `blended`: what is blended and writes no depth with its colors, after all of these: so that its layer has it.
  */
 export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 'solid' | 'blended', clip: ShaderPatch | null = null): Twin {
   const material = new MeshDepthMaterial();
@@ -46,7 +46,8 @@ export function createDepthTwin(master: Material, use: 'surface' | 'shadow' | 's
     // Materials that lack one of these, such as lines, have no such holes.
     const from = master as Partial<MeshStandardMaterial> & Material;
     const alphaTest = from.alphaTest > 0 ? from.alphaTest : from.transparent ? leastAlpha : 0;
-    material.visible = from.visible && !(use === 'shadow' && castsVeil(master)) && !(use === 'blended' && !blendsWithoutDepth(master));
+    material.visible =
+      from.visible && !(use === 'shadow' && castsTranslucentShadow(master)) && !(use === 'blended' && !blendsWithoutDepth(master));
     material.side = use === 'shadow' ? (from.shadowSide ?? DoubleSide) : from.side;
     material.wireframe = from.wireframe ?? false;
     material.opacity = from.opacity;

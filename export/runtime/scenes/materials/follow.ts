@@ -10,9 +10,9 @@ type Values = Record<string, unknown>;
 type Copyable = { copy(from: Copyable): void };
 
 /**
- * Makes `material` follow every value of `master`: numbers, switches and textures by reference, colours and vectors by copy.
- * three's protocol holds: whoever changes what a program is compiled from sets the master's `needsUpdate`, and the returned
- * function then sets the follower's and answers true. Keys in `fixed` are left alone.
+ * Makes `material` follow every value of `master`: numbers, switches and textures by reference, colors and vectors by copy.
+ * three's protocol holds: code that changes what a program is compiled from sets the master's `needsUpdate`, and the returned
+ * function then sets the follower's and returns true. Keys in `fixed` are left alone.
  *
  * `Material.copy` would do, but it clones user data, planes and defines at every call.
  */

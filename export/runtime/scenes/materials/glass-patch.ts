@@ -5,8 +5,8 @@ import type { ShaderPatch } from './shader-patch.ts';
  * Lets the layer's background show through transmissive materials.
  *
  * three renders what stands behind glass into a buffer that it clears to half-covered white (`renderTransmissionPass`), so
- * that glass over nothing becomes a white veil. The buffer's content is opaque, so a sample's alpha tells how much of it is
- * clear colour: with coverage k, alpha = k + (1 - k) / 2 and colour = k · content + (1 - k) · white. Taking the white out
+ * that glass over nothing becomes a white haze. The buffer's content is opaque, so a sample's alpha tells how much of it is
+ * clear color: with coverage k, alpha = k + (1 - k) / 2 and color = k · content + (1 - k) · white. Taking the white out
  * gives premultiplied content with coverage k; glass over nothing is then as transparent as its transmittance.
  */
 export function createGlassPatch(): ShaderPatch & { dispose(): void } {

@@ -21,11 +21,11 @@ export function isOpaque(material: Material): boolean {
 }
 
 /**
- * Sets the twin's blending and defines so that a layer over transparent black comes out premultiplied (design §7).
+ * Sets the twin's blending and defines so that a layer over transparent black comes out premultiplied (docs/ARCHITECTURE.md, “Drawing”).
  *
- * - Opaque, normally blended: as three has them. Its factors for normal blending give colour × alpha and the right alpha.
+ * - Opaque, normally blended: as three has them. Its factors for normal blending give color × alpha and the right alpha.
  * - Additive: three also adds the alpha, which would cover what lies behind the layer; light that is only added covers nothing.
- * - Glass, and opaque surfaces that `occlusion-patch.ts` fades: their shaders write premultiplied colour, blended over.
+ * - Glass, and opaque surfaces that `occlusion-patch.ts` fades: their shaders write premultiplied color, blended over.
  */
 export function applyLayerBlending(twin: Material, master: Material, fades: boolean): void {
   twin.defines = { ...master.defines };

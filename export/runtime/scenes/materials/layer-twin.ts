@@ -1,18 +1,18 @@
 import type { BackSide, FrontSide, Material } from 'three';
 import { follow } from './follow.ts';
 import { createGlassPatch } from './glass-patch.ts';
-import { createLampShadowPatch } from './lamp-shadow-patch.ts';
 import { applyLayerBlending } from './layer-blending.ts';
+import { createLocalShadowPatch } from './local-shadow-patch.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
+import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { Twin } from './twins.ts';
-import type { VeilPatch } from './veil-patch.ts';
 
 export interface LayerTwinOptions {
   /** Draws only this side of a double-sided master. */
   readonly side: typeof BackSide | typeof FrontSide | null;
   /** Fades fragments behind the room, or null. */
   readonly occlusion: ShaderPatch | null;
-  readonly veils: VeilPatch;
+  readonly translucentShadows: TranslucentShadowPatch;
   /** Called when the master began to need another way of drawing, such as having become transparent. */
   readonly onChange: () => void;
 }
@@ -25,9 +25,9 @@ export function createLayerTwin(master: Material, options: LayerTwinOptions): Tw
   patchMaterial(
     material,
     master,
-    [createLampShadowPatch(), options.veils, glass, options.occlusion].filter((patch) => patch !== null),
+    [createLocalShadowPatch(), options.translucentShadows, glass, options.occlusion].filter((patch) => patch !== null),
   );
-  options.veils.attach(material);
+  options.translucentShadows.attach(material);
   const sync = follow(material, master, options.side === null ? [] : ['side']);
   if (options.side !== null) material.side = options.side;
   applyLayerBlending(material, master, fades);
@@ -39,7 +39,7 @@ export function createLayerTwin(master: Material, options: LayerTwinOptions): Tw
       options.onChange();
     },
     dispose: () => {
-      options.veils.detach(material);
+      options.translucentShadows.detach(material);
       glass?.dispose();
       material.dispose();
     },

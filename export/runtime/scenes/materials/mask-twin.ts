@@ -3,7 +3,7 @@ import { createDepthTwin } from './depth-twin.ts';
 import { patchMaterial, type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { Twin } from './twins.ts';
 
-/** Instead of the depth that three writes as a colour. */
+/** Instead of the depth that three writes as a color. */
 const WHITE: ShaderPatch = {
   key: 'white',
   apply: (shader) => {

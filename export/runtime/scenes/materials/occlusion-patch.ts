@@ -31,8 +31,8 @@ const FRAGMENT = {
   before: /* glsl */ `
 uniform sampler2D scrimRoomDepth;
 uniform mat3 scrimRoomUvFromViewUv;
-// x: 1 where there is room depth, 2 where it is blended; y: soft border, metres; z: how far behind the room something may be and
-// still show, metres; w: radius of the border, pixels.
+// x: 1 where there is room depth, 2 where it is blended; y: soft border, meters; z: how far behind the room something may be and
+// still show, meters; w: radius of the border, pixels.
 uniform vec4 scrimOcclusion;
 uniform vec2 scrimViewPx;
 varying vec4 scrimPositionClip;

@@ -10,7 +10,9 @@ import {
   Vector2,
   Vector4,
 } from 'three';
-import type { DrawView, NumberView, RoomDepthOutput } from '../../../../nodes/kit/runtime.ts';
+import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import type { RoomDepthOutput } from '../../../../nodes/kit/scene-lists.ts';
+import type { NumberView } from '../../../../nodes/kit/value-views.ts';
 import { ROOM_DEPTH_CHUNK } from './room-depth-chunk.ts';
 import { type ShaderPatch, wrapMain } from './shader-patch.ts';
 import type { CatcherSurface } from './shadow-catcher-shader.ts';
@@ -42,7 +44,7 @@ export function createRoomSurface(roomDepth: RoomDepthOutput, toleranceM: Number
     // What the projection scales x and y by, and how far it shifts them.
     roomLens: { value: new Vector4() },
     roomWorldFromView: { value: new Matrix4() },
-    // x: 1 where there is room depth, 2 where it is blended; y: tolerance, metres.
+    // x: 1 where there is room depth, 2 where it is blended; y: tolerance, meters.
     roomClip: { value: new Vector2() },
   };
   return {
@@ -128,7 +130,7 @@ float roomTexel( const in ivec2 at, const in ivec2 last ) {
   return texelFetch( roomDepth, clamp( at, ivec2( 0 ), last ), 0 ).r;
 }
 
-// The plane, in metres along the view's axis: here, and one sample farther along either axis of the depth picture; 0 where unknown.
+// The plane, in meters along the view's axis: here, and one sample farther along either axis of the depth picture; 0 where unknown.
 vec3 roomPlane( const in vec2 viewUv ) {
   vec3 uv = roomUvFromViewUv * vec3( viewUv, 1.0 );
   vec2 at = uv.xy / uv.z;
@@ -147,12 +149,12 @@ vec3 roomPlane( const in vec2 viewUv ) {
   for ( int y = -REACH; y <= REACH; y ++ ) {
     for ( int x = -REACH; x <= REACH; x ++ ) {
       ivec2 sampled = clamp( middle + stride * ivec2( x, y ), ivec2( 0 ), size - 1 );
-      float metres = texelFetch( roomDepth, sampled, 0 ).r;
+      float meters = texelFetch( roomDepth, sampled, 0 ).r;
       vec2 place = ( vec2( sampled ) + 0.5 - texel ) / float( stride );
-      float apart = ( metres - middleM ) / ( SAME_SURFACE * middleM );
+      float apart = ( meters - middleM ) / ( SAME_SURFACE * middleM );
       float weight = max( 0.0, 1.0 - dot( place, place ) / ( ( float( REACH ) + 0.5 ) * ( float( REACH ) + 0.5 ) ) ) * max( 0.0, 1.0 - apart * apart );
-      if ( metres <= 0.0 || weight <= 0.0 ) continue;
-      vec3 found = vec3( place, middleM / metres - 1.0 );
+      if ( meters <= 0.0 || weight <= 0.0 ) continue;
+      vec3 found = vec3( place, middleM / meters - 1.0 );
       weights += weight;
       sums += weight * found;
       squares += weight * vec3( place * place, place.x * place.y );
@@ -168,9 +170,9 @@ vec3 roomPlane( const in vec2 viewUv ) {
   return middleM / ( 1.0 + here + vec3( 0.0, slope / float( stride ) ) );
 }
 
-vec3 roomPoint( const in vec2 viewUv, const in float metres ) {
+vec3 roomPoint( const in vec2 viewUv, const in float meters ) {
   vec3 ray = vec3( ( viewUv * 2.0 - 1.0 + roomLens.zw ) / roomLens.xy, -1.0 );
-  return ( roomWorldFromView * vec4( ray * metres, 1.0 ) ).xyz;
+  return ( roomWorldFromView * vec4( ray * meters, 1.0 ) ).xyz;
 }
 `,
   find: /* glsl */ `vec3 plane = roomPlane( vViewUv );

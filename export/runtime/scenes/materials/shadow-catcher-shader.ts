@@ -1,11 +1,11 @@
-import { BEHIND_VEIL } from '../lights/veil.ts';
+import { BEHIND_TRANSLUCENT } from '../lights/translucent-shadow.ts';
 import { type CubeLight, cubeLit, cubeParts, type FlatLight, flatLit, flatParts } from './shadow-filter-shader.ts';
 
 /**
- * The surface of a phantom as a shadow: premultiplied colour, whose alpha is the blocked part of the light that would reach it.
+ * The surface of a phantom as a shadow: premultiplied color, whose alpha is the blocked part of the light that would reach it.
  *
- * Light is weighted as a matt surface receives it, by its luminance, its distance and the cosine to the normal, so that a lamp
- * behind a wall neither darkens nor lightens it, and one of two lamps alone makes half a shadow. Where light only grazes the surface
+ * Light is weighted as a matt surface receives it, by its luminance, its distance and the cosine to the normal, so that a light
+ * behind a wall neither darkens nor lightens it, and one of two lights alone makes half a shadow. Where light only grazes the surface
  * the real one is dim by itself, and the shadow fades.
  *
  * Normals are those of the triangles (screen-space derivatives): scanned and detected surfaces come without.
@@ -94,7 +94,7 @@ export type CatcherSurface = typeof GEOMETRY;
 /** Written out light by light, because samplers in arrays take constant indices only. */
 export function catcherFragment({ flat, cube, plain }: CatcherLights, { declarations, find }: CatcherSurface = GEOMETRY): string {
   const count = flat.length + cube.length + plain;
-  const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ veil }) => veil >= 0).length;
+  const extras = flat.filter(({ extra }) => extra >= 0).length + flat.filter(({ translucent }) => translucent >= 0).length;
   const add = 'all += light.x; blocked += unlessGrazing( light, lit );';
   const lines = [
     ...flat.map((light, i) => `${arrives(i)} ${flatLit(light, i)} ${add}`),
@@ -106,7 +106,7 @@ ${SHADOW_COLOR}
 ${count > 0 ? lightUniforms(count) : ''}
 ${declarations}
 ${ARRIVING}
-${BEHIND_VEIL}
+${BEHIND_TRANSLUCENT}
 ${flatParts(flat, extras)}
 ${cubeParts(cube)}
 void main() {
@@ -157,6 +157,6 @@ function lightUniforms(count: number): string {
 uniform vec4 lightPlace[ ${count} ];
 // xyz: unit vector against the beam, world; w: cosine at the cone's edge, -2 without a cone.
 uniform vec4 lightCone[ ${count} ];
-// x: luminance; y: range in metres, 0 without end; z: cosine where the cone is in full light.
+// x: luminance; y: range in meters, 0 without end; z: cosine where the cone is in full light.
 uniform vec3 lightFall[ ${count} ];`;
 }

@@ -10,24 +10,26 @@ import {
   Vector3,
   Vector4,
 } from 'three';
-import type { DrawView, LightList, NumberView, ObjectItem, ObjectList, VectorView } from '../../../../nodes/kit/runtime.ts';
-import { isLamp } from '../lights/is-lamp.ts';
+import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import type { LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
+import type { NumberView, VectorView } from '../../../../nodes/kit/value-views.ts';
+import { isDirectLight } from '../lights/is-direct-light.ts';
 import type { TextureLimits } from '../lights/light-limits.ts';
 import { needsFloats, type ShadowMap } from '../lights/light-map.ts';
 import type { RenderedShadowMaps } from '../lights/shadow-maps.ts';
 import { type Drawable, materialsOf } from '../proxies/drawable.ts';
-import { createLampUniforms, setLamp, setLampCount } from './lamp-uniforms.ts';
 import { isOpaque } from './layer-blending.ts';
+import { createLightUniforms, setLight, setLightCount } from './light-uniforms.ts';
 import { createRoomMaterial, ROOM_SURFACE, type RoomUniforms } from './room-surface.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { CATCHER_VERTEX, catcherFragment } from './shadow-catcher-shader.ts';
 import type { CubeLight, FlatLight } from './shadow-filter-shader.ts';
 import type { Twin } from './twins.ts';
 
-/** The materials of one shadow layer: they share lights, strength and colour, and differ in what three compiles per object. */
+/** The materials of one shadow layer: they share lights, strength and color, and differ in what three compiles per object. */
 export interface ShadowCatcher {
   createTwin(master: Material): Twin;
-  /** Takes over strength and colour, changed lists, and this frame's matrices and lights. */
+  /** Takes over strength and color, changed lists, and this frame's matrices and lights. */
   update(receivers: readonly ObjectList[], lights: readonly LightList[]): void;
   /** Before a view is drawn; leaves no framebuffer bound. */
   beforeDraw(view: DrawView): void;
@@ -51,7 +53,7 @@ const MAX_TEXTURES = 14;
 /** Catches shadows by shadow maps, with the filter of each light; edges follow what pictures cut out. */
 export function createMapCatcher({ strength, color, maps, occlusion, textureLimits }: MapCatcherOptions): ShadowCatcher {
   let lightLists: readonly LightList[] = [];
-  const lamps = createLampUniforms();
+  const lightUniforms = createLightUniforms();
   const flatMaps: (Texture | null)[] = [];
   const mapFromWorld: Matrix4[] = [];
   const flatBias: Vector3[] = [];
@@ -59,11 +61,11 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   const flatExtras: Texture[] = [];
   const cubeMaps: (Texture | null)[] = [];
   const cubeReach: Vector4[] = [];
-  const cubeVeils: (Texture | null)[] = [];
+  const cubeTranslucent: (Texture | null)[] = [];
   const uniforms = {
     strength: { value: 0 },
     shadowColor: { value: new Vector4() },
-    ...lamps,
+    ...lightUniforms,
     flatMaps: { value: flatMaps },
     mapFromWorld: { value: mapFromWorld },
     flatBias: { value: flatBias },
@@ -71,7 +73,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     flatExtras: { value: flatExtras },
     cubeMaps: { value: cubeMaps },
     cubeReach: { value: cubeReach },
-    cubeVeils: { value: cubeVeils },
+    cubeTranslucent: { value: cubeTranslucent },
   };
   const flat: FlatLight[] = [];
   const cube: CubeLight[] = [];
@@ -80,7 +82,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   let roomFragment = catcherFragment(lights, ROOM_SURFACE);
   const written = new Map<ShaderMaterial, 'geometry' | 'room'>();
   /** `textures`: units that are taken; `softened` and `undimmed`: lights that found none left. */
-  const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeVeils: 0, textures: 0, softened: 0, undimmed: 0 };
+  const counts = { flat: 0, cube: 0, plain: 0, extras: 0, cubeTranslucent: 0, textures: 0, softened: 0, undimmed: 0 };
   let outdated = false;
 
   function countMaps(): number {
@@ -102,10 +104,10 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     // Without its texture a filter of the last two is the soft one.
     const filter = extra < 0 && needsFloats(map.filter) ? 'soft' : map.filter;
     if (filter !== map.filter) counts.softened++;
-    const veil = addExtra(map.veil);
-    if (veil < 0 && map.veil !== null) counts.undimmed++;
-    if (flat[i]?.filter === filter && flat[i]?.extra === extra && flat[i]?.veil === veil) return;
-    flat[i] = { filter, extra, veil };
+    const translucent = addExtra(map.translucent);
+    if (translucent < 0 && map.translucent !== null) counts.undimmed++;
+    if (flat[i]?.filter === filter && flat[i]?.extra === extra && flat[i]?.translucent === translucent) return;
+    flat[i] = { filter, extra, translucent };
     outdated = true;
   }
 
@@ -122,11 +124,11 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     cubeMaps[i] = map.target.depthTexture;
     cubeReach[i] ??= new Vector4();
     cubeReach[i].set(map.nearM, map.farM, 2 / map.target.width, map.normalBias);
-    const veil = map.veil !== null && counts.textures++ < MAX_TEXTURES ? counts.cubeVeils++ : -1;
-    if (veil >= 0) cubeVeils[veil] = map.veil;
-    else if (map.veil !== null) counts.undimmed++;
-    if (cube[i]?.filter === map.filter && cube[i]?.veil === veil) return;
-    cube[i] = { filter: map.filter, veil };
+    const translucent = map.translucent !== null && counts.textures++ < MAX_TEXTURES ? counts.cubeTranslucent++ : -1;
+    if (translucent >= 0) cubeTranslucent[translucent] = map.translucent;
+    else if (map.translucent !== null) counts.undimmed++;
+    if (cube[i]?.filter === map.filter && cube[i]?.translucent === translucent) return;
+    cube[i] = { filter: map.filter, translucent };
     outdated = true;
   }
 
@@ -134,10 +136,10 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   function addLights(wanted: ShadowMap['kind'] | null): void {
     for (const list of lightLists) {
       for (const light of list.items) {
-        if (!isLamp(light)) continue;
+        if (!isDirectLight(light)) continue;
         const map = maps?.mapOf(light) ?? null;
         if ((map?.kind ?? null) !== wanted) continue;
-        setLamp(lamps, counts.flat + counts.cube + counts.plain, light);
+        setLight(lightUniforms, counts.flat + counts.cube + counts.plain, light);
         if (map === null) counts.plain++;
         else if (map.kind === 'flat') addFlat(map);
         else addCube(map);
@@ -153,8 +155,8 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
     for (const array of [flat, flatMaps, mapFromWorld, flatBias, flatReach]) array.length = counts.flat;
     for (const array of [cube, cubeMaps, cubeReach]) array.length = counts.cube;
     flatExtras.length = counts.extras;
-    cubeVeils.length = counts.cubeVeils;
-    setLampCount(lamps, counts.flat + counts.cube + counts.plain);
+    cubeTranslucent.length = counts.cubeTranslucent;
+    setLightCount(lightUniforms, counts.flat + counts.cube + counts.plain);
     fragmentShader = catcherFragment(lights);
     roomFragment = catcherFragment(lights, ROOM_SURFACE);
     for (const [material, surface] of written) {
@@ -193,7 +195,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
       counts.cube = 0;
       counts.plain = 0;
       counts.extras = 0;
-      counts.cubeVeils = 0;
+      counts.cubeTranslucent = 0;
       counts.softened = 0;
       counts.undimmed = 0;
       counts.textures = countMaps();
@@ -207,7 +209,7 @@ export function createMapCatcher({ strength, color, maps, occlusion, textureLimi
   };
 }
 
-/** Glass and the like let shadows through to what lies behind. */
+/** Phantoms and opaque objects do. Through glass and other transparent materials, shadows reach what lies behind. */
 export function catchesShadows(master: Drawable, item: ObjectItem): boolean {
   return item.role === 'phantom' || materialsOf(master).every(isOpaque);
 }

@@ -25,8 +25,8 @@ float litBySoft( const in sampler2DShadow map, const in vec3 at, const in float 
 }
 `,
   vsm: /* glsl */ `
-// Standard deviation of depth that counts as none, metres: what rounding and the slope within a texel make; and beyond 8 m, where
-// squares of 32 bits tell less apart, per metre.
+// Standard deviation of depth that counts as none, meters: what rounding and the slope within a texel make; and beyond 8 m, where
+// squares of 32 bits tell less apart, per meter.
 #define LEAST_SPREAD 0.004
 #define LEAST_SPREAD_PART 0.0005
 // Light that the bound lets through at most where nothing arrives: cut off, and the rest stretched (Lauritzen 2007, section 8.4.3).
@@ -37,7 +37,7 @@ float litByVsm( const in sampler2D moments, const in vec3 at, const in vec4 reac
   vec3 m = texture2D( moments, at.xy ).rgb;
   if ( m.x <= 0.0 ) return 1.0;
   float mean = m.y / m.x;
-  float behind = metresFromLight( at.z, reach ) - mean;
+  float behind = metersFromLight( at.z, reach ) - mean;
   if ( behind <= 0.0 ) return 1.0;
   float least = max( LEAST_SPREAD, LEAST_SPREAD_PART * mean );
   float variance = max( m.z / m.x - mean * mean, least * least );
@@ -64,7 +64,7 @@ float penumbra( const in float casterM, const in float receiverM, const in vec4 
 }
 
 float litByPcss( const in sampler2DShadow map, const in sampler2D depths, const in vec3 at, const in float texel, const in vec4 reach ) {
-  float receiverM = metresFromLight( at.z, reach );
+  float receiverM = metersFromLight( at.z, reach );
   float turn = 6.283185307179586 * fract( 52.9829189 * fract( dot( gl_FragCoord.xy, vec2( 0.06711056, 0.00583715 ) ) ) );
   float search = clamp( penumbra( max( reach.x, 0.001 ), receiverM, reach ), texel, WIDEST );
   float casters = 0.0;
@@ -73,7 +73,7 @@ float litByPcss( const in sampler2DShadow map, const in sampler2D depths, const 
     float depth = 1.0 - texture2D( depths, at.xy + inDisc( i, float( SEARCH_TAPS ), turn ) * search ).r;
     if ( depth < at.z ) {
       casters += 1.0;
-      sum += metresFromLight( depth, reach );
+      sum += metersFromLight( depth, reach );
     }
   }
   if ( casters == 0.0 ) return 1.0;
@@ -91,18 +91,18 @@ export interface FlatLight {
   /** Its place among the textures beside those that compare: depths or moments; -1 without. */
   readonly extra: number;
   /** The place among these of what see-through things leave of it; -1 where nothing is see-through. */
-  readonly veil: number;
+  readonly translucent: number;
 }
 
 export interface CubeLight {
   readonly filter: ShadowFilter;
-  /** Its place among the veils of such lights, or -1. */
-  readonly veil: number;
+  /** Index of its translucent shadow map, or -1. */
+  readonly translucent: number;
 }
 
 /** Along the light's axis. */
-const METRES = /* glsl */ `
-float metresFromLight( const in float depth, const in vec4 reach ) {
+const METERS = /* glsl */ `
+float metersFromLight( const in float depth, const in vec4 reach ) {
   // Parallel light measures evenly from the nearest caster on.
   return reach.w <= 0.0 ? depth * reach.y : reach.x * reach.y / ( reach.y - depth * ( reach.y - reach.x ) );
 }
@@ -112,30 +112,30 @@ float metresFromLight( const in float depth, const in vec4 reach ) {
  * Of nine texels: what is before the nearest thing that dims is not dimmed. Receivers are where they are, not moved along their
  * normals: nothing here is see-through itself.
  */
-const VEIL = /* glsl */ `
-float metresToPoint( const in mat4 fromWorld, const in vec4 reach, const in vec3 positionWorld ) {
+const TRANSLUCENT_SHADOW = /* glsl */ `
+float metersToPoint( const in mat4 fromWorld, const in vec4 reach, const in vec3 positionWorld ) {
   vec4 at = fromWorld * vec4( positionWorld, 1.0 );
   return reach.w <= 0.0 ? at.z * reach.y : at.w;
 }
 
-float throughVeil( const in sampler2D veil, const in vec3 at, const in float texel, const in float metres ) {
+float throughTranslucent( const in sampler2D translucent, const in vec3 at, const in float texel, const in float meters ) {
   float through = 0.0;
   for ( int y = -1; y <= 1; y ++ ) {
     for ( int x = -1; x <= 1; x ++ ) {
-      vec4 v = texture2D( veil, at.xy + vec2( x, y ) * texel );
-      through += behindVeil( metres, v.a ) ? v.r : 1.0;
+      vec4 v = texture2D( translucent, at.xy + vec2( x, y ) * texel );
+      through += isBehindTranslucent( meters, v.a ) ? v.r : 1.0;
     }
   }
   return through / 9.0;
 }
 `;
 
-const CUBE_VEIL = /* glsl */ `
-float throughCubeVeil( const in samplerCube veil, const in vec3 positionWorld, const in vec3 place ) {
+const CUBE_TRANSLUCENT_SHADOW = /* glsl */ `
+float throughCubeTranslucent( const in samplerCube translucent, const in vec3 positionWorld, const in vec3 place ) {
   vec3 offset = positionWorld - place;
   vec3 size = abs( offset );
-  vec4 v = textureCube( veil, offset );
-  return behindVeil( max( max( size.x, size.y ), size.z ), v.a ) ? v.r : 1.0;
+  vec4 v = textureCube( translucent, offset );
+  return isBehindTranslucent( max( max( size.x, size.y ), size.z ), v.a ) ? v.r : 1.0;
 }
 `;
 
@@ -146,15 +146,15 @@ export function flatParts(lights: readonly FlatLight[], extras: number): string 
   return /* glsl */ `
 uniform sampler2DShadow flatMaps[ ${lights.length} ];
 uniform mat4 mapFromWorld[ ${lights.length} ];
-// x: texel in UV, y: depth bias, z: along the normal, times the map's w: metres, or per metre of distance.
+// x: texel in UV, y: depth bias, z: along the normal, times the map's w: meters, or per meter of distance.
 uniform vec3 flatBias[ ${lights.length} ];
-// x: near, y: far, metres; z and w as \`ShadowMap.source\`.
+// x: near, y: far, meters; z and w as \`ShadowMap.source\`.
 uniform vec4 flatReach[ ${lights.length} ];
 ${extras > 0 ? `uniform sampler2D flatExtras[ ${extras} ];` : ''}
 // Where the receiver is in a map, and its depth; a negative x where the map says nothing, which is lit.
 vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 positionWorld, const in vec3 normal ) {
   float reach = ( fromWorld * vec4( positionWorld, 1.0 ) ).w;
-  // Behind a lamp there is none of its light.
+  // A spot light does not shine backwards.
   if ( reach <= 0.0 ) return vec3( -1.0 );
   vec4 at = fromWorld * vec4( positionWorld + normal * bias.z * reach, 1.0 );
   at.xyz /= at.w;
@@ -162,15 +162,15 @@ vec3 inFlat( const in mat4 fromWorld, const in vec3 bias, const in vec3 position
   // Beyond the map's far end everything in it still stands before.
   return vec3( at.xy, min( at.z - bias.y, 1.0 ) );
 }
-${METRES}${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ veil }) => veil >= 0) ? VEIL : ''}`;
+${METERS}${filters.map((filter) => FILTERS[filter]).join('')}${lights.some(({ translucent }) => translucent >= 0) ? TRANSLUCENT_SHADOW : ''}`;
 }
 
 /** Sets \`at\` and \`lit\` for the light at \`i\` among those with a map of one side. */
-export function flatLit({ filter, extra, veil }: FlatLight, i: number): string {
+export function flatLit({ filter, extra, translucent }: FlatLight, i: number): string {
   const through =
-    veil < 0
+    translucent < 0
       ? ''
-      : ` * throughVeil( flatExtras[ ${veil} ], at, flatBias[ ${i} ].x, metresToPoint( mapFromWorld[ ${i} ], flatReach[ ${i} ], positionWorld ) )`;
+      : ` * throughTranslucent( flatExtras[ ${translucent} ], at, flatBias[ ${i} ].x, metersToPoint( mapFromWorld[ ${i} ], flatReach[ ${i} ], positionWorld ) )`;
   return `at = inFlat( mapFromWorld[ ${i} ], flatBias[ ${i} ], positionWorld, normal ); lit = at.x < 0.0 ? 1.0 : ${call(filter, i, extra)}${through};`;
 }
 
@@ -194,12 +194,12 @@ const CUBE_SIDE: Readonly<Record<ShadowFilter, number>> = { basic: 0, pcf: 0, so
 
 export function cubeParts(lights: readonly CubeLight[]): string {
   if (lights.length === 0) return '';
-  const veils = lights.filter(({ veil }) => veil >= 0).length;
+  const translucentShadows = lights.filter(({ translucent }) => translucent >= 0).length;
   return /* glsl */ `
 uniform samplerCubeShadow cubeMaps[ ${lights.length} ];
-// x: near, y: far, metres; z: texel at one metre; w: along the normal per metre of distance.
+// x: near, y: far, meters; z: texel at one meter; w: along the normal per meter of distance.
 uniform vec4 cubeReach[ ${lights.length} ];
-${veils > 0 ? `uniform samplerCube cubeVeils[ ${veils} ];${CUBE_VEIL}` : ''}
+${translucentShadows > 0 ? `uniform samplerCube cubeTranslucent[ ${translucentShadows} ];${CUBE_TRANSLUCENT_SHADOW}` : ''}
 ${TEXEL_OF_CUBE}
 
 // As with one map. A face holds depth along its own axis, so each comparison is with the point at the receiver's distance in its
@@ -238,7 +238,8 @@ vec3 texelOfCube( const in vec3 direction, const in float texel ) {
   return mix( snapped, onFace, vec3( equal( size, vec3( axis ) ) ) );
 }`;
 
-export function cubeLit({ filter, veil }: CubeLight, i: number, light: number): string {
-  const through = veil < 0 ? '' : ` * throughCubeVeil( cubeVeils[ ${veil} ], positionWorld, lightPlace[ ${light} ].xyz )`;
+export function cubeLit({ filter, translucent }: CubeLight, i: number, light: number): string {
+  const through =
+    translucent < 0 ? '' : ` * throughCubeTranslucent( cubeTranslucent[ ${translucent} ], positionWorld, lightPlace[ ${light} ].xyz )`;
   return `lit = litByCube( cubeMaps[ ${i} ], positionWorld, lightPlace[ ${light} ].xyz, cubeReach[ ${i} ], normal, ${CUBE_SIDE[filter]}, ${filter === 'basic'} )${through};`;
 }

@@ -1,14 +1,16 @@
 import { type IUniform, Material, Vector2, Vector3 } from 'three';
-import type { DrawView, NumberView, ObjectItem } from '../../../../nodes/kit/runtime.ts';
+import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
+import type { NumberView } from '../../../../nodes/kit/value-views.ts';
 import { type Drawable, mapMaterials, materialsOf, programFeatures } from '../proxies/drawable.ts';
 import type { ProxyPlan } from '../proxies/proxy.ts';
+import { ensureHullNormals } from './hull-normals.ts';
 import type { OcclusionPatch } from './occlusion-patch.ts';
-import { ensureOutward } from './outward.ts';
 import { createTechniqueTwin } from './technique-twin.ts';
 import { createTechniqueUniforms, type TechniqueUniforms } from './technique-uniforms.ts';
+import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { TwinCache } from './twins.ts';
-import type { VeilPatch } from './veil-patch.ts';
 
 /** Plans for the meshes of one scene that are drawn by techniques. */
 export interface TechniquePlans {
@@ -26,7 +28,7 @@ export interface TechniquePlansOptions {
   readonly twins: TwinCache;
   readonly ambient: NumberView;
   readonly occlusion: OcclusionPatch | null;
-  readonly veils: VeilPatch;
+  readonly translucentShadows: TranslucentShadowPatch;
   readonly onChange: () => void;
 }
 
@@ -43,7 +45,7 @@ const PASS_AFTER_PASS = 1e-3;
 const NOTHING = new Material();
 NOTHING.visible = false;
 
-export function createTechniquePlans({ twins, ambient, occlusion, veils, onChange }: TechniquePlansOptions): TechniquePlans {
+export function createTechniquePlans({ twins, ambient, occlusion, translucentShadows, onChange }: TechniquePlansOptions): TechniquePlans {
   const ambientUniform: IUniform<Vector3> = { value: new Vector3() };
   const renderSize: IUniform<Vector2> = { value: new Vector2(1, 1) };
   const ofScene = { scrimAmbient: ambientUniform, a_RENDERSIZE: renderSize };
@@ -66,7 +68,7 @@ export function createTechniquePlans({ twins, ambient, occlusion, veils, onChang
     const variant = `${features}|${technique.key}|${passIndex}${depthOnly ? '|depth' : ''}`;
     const shared = { ...ofScene, ...uniformsOf(technique).uniforms };
     return twins.get(part, variant, () =>
-      createTechniqueTwin(part, { technique, passIndex, depthOnly, shared, occlusion, veils, onChange }),
+      createTechniqueTwin(part, { technique, passIndex, depthOnly, shared, occlusion, translucentShadows, onChange }),
     );
   }
 
@@ -76,7 +78,7 @@ export function createTechniquePlans({ twins, ambient, occlusion, veils, onChang
       const found = materialsOf(master).map((part) => techniqueFor(part, item));
       const passes = Math.max(...found.map((technique) => technique?.passes.length ?? 0));
       if (passes === 0) return null;
-      if (found.some((technique) => technique?.vertex.includes(OUTWARD))) ensureOutward(master.geometry);
+      if (found.some((technique) => technique?.vertex.includes(OUTWARD))) ensureHullNormals(master.geometry);
       const features = programFeatures(master);
       const draw = (passIndex: number, depthOnly: boolean): Material | Material[] =>
         mapMaterials(master, (part) => {

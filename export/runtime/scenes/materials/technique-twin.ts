@@ -20,30 +20,30 @@ import {
 import type { TechniqueView } from '../../../../nodes/kit/technique-view.ts';
 import { patchMaterial, type ShaderPatch } from './shader-patch.ts';
 import { techniqueFragment, techniqueVertex } from './technique-wrapper.ts';
+import type { TranslucentShadowPatch } from './translucent-shadow-patch.ts';
 import type { Twin } from './twins.ts';
-import type { VeilPatch } from './veil-patch.ts';
 
 export interface TechniqueTwinOptions {
   readonly technique: TechniqueView;
   readonly passIndex: number;
-  /** Depth alone, before the colours; a little behind them. */
+  /** Depth alone, before the colors; a little behind them. */
   readonly depthOnly: boolean;
   /** Values that several materials share: of the technique, and of the view. */
   readonly shared: Readonly<Record<string, IUniform>>;
   readonly occlusion: ShaderPatch | null;
-  readonly veils: VeilPatch;
+  readonly translucentShadows: TranslucentShadowPatch;
   /** Called when the master began to need another way of drawing, such as having become transparent. */
   readonly onChange: () => void;
 }
 
 const SIDES = { front: FrontSide, back: BackSide, both: DoubleSide } as const;
 
-/** What techniques follow of a master: its colour and what cuts it out. Materials of other kinds lack some of it. */
+/** What techniques follow of a master: its color and what cuts it out. Materials of other kinds lack some of it. */
 type Master = Material & Partial<Pick<MeshStandardMaterial, 'color' | 'map' | 'flatShading'>>;
 
 /** One pass of a technique in the place of the master. Its output is premultiplied and encoded as other twins' are. */
 export function createTechniqueTwin(master: Master, options: TechniqueTwinOptions): Twin {
-  const { technique, passIndex, depthOnly, shared, occlusion, veils, onChange } = options;
+  const { technique, passIndex, depthOnly, shared, occlusion, translucentShadows, onChange } = options;
   const color = new Vector4();
   const map: IUniform<Texture | null> = { value: null };
   const mapTransform = new Matrix3();
@@ -61,7 +61,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
       mapTransform: { value: mapTransform },
     },
   });
-  // Both stages write premultiplied colour, and what fades at a soft border of the room is blended, opaque or not.
+  // Both stages write premultiplied color, and what fades at a soft border of the room is blended, opaque or not.
   material.defines = { PREMULTIPLIED_OUTPUT: '' };
   material.blending = CustomBlending;
   material.blendSrc = OneFactor;
@@ -71,8 +71,8 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
   material.polygonOffset = depthOnly;
   material.polygonOffsetFactor = 1;
   material.polygonOffsetUnits = 1;
-  patchMaterial(material, null, occlusion ? [veils, occlusion] : [veils]);
-  veils.attach(material);
+  patchMaterial(material, null, occlusion ? [translucentShadows, occlusion] : [translucentShadows]);
+  translucentShadows.attach(material);
   const side = technique.passes[passIndex]?.side ?? 'object';
   let version = master.version;
 
@@ -113,7 +113,7 @@ export function createTechniqueTwin(master: Master, options: TechniqueTwinOption
     material,
     sync,
     dispose: () => {
-      veils.detach(material);
+      translucentShadows.detach(material);
       material.dispose();
     },
   };

@@ -50,7 +50,7 @@ function emptyValue(kind: TechniqueUniformView['kind']): unknown {
   return kind === 'vector' ? new Vector2() : new Vector4();
 }
 
-/** Colours are linearised: techniques shade in linear light. */
+/** Colors are linearized: techniques shade in linear light. */
 function setValue(uniform: IUniform, source: TechniqueUniformView): void {
   if (source.kind === 'vector') uniform.value.fromArray(source.view.value);
   else if (source.kind === 'color') setLinear(uniform.value, source.view.value);

@@ -24,7 +24,7 @@ varying vec2 vTechniqueUv;
 varying vec4 vTechniqueColor;
 varying vec3 vTechniqueRest;
 varying vec3 vTechniqueRestNormal;
-${text.includes('.outward') ? 'attribute vec3 scrimOutward;' : '#define scrimOutward normal'}
+${text.includes('.outward') ? 'attribute vec3 scrimHullNormal;' : '#define scrimHullNormal normal'}
 
 // How long a unit is along each axis of the matrix.
 vec3 scrimScale( const in mat3 m ) {
@@ -43,7 +43,7 @@ void main() {
   #include <begin_vertex>
   #include <morphtarget_vertex>
   vec3 rest = position;
-  vec3 outward = scrimOutward;
+  vec3 outward = scrimHullNormal;
   vec3 restScale = vec3( 1.0 );
   #ifdef USE_SKINNING
     // Bones that turn against each other do not change the scale, as their sum would.
@@ -72,9 +72,9 @@ void main() {
   #endif
   vertex.rest = rest * restScale;
   // Lengths are those of the object at rest: only the direction is turned.
-  vec3 outwardWorld = transpose( inverse( mat3( worldFromVertex ) ) ) * outward;
-  float outwardLength = length( outwardWorld );
-  vertex.outward = outwardLength > 0.0 ? outwardWorld * ( length( scrimOutward ) / outwardLength ) : vertex.normal;
+  vec3 hullNormalWorld = transpose( inverse( mat3( worldFromVertex ) ) ) * outward;
+  float hullNormalLength = length( hullNormalWorld );
+  vertex.outward = hullNormalLength > 0.0 ? hullNormalWorld * ( length( scrimHullNormal ) / hullNormalLength ) : vertex.normal;
   scrim_uv = a_VIEW_UV( vertex.position );
   a_vertex( vertex );
   vTechniquePosition = vertex.position;
@@ -92,7 +92,7 @@ void main() {
 `;
 }
 
-/** Values and positions that both stages have; three sets `projectionMatrix` for whoever declares it. */
+/** Values and positions that both stages have. three sets `projectionMatrix` in every shader that declares it. */
 const OF_BOTH = `uniform float a_TIME;
 uniform vec2 a_RENDERSIZE;
 vec2 scrim_uv;`;
@@ -162,7 +162,7 @@ void scrimGatherLights() {
     getPointLightInfo( pointLights[ i ], positionView, light );
     lit = 1.0;
     #if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS )
-    if ( receiveShadow ) lit = getPointShadow( pointShadowMap[ i ], pointLightShadows[ i ].shadowMapSize, pointLightShadows[ i ].shadowIntensity, pointLightShadows[ i ].shadowBias, pointLightShadows[ i ].shadowRadius, vPointShadowCoord[ i ], pointLightShadows[ i ].shadowCameraNear, pointLightShadows[ i ].shadowCameraFar ) * SCRIM_POINT_VEIL( scrimPointVeils[ i ], vPointShadowCoord[ i ] );
+    if ( receiveShadow ) lit = getPointShadow( pointShadowMap[ i ], pointLightShadows[ i ].shadowMapSize, pointLightShadows[ i ].shadowIntensity, pointLightShadows[ i ].shadowBias, pointLightShadows[ i ].shadowRadius, vPointShadowCoord[ i ], pointLightShadows[ i ].shadowCameraNear, pointLightShadows[ i ].shadowCameraFar ) * SCRIM_POINT_VEIL( scrimPointTranslucent[ i ], vPointShadowCoord[ i ] );
     #endif
     scrimLights[ count ++ ] = scrimLight( light, lit );
   }
@@ -174,7 +174,7 @@ void scrimGatherLights() {
     getSpotLightInfo( spotLights[ i ], positionView, light );
     lit = 1.0;
     #if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
-    if ( receiveShadow ) lit = getShadow( spotShadowMap[ i ], spotLightShadows[ i ].shadowMapSize, spotLightShadows[ i ].shadowIntensity, spotLightShadows[ i ].shadowBias, spotLightShadows[ i ].shadowRadius, vSpotLightCoord[ i ] ) * SCRIM_VEIL( scrimSpotVeils[ i ], vSpotLightCoord[ i ], 0.0 );
+    if ( receiveShadow ) lit = getShadow( spotShadowMap[ i ], spotLightShadows[ i ].shadowMapSize, spotLightShadows[ i ].shadowIntensity, spotLightShadows[ i ].shadowBias, spotLightShadows[ i ].shadowRadius, vSpotLightCoord[ i ] ) * SCRIM_VEIL( scrimSpotTranslucent[ i ], vSpotLightCoord[ i ], 0.0 );
     #endif
     scrimLights[ count ++ ] = scrimLight( light, lit );
   }
@@ -186,7 +186,7 @@ void scrimGatherLights() {
     getDirectionalLightInfo( directionalLights[ i ], light );
     lit = 1.0;
     #if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
-    if ( receiveShadow ) lit = getShadow( directionalShadowMap[ i ], directionalLightShadows[ i ].shadowMapSize, directionalLightShadows[ i ].shadowIntensity, directionalLightShadows[ i ].shadowBias, directionalLightShadows[ i ].shadowRadius, vDirectionalShadowCoord[ i ] ) * SCRIM_VEIL( scrimDirVeils[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] );
+    if ( receiveShadow ) lit = getShadow( directionalShadowMap[ i ], directionalLightShadows[ i ].shadowMapSize, directionalLightShadows[ i ].shadowIntensity, directionalLightShadows[ i ].shadowBias, directionalLightShadows[ i ].shadowRadius, vDirectionalShadowCoord[ i ] ) * SCRIM_VEIL( scrimDirTranslucent[ i ], vDirectionalShadowCoord[ i ], scrimDirFar[ i ] );
     #endif
     scrimLights[ count ++ ] = scrimLight( light, lit );
   }

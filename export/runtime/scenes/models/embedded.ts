@@ -10,7 +10,7 @@ interface ParserCache {
 
 export interface EmbeddedPictures {
   readonly document: GltfDocument;
-  /** Takes every image decoded, for whoever frees the model. */
+  /** Every decoded image is added, so that the owner of the model can close it. */
   readonly bitmaps: ImageBitmap[];
   readonly decodeKtx2: ModelDecoder['decodePicture'];
 }

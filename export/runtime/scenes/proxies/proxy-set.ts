@@ -1,5 +1,5 @@
 import type { Scene } from 'three';
-import type { ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { type Drawable, isDrawable } from './drawable.ts';
 import { createProxy, type FlatProxy, type ProxyPlan } from './proxy.ts';

@@ -1,8 +1,8 @@
 import { type Material, Matrix4, Sphere } from 'three';
-import type { ObjectItem } from '../../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import { boundsInObject, type Drawable, isInstanced, isShown, isSkinned } from './drawable.ts';
 
-/** How one master is to be drawn in a scene. A master may need several: a depth pass before its colours, two sides. */
+/** How one master is to be drawn in a scene. A master may need several: a depth pass before its colors, two sides. */
 export interface ProxyPlan {
   readonly material: Material | Material[];
   /** Draws before others of a higher order; within one order three sorts. */

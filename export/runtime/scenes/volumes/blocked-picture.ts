@@ -13,11 +13,12 @@ import {
   WebGLRenderTarget,
   ZeroStencilOp,
 } from 'three';
-import type { DrawView, LampItem, LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import type { DrawView } from '../../../../nodes/kit/runtime.ts';
+import type { DirectLightItem, LightItem, LightList, ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
-import { isLamp } from '../lights/is-lamp.ts';
+import { isDirectLight } from '../lights/is-direct-light.ts';
 import { createDepthTwin } from '../materials/depth-twin.ts';
-import { createLampUniforms, setLamp, setLampCount } from '../materials/lamp-uniforms.ts';
+import { createLightUniforms, setLight, setLightCount } from '../materials/light-uniforms.ts';
 import { catchesShadows, followSides } from '../materials/shadow-catcher.ts';
 import { blockedFragment, CATCHER_VERTEX } from '../materials/shadow-catcher-shader.ts';
 import { createTwinCache, type Twin } from '../materials/twins.ts';
@@ -26,7 +27,7 @@ import type { ProxyPlan } from '../proxies/proxy.ts';
 import { createProxySet } from '../proxies/proxy-set.ts';
 import type { SceneRenderer } from '../scene-renderer.ts';
 import { createInfiniteCamera } from './infinite-camera.ts';
-import { createVolumeLamp, type VolumeLamp } from './volume-lamp.ts';
+import { createVolumeLight, type VolumeLight } from './volume-light.ts';
 import { createVolumeSet, type VolumeLimits } from './volume-set.ts';
 
 /** The blocked part of the light at what a view sees, pixel by pixel, by shadow volumes. */
@@ -72,10 +73,10 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
   const twins = createTwinCache();
   const receivers = createProxySet(scene, plan);
   const volumes = createVolumeSet(scene, casters, limits);
-  const uniforms = createLampUniforms();
+  const uniforms = createLightUniforms();
   const watch = createVersionWatch();
-  let lamps: readonly LampItem[] = [];
-  let volumeLamps: readonly VolumeLamp[] = [];
+  let directLights: readonly DirectLightItem[] = [];
+  let volumeLights: readonly VolumeLight[] = [];
 
   function plan(master: Drawable, item: ObjectItem): readonly ProxyPlan[] {
     if (!catches(item)) return [];
@@ -87,12 +88,12 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
       },
     ];
     if (!catchesShadows(master, item)) return plans;
-    lamps.forEach((lamp, i) => {
-      const variant = `${features}|${lamps.length}|${i}`;
+    directLights.forEach((light, i) => {
+      const variant = `${features}|${directLights.length}|${i}`;
       plans.push({
         material: mapMaterials(master, (part) => twins.get(part, variant, () => createBlockedTwin(part, i))),
         renderOrder: STEPS * (i + 1),
-        shows: ({ receivesShadow }) => receivesShadow && lamp.shadow !== null,
+        shows: ({ receivesShadow }) => receivesShadow && light.shadow !== null,
       });
     });
     return plans;
@@ -102,7 +103,7 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
     const material = new ShaderMaterial({
       name: 'blocked light',
       vertexShader: CATCHER_VERTEX,
-      fragmentShader: blockedFragment(lamps.length, light),
+      fragmentShader: blockedFragment(directLights.length, light),
     });
     Object.assign(material.uniforms, uniforms);
     material.transparent = true;
@@ -128,24 +129,24 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
   }
 
   function takeOver(lists: readonly LightList[]): void {
-    for (const lamp of volumeLamps) lamp.dispose();
-    lamps = lists.flatMap(({ items }) => items.filter(isSharp));
-    volumeLamps = lamps.map((lamp, i) => createVolumeLamp(lamp, STEPS * i + 1));
-    setLampCount(uniforms, lamps.length);
+    for (const light of volumeLights) light.dispose();
+    directLights = lists.flatMap(({ items }) => items.filter(isSharp));
+    volumeLights = directLights.map((light, i) => createVolumeLight(light, STEPS * i + 1));
+    setLightCount(uniforms, directLights.length);
   }
 
   return {
     update: (lists, lightLists) => {
       const relit = watch.changed(lightLists);
       if (relit) takeOver(lightLists);
-      for (let i = 0; i < lamps.length; i++) {
-        const lamp = lamps[i];
-        if (lamp) setLamp(uniforms, i, lamp);
-        volumeLamps[i]?.update();
+      for (let i = 0; i < directLights.length; i++) {
+        const light = directLights[i];
+        if (light) setLight(uniforms, i, light);
+        volumeLights[i]?.update();
       }
       twins.sync();
       if (receivers.update(lists, relit)) twins.sweep();
-      volumes.update(volumeLamps, relit);
+      volumes.update(volumeLights, relit);
     },
     draw: ({ view, viewport: { widthPx, heightPx } }) => {
       // Views of several sizes take turns in the largest.
@@ -158,7 +159,7 @@ export function createBlockedPicture({ renderer, casters, catches, limits }: Blo
     dispose: () => {
       receivers.dispose();
       volumes.dispose();
-      for (const lamp of volumeLamps) lamp.dispose();
+      for (const light of volumeLights) light.dispose();
       twins.dispose();
       target.dispose();
     },
@@ -173,6 +174,6 @@ function createExactDepth(master: Material, role: ObjectItem['role']): Twin {
 }
 
 /** Volumes have sharp edges: a light that is there for its wide ones has no part in them. */
-function isSharp(light: LightItem): light is LampItem {
-  return isLamp(light) && !(light.kind === 'directional' && light.onlyShadows);
+function isSharp(light: LightItem): light is DirectLightItem {
+  return isDirectLight(light) && !(light.kind === 'directional' && light.onlyShadows);
 }

@@ -1,11 +1,11 @@
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Matrix4, Mesh, type Scene, Vector4 } from 'three';
-import type { ObjectItem } from '../../../../nodes/kit/runtime.ts';
+import type { ObjectItem } from '../../../../nodes/kit/scene-lists.ts';
 import { type Drawable, isInstanced, isShown, materialsOf } from '../proxies/drawable.ts';
 import { castsAsSolid } from './casting-material.ts';
 import { extrude, maxExtrusion } from './extrude.ts';
 import type { MeshShape } from './mesh-shape.ts';
 import { isDeformed, poseVertices, restVertices } from './pose-vertices.ts';
-import type { VolumeLamp } from './volume-lamp.ts';
+import type { VolumeLight } from './volume-light.ts';
 
 /** One mesh that casts, or one instance of it, and its volumes, light by light. */
 export interface Caster {
@@ -24,10 +24,10 @@ export function createCaster(
   item: ObjectItem,
   instance: number,
   shape: MeshShape,
-  lamps: readonly VolumeLamp[],
+  lights: readonly VolumeLight[],
 ): Caster {
   const vertices = createVertices(master, shape);
-  const volumes = lamps.map((lamp) => createVolume(scene, shape, vertices, lamp));
+  const volumes = lights.map((light) => createVolume(scene, shape, vertices, light));
   const materials = materialsOf(master);
   const worldFromMesh = new Matrix4();
 
@@ -101,25 +101,25 @@ interface Volume {
   dispose(): void;
 }
 
-function createVolume(scene: Scene, shape: MeshShape, vertices: Vertices, lamp: VolumeLamp): Volume {
+function createVolume(scene: Scene, shape: MeshShape, vertices: Vertices, light: VolumeLight): Volume {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', vertices.attributes.position);
   geometry.setAttribute('away', vertices.attributes.away);
   const indices = new Uint32Array(maxExtrusion(shape));
   const index = new BufferAttribute(indices, 1).setUsage(DynamicDrawUsage);
   geometry.setIndex(index);
-  const sides = lamp.materials.map((material, i) => createSide(scene, geometry, material, lamp.renderOrder + i));
+  const sides = light.materials.map((material, i) => createSide(scene, geometry, material, light.renderOrder + i));
   const extrudedFor = new Vector4();
   let extrudedVersion = -1;
   return {
     update: (shows, worldFromMesh) => {
-      const visible = shows && lamp.casts();
+      const visible = shows && light.casts();
       for (const side of sides) {
         side.visible = visible;
         side.matrixWorld.copy(worldFromMesh);
       }
       if (!visible) return;
-      scratchLight.copy(lamp.lightWorld.value).applyMatrix4(scratchMatrix.copy(worldFromMesh).invert());
+      scratchLight.copy(light.lightWorld.value).applyMatrix4(scratchMatrix.copy(worldFromMesh).invert());
       if (extrudedVersion === vertices.version && scratchLight.equals(extrudedFor)) return;
       extrudedVersion = vertices.version;
       extrudedFor.copy(scratchLight);

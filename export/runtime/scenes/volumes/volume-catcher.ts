@@ -1,5 +1,5 @@
 import { type IUniform, type Texture, Vector2, Vector4 } from 'three';
-import type { NumberView, VectorView } from '../../../../nodes/kit/runtime.ts';
+import type { NumberView, VectorView } from '../../../../nodes/kit/value-views.ts';
 import type { ShaderPatch } from '../materials/shader-patch.ts';
 import { createCatcherMaterial, followSides, type ShadowCatcher } from '../materials/shadow-catcher.ts';
 import { KNOWN_SHADOW_FRAGMENT } from '../materials/shadow-catcher-shader.ts';

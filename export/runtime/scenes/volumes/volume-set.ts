@@ -1,15 +1,15 @@
 import type { BufferGeometry, Material, Mesh, Object3D, Scene } from 'three';
-import type { ObjectItem, ObjectList } from '../../../../nodes/kit/runtime.ts';
+import type { ObjectItem, ObjectList } from '../../../../nodes/kit/scene-lists.ts';
 import { createVersionWatch } from '../../../../nodes/kit/version-watch.ts';
 import { isInstanced, materialsOf } from '../proxies/drawable.ts';
 import { type Caster, createCaster } from './caster.ts';
 import { castsAsSolid, isSeeThrough, isShapedByPicture } from './casting-material.ts';
 import { createMeshShape, type MeshShape } from './mesh-shape.ts';
-import type { VolumeLamp } from './volume-lamp.ts';
+import type { VolumeLight } from './volume-light.ts';
 
 /** The volumes of all casters in one scene: built when a list or the lights changed, else only moved. */
 export interface VolumeSet {
-  update(lamps: readonly VolumeLamp[], relit: boolean): void;
+  update(lights: readonly VolumeLight[], relit: boolean): void;
   dispose(): void;
 }
 
@@ -53,22 +53,22 @@ export function createVolumeSet(scene: Scene, lists: readonly ObjectList[], limi
     return shape;
   }
 
-  function add(object: Object3D, item: ObjectItem, lamps: readonly VolumeLamp[]): void {
+  function add(object: Object3D, item: ObjectItem, lights: readonly VolumeLight[]): void {
     // Lines and points have no inside, and hardly a shadow.
     if (!isMesh(object)) return;
     const shape = shapeOf(object);
     meshes.push({ mesh: object, item });
     if (materialsOf(object).some((material) => castsAsSolid(material) && isShapedByPicture(material))) shaped ??= object.name || item.key;
     const count = isInstanced(object) ? object.count : 1;
-    for (let i = 0; i < count; i++) casters.push(createCaster(scene, object, item, i, shape, lamps));
+    for (let i = 0; i < count; i++) casters.push(createCaster(scene, object, item, i, shape, lights));
   }
 
   return {
-    update: (lamps, relit) => {
+    update: (lights, relit) => {
       if (watch.changed(lists) || relit) {
         clear();
         shaped = null;
-        for (const { items } of lists) for (const item of items) item.root.traverse((object) => add(object, item, lamps));
+        for (const { items } of lists) for (const item of items) item.root.traverse((object) => add(object, item, lights));
       }
       if (shaped !== null) limits.tellShaped(shaped);
       const seeThrough = findSeeThrough();

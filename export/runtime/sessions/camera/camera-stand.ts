@@ -2,13 +2,13 @@ import type { Steered } from '../orbit/orbit-input.ts';
 import { setDeviceRotation, turnAboutVertical, yawToFront } from './device-pose.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 
-/** Where one stands at first: two steps back from the origin, where things tend to be, at the height of eyes. Metres. */
+/** Where one stands at first: two steps back from the origin, where things tend to be, at the height of eyes. Meters. */
 const START = [0, 1.5, 2] as const;
 /** Without a sensor one looks down a little, to where such things stand. */
 const START_PITCH_RAD = -0.35;
-/** How far one may go from there, metres. */
+/** How far one may go from there, meters. */
 const REACH_M = 5;
-/** What counts as near: a pinch to half of it moves on by half a metre. */
+/** What counts as near: a pinch to half of it moves on by half a meter. */
 const STEP_SCALE_M = 1;
 const MAX_PITCH_RAD = 1.5;
 
@@ -27,7 +27,7 @@ export function createCameraStand(sensor: Pick<OrientationSensor, 'angles' | 'pr
   /** Only where no sensor tells. */
   let pitchRad = START_PITCH_RAD;
   let [x, , z] = START as readonly [number, number, number];
-  let centred = false;
+  let centered = false;
   /** Of the view written last, about the vertical; 0 looks along -z. */
   let heading = 0;
   const scratchUpright = { alphaRad: 0, betaRad: Math.PI / 2, gammaRad: 0, screenRad: 0 };
@@ -51,14 +51,14 @@ export function createCameraStand(sensor: Pick<OrientationSensor, 'angles' | 'pr
       yawRad = 0;
       pitchRad = START_PITCH_RAD;
       [x, , z] = START;
-      centred = false;
+      centered = false;
     },
     writeWorldFromView: (out) => {
       if (sensor.present) {
         setDeviceRotation(out, sensor.angles);
-        if (!centred) {
+        if (!centered) {
           yawRad += yawToFront(out);
-          centred = true;
+          centered = true;
         }
       } else {
         scratchUpright.betaRad = Math.PI / 2 + pitchRad;

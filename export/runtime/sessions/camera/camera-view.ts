@@ -13,7 +13,7 @@ export const LONG_SIDE_FOV_RAD = (65 * Math.PI) / 180;
 export interface CameraView {
   /** Takes the video's present picture. */
   upload(video: HTMLVideoElement): void;
-  /** Projection and picture of a view that is already as large as it will be drawn; the picture covers it, cut about its centre. */
+  /** Projection and picture of a view that is already as large as it will be drawn; the picture covers it, cut about its center. */
   fill(view: MutableView): void;
   dispose(): void;
 }

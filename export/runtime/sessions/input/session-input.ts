@@ -6,7 +6,7 @@ type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 export type MutableTap = Mutable<Tap>;
 export type MutableController = Mutable<Controller>;
 
-/** What a session fills again and again. */
+/** Input that a session fills in place, every frame. */
 export interface MutableInput extends SessionInput {
   readonly taps: readonly MutableTap[];
   tapCount: number;

@@ -31,8 +31,8 @@ export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Steered, tanHal
   if (tabIndex === null) canvas.tabIndex = 0;
 
   const pan = (dx: number, dy: number): void => {
-    const metresPerPx = (2 * orbit.distanceM * tanHalfFovY()) / canvas.clientHeight;
-    orbit.pan(-dx * metresPerPx, dy * metresPerPx);
+    const metersPerPx = (2 * orbit.distanceM * tanHalfFovY()) / canvas.clientHeight;
+    orbit.pan(-dx * metersPerPx, dy * metersPerPx);
   };
   const turn = (dx: number, dy: number): void => {
     const perPx = DRAG_RAD / canvas.clientHeight;

@@ -8,7 +8,7 @@ export interface OrbitPose {
   readonly elevationRad: number;
 }
 
-/** Three quarters of a metre above the floor is where placed things tend to be. */
+/** Three quarters of a meter above the floor is where placed things tend to be. */
 export const ORBIT_DEFAULTS: OrbitPose = { targetWorld: [0, 0.75, 0], distanceM: 2.5, azimuthRad: 0, elevationRad: 0.25 };
 
 const MAX_ELEVATION_RAD = 1.5;
@@ -19,7 +19,7 @@ export interface Orbit {
   rotate(azimuthRad: number, elevationRad: number): void;
   /** A factor above 1 goes nearer. */
   zoom(factor: number): void;
-  /** Moves the point along the view's axes, metres. */
+  /** Moves the point along the view's axes, meters. */
   pan(rightM: number, upM: number): void;
   reset(): void;
   readonly distanceM: number;

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
-import type { Intrinsics } from '../format.ts';
 import { createMatrix } from '../matrix.ts';
+import type { Intrinsics } from '../session-format.ts';
 import { type Crop, setCoverCrop, setCropProjection, setUvFromViewUv } from './camera-crop.ts';
 
 /** A camera whose axis misses the middle of its 640 × 480 picture. */
@@ -72,7 +72,7 @@ describe.each([
 test('near and far lie on the faces of clip space', () => {
   const m = createMatrix();
   setCropProjection(m, crop(640, 480), CAMERA, 0.1, 100);
-  const depth = (metres: number): number => ((m[10] ?? 0) * -metres + (m[14] ?? 0)) / metres;
+  const depth = (meters: number): number => ((m[10] ?? 0) * -meters + (m[14] ?? 0)) / meters;
   expect(depth(0.1)).toBeCloseTo(-1, 4);
   expect(depth(100)).toBeCloseTo(1, 4);
 });

@@ -1,5 +1,5 @@
-import type { Intrinsics } from '../format.ts';
 import { setFrustum } from '../matrix.ts';
+import type { Intrinsics } from '../session-format.ts';
 
 /** Part of a picture, pixels of the picture, y down. */
 export interface Crop {
@@ -9,7 +9,7 @@ export interface Crop {
   y1: number;
 }
 
-/** The largest part of the picture, about its centre, that has the view's shape. */
+/** The largest part of the picture, about its center, that has the view's shape. */
 export function setCoverCrop(out: Crop, widthPx: number, heightPx: number, viewWidthPx: number, viewHeightPx: number): void {
   const viewAspect = viewWidthPx / viewHeightPx;
   const width = Math.min(widthPx, heightPx * viewAspect);

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { encode } from 'fast-png';
-import type { SessionFile } from '../format.ts';
+import type { SessionFile } from '../session-format.ts';
 import { decodeDepth } from './decode-depth.ts';
 
 const FORMAT: NonNullable<SessionFile['depth']> = {
@@ -16,18 +16,18 @@ function png(data: Uint16Array | Uint8Array, width = 3, height = 2, channels = 1
 }
 
 describe('a depth picture', () => {
-  test('holds metres along the axis, rows from the top, to the last bit', () => {
-    const metres = decodeDepth(png(Uint16Array.of(0, 1, 1000, 2500, 40_000, 65_535)), FORMAT);
-    expect([...metres]).toEqual([0, 0.001, 1, 2.5, 40, 65.535].map(Math.fround));
+  test('holds meters along the axis, rows from the top, to the last bit', () => {
+    const meters = decodeDepth(png(Uint16Array.of(0, 1, 1000, 2500, 40_000, 65_535)), FORMAT);
+    expect([...meters]).toEqual([0, 0.001, 1, 2.5, 40, 65.535].map(Math.fround));
   });
 
-  test('of distances along the rays is turned into metres along the axis', () => {
-    const metres = decodeDepth(png(new Uint16Array(6).fill(3000)), { ...FORMAT, kind: 'range' });
-    // The pixel centre (0.5, 0.5) is seen along (-0.5, -0.25, 1), the middle column's along (0, -0.25, 1).
-    expect(metres[0]).toBeCloseTo(3 / Math.hypot(0.5, 0.25, 1), 6);
-    expect(metres[1]).toBeCloseTo(3 / Math.hypot(0.25, 1), 6);
-    expect(metres[0]).toBe(metres[2]);
-    expect(metres[3]).toBe(metres[0]);
+  test('of distances along the rays is turned into meters along the axis', () => {
+    const meters = decodeDepth(png(new Uint16Array(6).fill(3000)), { ...FORMAT, kind: 'range' });
+    // The pixel center (0.5, 0.5) is seen along (-0.5, -0.25, 1), the middle column's along (0, -0.25, 1).
+    expect(meters[0]).toBeCloseTo(3 / Math.hypot(0.5, 0.25, 1), 6);
+    expect(meters[1]).toBeCloseTo(3 / Math.hypot(0.25, 1), 6);
+    expect(meters[0]).toBe(meters[2]);
+    expect(meters[3]).toBe(meters[0]);
   });
 
   test.each([

@@ -1,10 +1,10 @@
 import { decode } from 'fast-png';
-import type { SessionFile } from '../format.ts';
+import type { SessionFile } from '../session-format.ts';
 
 type DepthFormat = NonNullable<SessionFile['depth']>;
 
 /**
- * Metres along the camera's axis, row-major from the top, 0 where unknown. Throws with a reason where the file is no 16-bit
+ * Meters along the camera's axis, row-major from the top, 0 where unknown. Throws with a reason where the file is no 16-bit
  * PNG of one channel and of the size that the session promises. Browsers decode PNG to 8 bits, hence a decoder of our own.
  */
 export function decodeDepth(bytes: ArrayBuffer, format: DepthFormat): Float32Array<ArrayBuffer> {
@@ -13,18 +13,18 @@ export function decodeDepth(bytes: ArrayBuffer, format: DepthFormat): Float32Arr
   if (width !== format.widthPx || height !== format.heightPx) {
     throw new Error(`it has ${width} × ${height} pixels, and session.json says ${format.widthPx} × ${format.heightPx}`);
   }
-  const metres = new Float32Array(width * height);
+  const meters = new Float32Array(width * height);
   const { metresPerUnit, kind, intrinsics } = format;
-  for (let i = 0; i < metres.length; i++) metres[i] = (data[i] ?? 0) * metresPerUnit;
+  for (let i = 0; i < meters.length; i++) meters[i] = (data[i] ?? 0) * metresPerUnit;
   if (kind === 'range') {
     const { fxPx, fyPx, cxPx, cyPx } = intrinsics;
     for (let y = 0; y < height; y++) {
       const rayY = (y + 0.5 - cyPx) / fyPx;
       for (let x = 0; x < width; x++) {
         const i = y * width + x;
-        metres[i] = (metres[i] ?? 0) / Math.hypot((x + 0.5 - cxPx) / fxPx, rayY, 1);
+        meters[i] = (meters[i] ?? 0) / Math.hypot((x + 0.5 - cxPx) / fxPx, rayY, 1);
       }
     }
   }
-  return metres;
+  return meters;
 }

@@ -1,5 +1,5 @@
 import type { AssetSource } from '../../assets/asset-source.ts';
-import type { SessionFile, SessionFileFrame } from '../format.ts';
+import type { SessionFile, SessionFileFrame } from '../session-format.ts';
 import { decodeDepth } from './decode-depth.ts';
 
 /** A frame of the recording in memory. */
@@ -8,7 +8,7 @@ export interface DecodedFrame {
   /** First row on top. */
   readonly color: ImageBitmap;
   /** As `decodeDepth` gives it; null where the frame has none or it is broken. */
-  readonly metres: Float32Array<ArrayBuffer> | null;
+  readonly meters: Float32Array<ArrayBuffer> | null;
 }
 
 export interface FrameCache {
@@ -18,7 +18,7 @@ export interface FrameCache {
   isComing(index: number): boolean;
   /** The frame if it is decoded; using it keeps it from being forgotten. */
   get(index: number): DecodedFrame | null;
-  /** Decodes it if need be. Null where its colour is broken. */
+  /** Decodes it if need be. Null where its color is broken. */
   request(index: number): Promise<DecodedFrame | null>;
   /** Begins to decode it, if that has not begun. */
   prefetch(index: number): void;
@@ -54,7 +54,7 @@ export function createFrameCache(
     }
   };
   const load = async (index: number, frame: SessionFileFrame): Promise<DecodedFrame | null> => {
-    const [color, metres] = await Promise.all([
+    const [color, meters] = await Promise.all([
       part(files, frame.color, (bytes) => decodeColor(bytes, session), onProblem),
       session.depth && frame.depth !== undefined ? depthOf(frame.depth, session.depth) : null,
     ]);
@@ -64,7 +64,7 @@ export function createFrameCache(
       color?.close();
       return null;
     }
-    const result = { index, color, metres };
+    const result = { index, color, meters };
     touch(result);
     return result;
   };

@@ -1,12 +1,12 @@
 import { allocateTexture } from '../../gl/allocate-texture.ts';
 import { prepareUpload } from '../../gl/upload.ts';
-import type { SessionFile } from '../format.ts';
+import type { SessionFile } from '../session-format.ts';
 import type { DecodedFrame } from './frame-cache.ts';
 
 /** The recording's current frame on the GPU; first rows on top, so the UV matrices turn them over. */
 export interface PictureTextures {
   readonly color: WebGLTexture;
-  /** R32F, metres; null for a recording without depth. */
+  /** R32F, meters; null for a recording without depth. */
   readonly depth: WebGLTexture | null;
   upload(frame: DecodedFrame): void;
   dispose(): void;
@@ -25,9 +25,9 @@ export function createPictureTextures(gl: WebGL2RenderingContext, session: Sessi
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, color);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, frame.color);
-      if (!depth || !session.depth || !frame.metres) return;
+      if (!depth || !session.depth || !frame.meters) return;
       gl.bindTexture(gl.TEXTURE_2D, depth);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, session.depth.widthPx, session.depth.heightPx, gl.RED, gl.FLOAT, frame.metres);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, session.depth.widthPx, session.depth.heightPx, gl.RED, gl.FLOAT, frame.meters);
     },
     dispose: () => {
       gl.deleteTexture(color);

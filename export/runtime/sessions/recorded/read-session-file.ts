@@ -1,5 +1,5 @@
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
-import type { SessionFile } from '../format.ts';
+import type { SessionFile } from '../session-format.ts';
 
 export const SESSION_FILE = 'session.json';
 
@@ -19,7 +19,7 @@ export function brokenSession(message: string): Diagnostic {
     severity: 'error',
     file: SESSION_FILE,
     message,
-    fix: 'docs/SESSION-FORMAT.md says what a session folder holds.',
+    fix: 'Compare the folder with docs/SESSION-FORMAT.md.',
   };
 }
 
@@ -52,7 +52,7 @@ function checkFile(json: unknown, problems: string[]): void {
     checkFrame(frame, `frames[${i}]`, file.depth !== undefined, problems);
     const timeS = asObject(frame)?.timeS;
     if (!isNumber(timeS)) return;
-    if (timeS <= earlierS) problems.push(`"frames[${i}].timeS" has to be later than that of the frame before.`);
+    if (timeS <= earlierS) problems.push(`"frames[${i}].timeS" has to be later than that of the previous frame.`);
     earlierS = timeS;
   });
 }

@@ -8,10 +8,10 @@ import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
 import { createPictureTextures, type PictureTextures } from './picture-textures.ts';
-import { createPlayback, type PlayRange } from './playback.ts';
 import { brokenSession } from './read-session-file.ts';
 import { createRecordedView, type RecordedView } from './recorded-view.ts';
 import { openRecording, type Recording } from './recording.ts';
+import { createPlayback, type PlayRange } from './session-playback.ts';
 
 export interface RecordedSessionOptions {
   readonly gl: WebGL2RenderingContext;
@@ -113,7 +113,7 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     const number = frameAtTime(frames, playheadS);
     const index = number % file.frames.length;
     for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
-    // What is not decoded yet holds nothing up: the frame before stays.
+    // A frame that is not decoded yet delays nothing: the previous frame stays.
     const mine = cache.get(index);
     if (!mine && options.onArrival) void cache.request(index).then((arrived) => arrived && options.onArrival?.());
     isLate = cache.isComing(index);

@@ -1,5 +1,5 @@
-import type { SessionFile } from '../format.ts';
 import { FAR_M, NEAR_M, setRigidInverse } from '../matrix.ts';
+import type { SessionFile } from '../session-format.ts';
 import { coverCanvas, type MutableCameraImage, type MutableFrame, type MutableRoomDepth } from '../session-frame.ts';
 import { type Crop, setCoverCrop, setCropProjection, setUvFromViewUv } from './camera-crop.ts';
 import type { DecodedFrame } from './frame-cache.ts';
@@ -41,7 +41,7 @@ export function createRecordedView(gl: WebGL2RenderingContext, file: SessionFile
       setRigidInverse(view.viewFromWorld, view.worldFromView);
       setUvFromViewUv(image.uvFromViewUv, scratchCrop, intrinsics, intrinsics, color.widthPx, color.heightPx);
       view.cameraImage = image;
-      view.depth = decoded.metres ? room : null;
+      view.depth = decoded.meters ? room : null;
       if (!room || !depth) return;
       setUvFromViewUv(room.uvFromViewUv, scratchCrop, intrinsics, depth.intrinsics, depth.widthPx, depth.heightPx);
       room.worldFromDepth.set(view.worldFromView);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import type { SessionFile } from '../format.ts';
+import type { SessionFile } from '../session-format.ts';
 import { openRecording } from './recording.ts';
 
 const UPRIGHT = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];

@@ -2,7 +2,7 @@ import type { Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../../../../nodes/kit/frame-times.ts';
 import type { DetectedSurfaces, LightEstimate } from '../../../../nodes/kit/session.ts';
 import type { AssetSource } from '../../assets/asset-source.ts';
-import type { SessionFile, SessionFileLight, SessionFileSurface } from '../format.ts';
+import type { SessionFile, SessionFileLight, SessionFileSurface } from '../session-format.ts';
 import { brokenSession, readSessionFile, SESSION_FILE } from './read-session-file.ts';
 
 /** A session folder that has been read, its pictures not yet. */

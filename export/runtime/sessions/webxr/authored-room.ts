@@ -6,7 +6,7 @@ import type { MutableCameraImage, MutableView } from '../session-frame.ts';
 import { linkPass } from './link-pass.ts';
 
 /**
- * What stands in for the visitor's room where a device shows none: a floor with a line every metre, a bright horizon and a
+ * What stands in for the visitor's room where a device shows none: a floor with a line every meter, a bright horizon and a
  * softer sky, so that nothing hangs in a void and the size of things can be seen. It is handed on as each view's camera image:
  * what filters the camera's picture filters this.
  */
@@ -20,12 +20,11 @@ export interface AuthoredRoom {
 const SCALE = 0.5;
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
-/** `floorM`: the height of the floor in world space. */
-export function createAuthoredRoom(gl: WebGL2RenderingContext, floorM: number): AuthoredRoom {
+/** Its floor is the world's, at y = 0. */
+export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
   const program = linkPass(gl, FRAGMENT);
   const lens = gl.getUniformLocation(program, 'lens');
   const worldFromView = gl.getUniformLocation(program, 'worldFromView');
-  const floorHeight = gl.getUniformLocation(program, 'floorM');
   const framebuffer = gl.createFramebuffer();
   const vertexArray = gl.createVertexArray();
   const images: (MutableCameraImage | null)[] = Array.from({ length: MAX_VIEWS }, () => null);
@@ -48,7 +47,6 @@ export function createAuthoredRoom(gl: WebGL2RenderingContext, floorM: number): 
       gl.useProgram(program);
       gl.uniform4f(lens, p[0] ?? 1, p[5] ?? 1, p[8] ?? 0, p[9] ?? 0);
       gl.uniformMatrix4fv(worldFromView, false, view.worldFromView);
-      gl.uniform1f(floorHeight, floorM);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       gl.bindVertexArray(null);
       return image;
@@ -63,14 +61,13 @@ export function createAuthoredRoom(gl: WebGL2RenderingContext, floorM: number): 
 }
 
 /**
- * `lens`: what the projection scales x and y by, and how far it shifts them, for views whose middle is not straight ahead. Colours
+ * `lens`: what the projection scales x and y by, and how far it shifts them, for views whose middle is not straight ahead. Colors
  * are display-referred sRGB; a line is 16 mm wide, and never thinner than a pixel.
  */
 const FRAGMENT = `#version 300 es
 precision highp float;
 uniform vec4 lens;
 uniform mat4 worldFromView;
-uniform float floorM;
 in vec2 viewUv;
 out vec4 color;
 const vec3 HORIZON = vec3(0.86, 0.87, 0.88);
@@ -87,7 +84,7 @@ void main() {
   vec3 inView = vec3((viewUv * 2.0 - 1.0 + lens.zw) / lens.xy, -1.0);
   vec3 ray = normalize(mat3(worldFromView) * inView);
   vec3 eye = worldFromView[3].xyz;
-  float above = eye.y - floorM;
+  float above = eye.y;
   float down = max(-ray.y, 1e-4);
   vec2 at = eye.xz + ray.xz * (above / down);
   vec2 footprint = fwidth(at);

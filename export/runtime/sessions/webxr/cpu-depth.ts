@@ -11,12 +11,12 @@ export interface CpuDepth {
 
 export function createCpuDepth(gl: WebGL2RenderingContext): CpuDepth {
   let texture: WebGLTexture | null = null;
-  let metres = new Float32Array(0);
+  let meters = new Float32Array(0);
   let depth: MutableRoomDepth | null = null;
   const resize = (widthPx: number, heightPx: number): MutableRoomDepth => {
     gl.deleteTexture(texture);
     texture = allocateTexture(gl, gl.createTexture(), gl.R32F, gl.NEAREST, widthPx, heightPx);
-    metres = new Float32Array(widthPx * heightPx);
+    meters = new Float32Array(widthPx * heightPx);
     return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16) };
   };
   return {
@@ -24,15 +24,15 @@ export function createCpuDepth(gl: WebGL2RenderingContext): CpuDepth {
       const { width, height, data, rawValueToMeters } = info;
       if (depth?.widthPx !== width || depth.heightPx !== height) depth = resize(width, height);
       const raw = format === 'float32' ? new Float32Array(data) : new Uint16Array(data);
-      for (let i = 0; i < metres.length; i++) {
+      for (let i = 0; i < meters.length; i++) {
         const m = (raw[i] ?? 0) * rawValueToMeters;
         // Some runtimes store an endless distance, or none, where they know nothing.
-        metres[i] = m > 0 && m < Number.POSITIVE_INFINITY ? m : 0;
+        meters[i] = m > 0 && m < Number.POSITIVE_INFINITY ? m : 0;
       }
       prepareUpload(gl, 4);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, depth.texture);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED, gl.FLOAT, metres);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RED, gl.FLOAT, meters);
       setDepthUv(depth.uvFromViewUv, info.normDepthBufferFromNormView.matrix, 'top');
       depth.worldFromDepth.set(info.transform?.matrix ?? worldFromView);
       return depth;

@@ -4,12 +4,12 @@ import type { XrGpuDepthInformation } from './webxr-types.ts';
 /** How the texture holds depth: one of WebXR's formats, or a depth buffer's values. */
 export type DepthSource = XRDepthDataFormat | 'window';
 
-/** Draws metres of a depth texture, texel by texel, 0 where unknown. */
+/** Draws meters of a depth texture, texel by texel, 0 where unknown. */
 export interface DepthDecoder {
   readonly source: DepthSource;
   readonly array: boolean;
-  /** Binds program, texture (unit 0) and uniforms. */
-  use(info: XrGpuDepthInformation): void;
+  /** Binds program, texture (unit 0) and uniforms. `viewIndex`: the layer of an array where the browser does not say which. */
+  use(info: XrGpuDepthInformation, viewIndex: number): void;
   dispose(): void;
 }
 
@@ -22,17 +22,17 @@ export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, a
   return {
     source,
     array,
-    use: (info) => {
+    use: (info, viewIndex) => {
       gl.useProgram(program);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(target, info.texture);
-      // metres = near far / (far - d (far - near)), written so that it holds for an endless far plane too.
+      // meters = near far / (far - d (far - near)), written so that it holds for an endless far plane too.
       const near = info.depthNear ?? 0;
       const nearByFar = near / (info.depthFar ?? Number.POSITIVE_INFINITY);
       scratch[0] = source === 'window' ? near : info.rawValueToMeters;
       scratch[1] = source === 'window' ? 1 - nearByFar : 0;
       gl.uniform2fv(scale, scratch);
-      gl.uniform1i(layer, info.imageIndex ?? 0);
+      gl.uniform1i(layer, info.imageIndex ?? viewIndex);
     },
     dispose: () => gl.deleteProgram(program),
   };
@@ -47,17 +47,17 @@ uniform highp ${type} depth;
 uniform vec2 scale;
 uniform int layer;
 out vec4 color;
-float metresFromWindow(float d) { return d > 0.0 && d < 1.0 ? scale.x / (1.0 - d * scale.y) : 0.0; }
+float metersFromWindow(float d) { return d > 0.0 && d < 1.0 ? scale.x / (1.0 - d * scale.y) : 0.0; }
 void main() {
-  color = vec4(${METRES[source].replace('TEXEL', `texelFetch(depth, ${at}, 0)`)}, 0.0, 0.0, 1.0);
+  color = vec4(${METERS[source].replace('TEXEL', `texelFetch(depth, ${at}, 0)`)}, 0.0, 0.0, 1.0);
 }
 `;
 }
 
 /** Depth Sensing §2.2: luminance is the low byte, alpha the high one. */
-const METRES: Readonly<Record<DepthSource, string>> = {
+const METERS: Readonly<Record<DepthSource, string>> = {
   'luminance-alpha': 'dot(TEXEL.ra, vec2(255.0, 65280.0)) * scale.x',
   'unsigned-short': 'float(TEXEL.r) * scale.x',
   float32: 'TEXEL.r * scale.x',
-  window: 'metresFromWindow(TEXEL.r)',
+  window: 'metersFromWindow(TEXEL.r)',
 };

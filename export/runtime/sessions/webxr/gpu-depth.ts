@@ -5,15 +5,16 @@ import { createDecoder, type DepthDecoder, type DepthSource } from './depth-deco
 import { setDepthUv } from './depth-uv.ts';
 import type { XrGpuDepthInformation } from './webxr-types.ts';
 
-/** Depth that stays on the GPU, for one view: decoded to metres once a frame, so that all who read it find one format. */
+/** Depth that stays on the GPU, for one view: decoded to meters once a frame, so that all who read it find one format. */
 export interface GpuDepth {
-  update(info: XrGpuDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth;
+  /** Null while the browser has no valid depth. */
+  update(info: XrGpuDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth | null;
   dispose(): void;
 }
 
-/** Null where the GPU can draw no floats at all. */
-export function createGpuDepth(gl: WebGL2RenderingContext): GpuDepth | null {
-  // Half floats keep a millimetre at 1 m and four at 4 m, about what the sensors do.
+/** `viewIndex`: which view of the device it is for. Null where the GPU can draw no floats at all. */
+export function createGpuDepth(gl: WebGL2RenderingContext, viewIndex: number): GpuDepth | null {
+  // Half floats keep a millimeter at 1 m and four at 4 m, about what the sensors do.
   const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
   if (format === null) return null;
   const framebuffer = gl.createFramebuffer();
@@ -32,16 +33,18 @@ export function createGpuDepth(gl: WebGL2RenderingContext): GpuDepth | null {
   };
   return {
     update: (info, dataFormat, worldFromView) => {
+      if (info.isValid === false) return null;
       const { width, height } = info;
       if (depth?.widthPx !== width || depth.heightPx !== height) depth = resize(width, height);
       const source = sourceOf(info, dataFormat);
-      const array = info.textureType === 'texture-array';
+      // Browsers that do not say give an array with a layer per view, as Quest Browser does.
+      const array = info.textureType !== 'texture';
       if (decoder?.source !== source || decoder.array !== array) {
         decoder?.dispose();
         decoder = createDecoder(gl, source, array);
       }
       setPassState(gl, framebuffer, vertexArray, 0, 0, width, height);
-      decoder.use(info);
+      decoder.use(info, viewIndex);
       gl.bindSampler(0, sampler);
       gl.drawArrays(gl.TRIANGLES, 0, 3);
       gl.bindSampler(0, null);

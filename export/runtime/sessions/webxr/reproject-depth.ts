@@ -103,7 +103,7 @@ export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReproje
   };
 }
 
-/** Whether two matrices say the same, as far as browsers keep to their digits: to a tenth of a millimetre or its like. */
+/** Whether two matrices say the same, as far as browsers keep to their digits: to a tenth of a millimeter or its like. */
 export function isSameMatrix(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   for (let i = 0; i < 16; i++) if (Math.abs((a[i] ?? 0) - (b[i] ?? 0)) > 1e-4) return false;
   return true;
@@ -117,6 +117,11 @@ export function isSameLens(a: ArrayLike<number>, b: ArrayLike<number>): boolean 
 /** Of a column-major projection: how x and y are scaled, and how far they are shifted. */
 const LENS: readonly number[] = [0, 5, 8, 9];
 
+/**
+ * Places the samples in the view. The outermost samples reach the edge of the image. A mesh whose corners differ by more than `GAP`
+ * times the distance spans two surfaces. A mesh with an unknown corner, or one behind the eye, is moved outside the clip volume.
+ * Comments stand here because pages ship the text of a shader as it is.
+ */
 const VERTEX = `#version 300 es
 precision highp float;
 precision highp int;
@@ -128,14 +133,12 @@ uniform mat4 viewFromDepth;
 uniform mat4 clipFromView;
 out float viewM;
 flat out float farthestM;
-// More than a tenth of the distance from corner to corner is a gap between two things.
 const float GAP = 0.1;
 ivec2 last;
 
 vec3 inView(ivec2 at) {
   float m = texelFetch(room, at, 0).r;
   vec2 size = vec2(last + 1);
-  // The outermost samples reach to the edge.
   vec2 uv = mix(mix((vec2(at) + 0.5) / size, vec2(0.0), equal(at, ivec2(0))), vec2(1.0), equal(at, last));
   vec3 placed = depthFromUv * vec3(uv, 1.0);
   vec2 ndc = placed.xy / placed.z * 2.0 - 1.0;
@@ -160,7 +163,6 @@ void main() {
   viewM = -own.z;
   gl_Position = clipFromView * vec4(own, 1.0);
   if (nearestM <= 0.0) {
-    // Unknown, or behind the eye: outside of everything.
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
   } else if (farthestM - nearestM > GAP * nearestM) {
     vec4 behind = clipFromView * vec4(own.xy, -farthestM, 1.0);

@@ -1,9 +1,10 @@
+import type { Capability } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic, Result } from '../../../../nodes/kit/diagnostics.ts';
 import type { Session } from '../../../../nodes/kit/session.ts';
-import type { Capability, ProgramNeed } from '../../../program/program.ts';
-import { grantedCapabilities, sessionInit } from './features.ts';
+import type { ProgramNeed } from '../../../program/program.ts';
+import { grantedCapabilities, sessionInit } from './session-init.ts';
 import { createWebXrSession } from './webxr-session.ts';
-import { createSurface } from './webxr-surface.ts';
+import { createXrRenderTarget } from './xr-render-target.ts';
 
 export type WebXrMode = 'immersive-ar' | 'immersive-vr';
 
@@ -11,30 +12,31 @@ export interface WebXrRequest {
   /** `navigator.xr`, or an emulated one; undefined where the browser has none. */
   readonly xr: XRSystem | undefined;
   readonly gl: WebGL2RenderingContext;
-  /** AR unless given. In VR a room of ours stands in for the visitor's, also for what reads the camera's picture. */
+  /** Default: AR. In VR an authored room replaces the visitor's room, also for nodes that read the camera image. */
   readonly mode?: WebXrMode;
   readonly needs: readonly ProgramNeed[];
   readonly antialias: boolean;
-  /** Page elements to show over the picture on handheld devices. */
+  /** Page element that handheld devices show over the camera feed. */
   readonly overlayRoot?: Element | null;
 }
 
-/** Whether it makes sense to offer AR, or VR. Never rejects. */
+/** Whether the browser supports the session mode. Never rejects. */
 export async function supportsWebXr(xr: XRSystem | undefined, mode: WebXrMode = 'immersive-ar'): Promise<boolean> {
   return (await xr?.isSessionSupported(mode).catch(() => false)) ?? false;
 }
 
-/** Where no browser knows the floor: below the eyes of someone who stands, metres. */
+/** Height of the eyes of a standing person, meters: for devices that do not know the floor. */
 const EYES_ABOVE_FLOOR_M = 1.6;
 
 /**
- * Asks for a session that brings what the program needs. To be called from a click or tap, before anything is awaited.
- * Never rejects: without a session the diagnostics say why (SCR050, SCR051); with one they say what it lacks (SCR055).
+ * Requests a session with the features that the program needs. Call it from a click or tap handler, before any `await`.
+ *
+ * @returns Never rejects. Without a session the diagnostics give the reason (SCR050, SCR051); with one, the missing features (SCR055).
  */
 export async function requestWebXrSession(request: WebXrRequest): Promise<Result<Session>> {
   const { xr, gl, needs, mode = 'immersive-ar' } = request;
   const name = mode === 'immersive-ar' ? 'AR' : 'VR';
-  // In VR there is no room to be measured; hands and voice are the visitor's own everywhere.
+  // VR measures no room. Hands and microphone work in both modes.
   const asked = mode === 'immersive-ar' ? needs : needs.filter(({ capability }) => capability === 'hands' || capability === 'microphone');
   if (!xr) return refused(NO_WEBXR);
   let session: XRSession;
@@ -44,20 +46,29 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
     return refused(explain(error, asked, name));
   }
   try {
-    const floor = await session.requestReferenceSpace('local-floor').catch(() => null);
-    const world = floor ?? (await session.requestReferenceSpace('local'));
+    const { origin, referenceSpace } = await requestReferenceSpaces(session);
     const capabilities = new Set(grantedCapabilities(session, asked));
     if (mode === 'immersive-vr') capabilities.add('camera-image');
-    const authoredFloorM = mode === 'immersive-ar' ? null : floor ? 0 : -EYES_ABOVE_FLOOR_M;
-    const wishes = { antialias: request.antialias, wantsDepth: capabilities.has('depth'), authoredFloorM };
-    const surface = await createSurface(gl, session, wishes);
-    const renewSurface = () => createSurface(gl, session, wishes);
-    const output = createWebXrSession({ gl, session, world, surface, renewSurface, capabilities });
+    const options = { antialias: request.antialias, wantsDepth: capabilities.has('depth'), authoredRoom: mode === 'immersive-vr' };
+    const target = await createXrRenderTarget(gl, session, options);
+    const renewTarget = () => createXrRenderTarget(gl, session, options);
+    const output = createWebXrSession({ gl, session, origin, referenceSpace, target, renewTarget, capabilities });
     return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
   } catch (error) {
     await session.end().catch(() => {});
     return refused(refusal(`${name} began and could not be shown: ${reason(error)}.`, 'Close other tabs and try again.'));
   }
+}
+
+/** `origin`: the space that the browser resets when the visitor re-centers. `referenceSpace`: the same space, or an offset to the floor. */
+async function requestReferenceSpaces(
+  session: XRSession,
+): Promise<{ readonly origin: XRReferenceSpace; readonly referenceSpace: XRReferenceSpace }> {
+  const floor = await session.requestReferenceSpace('local-floor').catch(() => null);
+  if (floor) return { origin: floor, referenceSpace: floor };
+  const eyes = await session.requestReferenceSpace('local');
+  // All three coordinates are given, because iwer computes NaN from missing ones.
+  return { origin: eyes, referenceSpace: eyes.getOffsetReferenceSpace(new XRRigidTransform({ x: 0, y: -EYES_ABOVE_FLOOR_M, z: 0 })) };
 }
 
 const NO_WEBXR: Diagnostic = {
@@ -75,7 +86,7 @@ function refusal(message: string, fix: string): Diagnostic {
   return { code: 'SCR051', severity: 'error', message, fix };
 }
 
-/** What the names of the exceptions mean: WebXR Device API §4.2, `requestSession`. */
+/** Translates the exceptions of `requestSession` (WebXR Device API §4.2). */
 function explain(error: unknown, needs: readonly ProgramNeed[], name: 'AR' | 'VR'): Diagnostic {
   const required = needs.filter((need) => need.required).map((need) => WORDS[need.capability]);
   switch (error instanceof DOMException ? error.name : '') {
@@ -101,7 +112,7 @@ function missing(need: ProgramNeed): Diagnostic {
   return { code: 'SCR055', severity: 'warning', message: `Not available here: ${WORDS[need.capability]}. ${need.without}` };
 }
 
-/** As visitors would say it. */
+/** Names of the features for visitors. */
 const WORDS: Readonly<Record<Capability, string>> = {
   'camera-image': 'the camera picture',
   depth: 'depth of the room',

@@ -1,7 +1,7 @@
 import { expect, test } from '@jest/globals';
 import { createSensorWatch, FIRST_WITHIN_S, SILENT_AFTER_S } from './sensor-watch.ts';
 
-/** What is told of a sensor that measures at these times of a minute, asked sixty times a second. */
+/** Reports on a sensor that measures at these times of a minute, at 60 fps. */
 function told(measures: (timeS: number) => boolean): (readonly [working: boolean, atS: number])[] {
   const changes: (readonly [boolean, number])[] = [];
   let nowS = 0;
@@ -18,7 +18,7 @@ test('a sensor that works, and one that leaves out frames, are not worth a word'
   expect(told((s) => s % 2 < 0.1)).toEqual([]);
 });
 
-test('one that falls silent is told of after a while, and at once when it is back', () => {
+test('one that falls silent is reported after a while, and at once when it is back', () => {
   expect(told((s) => s < 10 || s > 30)).toEqual([
     [false, 10 + SILENT_AFTER_S],
     [true, 30],

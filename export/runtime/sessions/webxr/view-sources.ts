@@ -23,11 +23,16 @@ export function createViewSources(
   const usage = wantsDepth ? depthUsage(session) : null;
   const format: XRDepthDataFormat = usage ? (session.depthDataFormat ?? 'luminance-alpha') : 'luminance-alpha';
   const cpu: readonly CpuDepth[] = usage === 'cpu-optimized' ? perView(() => createCpuDepth(gl)) : [];
-  const gpu: readonly (GpuDepth | null)[] = usage === 'gpu-optimized' ? perView(() => createGpuDepth(gl)) : [];
+  const gpu: readonly (GpuDepth | null)[] = usage === 'gpu-optimized' ? perView((index) => createGpuDepth(gl, index)) : [];
   const images: (MutableCameraImage | null)[] = perView(() => null);
   const reprojectors: (DepthReprojector | null)[] = perView(() => null);
 
-  const aligned = (depth: MutableRoomDepth, info: XRDepthInformation, index: number, seen: WantedView): RoomDepth => {
+  const aligned = (
+    depth: MutableRoomDepth,
+    info: Pick<XRDepthInformation, 'projectionMatrix'>,
+    index: number,
+    seen: WantedView,
+  ): RoomDepth => {
     // Browsers before 2025 leave it out: their depth is always the view's.
     const clipFromDepth = info.projectionMatrix ?? seen.clipFromView;
     const { worldFromDepth } = depth;
@@ -45,7 +50,8 @@ export function createViewSources(
       }
       const onGpu = gpu[index];
       const info = onGpu ? binding?.getDepthInformation?.(view) : null;
-      return onGpu && info ? aligned(onGpu.update(info, format, seen.worldFromView), info, index, seen) : null;
+      const decoded = onGpu && info ? onGpu.update(info, format, seen.worldFromView) : null;
+      return decoded && info ? aligned(decoded, info, index, seen) : null;
     },
     cameraImage: (view, index) => {
       const { camera } = view;
@@ -76,6 +82,6 @@ function depthUsage(session: XRSession): XRDepthUsage | null {
   }
 }
 
-function perView<T>(create: () => T): T[] {
-  return Array.from({ length: MAX_VIEWS }, create);
+function perView<T>(create: (index: number) => T): T[] {
+  return Array.from({ length: MAX_VIEWS }, (_, index) => create(index));
 }

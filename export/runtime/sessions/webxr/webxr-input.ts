@@ -15,12 +15,12 @@ export interface WebXrInput {
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
-export function createWebXrInput(session: XRSession, world: XRReferenceSpace): WebXrInput {
+export function createWebXrInput(session: XRSession, referenceSpace: XRReferenceSpace): WebXrInput {
   /** Selections come between frames. */
   const waiting = createSessionInput();
   const rays = { left: createMatrix(), right: createMatrix() };
   session.addEventListener('select', ({ frame, inputSource }) => {
-    const pose = frame.getPose(inputSource.targetRaySpace, world);
+    const pose = frame.getPose(inputSource.targetRaySpace, referenceSpace);
     const tap = pose ? nextTap(waiting) : null;
     if (!pose || !tap) return;
     tap.worldFromRay.set(pose.transform.matrix);
@@ -45,7 +45,7 @@ export function createWebXrInput(session: XRSession, world: XRReferenceSpace): W
         const hand = source.handedness === 'left' ? 'left' : 'right';
         if (!source.gamepad || source.targetRayMode === 'screen' || input[hand].connected) continue;
         readController(input[hand], source.gamepad);
-        const pose = frame.getPose(source.targetRaySpace, world);
+        const pose = frame.getPose(source.targetRaySpace, referenceSpace);
         if (!pose) continue;
         rays[hand].set(pose.transform.matrix);
         input[hand].worldFromRay = rays[hand];

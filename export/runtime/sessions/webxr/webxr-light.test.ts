@@ -41,7 +41,7 @@ test('turned harmonics say of every direction what they said of it before it was
   }
 });
 
-test('a space that is re-centred turns all of the light: coefficients, the strongest light and what is mirrored', async () => {
+test('a space that is re-centered turns all of the light: coefficients, the strongest light and what is mirrored', async () => {
   const probe = Object.assign(new EventTarget(), { probeSpace: {} });
   const session = { requestLightProbe: () => Promise.resolve(probe) } as unknown as XrSessionWithLight;
   const texture = {};

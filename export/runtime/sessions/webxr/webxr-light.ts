@@ -5,14 +5,14 @@ import type { XrBinding, XrFrameWithLight, XrLightProbe, XrSessionWithLight } fr
 /** The light that the browser estimates, in world space; null while it has none. */
 export interface WebXrLight {
   /** `binding`: of the context that draws; null where the browser has none. */
-  read(frame: XRFrame, world: XRReferenceSpace, binding: XrBinding | null): MutableLight | null;
+  read(frame: XRFrame, referenceSpace: XRReferenceSpace, binding: XrBinding | null): MutableLight | null;
 }
 
 /** Of a rotation's elements: a change below it, a tenth of a degree, is not worth filtering a cube map anew. */
 const SEEN_TURN = 0.002;
 
 /**
- * All of it is told in the axes of the probe. These are the world's until that is re-centred; so coefficients and direction are
+ * All of it is told in the axes of the probe. These are the world's until that is re-centered; so coefficients and direction are
  * turned, in WebXR's own order, and of the cube map it is said how it lies.
  */
 export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
@@ -55,11 +55,11 @@ export function createWebXrLight(session: XrSessionWithLight): WebXrLight {
     turned.version++;
   };
   return {
-    read: (frame: XrFrameWithLight, world, binding) => {
+    read: (frame: XrFrameWithLight, referenceSpace, binding) => {
       const estimate = probe ? frame.getLightEstimate?.(probe) : null;
       if (!probe || !estimate) return null;
       const { x, y, z } = estimate.primaryLightDirection;
-      const m = frame.getPose(probe.probeSpace, world)?.transform.matrix ?? AS_IT_IS;
+      const m = frame.getPose(probe.probeSpace, referenceSpace)?.transform.matrix ?? AS_IT_IS;
       turnHarmonics(light.sphericalHarmonics, estimate.sphericalHarmonicsCoefficients, m);
       for (let row = 0; row < 3; row++) {
         light.primaryDirectionWorld[row] = (m[row] ?? 0) * x + (m[row + 4] ?? 0) * y + (m[row + 8] ?? 0) * z;

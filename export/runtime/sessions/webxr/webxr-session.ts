@@ -5,34 +5,37 @@ import { createFrameTime } from '../frame-time.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createSensorWatch } from './sensor-watch.ts';
+import { createSurfaceReader } from './webxr-detected-surfaces.ts';
 import { createWebXrInput } from './webxr-input.ts';
 import { createWebXrLight } from './webxr-light.ts';
-import type { WebXrSurface } from './webxr-surface.ts';
-import { createWebXrSurfaces } from './webxr-surfaces.ts';
+import type { XrRenderTarget } from './xr-render-target.ts';
 
 export interface WebXrSessionParts {
   readonly gl: WebGL2RenderingContext;
   readonly session: XRSession;
-  readonly world: XRReferenceSpace;
-  readonly surface: WebXrSurface;
-  /** For the context after it was lost. Rejects where the device will not go on. */
-  readonly renewSurface: () => Promise<WebXrSurface>;
+  /** The space that the browser resets. */
+  readonly origin: XRReferenceSpace;
+  /** Its floor is at y = 0. */
+  readonly referenceSpace: XRReferenceSpace;
+  readonly target: XrRenderTarget;
+  /** Creates the target again for a restored context. Rejects where the device refuses. */
+  readonly renewTarget: () => Promise<XrRenderTarget>;
   readonly capabilities: ReadonlySet<Capability>;
 }
 
 /** A running WebXR session with its own frame loop (ADR 7). */
 export function createWebXrSession(parts: WebXrSessionParts): Session {
-  const { gl, session, world, capabilities } = parts;
+  const { gl, session, origin, referenceSpace, capabilities } = parts;
   const frame = createSessionFrame();
   const time = createFrameTime();
   /** Null while the context is lost. */
-  let surface: WebXrSurface | null = parts.surface;
+  let target: XrRenderTarget | null = parts.target;
   const light = capabilities.has('light-estimation') ? createWebXrLight(session) : null;
-  const surfaces = createWebXrSurfaces(capabilities);
+  const surfaces = createSurfaceReader(capabilities);
   const watchOf = (capability: Capability) => createSensorWatch((working) => onEvent?.({ kind: 'sensing', capability, working }));
   const depthWatch = capabilities.has('depth') ? watchOf('depth') : null;
   const lightWatch = light ? watchOf('light-estimation') : null;
-  const input = createWebXrInput(session, world);
+  const input = createWebXrInput(session, referenceSpace);
   const wantsCamera = capabilities.has('camera-image');
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
@@ -44,12 +47,12 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     if (next !== tracked) onEvent?.({ kind: 'tracking', tracked: next });
     tracked = next;
   };
-  const fillViews = ({ layer, sources, room }: WebXrSurface, xrFrame: XRFrame, pose: XRViewerPose): void => {
+  const fillViews = ({ layer, sources, room }: XrRenderTarget, xrFrame: XRFrame, pose: XRViewerPose): void => {
     let count = 0;
     for (const xrView of pose.views) {
       const view = frame.views[count];
       const viewport = layer.getViewport(xrView);
-      // Emulators give a device of one view a second one of no width.
+      // Emulators give a monoscopic device a second view of zero width.
       if (!view || !viewport || viewport.width < 1 || viewport.height < 1) continue;
       view.eye = xrView.eye;
       view.clipFromView.set(xrView.projectionMatrix);
@@ -68,17 +71,17 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   };
   const tick = (timeMs: number, xrFrame: XRFrame): void => {
     session.requestAnimationFrame(tick);
-    const pose = xrFrame.getViewerPose(world);
+    const pose = xrFrame.getViewerPose(referenceSpace);
     setTracked(pose ? !pose.emulatedPosition : false);
-    if (!pose || !surface) return;
+    if (!pose || !target) return;
     time.write(frame, timeMs / 1000);
-    const { layer } = surface;
+    const { layer } = target;
     frame.framebuffer = layer.framebuffer;
     frame.framebufferWidthPx = layer.framebufferWidth;
     frame.framebufferHeightPx = layer.framebufferHeight;
-    frame.light = light?.read(xrFrame, world, surface.binding) ?? null;
-    frame.surfaces = surfaces?.read(xrFrame, world) ?? null;
-    fillViews(surface, xrFrame, pose);
+    frame.light = light?.read(xrFrame, referenceSpace, target.binding) ?? null;
+    frame.surfaces = surfaces?.read(xrFrame, referenceSpace) ?? null;
+    fillViews(target, xrFrame, pose);
     if (frame.viewCount === 0) return;
     lightWatch?.update(frame.timeS, frame.light !== null);
     depthWatch?.update(frame.timeS, hasDepth(frame));
@@ -86,15 +89,15 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     onFrame?.(frame);
   };
   const lost = (): void => {
-    surface = null;
+    target = null;
   };
   const restored = async (): Promise<void> => {
     try {
-      const renewed = await parts.renewSurface();
-      if (onFrame && !gl.isContextLost()) surface = renewed;
+      const renewed = await parts.renewTarget();
+      if (onFrame && !gl.isContextLost()) target = renewed;
       else renewed.dispose();
     } catch {
-      // Ended meanwhile, or not to be had back.
+      // The session ended meanwhile, or the device refused.
       endedBy = 'system';
       await session.end().catch(() => {});
     }
@@ -106,8 +109,8 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     session.addEventListener('end', () => {
       gl.canvas.removeEventListener('webglcontextlost', lost);
       gl.canvas.removeEventListener('webglcontextrestored', onRestored);
-      surface?.dispose();
-      surface = null;
+      target?.dispose();
+      target = null;
       onFrame = null;
       onEvent?.({ kind: 'ended', by: endedBy });
       resolve();
@@ -115,16 +118,17 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
   });
   let visible = true;
   session.addEventListener('visibilitychange', () => {
-    // Blurred behind a menu of the system, it is still seen.
+    // `visible-blurred`, behind a system menu, still counts as visible.
     const next = session.visibilityState !== 'hidden';
     if (next !== visible) onEvent?.({ kind: 'visibility', visible: next });
     visible = next;
   });
-  world.addEventListener('reset', () => onEvent?.({ kind: 'reset' }));
+  // Not every browser dispatches `reset` to an offset space.
+  origin.addEventListener('reset', () => onEvent?.({ kind: 'reset' }));
   return {
     kind: 'webxr',
     capabilities,
-    world: parts.surface.room ? 'image' : session.environmentBlendMode === 'opaque' ? 'none' : 'device',
+    world: parts.target.room ? 'image' : session.environmentBlendMode === 'opaque' ? 'none' : 'device',
     blend: session.environmentBlendMode === 'additive' ? 'additive' : session.environmentBlendMode === 'opaque' ? 'opaque' : 'alpha',
     hidesPage: !session.domOverlayState,
     start: (frameHandler, eventHandler) => {
@@ -134,7 +138,7 @@ export function createWebXrSession(parts: WebXrSessionParts): Session {
     },
     end: () => {
       endedBy = 'page';
-      // The device may have ended it meanwhile, which is just as well.
+      // The device may have ended it meanwhile.
       ended ??= Promise.race([
         hasEnded,
         session.end().then(

@@ -18,13 +18,18 @@ export interface XrBinding {
   getDepthInformation?(view: XRView): XrGpuDepthInformation | null | undefined;
 }
 
-export interface XrGpuDepthInformation extends XRWebGLDepthInformation {
+export interface XrGpuDepthInformation extends Omit<XRWebGLDepthInformation, 'textureType' | 'imageIndex'> {
+  /** Not every browser has these two. */
+  readonly textureType?: XRTextureType;
+  readonly imageIndex?: number | null;
   /**
    * Quest Browser and iwer have these, which no specification does: the texture then holds window depth between them, its
    * first row at the bottom.
    */
   readonly depthNear?: number;
   readonly depthFar?: number;
+  /** Quest Browser: false while the texture holds nothing of use. */
+  readonly isValid?: boolean;
 }
 
 /** WebXR Lighting Estimation §3. */

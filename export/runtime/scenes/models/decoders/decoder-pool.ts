@@ -28,7 +28,7 @@ export function createDecoderPool(decoders: ModelDecoders, files: DecoderFiles, 
   const release = (name: DecoderName, entry: Entry): void => {
     if (--entry.users > 0) return;
     open.delete(name);
-    // What could not be opened was told to whoever asked for it.
+    // Where the decoder failed to open, `use` has already rejected.
     entry.opening.then((decoder) => decoder.dispose()).catch(() => {});
   };
   return {

@@ -1,0 +1,86 @@
+import { once } from 'node:events';
+import { Worker } from 'node:worker_threads';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { bundleWorker } from '../../services/bundle-script.ts';
+import type { LinkedFile } from './link-file.ts';
+import type { LinkQuestion } from './link-worker.ts';
+
+/** Of reading and linking one file, and of compiling it. */
+export const LIMIT_S = 10;
+
+/** Links files one after the other, in a thread that can be ended. */
+export interface Linker {
+  link(question: LinkQuestion): Promise<LinkedFile>;
+  close(): Promise<void>;
+}
+
+const WORKER_ENTRY = 'app/cli/shader/link-worker.ts';
+
+/** `root` holds Scrim's sources. A file that takes longer than `limitS`, or that the linker fails at, is told as that. */
+export async function createLinker(root: string, limitS = LIMIT_S): Promise<Linker> {
+  const code = await bundleWorker(root, WORKER_ENTRY);
+  let worker: Worker | null = null;
+
+  async function endWorker(): Promise<void> {
+    const ended = worker;
+    worker = null;
+    await ended?.terminate();
+  }
+
+  return {
+    link: async (question) => {
+      worker ??= await startWorker(code);
+      const answer = await ask(worker, question, limitS);
+      if ('linked' in answer) return answer.linked;
+      await endWorker();
+      return unlinked(question, answer.refused);
+    },
+    close: endWorker,
+  };
+}
+
+/** What a busy machine takes to start it is not the file's fault: it says when it is there. */
+async function startWorker(code: string): Promise<Worker> {
+  const worker = new Worker(code, { eval: true });
+  await once(worker, 'message');
+  return worker;
+}
+
+type Answer = { readonly linked: LinkedFile } | { readonly refused: Pick<Diagnostic, 'message' | 'fix'> };
+
+function ask(worker: Worker, question: LinkQuestion, limitS: number): Promise<Answer> {
+  return new Promise((resolve) => {
+    const limit = AbortSignal.timeout(limitS * 1000);
+    const tooLong = () => done({ refused: tookTooLong(limitS) });
+    const failed = (fault: string) => done({ refused: { message: `Scrim cannot read this file: ${fault.split('\n')[0]}.` } });
+    const answered = (answer: { linked: LinkedFile } | { fault: string }) => ('linked' in answer ? done(answer) : failed(answer.fault));
+    const broken = (error: Error) => failed(error.message);
+    function done(answer: Answer): void {
+      limit.removeEventListener('abort', tooLong);
+      worker.off('message', answered);
+      worker.off('error', broken);
+      resolve(answer);
+    }
+    limit.addEventListener('abort', tooLong);
+    worker.on('message', answered);
+    worker.on('error', broken);
+    worker.postMessage(question);
+  });
+}
+
+export function tookTooLong(limitS: number): Pick<Diagnostic, 'message' | 'fix'> {
+  return {
+    message: `The check of this file took longer than ${limitS} s and was stopped.`,
+    fix: 'Shorten the shader, or simplify its loops and macros.',
+  };
+}
+
+function unlinked({ file, source }: LinkQuestion, refused: Pick<Diagnostic, 'message' | 'fix'>): LinkedFile {
+  return {
+    file,
+    source,
+    passes: [],
+    diagnostics: [{ code: 'SCR043', severity: 'error', ...refused, file, line: 1, column: 1 }],
+    before: null,
+  };
+}

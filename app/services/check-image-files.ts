@@ -1,0 +1,40 @@
+import type { FileHandle } from 'node:fs/promises';
+import { imageFault, sizeFault } from '../../export/gltf/image-faults.ts';
+
+/** Above, an image is judged by its head alone: whatever it is, nobody waits for it. */
+const MAX_IMAGE_BYTES = 256 * 2 ** 20;
+/** Both formats of panoramas say in their head how large they are. */
+const PANORAMA_HEAD_BYTES = 64 * 2 ** 10;
+
+const NO_SIZE = 'is broken: it does not say how large it is.';
+
+/** What is wrong with an image that begins as one, going on after its name. */
+export async function imageFileFault(file: FileHandle, size: number): Promise<string | null> {
+  return size > MAX_IMAGE_BYTES
+    ? `is a file of ${Math.round(size / 2 ** 20)} MB, which no browser decodes.`
+    : imageFault(await readHead(file, size));
+}
+
+/** Of a Radiance file: the line of its resolution ends its header ("-Y 1024 +X 2048"). */
+export async function radianceFault(file: FileHandle, size: number): Promise<string | null> {
+  const head = (await readHead(file, Math.min(size, PANORAMA_HEAD_BYTES))).toString('latin1');
+  const [line, y, x] = /\n[+-]Y (\d+) [+-]X (\d+)\n/.exec(head) ?? [];
+  if (line === undefined) return NO_SIZE;
+  return sizeFault([Number(x), Number(y)]) ?? (head.indexOf(line) + line.length >= size ? 'is cut off: it has no pixels.' : null);
+}
+
+/** Of an OpenEXR file: the attribute `dataWindow`, a box of four numbers (OpenEXR file layout, "Header"). */
+export async function exrFault(file: FileHandle, size: number): Promise<string | null> {
+  const head = await readHead(file, Math.min(size, PANORAMA_HEAD_BYTES));
+  const name = 'dataWindow\0box2i\0';
+  const at = head.indexOf(name, 0, 'latin1') + name.length + 4;
+  if (at < name.length + 4 || at + 16 > head.length) return NO_SIZE;
+  const [left, top, right, bottom] = [0, 4, 8, 12].map((offset) => head.readInt32LE(at + offset)) as [number, number, number, number];
+  return sizeFault([right - left + 1, bottom - top + 1]);
+}
+
+async function readHead(file: FileHandle, length: number): Promise<Buffer> {
+  const bytes = Buffer.alloc(length);
+  const { bytesRead } = await file.read(bytes, 0, length, 0);
+  return bytes.subarray(0, bytesRead);
+}

@@ -1,0 +1,87 @@
+import { constants, type Stats } from 'node:fs';
+import { type FileHandle, lstat, open } from 'node:fs/promises';
+
+/*
+ * All files of a project are opened here. A project may come from a stranger: opening a named pipe blocks one of the few threads
+ * for file access forever, and opening a device can do anything.
+ */
+
+/** The path names something other than a regular file. `code` is read as the system's own codes are. */
+export class NotAFileError extends Error {
+  readonly code = 'ENOTFILE';
+  /** With its article: “a named pipe”. */
+  readonly what: string;
+  constructor(path: string, what: string) {
+    super(`${path} is ${what}, not a file.`);
+    this.what = what;
+  }
+}
+
+/** The file is larger than the limit of the reader. */
+export class TooLargeError extends Error {
+  readonly code = 'ETOOLARGE';
+  readonly bytes: number;
+  readonly maxBytes: number;
+  constructor(path: string, bytes: number, maxBytes: number) {
+    super(`${path} has ${inMegabytes(bytes)}; at most ${inMegabytes(maxBytes)} can be read.`);
+    this.bytes = bytes;
+    this.maxBytes = maxBytes;
+  }
+}
+
+/** Windows has neither: there, pipes and devices have no names in folders. */
+const FLAGS = constants.O_RDONLY | (constants.O_NOFOLLOW ?? 0) | (constants.O_NONBLOCK ?? 0);
+
+/**
+ * Opens a plain file for reading; the caller closes it. Rejects with `NotAFileError` for links, pipes, devices, sockets and
+ * folders, without opening them, and with the system's error.
+ */
+export async function openFile(path: string): Promise<FileHandle> {
+  refuseOthers(path, await lstat(path));
+  const file = await open(path, FLAGS);
+  try {
+    // It may have been replaced in between: then it is open, and nobody waits for it.
+    refuseOthers(path, await file.stat());
+    return file;
+  } catch (error) {
+    await file.close();
+    throw error;
+  }
+}
+
+/** The bytes of a plain file. Rejects as `openFile` does, and with `TooLargeError` before a byte is read. */
+export function readBytes(path: string, maxBytes: number): Promise<Uint8Array<ArrayBuffer>> {
+  return readOpened(path, maxBytes, async (file) => new Uint8Array(await file.readFile()));
+}
+
+/** The text of a plain file. Rejects as `readBytes` does. */
+export function readText(path: string, maxBytes: number): Promise<string> {
+  return readOpened(path, maxBytes, (file) => file.readFile('utf8'));
+}
+
+async function readOpened<T>(path: string, maxBytes: number, read: (file: FileHandle) => Promise<T>): Promise<T> {
+  const file = await openFile(path);
+  try {
+    const { size } = await file.stat();
+    if (size > maxBytes) throw new TooLargeError(path, size, maxBytes);
+    return await read(file);
+  } finally {
+    await file.close();
+  }
+}
+
+function refuseOthers(path: string, stats: Stats): void {
+  if (!stats.isFile()) throw new NotAFileError(path, kindOf(stats));
+}
+
+function kindOf(stats: Stats): string {
+  if (stats.isDirectory()) return 'a folder';
+  if (stats.isSymbolicLink()) return 'a link';
+  if (stats.isFIFO()) return 'a named pipe';
+  if (stats.isSocket()) return 'a socket';
+  return 'a device';
+}
+
+function inMegabytes(bytes: number): string {
+  return `${Math.round(bytes / 2 ** 20).toLocaleString('en-US')} MB`;
+}

@@ -1,0 +1,81 @@
+import { resolve } from 'node:path';
+import { build, type Metafile } from 'esbuild';
+import { RUNTIME_FILES } from '../../nodes/generated/runtime-files.gen.ts';
+import type { DecoderName } from '../gltf/decoders.ts';
+import type { ProgramUse } from './program-use.ts';
+
+export interface Script {
+  readonly bytes: Uint8Array;
+  /** Source file, relative to the root → the bytes it has in the script. */
+  readonly parts: Readonly<Record<string, number>>;
+}
+
+/** What browsers with WebXR or ES modules of 2022 understand: no polyfills. */
+const TARGET = 'es2022';
+
+/**
+ * The page's one script: the player, the page around it, and the behavior of the nodes in use, nothing else. A classic script,
+ * because browsers load no modules from a double-clicked file. esbuild gives the same bytes for the same sources.
+ */
+export async function bundleScript(root: string, use: ProgramUse, decoders: readonly DecoderName[]): Promise<Script> {
+  const { outputFiles, metafile } = await build({
+    stdin: { contents: entryText(use, decoders), resolveDir: root, sourcefile: 'page.ts', loader: 'ts' },
+    absWorkingDir: root,
+    bundle: true,
+    write: false,
+    metafile: true,
+    minify: true,
+    format: 'iife',
+    platform: 'browser',
+    target: TARGET,
+    charset: 'utf8',
+    legalComments: 'eof',
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    // three's decoders name files beside their own module, which they are never asked for; a classic script has no such address.
+    define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
+    logLevel: 'silent',
+  });
+  const [file] = outputFiles;
+  if (!file) throw new Error('esbuild made no script.');
+  return { bytes: file.contents, parts: partsOf(metafile) };
+}
+
+/** The bundle's own style sheet. */
+export async function bundleStyle(root: string): Promise<Uint8Array> {
+  const { outputFiles } = await build({
+    entryPoints: [resolve(root, 'export/page/page.css')],
+    bundle: true,
+    write: false,
+    minify: true,
+    target: ['chrome108', 'safari16.4', 'firefox115'],
+    logLevel: 'silent',
+  });
+  const [file] = outputFiles;
+  if (!file) throw new Error('esbuild made no style sheet.');
+  return file.contents;
+}
+
+const OPENERS: Readonly<Record<DecoderName, string>> = { draco: 'openDraco', meshopt: 'openMeshopt', ktx2: 'openKtx2' };
+
+function entryText({ nodeTypes, scenes, panoramas, controls }: ProgramUse, decoders: readonly DecoderName[]): string {
+  const played = nodeTypes.filter((type) => Object.hasOwn(RUNTIME_FILES, type));
+  const lines = [
+    `import { startPage } from './export/page/start-page.ts';`,
+    ...(scenes ? [`import { createScenesWith } from './export/runtime/scenes/create-scenes.ts';`] : []),
+    ...(panoramas ? [`import { readRadiance } from './export/runtime/scenes/environments/read-radiance.ts';`] : []),
+    ...(controls ? [`import { createRoomPanel } from './export/page/room-panel/room-panel.ts';`] : []),
+    ...decoders.map((name) => `import { ${OPENERS[name]} } from './export/runtime/scenes/models/decoders/${name}.ts';`),
+    ...played.map((type, i) => `import * as node${i} from ${JSON.stringify(`./${RUNTIME_FILES[type]}`)};`),
+    `const modules = { ${played.map((type, i) => `${JSON.stringify(type)}: node${i}`).join(', ')} };`,
+    `const decoders = { ${decoders.map((name) => `${name}: ${OPENERS[name]}`).join(', ')} };`,
+    `const createScenes = ${scenes ? `(files) => createScenesWith({ decoders, files${panoramas ? ', readRadiance' : ''} })` : 'null'};`,
+    `startPage(window, { modules, createScenes, createRoomPanel${controls ? '' : ': null'} });`,
+  ];
+  return lines.join('\n');
+}
+
+function partsOf(metafile: Metafile): Record<string, number> {
+  const [output] = Object.values(metafile.outputs);
+  const parts = Object.entries(output?.inputs ?? {}).map(([path, { bytesInOutput }]) => [path, bytesInOutput] as const);
+  return Object.fromEntries(parts.filter(([, bytes]) => bytes > 0).sort(([a], [b]) => (a < b ? -1 : 1)));
+}

@@ -1,0 +1,58 @@
+import { join } from 'node:path';
+import { Worker } from 'node:worker_threads';
+import { build } from 'esbuild';
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import type { Result } from '../../../nodes/kit/diagnostics.ts';
+import type { CompileInput, CompileOptions } from '../../compiler/compile.ts';
+import type { Program } from '../../program/program.ts';
+
+/** All of it is data, which crosses to a thread. */
+export interface CompileWork {
+  readonly project: CompileInput['project'];
+  readonly definitions: readonly NodeDefinition[];
+  readonly shaders: Readonly<Record<string, string>>;
+  readonly options: CompileOptions;
+}
+
+/**
+ * Compiles in a thread of its own, so that a server answers others meanwhile. Rejects with the signal's reason once it is
+ * interrupted, and ends the thread.
+ *
+ * @param root Absolute folder with Scrim's sources
+ */
+export async function compileApart(root: string, work: CompileWork, interrupted?: AbortSignal): Promise<Result<Program>> {
+  const script = await bundleWorker(root);
+  interrupted?.throwIfAborted();
+  const worker = new Worker(script, { eval: true, workerData: work });
+  const end = new AbortController();
+  try {
+    return await new Promise((resolve, reject) => {
+      interrupted?.addEventListener('abort', () => reject(interrupted.reason), { signal: end.signal });
+      worker.once('message', resolve);
+      worker.once('error', reject);
+      worker.once('exit', () => reject(new Error('The compiler ended without an answer.')));
+    });
+  } finally {
+    end.abort();
+    await worker.terminate();
+  }
+}
+
+async function bundleWorker(root: string): Promise<string> {
+  const { outputFiles } = await build({
+    entryPoints: [join(root, 'export/bundle/compile/compile-worker.ts')],
+    absWorkingDir: root,
+    bundle: true,
+    write: false,
+    format: 'cjs',
+    platform: 'node',
+    target: 'node16',
+    // The CommonJS entries of some packages find their parts in ways that bundlers cannot follow.
+    mainFields: ['module', 'main'],
+    loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
+    logLevel: 'silent',
+  });
+  const [file] = outputFiles;
+  if (!file) throw new Error('esbuild made no worker.');
+  return file.text;
+}

@@ -1,0 +1,52 @@
+import type { Capability } from '../../nodes/kit/definition.ts';
+import type { NodeOperation, ProgramNeed, Tier } from '../program/program.ts';
+
+/** Words of `scrim plan`, for designers rather than for programmers. */
+
+const CAPABILITIES: Readonly<Record<Capability, string>> = {
+  'camera-image': 'the camera image',
+  depth: 'room depth',
+  'light-estimation': 'light estimation',
+  'hit-test': 'where the visitor points in the room',
+  anchors: 'fixed places in the room',
+  planes: 'floors, walls and tables',
+  meshes: 'the shape of the room',
+  hands: 'the visitor’s hands',
+  microphone: 'what the microphone hears',
+};
+
+const TIERS: Readonly<Record<Tier['id'], string>> = {
+  'ar-camera': 'AR with the camera image, where the browser gives it to pages',
+  ar: 'AR',
+  camera: 'Camera without AR: its image, with the orientation of the phone',
+  'authored-vr': 'VR headset: a virtual room',
+  orbit: 'Any other browser: orbit with mouse or finger',
+};
+
+/** `the depth of the room, to hide things behind it (room-a); without it nothing is hidden by the room`. */
+export function needInWords({ capability, required, nodes, why, without }: ProgramNeed): string {
+  const otherwise = required ? 'without it the page does not start' : `without it ${asClause(without)}`;
+  return `${CAPABILITIES[capability]}, ${why} (${nodes.join(', ')}); ${otherwise}`;
+}
+
+/** One line for the kind of session, and one for each thing it does without. */
+export function tierInWords({ id, without }: Tier): string[] {
+  const lost = [...new Set(without.map(({ effect }) => effect))];
+  return [TIERS[id], ...(lost.length === 0 ? ['everything works'] : lost.map(asClause))];
+}
+
+/** What a param that moves by itself is moved by. */
+export function bindingInWords({ id, type, node, config }: NodeOperation): string | null {
+  const param = id.slice(node.length + 1, id.lastIndexOf('.'));
+  if (type === 'binding/expression') return `${param} of ${node} follows an expression`;
+  if (type !== 'binding/track') return null;
+  const count = Array.isArray(config.times) ? config.times.length : 0;
+  const again = { once: '', loop: ', looping', mirror: ', ping-pong' }[String(config.repeat)] ?? '';
+  return `${param} of ${node} follows ${count === 1 ? 'one keyframe' : `${count} keyframes`}${again}`;
+}
+
+/** `Nothing is hidden.` → `nothing is hidden`. */
+function asClause(sentence: string): string {
+  const bare = sentence.trim().replace(/[.\s]+$/, '');
+  return bare.charAt(0).toLowerCase() + bare.slice(1);
+}

@@ -1,0 +1,30 @@
+import type { Capability } from '../../../nodes/kit/definition.ts';
+import type { Presentation, ProgramNeed, Tier } from '../../program/program.ts';
+
+/** What kinds of session offer beside drawing, best first (docs/ARCHITECTURE.md, “Sessions”; devices: what WebXR implementations have in 2026). */
+const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capability[] }[] = [
+  {
+    id: 'ar-camera',
+    offers: ['camera-image', 'depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'],
+  },
+  { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'] },
+  { id: 'camera', offers: ['camera-image', 'microphone'] },
+  // Its room stands in for the camera's picture.
+  { id: 'authored-vr', offers: ['camera-image', 'hands', 'microphone'] },
+  { id: 'orbit', offers: ['microphone'] },
+];
+
+/**
+ * The tiers that can play the program, with what each lacks. One that asks the visitor for the camera is there only where the
+ * program has a use for it, and none that lacks what is required but looking around, for which nothing has to be entered.
+ */
+export function findTiers(needs: readonly ProgramNeed[], { background }: Pick<Presentation, 'background'>): Tier[] {
+  const samplesCamera = needs.some(({ capability }) => capability === 'camera-image');
+  return TIERS.flatMap(({ id, offers }): Tier[] => {
+    if (id === 'ar-camera' && !samplesCamera) return [];
+    if (id === 'camera' && !samplesCamera && background !== 'world') return [];
+    const missing = needs.filter(({ capability }) => !offers.includes(capability));
+    if (id !== 'orbit' && missing.some(({ required }) => required)) return [];
+    return [{ id, without: missing.map(({ capability, without }) => ({ capability, effect: without })) }];
+  });
+}

@@ -1,0 +1,46 @@
+import type { ProjectLogic } from '../../graph/project.ts';
+import { type Operation, PROGRAM_VERSION, type Program, type ProgramAsset } from '../../program/program.ts';
+import { importedAssets } from '../imported-assets.ts';
+import type { LinkedOperations } from '../link/link.ts';
+import type { Schedule } from '../schedule/schedule.ts';
+import { collectControls } from './collect-controls.ts';
+import { collectCredits } from './collect-credits.ts';
+import { collectNeeds } from './collect-needs.ts';
+import { findTiers } from './find-tiers.ts';
+
+/** Last phase: the program. Equal projects give equal text, because everything in it has an order. */
+export function print(project: ProjectLogic, scheduled: Schedule, { operations, resources, shaders }: LinkedOperations): Program {
+  const needs = collectNeeds(scheduled.nodes, scheduled.working);
+  const controls = collectControls(scheduled);
+  const credits = collectCredits(scheduled.nodes, project.assets);
+  return {
+    format: 'scrim-program',
+    version: PROGRAM_VERSION,
+    title: project.title,
+    slots: scheduled.slots,
+    resources,
+    operations,
+    shaders,
+    assets: usedAssets(project, operations),
+    presentation: scheduled.presentation,
+    needs,
+    tiers: findTiers(needs, scheduled.presentation),
+    taps: scheduled.taps,
+    ...(controls.length > 0 ? { controls } : {}),
+    ...(credits.length > 0 ? { credits } : {}),
+  };
+}
+
+function usedAssets({ assets }: ProjectLogic, operations: readonly Operation[]): ProgramAsset[] {
+  const used = new Set<string>();
+  const imported = importedAssets(operations.filter((operation) => operation.kind === 'pass'));
+  for (const operation of operations) {
+    if (operation.kind === 'pass' || operation.kind === 'shadow-maps') continue;
+    for (const id of Object.values(operation.assets)) if (id !== null) used.add(id);
+  }
+  const chosen = [...used].sort().flatMap((id): ProgramAsset[] => {
+    const asset = Object.hasOwn(assets, id) ? assets[id] : undefined;
+    return asset ? [{ id, kind: asset.kind, path: asset.path }] : [];
+  });
+  return [...chosen, ...imported];
+}

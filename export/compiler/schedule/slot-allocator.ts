@@ -1,0 +1,122 @@
+import { paddedCurve } from '../../../nodes/kit/curve.ts';
+import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
+import { VALUE_SIZES, type ValueType } from '../../../nodes/kit/wire-types.ts';
+import { boundValue, clampToRange } from '../../graph/library/param-value.ts';
+import type { Binding, ParamValue } from '../../graph/project.ts';
+import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
+import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
+
+/** Gives every value of the program its place. */
+export interface SlotAllocator {
+  /** The slot that an output writes; the same for every call. */
+  ofOutput(source: Source, type: ValueType): number;
+  /** The slot that a uniform param reads: its own, or that of the output wired to it. */
+  ofParam(node: FlatNode, name: string): number;
+  /** The slot of an output as another type that converts without loss. */
+  ofInput(source: Source, type: ValueType): number;
+  table(): SlotTable;
+}
+
+/** A uniform param that a track or an expression moves, and the slot to move it in. */
+export interface MovedParam {
+  readonly node: FlatNode;
+  readonly name: string;
+  readonly definition: ParamDefinition;
+  readonly binding: MovingBinding;
+  readonly slot: number;
+}
+
+export type MovingBinding = Extract<Binding, { track: unknown } | { expression: unknown }>;
+
+/** The track or expression of a param whose port is not connected. Null where the value is constant. */
+export function movingBinding(node: FlatNode, name: string): MovingBinding | null {
+  const binding = node.inputs.has(name) ? undefined : node.bindings.get(name);
+  return binding && ('track' in binding || 'expression' in binding) ? binding : null;
+}
+
+/**
+ * Params of `compiledIn` nodes get slots, but no names to be set by: the program does not follow them everywhere. Nor do params that
+ * move by themselves; `onMoved` hears of each of these once, when its slot is first asked for.
+ */
+export function createSlotAllocator(
+  graph: FlatGraph,
+  compiledIn: ReadonlySet<string>,
+  onMoved: (moved: MovedParam) => void,
+): SlotAllocator {
+  const numbers: number[] = [];
+  const texts: string[] = [];
+  const slots: Slot[] = [];
+  const params: [string, number][] = [];
+  const outputs = new Map<string, number>();
+  const own = new Map<string, number>();
+  const converted = new Map<string, number>();
+  const outerNames = namesFromOutside(graph);
+
+  function add(type: SlotType, value: ParamValue): number {
+    const isText = type === 'text';
+    slots.push({ type, offset: isText ? texts.length : numbers.length });
+    if (isText) texts.push(String(value));
+    else if (typeof value === 'object') numbers.push(...(type === 'curve' ? paddedCurve(value) : value));
+    else numbers.push(Number(value));
+    return slots.length - 1;
+  }
+
+  function ofOutput(source: Source, type: ValueType): number {
+    const key = portKey(source);
+    const slot = outputs.get(key) ?? add(type, type === 'text' ? '' : new Array<number>(VALUE_SIZES[type]).fill(0));
+    outputs.set(key, slot);
+    return slot;
+  }
+
+  /** A toggle is 0 or 1 and a color four numbers, so the same place can be read as either type. */
+  function ofInput(source: Source, type: ValueType): number {
+    const output = graph.nodes.get(source.node)?.definition.outputs[source.port];
+    const slot = ofOutput(source, output?.type as ValueType);
+    const offset = slots[slot]?.offset ?? 0;
+    if (slots[slot]?.type === type) return slot;
+    const key = `${slot} ${type}`;
+    const known = converted.get(key) ?? slots.push({ type, offset }) - 1;
+    converted.set(key, known);
+    return known;
+  }
+
+  return {
+    ofOutput,
+    ofInput,
+    ofParam: (node, name) => {
+      const definition = node.definition.params[name];
+      const wireType = definition && paramWireType(definition);
+      const type = definition?.type === 'curve' ? definition.type : wireType;
+      if (!definition || !type) throw new Error(`${node.id} has no uniform param ${name}.`);
+      const [source] = sourcesAt(node, name);
+      if (source && wireType) return ofInput(source, wireType);
+      const key = `${node.id}.${name}`;
+      const known = own.get(key);
+      if (known !== undefined) return known;
+      const slot = add(type, startValue(node, name, definition));
+      own.set(key, slot);
+      const binding = movingBinding(node, name);
+      if (binding) onMoved({ node, name, definition, binding, slot });
+      else if (!compiledIn.has(node.id)) for (const address of [key, ...(outerNames.get(key) ?? [])]) params.push([address, slot]);
+      return slot;
+    },
+    table: () => ({ numbers, texts, slots, params: Object.fromEntries(params) }),
+  };
+}
+
+/** What a param that is not wired begins with; for those that are fixed, what it is. */
+export function startValue(node: FlatNode, name: string, definition: ParamDefinition): ParamValue {
+  const binding = node.bindings.get(name);
+  const value = (binding && boundValue(binding)) ?? definition.default;
+  return clampToRange(definition, value);
+}
+
+function namesFromOutside({ aliases }: FlatGraph): ReadonlyMap<string, readonly string[]> {
+  const names = new Map<string, string[]>();
+  for (const [outside, inside] of aliases) {
+    const list = names.get(inside);
+    if (list) list.push(outside);
+    else names.set(inside, [outside]);
+  }
+  return names;
+}

@@ -1,0 +1,45 @@
+import { P_SESSION } from 'iwer';
+import { compositePixels, type Pixels, turnRows } from './display/composite.ts';
+import type { Emulator } from './emulator.ts';
+import { P_EMULATED } from './private.ts';
+import type { EmulatedSession } from './session/emulated-session.ts';
+import type { SessionWorld } from './session/grant-session.ts';
+import { type Presentation, presentationOf } from './session/presentation.ts';
+import { showPresentation } from './session/run-frame.ts';
+
+/** Pictures of the last frame. */
+export function createReadback(world: SessionWorld): Pick<Emulator, 'readLayer' | 'readRoom' | 'readComposite' | 'counts'> {
+  const presenting = (): { session: EmulatedSession; shown: Presentation } => {
+    const shown = world.session && presentationOf(world.session);
+    if (!world.session || !shown) throw new Error('There is no session with a layer to read.');
+    return { session: world.session, shown };
+  };
+  const takeLayer = (): Pixels => {
+    const { shown } = presenting();
+    return turnRows(shown.read(), shown.widthPx, shown.heightPx);
+  };
+  const takeRoom = (): Pixels => {
+    const { session, shown } = presenting();
+    const { roomServices, eyes } = session[P_EMULATED];
+    const { widthPx, heightPx } = shown;
+    const rgba = new Uint8Array(widthPx * heightPx * 4);
+    const { display } = world.settings;
+    // On display the canvas holds both by now: draw the room again, and put the layer back.
+    if (display) roomServices.view.drawRoom(session[P_SESSION].mode === 'immersive-ar' ? eyes : []);
+    roomServices.view.readPixels(rgba);
+    if (display) showPresentation(session, shown);
+    return turnRows(rgba, widthPx, heightPx);
+  };
+  return {
+    readLayer: takeLayer,
+    readRoom: takeRoom,
+    readComposite: () => {
+      const { session } = presenting();
+      return compositePixels(takeLayer(), takeRoom(), session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque');
+    },
+    counts: () => {
+      const { memory, programs } = world.roomServices().view.renderer.info;
+      return { geometries: memory.geometries, textures: memory.textures, programs: programs?.length ?? 0 };
+    },
+  };
+}

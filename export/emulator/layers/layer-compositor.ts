@@ -1,0 +1,163 @@
+import {
+  CustomBlending,
+  DataTexture,
+  LinearFilter,
+  Matrix4,
+  Mesh,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  PlaneGeometry,
+  RGBAFormat,
+  Scene,
+  ShaderMaterial,
+  UnsignedByteType,
+  Vector4,
+  type WebGLRenderer,
+  WebGLRenderTarget,
+} from 'three';
+import { createEyeCamera, type Eye } from '../display/eye.ts';
+import type { ViewportPx } from '../session/viewport-scale.ts';
+
+/** One image of a layer as one eye, or all of them, see it. */
+export interface LayerPicture {
+  /** Premultiplied, rows from the bottom. */
+  readonly rgba: Uint8Array;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** What of it is seen. */
+  readonly part: ViewportPx;
+  readonly opacity: number;
+  readonly useAlpha: boolean;
+  readonly shape: LayerShape;
+}
+
+/** `screen`: over the whole of the eye's picture. Meters and radians. */
+export type LayerShape =
+  | { readonly kind: 'screen' }
+  | { readonly kind: 'quad'; readonly worldFromLayer: Matrix4; readonly widthM: number; readonly heightM: number }
+  | {
+      readonly kind: 'cylinder';
+      readonly worldFromLayer: Matrix4;
+      readonly radiusM: number;
+      readonly angleRad: number;
+      readonly heightM: number;
+    };
+
+/** Puts the images of several layers together, as the compositor of a headset does, on the device's own context. */
+export interface LayerCompositor {
+  /** Premultiplied RGBA, rows from the bottom: of each eye, its pictures from the lowest to the highest. */
+  compose(widthPx: number, heightPx: number, eyes: readonly Eye[], pictures: (eye: Eye) => Iterable<LayerPicture>, out: Uint8Array): void;
+  dispose(): void;
+}
+
+/** Along the arc of a cylinder: 1/128 of a full turn is off by 0.03 % of the radius. */
+const SEGMENTS = 128;
+
+const VERTEX_SHADER = `
+  uniform mat4 clipFromLayer;
+  uniform vec4 shape; // width, height, angle, radius
+  uniform vec4 part;
+  uniform bool onScreen;
+  varying vec2 layerUv;
+  void main() {
+    layerUv = part.xy + uv * part.zw;
+    vec2 at = uv - 0.5;
+    float angle = at.x * shape.z;
+    vec3 onQuad = vec3(at * shape.xy, 0.0);
+    vec3 onCylinder = vec3(shape.w * sin(angle), at.y * shape.y, -shape.w * cos(angle));
+    gl_Position = onScreen ? vec4(at * 2.0, 0.0, 1.0) : clipFromLayer * vec4(shape.w > 0.0 ? onCylinder : onQuad, 1.0);
+  }`;
+
+const FRAGMENT_SHADER = `
+  uniform sampler2D image;
+  uniform float opacity;
+  uniform bool useAlpha;
+  varying vec2 layerUv;
+  void main() {
+    vec4 color = texture(image, layerUv);
+    gl_FragColor = (useAlpha ? color : vec4(color.rgb, 1.0)) * opacity;
+  }`;
+
+export function createLayerCompositor(renderer: WebGLRenderer): LayerCompositor {
+  const uniforms = {
+    image: { value: null as DataTexture | null },
+    clipFromLayer: { value: new Matrix4() },
+    shape: { value: new Vector4() },
+    part: { value: new Vector4() },
+    onScreen: { value: false },
+    opacity: { value: 1 },
+    useAlpha: { value: true },
+  };
+  const material = new ShaderMaterial({
+    uniforms,
+    vertexShader: VERTEX_SHADER,
+    fragmentShader: FRAGMENT_SHADER,
+    depthTest: false,
+    depthWrite: false,
+    blending: CustomBlending,
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+  });
+  const mesh = new Mesh(new PlaneGeometry(1, 1, SEGMENTS, 1), material);
+  mesh.frustumCulled = false;
+  const scene = new Scene();
+  scene.add(mesh);
+  const camera = createEyeCamera();
+  let target: WebGLRenderTarget | null = null;
+
+  const draw = (picture: LayerPicture, eye: Eye): void => {
+    const { part, shape, widthPx, heightPx } = picture;
+    const texture = new DataTexture(picture.rgba, widthPx, heightPx, RGBAFormat, UnsignedByteType);
+    if (shape.kind !== 'screen') {
+      texture.minFilter = LinearFilter;
+      texture.magFilter = LinearFilter;
+    }
+    texture.needsUpdate = true;
+    uniforms.image.value = texture;
+    uniforms.part.value.set(part.x / widthPx, part.y / heightPx, part.widthPx / widthPx, part.heightPx / heightPx);
+    uniforms.opacity.value = picture.opacity;
+    uniforms.useAlpha.value = picture.useAlpha;
+    uniforms.onScreen.value = shape.kind === 'screen';
+    if (shape.kind === 'quad') uniforms.shape.value.set(shape.widthM, shape.heightM, 0, 0);
+    if (shape.kind === 'cylinder') uniforms.shape.value.set(0, shape.heightM, shape.angleRad, shape.radiusM);
+    if (shape.kind !== 'screen') {
+      const viewFromWorld = scratchView.fromArray(eye.worldFromView).invert();
+      uniforms.clipFromLayer.value.fromArray(eye.clipFromView).multiply(viewFromWorld).multiply(shape.worldFromLayer);
+    }
+    renderer.render(scene, camera);
+    texture.dispose();
+  };
+
+  return {
+    compose: (widthPx, heightPx, eyes, pictures, out) => {
+      if (!target || target.width !== widthPx || target.height !== heightPx) {
+        target?.dispose();
+        target = new WebGLRenderTarget(widthPx, heightPx, { depthBuffer: false });
+      }
+      renderer.setRenderTarget(target);
+      renderer.setScissorTest(false);
+      renderer.setClearColor(0x000000, 0);
+      renderer.clear();
+      for (const eye of eyes) {
+        const { x, y, widthPx: w, heightPx: h } = eye.viewport;
+        target.viewport.set(x, y, w, h);
+        target.scissor.set(x, y, w, h);
+        target.scissorTest = true;
+        renderer.setRenderTarget(target);
+        for (const picture of pictures(eye)) draw(picture, eye);
+      }
+      target.scissorTest = false;
+      target.viewport.set(0, 0, widthPx, heightPx);
+      renderer.setRenderTarget(null);
+      renderer.readRenderTargetPixels(target, 0, 0, widthPx, heightPx, out);
+    },
+    dispose: () => {
+      target?.dispose();
+      mesh.geometry.dispose();
+      material.dispose();
+    },
+  };
+}
+
+// Used up within one `draw`.
+const scratchView = new Matrix4();

@@ -1,0 +1,62 @@
+import type { XRFrame } from 'iwer';
+import { type GlobalSpace, NativeMesh, NativePlane, P_FRAME, XRMesh, XRPlane, XRRigidTransform, XRSpace } from 'iwer';
+import type { Room } from '../rooms/room.ts';
+
+/** Planes and meshes of the room as a session sees them: the same objects in every frame, changed once, when first seen. */
+export interface Surfaces {
+  addPlanes(frame: XRFrame): void;
+  addMeshes(frame: XRFrame): void;
+}
+
+export function createSurfaces(room: () => Room | null, world: GlobalSpace): Surfaces {
+  let planes: XRPlane[] | null = null;
+  let meshes: XRMesh[] | null = null;
+  return {
+    addPlanes: (frame) => {
+      planes ??= (room()?.planes ?? []).map((plane) => new EmulatedPlane(plane, world, frame.predictedDisplayTime));
+      for (const plane of planes) frame[P_FRAME].detectedPlanes.add(plane);
+    },
+    addMeshes: (frame) => {
+      meshes ??= (room()?.meshes ?? []).map((mesh) => new EmulatedMesh(mesh, world, frame.predictedDisplayTime));
+      for (const mesh of meshes) frame[P_FRAME].detectedMeshes.add(mesh);
+    },
+  };
+}
+
+type Label = ConstructorParameters<typeof NativePlane>[2];
+
+/** iwer guesses the orientation from the label, and says in every frame that the plane has changed. */
+class EmulatedPlane extends XRPlane {
+  readonly #orientation: 'horizontal' | 'vertical';
+  readonly #seenMs: number;
+
+  constructor({ label, worldFromPlane, polygonXZ, orientation }: Room['planes'][number], world: GlobalSpace, seenMs: number) {
+    const polygon = polygonXZ.map(([x, z]) => new DOMPointReadOnly(x, 0, z));
+    const native = new NativePlane(new XRRigidTransform(), polygon, label as Label);
+    super(native, new XRSpace(world, new Float32Array(worldFromPlane)), polygon, label as Label);
+    this.#orientation = orientation;
+    this.#seenMs = seenMs;
+  }
+
+  override get orientation(): never {
+    return this.#orientation as never;
+  }
+
+  override get lastChangedTime(): number {
+    return this.#seenMs;
+  }
+}
+
+class EmulatedMesh extends XRMesh {
+  readonly #seenMs: number;
+
+  constructor({ label, worldFromMesh, vertices, indices }: Room['meshes'][number], world: GlobalSpace, seenMs: number) {
+    const native = new NativeMesh(new XRRigidTransform(), vertices, indices, label as Label);
+    super(native, new XRSpace(world, new Float32Array(worldFromMesh)), vertices, indices, label as Label);
+    this.#seenMs = seenMs;
+  }
+
+  override get lastChangedTime(): number {
+    return this.#seenMs;
+  }
+}

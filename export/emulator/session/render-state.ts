@@ -1,0 +1,70 @@
+import type { XRLayer } from 'iwer';
+import { XRRenderState } from 'iwer';
+
+export interface RenderStateWishes {
+  readonly depthNear?: number;
+  readonly depthFar?: number;
+  readonly inlineVerticalFieldOfView?: number;
+  readonly baseLayer?: object | null;
+  readonly layers?: readonly XRLayer[] | null;
+}
+
+type Init = NonNullable<ConstructorParameters<typeof XRRenderState>[0]>;
+
+/** XRRenderState with the layers of WebXR Layers §2: either those or a base layer. */
+export class EmulatedRenderState extends XRRenderState {
+  readonly layers: readonly XRLayer[];
+
+  constructor(init: RenderStateWishes) {
+    super({ ...init, baseLayer: init.baseLayer ?? undefined } as unknown as Init);
+    this.layers = Object.freeze([...(init.layers ?? [])]);
+  }
+}
+
+/** What a session begins with. */
+export function initialRenderState(mode: string): EmulatedRenderState {
+  return new EmulatedRenderState(mode === 'inline' ? { inlineVerticalFieldOfView: Math.PI / 2 } : {});
+}
+
+/** `former` with what the page changes. */
+export function changeRenderState(former: EmulatedRenderState, wishes: RenderStateWishes): EmulatedRenderState {
+  const fovRad = wishes.inlineVerticalFieldOfView ?? former.inlineVerticalFieldOfView;
+  const layers = wishes.layers ?? null;
+  return new EmulatedRenderState({
+    depthNear: wishes.depthNear ?? former.depthNear,
+    depthFar: wishes.depthFar ?? former.depthFar,
+    ...(fovRad === null ? {} : { inlineVerticalFieldOfView: Math.min(Math.max(fovRad, FOV_LIMITS_RAD.min), FOV_LIMITS_RAD.max) }),
+    baseLayer: layers ? null : wishes.baseLayer === undefined ? former.baseLayer : wishes.baseLayer,
+    layers: layers ?? (wishes.baseLayer === undefined ? former.layers : []),
+  });
+}
+
+/** Of sessions on the page: none sees nothing, and half a turn everything. */
+const FOV_LIMITS_RAD = { min: 0.01, max: Math.PI - 0.01 };
+
+/**
+ * WebXR Device API §4.3 and Layers §2.2, what `updateRenderState` refuses.
+ *
+ * @param isOwn Whether a layer was made for the session.
+ * @throws TypeError and DOMException as the specifications say.
+ */
+export function checkRenderState(
+  wishes: RenderStateWishes,
+  mode: string,
+  features: readonly string[],
+  isOwn: (layer: object) => boolean,
+): void {
+  const { baseLayer, layers } = wishes;
+  if (wishes.inlineVerticalFieldOfView != null && mode !== 'inline') {
+    throw new DOMException('inlineVerticalFieldOfView is for sessions on the page: an immersive one has its own.', 'InvalidStateError');
+  }
+  if (baseLayer && layers) throw new DOMException('Either baseLayer or layers can be set, not both.', 'NotSupportedError');
+  for (const layer of baseLayer ? [baseLayer] : (layers ?? [])) {
+    if (!isOwn(layer)) throw new DOMException('The layer was made for another session.', 'InvalidStateError');
+  }
+  if (!layers) return;
+  if (new Set(layers).size !== layers.length) throw new TypeError('A layer can be in the list once.');
+  if (layers.length > 1 && !features.includes('layers')) {
+    throw new DOMException('The session was not granted "layers": it can show one.', 'NotSupportedError');
+  }
+}

@@ -1,0 +1,167 @@
+import type { Node } from 'jsonc-parser';
+import { entries, items, property, readHeader, textOf } from '../isf/isf-header.ts';
+
+/** Where something stands in a header: `['INPUTS', 0, 'LABEL']`. */
+export type HeaderPath = readonly (string | number)[];
+
+/** What a header can hold. */
+export type HeaderValue = string | number | boolean | readonly HeaderValue[] | { readonly [key: string]: HeaderValue };
+
+/**
+ * Sets one value of a shader's header, or takes its key out where the value is undefined; everything else stays as its author
+ * wrote it, comments and unknown keys included. Null where the header cannot be read or has no such place.
+ */
+export function setInHeader(source: string, path: HeaderPath, value: HeaderValue | undefined): string | null {
+  const root = rootOf(source);
+  const key = path.at(-1);
+  if (root === null || key === undefined) return null;
+  const parent = nodeAt(root, path.slice(0, -1));
+  if (parent === undefined) {
+    // The list or object that is to hold it comes first.
+    if (value === undefined) return source;
+    return setInHeader(source, path.slice(0, -1), typeof key === 'number' ? [value] : { [key]: value });
+  }
+  const edited = typeof key === 'number' ? setItem(source, parent, key, value) : setProperty(source, parent, key, value);
+  return edited !== null && rootOf(edited) !== null ? edited : null;
+}
+
+/** Puts an item of a list in another place of it. */
+export function moveInHeader(source: string, path: HeaderPath, from: number, to: number): string | null {
+  const list = items(nodeAt(rootOf(source) ?? undefined, path));
+  const [a, b] = [list[Math.min(from, to)], list[Math.max(from, to)]];
+  if (!a || !b || a === b || Math.abs(from - to) !== 1) return null;
+  const text = ({ offset, length }: Node) => source.slice(offset, offset + length);
+  return source.slice(0, a.offset) + text(b) + source.slice(a.offset + a.length, b.offset) + text(a) + source.slice(b.offset + b.length);
+}
+
+/** Says of imported pictures where they are now, by where the header says that they are. A header that cannot be read stays as it is. */
+export function moveImported(source: string, moved: ReadonlyMap<string, string>): string {
+  const imported = property(rootOf(source) ?? undefined, 'IMPORTED');
+  const values = imported?.type === 'object' ? [...entries(imported)].map(([, value]) => value) : items(imported);
+  const paths = values.flatMap((value) => {
+    const path = property(value, 'PATH');
+    return path?.type === 'array' ? items(path) : path === undefined ? [] : [path];
+  });
+  return paths.reduceRight((text, path) => {
+    const to = moved.get(textOf(path) ?? '');
+    return to === undefined ? text : text.slice(0, path.offset) + printValue(to) + text.slice(path.offset + path.length);
+  }, source);
+}
+
+function rootOf(source: string): Node | null {
+  return readHeader(source, '').header?.root ?? null;
+}
+
+function nodeAt(root: Node | undefined, path: HeaderPath): Node | undefined {
+  let node = root;
+  for (const key of path) node = typeof key === 'number' ? items(node)[key] : property(node, key);
+  return node;
+}
+
+function setProperty(source: string, object: Node, key: string, value: HeaderValue | undefined): string | null {
+  if (object.type !== 'object') return null;
+  const known = property(object, key);
+  if (value === undefined) {
+    const written = object.children?.find((child) => child.children?.[1] === known);
+    return known === undefined || !written ? source : remove(source, object, written);
+  }
+  if (known !== undefined) return source.slice(0, known.offset) + printValue(value) + source.slice(known.offset + known.length);
+  return insert(source, object, `${JSON.stringify(key)}: ${printValue(value)}`);
+}
+
+function setItem(source: string, list: Node, index: number, value: HeaderValue | undefined): string | null {
+  if (list.type !== 'array') return null;
+  const known = items(list)[index];
+  if (value === undefined) return known === undefined ? source : remove(source, list, known);
+  if (known !== undefined) return source.slice(0, known.offset) + printValue(value) + source.slice(known.offset + known.length);
+  return insert(source, list, printValue(value));
+}
+
+/** Behind the last child, on a line of its own where the children have lines of their own. */
+function insert(source: string, parent: Node, text: string): string {
+  const last = parent.children?.at(-1);
+  if (last === undefined) {
+    const [open, close] = parent.type === 'array' ? ['[', ']'] : ['{', '}'];
+    return `${source.slice(0, parent.offset)}${open} ${text} ${close}${source.slice(parent.offset + parent.length)}`;
+  }
+  const first = parent.children?.[0] ?? last;
+  const lead = /(\r\n|\r|\n)([ \t]*)$/.exec(source.slice(parent.offset, first.offset));
+  const end = last.offset + last.length;
+  return `${source.slice(0, end)},${lead === null ? ' ' : `${lead[1]}${lead[2]}`}${text}${source.slice(end)}`;
+}
+
+/** With the comma that stands between it and its neighbor. */
+function remove(source: string, parent: Node, child: Node): string {
+  const children = parent.children ?? [];
+  const index = children.indexOf(child);
+  const before = children[index - 1];
+  const after = children[index + 1];
+  const end = child.offset + child.length;
+  if (after === undefined) {
+    if (before === undefined) return source.slice(0, child.offset) + source.slice(end);
+    const start = before.offset + before.length;
+    const comma = commaIn(source, start, child.offset) ?? start - 1;
+    const between = source.slice(start, comma) + source.slice(comma + 1, child.offset);
+    // A comment between them belongs to what it stands behind, and to a line of its own.
+    return source.slice(0, start) + (between.trim() === '' ? '' : between) + source.slice(end);
+  }
+  const comma = commaIn(source, end, after.offset) ?? end - 1;
+  const rest = source.slice(comma + 1, after.offset);
+  return source.slice(0, child.offset) + (rest.trim() === '' ? '' : rest.trimStart()) + source.slice(after.offset);
+}
+
+function commaIn(source: string, from: number, to: number): number | null {
+  for (const { index, 0: text } of source.slice(from, to).matchAll(/\/\/[^\r\n]*|\/\*[\s\S]*?\*\/|,/g))
+    if (text === ',') return from + index;
+  return null;
+}
+
+/** JSON as authors of headers write it: on one line, a space where one belongs. A text never ends the comment around it. */
+export function printValue(value: HeaderValue): string {
+  if (typeof value === 'string') return JSON.stringify(value).replaceAll('*/', '*\\/');
+  if (typeof value !== 'object') return JSON.stringify(value);
+  if (isList(value)) return value.length === 0 ? '[]' : `[${value.map(printValue).join(', ')}]`;
+  const pairs = Object.entries(value).map(([key, one]) => `${JSON.stringify(key)}: ${printValue(one)}`);
+  return pairs.length === 0 ? '{ }' : `{ ${pairs.join(', ')} }`;
+}
+
+function isList(value: HeaderValue): value is readonly HeaderValue[] {
+  return Array.isArray(value);
+}
+
+/** What a form shows of a header: its values as they stand there, before anything is made of them. */
+export interface HeaderForm {
+  readonly description: string;
+  readonly credit: string;
+  readonly categories: readonly string[];
+  readonly inputs: readonly HeaderFields[];
+  readonly passes: readonly HeaderFields[];
+}
+
+/** The plain values of an object, by key; for a list of numbers or texts, the list. */
+export type HeaderFields = Readonly<Record<string, string | number | boolean | readonly (string | number)[]>>;
+
+/** Null while the header cannot be read. */
+export function readHeaderForm(source: string): HeaderForm | null {
+  const root = rootOf(source);
+  if (root === null) return null;
+  return {
+    description: textOf(property(root, 'DESCRIPTION')) ?? '',
+    credit: textOf(property(root, 'CREDIT')) ?? '',
+    categories: items(property(root, 'CATEGORIES'))
+      .map(textOf)
+      .filter((one) => one !== null),
+    inputs: items(property(root, 'INPUTS')).map(fieldsOf),
+    passes: items(property(root, 'PASSES')).map(fieldsOf),
+  };
+}
+
+function fieldsOf(object: Node): HeaderFields {
+  const fields: Record<string, HeaderFields[string]> = {};
+  if (object.type !== 'object') return fields;
+  for (const [{ value: key }, node] of entries(object)) {
+    if (node.type === 'array') fields[String(key)] = items(node).map(({ value }) => (typeof value === 'number' ? value : String(value)));
+    else if (node.type !== 'object' && node.type !== 'null') fields[String(key)] = node.value as string | number | boolean;
+  }
+  return fields;
+}

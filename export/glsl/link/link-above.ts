@@ -1,0 +1,55 @@
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { IsfShader } from '../isf/isf-shader.ts';
+import { TOO_LONG } from '../syntax/parse.ts';
+import { textAbove } from '../syntax/text-above.ts';
+import type { Place } from '../syntax/token.ts';
+import { linkIsf } from './link-isf.ts';
+import type { LinkedPass, LinkOptions } from './linked-pass.ts';
+
+/** What can be linked of a file that has a mistake: the text above it. */
+export interface LinkedAbove {
+  /** For the driver, which finds the mistakes above. Their loops say nothing: the rest of their bodies may be missing. */
+  readonly passes: readonly LinkedPass[];
+  /** Mistakes above that were found without a driver. */
+  readonly diagnostics: readonly Diagnostic[];
+  /** Only what is said of other files, or of places before this one, counts. */
+  readonly before: { readonly file: string; readonly place: Place };
+}
+
+/**
+ * Links what stands above the mistake that `linkIsf` refused the file for, so that the mistakes above it can be told as well. Null where
+ * there is nothing above.
+ */
+export function linkAbove(shader: IsfShader, options: LinkOptions, { file, line, column, message }: Diagnostic): LinkedAbove | null {
+  if (file === undefined || line === undefined || column === undefined || message === TOO_LONG) return null;
+  const above = shaderAbove(shader, file, { line, column });
+  if (above === null) return null;
+  const { output, diagnostics } = linkIsf(above, { ...options, partial: true });
+  const before = { file, place: { line, column } };
+  const told = diagnostics.filter((diagnostic) => countsAbove(diagnostic, before));
+  if (output !== null) return { passes: output, diagnostics: told, before };
+  const [refused] = told;
+  if (refused === undefined) return null;
+  const further = linkAbove(above, options, refused);
+  return further === null ? { passes: [], diagnostics: told, before } : { ...further, diagnostics: [...further.diagnostics, refused] };
+}
+
+/** Whether something said of the text above a mistake counts: the end of that text is not the author's. */
+export function countsAbove({ file, line, column }: Diagnostic, { file: cut, place }: LinkedAbove['before']): boolean {
+  if (line === undefined || column === undefined) return false;
+  return file !== cut || line < place.line || (line === place.line && column < place.column);
+}
+
+const MAIN = 'void main() {}';
+const TRANSITION = 'vec4 transition(vec2 uv) { return vec4(0.0); }';
+
+function shaderAbove(shader: IsfShader, file: string, place: Place): IsfShader | null {
+  const { vertex, dialect } = shader;
+  if (file === vertex?.file) {
+    const source = textAbove(vertex.source, place, MAIN);
+    return source === null ? null : { ...shader, vertex: { ...vertex, source } };
+  }
+  if (file !== shader.file) return null;
+  const source = textAbove(shader.source, place, dialect === 'transition' ? TRANSITION : MAIN);
+  return source === null ? null : { ...shader, source };
+}

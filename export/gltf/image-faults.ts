@@ -1,0 +1,81 @@
+import { imageSize } from './image-size.ts';
+
+/** The widest and highest texture that any WebGL device takes (`MAX_TEXTURE_SIZE` of desktop GPUs). */
+export const MAX_IMAGE_SIDE_PX = 16_384;
+
+/** What is wrong with the bytes of an image, going on after its name; null where nothing is found without decoding it. */
+export function imageFault(bytes: Uint8Array): string | null {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  try {
+    const size = sizeOf(bytes, view);
+    if (size === null) return 'is broken or of an unknown kind; PNG, JPEG and WebP are known.';
+    return sizeFault(size) ?? (isCutOff(bytes, view) ? 'is cut off: its end is missing.' : null);
+  } catch (error) {
+    // A read beyond the end.
+    if (error instanceof RangeError) return 'is cut off: its end is missing.';
+    throw error;
+  }
+}
+
+type Size = readonly [widthPx: number, heightPx: number];
+
+/** Null where the size can be shown. */
+export function sizeFault([widthPx, heightPx]: Size): string | null {
+  if (widthPx < 1 || heightPx < 1) return `has no pixels: it is ${widthPx} × ${heightPx}.`;
+  if (Math.max(widthPx, heightPx) <= MAX_IMAGE_SIDE_PX) return null;
+  return `is ${widthPx} × ${heightPx} pixels; no device shows more than ${MAX_IMAGE_SIDE_PX} in a direction.`;
+}
+
+function sizeOf(bytes: Uint8Array, view: DataView): Size | null {
+  const size = imageSize(bytes);
+  if (size !== null) return [size.widthPx, size.heightPx];
+  switch (tag(bytes, 0)) {
+    case 'GIF8':
+      return [view.getUint16(6, true), view.getUint16(8, true)];
+    case '\x89PNG':
+      return null;
+  }
+  if (tag(bytes, 0, 2) === 'BM') return [view.getInt32(18, true), Math.abs(view.getInt32(22, true))];
+  return tag(bytes, 4) === 'ftyp' ? avifSize(bytes, view) : null;
+}
+
+/** ISO/IEC 23008-12 §6.5.3: `ispe` boxes; the largest belongs to the picture, others to its tiles and thumbnail. */
+function avifSize(bytes: Uint8Array, view: DataView): Size | null {
+  let largest: Size | null = null;
+  for (let at = bytes.indexOf(0x69); at >= 0 && at + 16 <= bytes.length; at = bytes.indexOf(0x69, at + 1)) {
+    if (tag(bytes, at) !== 'ispe') continue;
+    const size: Size = [view.getUint32(at + 8), view.getUint32(at + 12)];
+    if (largest === null || size[0] * size[1] > largest[0] * largest[1]) largest = size;
+  }
+  return largest;
+}
+
+function isCutOff(bytes: Uint8Array, view: DataView): boolean {
+  if (tag(bytes, 0) === '\x89PNG') return !hasPngEnd(bytes, view);
+  if (view.getUint16(0) === 0xffd8) return !hasJpegEnd(bytes);
+  if (tag(bytes, 0) === 'RIFF') return view.getUint32(4, true) + 8 > bytes.length;
+  return false;
+}
+
+/** PNG specification, §11.2.5: the chunks end with IEND. */
+function hasPngEnd(bytes: Uint8Array, view: DataView): boolean {
+  for (let at = 8; at + 12 <= bytes.length; at += 12 + view.getUint32(at)) if (tag(bytes, at + 4) === 'IEND') return true;
+  return false;
+}
+
+/** ITU T.81, §B.2.1: EOI. Cameras put more behind it, and a preview with an EOI of its own before the frame's data. */
+function hasJpegEnd(bytes: Uint8Array): boolean {
+  for (let at = bytes.lastIndexOf(0xd9); at > 0; at = bytes.lastIndexOf(0xd9, at - 1)) {
+    if (bytes[at - 1] === 0xff) return at > startOfScan(bytes);
+  }
+  return false;
+}
+
+function startOfScan(bytes: Uint8Array): number {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  for (let at = 2; ; at += 2 + view.getUint16(at + 2)) if (view.getUint16(at) === 0xffda) return at;
+}
+
+function tag(bytes: Uint8Array, at: number, length = 4): string {
+  return String.fromCharCode(...bytes.subarray(at, at + length));
+}

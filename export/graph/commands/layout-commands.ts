@@ -1,0 +1,115 @@
+import { castDraft } from 'immer';
+import { isEntryId } from '../document-names.ts';
+import type { Frame, Note, Project, Reroute } from '../project.ts';
+import { getOwn } from '../record.ts';
+import { type Change, change, graphOf } from './change.ts';
+import { draftLayout } from './node-commands.ts';
+
+/** These change `project.layout.json` alone. Canvas units are stored whole, so that diffs stay short. */
+
+export interface MoveNodes {
+  readonly graph: string;
+  readonly positions: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
+  /** Of reroutes, by their ids. */
+  readonly reroutes?: Readonly<Record<string, Reroute>>;
+}
+
+export function moveNodes(project: Project, { graph, positions, reroutes = {} }: MoveNodes): Change {
+  const { nodes } = graphOf(project, graph);
+  return change(project, (draft) => {
+    const layout = draftLayout(draft, graph).nodes;
+    for (const [id, { x, y }] of Object.entries(positions)) {
+      if (!getOwn(nodes, id)) continue;
+      const place = layout[id];
+      // Field by field, so that a node put back where it was makes no step.
+      if (place) Object.assign(place, rounded({ x, y }));
+      else layout[id] = rounded({ x, y });
+    }
+    for (const [id, place] of Object.entries(reroutes)) {
+      const reroute = draft.layout[graph]?.reroutes[id];
+      if (reroute) Object.assign(reroute, rounded(place));
+    }
+  });
+}
+
+export interface SetCollapsed {
+  readonly graph: string;
+  readonly nodes: readonly string[];
+  readonly collapsed: boolean;
+}
+
+export function setCollapsed(project: Project, { graph, nodes, collapsed }: SetCollapsed): Change {
+  return change(project, (draft) => {
+    const layout = draftLayout(draft, graph).nodes;
+    for (const id of nodes) {
+      const place = layout[id];
+      if (collapsed) layout[id] = { x: 0, y: 0, ...place, collapsed };
+      else if (place) delete place.collapsed;
+    }
+  });
+}
+
+export interface PutFrame {
+  readonly graph: string;
+  /** From `makeLayoutId`, or of a frame that is there. */
+  readonly id: string;
+  readonly frame: Frame;
+}
+
+export function putFrame(project: Project, { graph, id, frame }: PutFrame): Change {
+  checkLayoutId(id);
+  return change(project, (draft) => {
+    draftLayout(draft, graph).frames[id] = castDraft({ ...frame, ...rounded(frame) });
+  });
+}
+
+export interface PutNote {
+  readonly graph: string;
+  readonly id: string;
+  readonly note: Note;
+}
+
+export function putNote(project: Project, { graph, id, note }: PutNote): Change {
+  checkLayoutId(id);
+  return change(project, (draft) => {
+    draftLayout(draft, graph).notes[id] = castDraft({ ...note, ...rounded(note) });
+  });
+}
+
+export interface RemoveFromLayout {
+  readonly graph: string;
+  readonly frames?: readonly string[];
+  readonly notes?: readonly string[];
+  /** Their wires run on without them. */
+  readonly reroutes?: readonly string[];
+}
+
+export function removeFromLayout(project: Project, { graph, frames = [], notes = [], reroutes = [] }: RemoveFromLayout): Change {
+  return change(project, (draft) => {
+    const layout = draft.layout[graph];
+    if (!layout) return;
+    for (const id of frames) delete layout.frames[id];
+    for (const id of notes) delete layout.notes[id];
+    for (const id of reroutes) delete layout.reroutes[id];
+    for (const [wire, route] of reroutes.length === 0 ? [] : Object.entries(layout.routes)) {
+      const kept = route.filter((id) => !reroutes.includes(id));
+      if (kept.length === 0) delete layout.routes[wire];
+      else if (kept.length < route.length) layout.routes[wire] = kept;
+    }
+  });
+}
+
+export function checkLayoutId(id: string): void {
+  if (!isEntryId(id)) throw new Error(`${id} is no id of a frame, a note or a reroute.`);
+}
+
+/** To whole canvas units. Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero. */
+export function rounded<T extends { readonly x: number; readonly y: number; readonly width?: number; readonly height?: number }>(box: T) {
+  const { x, y, width, height } = box;
+  return {
+    x: Math.round(x) + 0,
+    y: Math.round(y) + 0,
+    ...(width === undefined ? {} : { width: Math.round(width) + 0 }),
+    ...(height === undefined ? {} : { height: Math.round(height) + 0 }),
+  };
+}

@@ -1,0 +1,111 @@
+import { castDraft } from 'immer';
+import type { NodeLibrary, ParamDefinition } from '../../../nodes/kit/definition.ts';
+import { bindingMisfit } from '../library/binding-misfit.ts';
+import { createInterfaceLookup } from '../library/node-interface.ts';
+import { boundValue, outOfRange, sameValue, withoutNegativeZero } from '../library/param-value.ts';
+import type { Binding, ParamValue, Project } from '../project.ts';
+import { getOwn } from '../record.ts';
+import { type Change, change, draftGraph, graphOf, type Place, refuse, setWires, unchanged } from './change.ts';
+
+export interface SetParam {
+  readonly library: NodeLibrary;
+  readonly graph: string;
+  readonly node: string;
+  readonly param: string;
+  readonly value: ParamValue;
+}
+
+/** Sets the value of a param, or the one it has while its port is not connected. A value equal to the default is not stored. */
+export function setParam(project: Project, { library, graph, node, param, value }: SetParam): Change {
+  const found = findParam(project, library, graph, node, param);
+  if ('diagnostics' in found) return found;
+  const { binding } = found;
+  if (binding && boundValue(binding) === undefined) {
+    const what = 'track' in binding ? 'a keyframe track' : 'an expression';
+    return refuse(project, 'SCR019', `“${found.definition.label}” of ${node} follows ${what}. Bind it to a value first.`, found.place);
+  }
+  const next: Binding = binding && 'port' in binding ? { port: value } : { value };
+  return bind(project, found, { graph, node, param, binding: next, keepWires: true });
+}
+
+export interface BindParam {
+  readonly library: NodeLibrary;
+  readonly graph: string;
+  readonly node: string;
+  readonly param: string;
+  readonly binding: Binding;
+}
+
+/** Binds a param to something else. Only a port keeps the wire that it may have. */
+export function bindParam(project: Project, { library, graph, node, param, binding }: BindParam): Change {
+  const found = findParam(project, library, graph, node, param);
+  return 'diagnostics' in found ? found : bind(project, found, { graph, node, param, binding, keepWires: 'port' in binding });
+}
+
+interface FoundParam {
+  readonly definition: ParamDefinition;
+  readonly binding: Binding | undefined;
+  readonly place: Place;
+}
+
+function findParam(project: Project, library: NodeLibrary, graph: string, id: string, name: string): FoundParam | Change {
+  const place = { nodeId: id, port: name };
+  const node = getOwn(graphOf(project, graph).nodes, id);
+  if (!node) return refuse(project, 'SCR012', `Node ${id} does not exist.`, place);
+  const nodeInterface = createInterfaceLookup(project, library)(node.type);
+  if (!nodeInterface) return refuse(project, 'SCR010', `${id} has the unknown type ${node.type}.`, place);
+  const definition = getOwn(nodeInterface.params, name);
+  if (!definition) return refuse(project, 'SCR018', `${id} (${nodeInterface.title}) has no parameter “${name}”.`, place);
+  return { definition, binding: getOwn(node.params, name), place };
+}
+
+type Bind = Omit<BindParam, 'library'> & { readonly keepWires: boolean };
+
+function bind(
+  project: Project,
+  { definition, binding: before, place }: FoundParam,
+  { graph, node, param, binding, keepWires }: Bind,
+): Change {
+  const problem = bindingProblem(project, definition, binding);
+  if (problem !== null) return refuse(project, problem.code, `“${definition.label}” of ${node} ${problem.message}`, place);
+  const stored = withoutDefault(definition, binding);
+  const { wires } = graphOf(project, graph);
+  const others = keepWires ? wires : wires.filter(({ to }) => to.node !== node || to.port !== param);
+  if (others.length === wires.length && sameBinding(stored, before ?? null)) return unchanged(project);
+  return change(project, (draft) => {
+    const params = draftGraph(draft, graph).nodes[node]?.params;
+    if (!params) return;
+    if (stored === null) delete params[param];
+    else params[param] = castDraft(stored);
+    if (others.length < wires.length) setWires(draft, graph, others);
+  });
+}
+
+function bindingProblem(
+  project: Project,
+  param: ParamDefinition,
+  binding: Binding,
+): { code: 'SCR018' | 'SCR019' | 'SCR030' | 'SCR033'; message: string } | null {
+  const wrong = bindingMisfit(param, binding);
+  if (wrong !== null) return wrong;
+  const value = boundValue(binding);
+  if (value === undefined) return null;
+  const range = outOfRange(param, value);
+  if (range !== null) return { code: 'SCR018', message: `must be ${range}.` };
+  if (param.type !== 'asset' || value === '') return null;
+  const asset = getOwn(project.assets, String(value));
+  if (!asset) return { code: 'SCR030', message: `cannot be ${String(value)}: the project has no such asset.` };
+  if (asset.kind === param.accept) return null;
+  return { code: 'SCR033', message: `takes a file of kind “${param.accept}”, but this file is of kind “${asset.kind}”.` };
+}
+
+/** What is stored: nothing for the default, except at a port, which is stored to say that there is one. */
+function withoutDefault(param: ParamDefinition, binding: Binding): Binding | null {
+  if ('port' in binding) return { port: withoutNegativeZero(binding.port) };
+  if (!('value' in binding)) return binding;
+  return sameValue(binding.value, param.default) ? null : { value: withoutNegativeZero(binding.value) };
+}
+
+function sameBinding(a: Binding | null, b: Binding | null): boolean {
+  return JSON.stringify(a) === JSON.stringify(b);
+}

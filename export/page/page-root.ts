@@ -1,0 +1,74 @@
+import { createControls } from './control-elements.ts';
+import type { ControlValues } from './control-values.ts';
+import { element } from './dom.ts';
+import { createNotices, type Notices } from './notices.ts';
+import { createPanel, type Panel, type PanelOptions } from './panel.ts';
+import type { SessionMode } from './session-modes.ts';
+
+/** The elements of the page. */
+export interface PageRoot {
+  readonly canvas: HTMLCanvasElement;
+  /** What a browser with DOM overlays shows above the room. */
+  readonly overlay: HTMLElement;
+  readonly panel: Panel;
+  readonly notices: Notices;
+  /** Null stands for the orbit view. */
+  setMode(mode: SessionMode | null): void;
+  /** Hides the poster and shows the controls. Call it when the first frame is drawn. */
+  showCanvas(): void;
+}
+
+export interface PageRootOptions extends PanelOptions {
+  readonly values: ControlValues;
+  readonly onLeave: () => void;
+}
+
+const LEAVE: Readonly<Record<SessionMode, string>> = { ar: 'Leave AR', camera: 'Stop the camera', vr: 'Leave VR' };
+
+/** Replaces the static content of `index.html`. Keeps the poster. */
+export function createPageRoot(options: PageRootOptions): PageRoot {
+  const { document, title, onLeave } = options;
+  const canvas = element(document, 'canvas', {
+    attributes: { tabindex: '0', role: 'img', 'aria-label': `${title}: drag or use the arrow keys to look around` },
+  });
+  const panel = createPanel(options);
+  const notices = createNotices(document);
+  const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
+  const controls = createControls(document, options.values);
+  const overlay = element(document, 'div', { id: 'overlay' }, notices.element, ...(controls ? [controls.element] : []), leave);
+  // A tap on what lies above the room is no tap into the room (WebXR DOM Overlays §3.3).
+  overlay.addEventListener('beforexrselect', (event) => event.preventDefault());
+  const poster = document.querySelector<HTMLElement>('.poster');
+  document.querySelector('main')?.remove();
+  const main = element(document, 'main', {}, canvas, ...(poster ? [poster] : []), panel.element, overlay);
+  document.body.append(main);
+  let shown: SessionMode | null = null;
+  const root: PageRoot = {
+    canvas,
+    overlay,
+    panel,
+    notices,
+    setMode: (mode) => {
+      if (mode === shown) return;
+      shown = mode;
+      // An emulator that borrowed the canvas gives it back as the last child, where it would lie over the panel.
+      if (canvas.parentElement === main && main.firstElementChild !== canvas) main.prepend(canvas);
+      const { dataset } = document.documentElement;
+      if (mode === null) delete dataset.way;
+      else dataset.way = mode;
+      leave.hidden = mode === null;
+      leave.textContent = mode === null ? '' : LEAVE[mode];
+      // What had the focus is hidden now.
+      if (mode === null) panel.focus();
+      else leave.focus();
+    },
+    showCanvas: () => {
+      poster?.classList.add('gone');
+      controls?.setShown(true);
+    },
+  };
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && shown === 'camera') onLeave();
+  });
+  return root;
+}

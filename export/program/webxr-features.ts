@@ -1,0 +1,33 @@
+import type { Capability } from '../../nodes/kit/definition.ts';
+import type { ProgramNeed } from './program.ts';
+
+/** WebXR feature descriptor of each capability; null where WebXR has none. */
+export const WEBXR_FEATURES: Readonly<Record<Capability, string | null>> = {
+  'camera-image': 'camera-access',
+  depth: 'depth-sensing',
+  'light-estimation': 'light-estimation',
+  'hit-test': 'hit-test',
+  anchors: 'anchors',
+  planes: 'plane-detection',
+  meshes: 'mesh-detection',
+  hands: 'hand-tracking',
+  // The page requests it with `getUserMedia`.
+  microphone: null,
+};
+
+export interface WebXrFeatures {
+  readonly required: readonly string[];
+  readonly optional: readonly string[];
+}
+
+/**
+ * The features that a session is requested with, and that the export report lists. The floor (`local-floor`) is always optional.
+ *
+ * @param needs What the program needs of a session.
+ * @returns Feature descriptors, in the order of the needs.
+ */
+export function webXrFeatures(needs: readonly ProgramNeed[]): WebXrFeatures {
+  const featuresOf = (required: boolean): string[] =>
+    needs.flatMap((need) => (need.required === required ? (WEBXR_FEATURES[need.capability] ?? []) : []));
+  return { required: featuresOf(true), optional: ['local-floor', ...featuresOf(false)] };
+}

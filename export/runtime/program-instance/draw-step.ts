@@ -1,0 +1,69 @@
+import { setPassState } from '../../../nodes/kit/pass-state.ts';
+import type { DrawView } from '../../../nodes/kit/runtime.ts';
+import type { ViewFrame } from '../../../nodes/kit/session.ts';
+import type { DrawOperation } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
+import { clearAll, clearRectangle } from '../gl/clear.ts';
+import type { NodeInstance } from '../operations/node-instance.ts';
+import { type LiveResources, liveResource } from '../resources/resources.ts';
+import type { Step } from './step.ts';
+
+/** Lets a node draw one view, into its target or over what the screen already shows. */
+export function createDrawStep(engine: Engine, operation: DrawOperation, instance: NodeInstance, resources: LiveResources): Step {
+  const { gl } = engine.objects;
+  const { runtime } = instance;
+  const sampled = operation.reads.flatMap((id) => {
+    const resource = resources.get(id);
+    return resource?.kind === 'target' ? [resource] : [];
+  });
+  const destination = operation.target === 'screen' ? null : liveResource(resources, operation.target, 'target');
+  if (!runtime.draw) throw new Error(`The node type ${operation.type} has a drawing operation and no draw().`);
+  const viewport = { x: 0, y: 0, widthPx: 0, heightPx: 0 };
+  const drawView: { -readonly [K in keyof DrawView]: DrawView[K] | null } & { viewport: typeof viewport } = {
+    view: null,
+    viewIndex: 0,
+    framebuffer: null,
+    viewport,
+  };
+  const draw = (view: ViewFrame, viewIndex: number, framebuffer: WebGLFramebuffer | null): void => {
+    // `draw` starts with the target bound and GL's default state. three.js did not set that state, so its cache is invalid.
+    setPassState(gl, framebuffer, null, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx);
+    engine.scenesIfMade()?.invalidateState();
+    drawView.view = view;
+    drawView.viewIndex = viewIndex;
+    drawView.framebuffer = framebuffer;
+    runtime.draw?.(drawView as DrawView);
+  };
+  return {
+    prepare: ({ view, viewIndex, widthPx, heightPx }) => {
+      if (!view) return;
+      viewport.widthPx = widthPx;
+      viewport.heightPx = heightPx;
+      draw(view, viewIndex, null);
+    },
+    run: (state) => {
+      const { view, viewIndex } = state;
+      if (!view) return;
+      // Before a framebuffer is bound: carries multisampled pictures into the textures that techniques read.
+      for (let i = 0; i < sampled.length; i++) sampled[i]?.target.front(sampled[i]?.domain === 'view' ? viewIndex : 0);
+      if (destination) {
+        const buffer = destination.target.back(viewIndex);
+        clearAll(gl, buffer.framebuffer, buffer.depth !== null);
+        viewport.x = 0;
+        viewport.y = 0;
+        viewport.widthPx = buffer.widthPx;
+        viewport.heightPx = buffer.heightPx;
+        draw(view, viewIndex, buffer.framebuffer);
+        destination.target.finish(viewIndex);
+      } else {
+        viewport.x = view.viewport.x;
+        viewport.y = view.viewport.y;
+        viewport.widthPx = view.viewport.widthPx;
+        viewport.heightPx = view.viewport.heightPx;
+        const { framebuffer } = state.frame;
+        clearRectangle(gl, framebuffer, viewport.x, viewport.y, viewport.widthPx, viewport.heightPx, null);
+        draw(view, viewIndex, framebuffer);
+      }
+    },
+  };
+}

@@ -1,0 +1,133 @@
+import { LOOP_BUDGET_UNIFORM, tooManyIterations } from '../../program/loop-budget.ts';
+import type { LinkedShader, PassOperation } from '../../program/program.ts';
+import type { Engine } from '../engine.ts';
+import { GATED_COPY_SHADER } from '../gl/copy-shader.ts';
+import { createLoopProbe, type LoopProbe } from '../gl/loop-probe.ts';
+import type { GlProgram } from '../gl/program-cache.ts';
+import type { LoadedProgram } from '../loading.ts';
+import type { PassGuard } from '../passes/pass.ts';
+
+/** Which nodes of a program exceed the loop budget. A node whose loops may never end is bypassed until that changes. */
+export interface LoopWatch {
+  /** Null for passes of nodes without bounded loops. */
+  guardOf(operation: PassOperation): PassGuard | null;
+  /** Before each frame. */
+  poll(): void;
+  /** A param changed: passes that exceeded the budget are probed again. */
+  retry(): void;
+  /** The line found in a pass, for the watch of the next program. */
+  lineOf(operation: PassOperation, glProgram: GlProgram): number | null;
+  isBypassed(node: string): boolean;
+  /** Whether a diagnostic about the node's loops is reported. */
+  isTold(node: string): boolean;
+  /** Clears the diagnostics of nodes that `next` does not report. */
+  release(next: LoopWatch | null): void;
+}
+
+interface WatchedPass {
+  readonly operation: PassOperation;
+  readonly glProgram: GlProgram;
+  readonly shader: LinkedShader | undefined;
+  /** The author's line of the loop that spent the last iteration of the budget; null where none did. */
+  line: number | null;
+  /** Probed although its node is bypassed. */
+  onTrial: boolean;
+}
+
+/**
+ * Watches programs whose loops are bounded (`export/program/loop-budget.ts`). Hosts that compile with a loop budget pass
+ * `createLoopGuard` to the player; exported pages have no bounded loops and do not bundle it.
+ */
+export interface LoopGuard {
+  /** Null where the program has no bounded loops. `before` is the watch of the program that this one replaces. */
+  watch(loaded: LoadedProgram, before: LoopWatch | null): LoopWatch | null;
+  dispose(): void;
+}
+
+/** One guard per engine: it creates the probe for the first program with bounded loops and keeps it. */
+export function createLoopGuard(engine: Engine): LoopGuard {
+  let probe: LoopProbe | null = null;
+  const probeOf = (): LoopProbe => {
+    probe ??= createLoopProbe(engine.objects);
+    return probe;
+  };
+  return {
+    watch: (loaded, before) => createLoopWatch(engine, probeOf, loaded, before),
+    dispose: () => probe?.dispose(),
+  };
+}
+
+function createLoopWatch(
+  engine: Engine,
+  probeOf: () => LoopProbe,
+  { program, glPrograms }: LoadedProgram,
+  before: LoopWatch | null,
+): LoopWatch | null {
+  const { board } = engine.host;
+  const byNode = new Map<string, WatchedPass[]>();
+  let released = false;
+  const isTold = (node: string): boolean => byNode.get(node)?.some(({ line }) => line !== null) ?? false;
+  const isBypassed = (node: string): boolean =>
+    byNode.get(node)?.some(({ line, shader }) => line !== null && shader?.loops !== 'counted') ?? false;
+  const settle = (pass: WatchedPass, line: number | null): void => {
+    pass.onTrial = false;
+    if (released || line === pass.line) return;
+    const { node } = pass.operation;
+    pass.line = line;
+    board.clear(node);
+    for (const watched of byNode.get(node) ?? []) {
+      if (watched.line !== null) board.report(node, tooManyIterations(watched.shader, watched.line));
+    }
+  };
+
+  for (const operation of program.operations) {
+    if (operation.kind !== 'pass') continue;
+    const glProgram = glPrograms[operation.shader];
+    if (glProgram?.state !== 'linked' || glProgram.uniform(LOOP_BUDGET_UNIFORM) === null) continue;
+    const line = before?.lineOf(operation, glProgram) ?? null;
+    const pass: WatchedPass = { operation, glProgram, shader: program.shaders[operation.shader], line, onTrial: false };
+    const passes = byNode.get(operation.node);
+    if (passes) passes.push(pass);
+    else byNode.set(operation.node, [pass]);
+  }
+  if (byNode.size === 0) return null;
+  const probe = probeOf();
+  const gatedCopy = engine.tool(GATED_COPY_SHADER);
+  const passOf = ({ id, node }: PassOperation): WatchedPass | undefined => byNode.get(node)?.find(({ operation }) => operation.id === id);
+
+  return {
+    isBypassed,
+    isTold,
+    poll: probe.poll,
+    guardOf: (operation) => {
+      const { node } = operation;
+      if (!byNode.has(node)) return null;
+      const pass = passOf(operation);
+      const loops = pass && {
+        probe,
+        gatedCopy,
+        asker: { round: 0, answer: (line: number | null) => settle(pass, line) },
+        get due() {
+          return pass.onTrial || !isBypassed(node);
+        },
+      };
+      return {
+        get bypassed() {
+          return isBypassed(node);
+        },
+        loops: loops ?? null,
+      };
+    },
+    retry: () => {
+      for (const passes of byNode.values()) for (const pass of passes) pass.onTrial = pass.line !== null;
+    },
+    lineOf: (operation, glProgram) => {
+      const pass = passOf(operation);
+      return pass?.glProgram === glProgram ? pass.line : null;
+    },
+    release: (next) => {
+      released = true;
+      for (const node of byNode.keys()) if (isTold(node) && !next?.isTold(node)) board.clear(node);
+    },
+  };
+}

@@ -1,0 +1,215 @@
+import type { NodeRuntime } from '../../../nodes/kit/runtime.ts';
+import type { SessionFrame } from '../../../nodes/kit/session.ts';
+import type { Operation, Program } from '../../program/program.ts';
+import { createCpuStep, isCpu } from '../cpu/cpu-step.ts';
+import type { Engine } from '../engine.ts';
+import type { LoadedProgram } from '../loading.ts';
+import { isDraw } from '../operations/node-key.ts';
+import { createImports, type Imports } from '../passes/imports.ts';
+import { createPass, type PassParts } from '../passes/pass.ts';
+import { EMPTY_FRAME, enterView } from '../play-state.ts';
+import { createBackground, type SessionTraits } from '../present/background.ts';
+import { createResources, disposeUnused, type LiveResources, pointResources } from '../resources/resources.ts';
+import { createSessionFrame } from '../sessions/session-frame.ts';
+import { createTargetSizes } from '../targets/target-sizes.ts';
+import { createSlots, type Slots } from '../values/slots.ts';
+import { createDrawStep } from './draw-step.ts';
+import type { LoopGuard, LoopWatch } from './loop-watch.ts';
+import { createNodeInstances, disposeNodeInstances, isShadowMaps, type NodeInstances } from './node-instances.ts';
+import { timed } from './operation-timer.ts';
+import type { Step } from './step.ts';
+
+/** What a program instance passes to the instance that replaces it. */
+export interface RetainedState {
+  readonly resources: LiveResources;
+  readonly instances: NodeInstances;
+  /** Null where no loops are bounded, as in exported pages. */
+  readonly loops: LoopWatch | null;
+}
+
+/** A program set up on the GPU and ready to be drawn. */
+export interface ProgramInstance extends RetainedState {
+  readonly program: Program;
+  readonly slots: Slots;
+  /** Updates all nodes for the frame of the engine's play state. */
+  update(): void;
+  /** Resolves when everything that the nodes requested in `update` has loaded. */
+  settle(): Promise<void>;
+  /** Draws that frame, all views. */
+  draw(session: SessionTraits | null): void;
+  /** Resets the state of nodes and persistent targets to the first frame. */
+  reset(): void;
+  /** Disposes GL programs, assets and targets that `next` did not take over. */
+  release(next: ProgramInstance | null): void;
+  /**
+   * Compiles the materials of an empty world without drawing them, so that the first frame does not block on the driver. Value nodes
+   * are not updated: their first frame is still to come.
+   */
+  prepare(): Promise<void>;
+  /** Disposes this instance after a lost context. Returns what needs no GPU: the value nodes with their state. */
+  outlive(): RetainedState;
+}
+
+/**
+ * Sets a loaded program up. Nodes and resources of `before` that are unchanged are kept; its other nodes are disposed. The caller
+ * calls `before.release` afterwards.
+ */
+export function createProgramInstance(
+  engine: Engine,
+  loaded: LoadedProgram,
+  before: RetainedState | null,
+  guard: LoopGuard | null,
+): ProgramInstance {
+  const { program } = loaded;
+  const { state } = engine;
+  const slots = createSlots(program.slots);
+  const resources = createResources(program, engine.objects, before?.resources ?? null);
+  pointResources(program, resources, engine, slots);
+  const instances = createNodeInstances(engine, program, slots, resources, before?.instances ?? null);
+  const runtimes: readonly NodeRuntime[] = [...instances.nodes.values()].map((node) => node.runtime);
+  const delays = runtimes.filter((runtime) => runtime.remember !== undefined);
+  const pulses = [...resources.values()].flatMap((resource) => (resource.kind === 'pulses' ? [resource.queue] : []));
+  const loops = guard?.watch(loaded, before?.loops ?? null) ?? null;
+  const imports = createImports(engine, program);
+  const once = createSteps(engine, loaded, slots, imports, instances, loops, 'once');
+  const each = createSteps(engine, loaded, slots, imports, instances, loops, 'each');
+  const sizes = createTargetSizes(program, resources, slots, engine.objects.limits.maxTextureSizePx);
+  const background = createBackground(engine.objects.gl, engine.drawer, engine.copy, program.presentation.background);
+  let viewCount = 0;
+
+  const run = (steps: readonly Step[]): void => {
+    for (let i = 0; i < steps.length; i++) steps[i]?.run(state);
+  };
+  return {
+    program,
+    slots,
+    resources,
+    instances,
+    loops,
+    update: () => {
+      const { frame } = state;
+      enterView(state, 0);
+      for (let i = 0; i < pulses.length; i++) pulses[i]?.clear();
+      for (let i = 0; i < runtimes.length; i++) runtimes[i]?.update(frame);
+      for (let i = 0; i < delays.length; i++) delays[i]?.remember?.();
+    },
+    settle: async () => {
+      await Promise.all(runtimes.map((runtime) => runtime.settle?.()));
+    },
+    draw: (session) => {
+      const { frame } = state;
+      if (frame.viewCount !== viewCount) sizes.trim(frame.viewCount);
+      viewCount = frame.viewCount;
+      enterView(state, 0);
+      loops?.poll();
+      sizes.resizeImages(state);
+      run(once);
+      for (let i = 0; i < frame.viewCount; i++) {
+        enterView(state, i);
+        // The emulator gives a monoscopic device a second view of no width.
+        if (state.widthPx < 1 || state.heightPx < 1) continue;
+        sizes.resizeViews(state);
+        background.draw(state, session);
+        run(each);
+      }
+    },
+    reset: () => {
+      for (const node of instances.nodes.values()) node.reset();
+      loops?.retry();
+      for (const resource of resources.values()) {
+        if (resource.kind === 'target' && resource.target.resource.lifetime === 'persistent') resource.target.clear();
+      }
+    },
+    prepare: async () => {
+      const backend = engine.scenesIfMade();
+      if (!backend) return;
+      state.frame = createEmptyWorld();
+      enterView(state, 0);
+      for (const [id, { runtime }] of instances.nodes) if (!makesValues(program, id)) runtime.update(state.frame);
+      const compiled = backend.prepare(() => {
+        for (const step of [...once, ...each]) step.prepare?.(state);
+      });
+      state.frame = EMPTY_FRAME;
+      await compiled;
+    },
+    release: (next) => {
+      if (!next) disposeNodeInstances(instances);
+      loops?.release(next?.loops ?? null);
+      disposeUnused(resources, next?.resources ?? null);
+      imports.release();
+      loaded.release();
+    },
+    outlive: () => {
+      const nodes = new Map([...instances.nodes].filter(([id, { usesGpu }]) => !usesGpu && makesValues(program, id)));
+      const left: NodeInstances = {
+        resources: new Map([...resources].filter(([, { kind }]) => kind !== 'target')),
+        nodes,
+        shadowMaps: new Map(),
+      };
+      disposeNodeInstances(instances, left);
+      loops?.release(null);
+      disposeUnused(resources, null);
+      imports.release();
+      loaded.release();
+      return { resources: left.resources, instances: left, loops: null };
+    },
+  };
+}
+
+const PREPARED_SIDE_PX = 64;
+
+/** A frame with one view of an empty world. */
+function createEmptyWorld(): SessionFrame {
+  const frame = createSessionFrame();
+  const [view] = frame.views;
+  frame.viewCount = 1;
+  if (view) {
+    view.viewport.widthPx = PREPARED_SIDE_PX;
+    view.viewport.heightPx = PREPARED_SIDE_PX;
+  }
+  return frame;
+}
+
+/** Others hold what three.js has put on the GPU, if only in the objects that they pass on. */
+function makesValues({ operations }: Program, id: string): boolean {
+  return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behavior'));
+}
+
+/** What draws, in order; nodes that draw nothing have done their work in `update`. */
+function createSteps(
+  engine: Engine,
+  loaded: LoadedProgram,
+  slots: Slots,
+  imports: Imports,
+  instances: NodeInstances,
+  loops: LoopWatch | null,
+  view: 'once' | 'each',
+): Step[] {
+  const { resources } = instances;
+  const { objects, drawer, clock, copy } = engine;
+  const parts: PassParts = { gl: objects.gl, drawer, clock, resources, slots, imports, copy };
+  const steps: Step[] = [];
+  const add = (operation: Operation, step: Step) => void steps.push(timed(step, operation, engine.timer));
+  for (const operation of loaded.program.operations) {
+    if (operation.view !== view) continue;
+    if (operation.kind === 'pass') {
+      const glProgram = loaded.glPrograms[operation.shader];
+      if (!glProgram) throw new Error(`The program has no shader ${operation.shader}.`);
+      add(operation, createPass(operation, glProgram, parts, loops?.guardOf(operation) ?? null));
+    } else if (isShadowMaps(operation)) {
+      const maps = instances.shadowMaps.get(operation.id)?.maps;
+      const render = (): void => {
+        engine.scenesIfMade()?.invalidateState();
+        maps?.update();
+      };
+      add(operation, { run: render, prepare: render });
+    } else if (isDraw(operation)) {
+      const instance = instances.nodes.get(operation.id);
+      if (instance) add(operation, createDrawStep(engine, operation, instance, resources));
+    } else if (isCpu(operation)) {
+      const instance = instances.nodes.get(operation.id);
+      if (instance) add(operation, createCpuStep(operation, instance.runtime, resources));
+    }
+  }
+  return steps;
+}

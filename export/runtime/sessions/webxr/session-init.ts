@@ -1,0 +1,41 @@
+import type { Capability } from '../../../../nodes/kit/definition.ts';
+import type { ProgramNeed } from '../../../program/program.ts';
+import { WEBXR_FEATURES, webXrFeatures } from '../../../program/webxr-features.ts';
+
+/**
+ * CPU first: phones give 160 × 90 samples, which are quick to copy. Headsets that have GPU depth alone take the second preference.
+ * Smooth first, because noise shows as a flickering border. `matchDepthView` keeps its default: depth as the view sees it.
+ */
+const DEPTH_PREFERENCES: XRDepthStateInit = {
+  usagePreference: ['cpu-optimized', 'gpu-optimized'],
+  dataFormatPreference: ['luminance-alpha', 'float32', 'unsigned-short'],
+  depthTypeRequest: ['smooth', 'raw'],
+};
+
+/**
+ * The options of `requestSession`: what the program needs and nothing else, with the floor as an optional feature.
+ *
+ * @param needs What the program needs of the session.
+ * @param overlayRoot Page element that a handheld device shows over the camera feed; null for none.
+ */
+export function sessionInit(needs: readonly ProgramNeed[], overlayRoot: Element | null): XRSessionInit {
+  const { required, optional } = webXrFeatures(needs);
+  const wantsDepth = needs.some((need) => need.capability === 'depth');
+  return {
+    requiredFeatures: [...required],
+    optionalFeatures: [...optional, ...(overlayRoot ? ['dom-overlay'] : [])],
+    ...(wantsDepth ? { depthSensing: DEPTH_PREFERENCES } : {}),
+    ...(overlayRoot ? { domOverlay: { root: overlayRoot } } : {}),
+  };
+}
+
+/**
+ * The needs that the session granted.
+ *
+ * @returns Capabilities in the order of the needs; all of them where the browser does not implement `enabledFeatures`.
+ */
+export function grantedCapabilities(session: XRSession, needs: readonly ProgramNeed[]): ReadonlySet<Capability> {
+  const enabled = session.enabledFeatures;
+  const isGranted = (feature: string | null): boolean => !enabled || feature === null || enabled.includes(feature);
+  return new Set(needs.map((need) => need.capability).filter((capability) => isGranted(WEBXR_FEATURES[capability])));
+}

@@ -1,0 +1,14 @@
+/** Labels of the categories whose label is not the first part of their node types, which projects store. */
+const LABELS: Readonly<Record<string, string>> = { operator: 'composite', technique: 'material', graph: 'subgraph' };
+
+/**
+ * The label of a node type's category, as the palette, the inspector and the reference show it.
+ *
+ * @example
+ * categoryLabel('filter/sepia'); // 'filter'
+ * categoryLabel('operator/over'); // 'composite'
+ */
+export function categoryLabel(type: string): string {
+  const category = type.slice(0, type.indexOf('/'));
+  return LABELS[category] ?? category;
+}

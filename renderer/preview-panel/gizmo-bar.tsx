@@ -1,0 +1,103 @@
+import { useEffect } from 'react';
+import { useStore } from 'zustand';
+import type { GizmoMode } from '../preview-protocol.ts';
+import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
+import { useDocument, useEditor } from '../state/editor/editor-context.ts';
+import { gizmoTargetOf } from '../state/editor/gizmo-target.ts';
+import { soleNode } from '../state/editor/selection.ts';
+import { addToast } from '../state/editor/ui.ts';
+import { cancelDrag } from '../state/gizmo/apply-gizmo.ts';
+import { onEscape } from '../ui/escape.ts';
+import { Icon, type IconName } from '../ui/icon.tsx';
+import './gizmo-bar.css';
+
+const MODES: readonly { readonly mode: GizmoMode; readonly label: string; readonly icon: IconName; readonly command: AppCommandId }[] = [
+  { mode: 'move', label: 'Move', icon: 'move', command: 'gizmo.move' },
+  { mode: 'rotate', label: 'Rotate', icon: 'rotate', command: 'gizmo.rotate' },
+  { mode: 'scale', label: 'Scale', icon: 'scale', command: 'gizmo.scale' },
+];
+
+/** Gizmo toolbar: move, rotate, scale, local space and snapping. Empty if the selected node has no gizmo target. */
+export function GizmoBar() {
+  const { selection } = useEditor();
+  const selected = useStore(selection, soleNode);
+  useCancelDrag();
+  return selected === null ? null : <Tools selected={selected} />;
+}
+
+function Tools({ selected }: { readonly selected: string }) {
+  const editor = useEditor();
+  const { mode: chosen, space, snap, way } = useStore(editor.gizmo);
+  // Compared as JSON, so that the bar rerenders only if a tool changes.
+  const text = useDocument((state) => JSON.stringify(MODES.map(({ mode }) => toolOf(gizmoTargetOf(state, selected, way, mode)))));
+  const tools = JSON.parse(text) as ReturnType<typeof toolOf>[];
+  if (tools.every(({ of, reason }) => of === null && reason === null)) return null;
+  return (
+    <div className="gizmo-bar" role="toolbar" aria-label="Gizmo" aria-orientation="vertical">
+      {MODES.map(({ label, icon, command, mode }, i) => {
+        const { of = null, reason = null } = tools[i] ?? {};
+        const words = of === null ? label : `${label} ${of}`;
+        return (
+          <Tool
+            key={mode}
+            label={words}
+            icon={icon}
+            command={command}
+            pressed={of !== null && chosen === mode}
+            {...(of === null ? { reason } : {})}
+          />
+        );
+      })}
+      <hr />
+      <Tool label="Local space" icon="axes" command="gizmo.space" pressed={space === 'local'} />
+      <Tool label="Snap to 0.1 m, 15° and scale 0.1 (Ctrl inverts)" icon="snap" command="gizmo.snap" pressed={snap} />
+    </div>
+  );
+}
+
+function toolOf(result: ReturnType<typeof gizmoTargetOf>): { readonly of: string | null; readonly reason: string | null } {
+  return result.target === null ? { of: null, reason: result.reason } : { of: result.target.title, reason: null };
+}
+
+interface ToolProps {
+  readonly label: string;
+  readonly icon: IconName;
+  readonly command: AppCommandId;
+  readonly pressed: boolean;
+  /** Why the tool is disabled; absent if it is enabled. */
+  readonly reason?: string | null;
+}
+
+function Tool({ label, icon, command, pressed, reason }: ToolProps) {
+  const editor = useEditor();
+  const keys = useKeys(command);
+  const press = () => {
+    if (reason === undefined) runCommand(editor, command);
+    else addToast(editor.ui, { tone: 'info', text: reason ?? label });
+  };
+  return (
+    <button
+      type="button"
+      className="gizmo-tool"
+      aria-label={reason ? `${label}: ${reason}` : label}
+      aria-pressed={pressed}
+      aria-disabled={reason !== undefined}
+      data-tip={reason ?? label}
+      data-tip-keys={keys}
+      onClick={press}
+    >
+      <Icon name={icon} />
+    </button>
+  );
+}
+
+/** Escape cancels a gizmo drag, wherever the focus is. */
+function useCancelDrag(): void {
+  const editor = useEditor();
+  const dragging = useStore(editor.gizmo, (state) => state.drag !== null);
+  useEffect(() => {
+    if (!dragging) return;
+    return onEscape(() => cancelDrag(editor));
+  }, [dragging, editor]);
+}

@@ -1,0 +1,47 @@
+import { useEffect, useRef } from 'react';
+import { useStore } from 'zustand';
+import { useEditor } from '../state/editor/editor-context.ts';
+import type { ColorWish } from '../state/editor/viewer.ts';
+import { Icon } from '../ui/icon.tsx';
+
+interface PipetteProps {
+  /** Label of the param that gets the color. */
+  readonly label: string;
+  readonly onTake: ColorWish['take'];
+}
+
+/** Toggles the eyedropper, which picks a color from the preview. */
+export function Pipette({ label, onTake }: PipetteProps) {
+  const { viewer } = useEditor();
+  const button = useRef<HTMLButtonElement>(null);
+  const mine = useRef<ColorWish | null>(null);
+  const picking = useStore(viewer, (state) => state.picking !== null && state.picking === mine.current);
+  const take = useRef(onTake);
+  take.current = onTake;
+  useEffect(
+    () => () => {
+      if (mine.current !== null && viewer.getState().picking === mine.current) viewer.setState({ picking: null });
+    },
+    [viewer],
+  );
+  const press = () => {
+    mine.current = picking ? null : { label, take: (color) => take.current(color), onEnd: () => button.current?.focus() };
+    viewer.setState({ picking: mine.current, probed: null });
+  };
+  const words = `${label}: pick from the preview`;
+  return (
+    <button
+      ref={button}
+      type="button"
+      className="icon-button icon-button-small"
+      aria-label={words}
+      aria-pressed={picking}
+      data-tip={words}
+      // The eyedropper closes when it loses the focus; the click on this button must close it instead of reopening it.
+      onMouseDown={(event) => event.preventDefault()}
+      onClick={press}
+    >
+      <Icon name="probe" size={14} />
+    </button>
+  );
+}

@@ -1,0 +1,81 @@
+import { useRef, useState } from 'react';
+import { useStore } from 'zustand';
+import { runCommand } from '../state/commands/app-commands.ts';
+import { useKeys } from '../state/commands/use-keys.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import { chosenSource, type DeviceFrame, type PreviewTier } from '../state/editor/preview-state.ts';
+import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
+import { IconButton } from '../ui/button.tsx';
+import { ContextMenu } from '../ui/context-menu.tsx';
+import type { MenuItem } from '../ui/menu.tsx';
+
+const FRAMES: readonly (readonly [DeviceFrame, string])[] = [
+  ['fill', 'Fit to panel'],
+  ['phone', 'Phone, portrait'],
+  ['phone-wide', 'Phone, landscape'],
+  ['headset', 'Headset'],
+  ['glasses', 'Glasses (additive display)'],
+];
+
+const TIERS: readonly (readonly [PreviewTier, string])[] = [
+  ['ar-camera', 'AR with camera access'],
+  ['ar', 'AR without camera access'],
+  ['vr', 'VR'],
+];
+
+/** Preview menu: screenshot, recording, pixel probe, device frame and tier. */
+export function PreviewMenu() {
+  const editor = useEditor();
+  const previewSync = usePreviewSync();
+  const { preview } = editor;
+  const frame = useStore(preview, (state) => state.frame);
+  const tier = useStore(preview, (state) => state.tier);
+  const recording = useStore(preview, (state) => state.recording);
+  const isRoom = useStore(preview, (state) => chosenSource(state)?.kind === 'room');
+  const probing = useStore(editor.viewer, (viewer) => viewer.probing);
+  const probeKeys = useKeys('view.probe');
+  const button = useRef<HTMLSpanElement>(null);
+  const [at, setAt] = useState<{ x: number; y: number } | null>(null);
+  const record = (on: boolean) => {
+    preview.setState({ recording: on });
+    previewSync.send({ kind: 'record', on });
+  };
+  const items: MenuItem[] = [
+    { kind: 'action', label: 'Take screenshot', run: () => previewSync.send({ kind: 'screenshot' }) },
+    { kind: 'action', label: recording ? 'Stop recording' : 'Record video', run: () => record(!recording) },
+    { kind: 'line' },
+    ...FRAMES.map(
+      ([name, label]): MenuItem => ({
+        kind: 'action',
+        label,
+        checked: frame === name,
+        run: () => preview.setState({ frame: name, views: name === 'headset' ? 2 : 1 }),
+      }),
+    ),
+    ...(isRoom ? tierItems(tier, (next) => preview.setState({ tier: next })) : []),
+  ];
+  return (
+    <>
+      {recording && <IconButton icon="stop" label="Stop recording" onPress={() => record(false)} />}
+      <IconButton icon="probe" label="Pixel probe" keys={probeKeys} pressed={probing} onPress={() => runCommand(editor, 'view.probe')} />
+      <span ref={button}>
+        <IconButton
+          icon="more"
+          label="Preview options"
+          onPress={() => {
+            const box = button.current?.getBoundingClientRect();
+            if (box) setAt({ x: box.left, y: box.bottom + 4 });
+          }}
+        />
+      </span>
+      {at && <ContextMenu label="Preview options" at={at} items={items} onClose={() => setAt(null)} />}
+    </>
+  );
+}
+
+function tierItems(chosen: PreviewTier, choose: (tier: PreviewTier) => void): MenuItem[] {
+  return [
+    { kind: 'line' },
+    ...TIERS.map(([tier, label]): MenuItem => ({ kind: 'action', label, checked: chosen === tier, run: () => choose(tier) })),
+  ];
+}

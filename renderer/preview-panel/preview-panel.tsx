@@ -1,0 +1,221 @@
+import { type ReactNode, useEffect, useRef } from 'react';
+import { useStore } from 'zustand';
+import { hasErrors } from '../../nodes/kit/diagnostics.ts';
+import { useEditor } from '../state/editor/editor-context.ts';
+import type { StopReason } from '../state/editor/preview-state.ts';
+import { chosenSource, frameOf, isLoading, LOCAL_SOURCES, timeOf } from '../state/editor/preview-state.ts';
+import { goToStart, isHeld, stepFrames, togglePlay } from '../state/preview/playback.ts';
+import { startPreview } from '../state/preview/stopped-preview.ts';
+import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
+import { Button, IconButton } from '../ui/button.tsx';
+import { Icon } from '../ui/icon.tsx';
+import { GizmoBar } from './gizmo-bar.tsx';
+import { connectPreview } from './preview-link.ts';
+import { RoomLight } from './room-light.tsx';
+import { ViewerOverlay } from './viewer-overlay.tsx';
+import './preview-panel.css';
+import { PreviewMenu } from './preview-menu.tsx';
+
+/** The preview page in an iframe, its overlays, and the transport with the preview source. */
+export function PreviewPanel({ previewUrl }: { readonly previewUrl: string }) {
+  const { preview, compile } = useEditor();
+  const loading = useStore(preview, isLoading);
+  const newest = useStore(compile, (state) => state.programRevision);
+  const answered = useStore(preview, ({ playing, refused, asked }) => (playing === newest || refused === newest) && asked === null);
+  const stopped = useStore(preview, (state) => state.stopped);
+  return (
+    <section className="stage" aria-label="Preview" aria-busy={stopped === null && (loading || !answered)}>
+      <div className="stage-picture">
+        <Device>
+          {stopped === null ? (
+            <>
+              <PreviewFrame url={previewUrl} />
+              <Notice />
+              <ViewerOverlay />
+              <GizmoBar />
+            </>
+          ) : (
+            <StoppedNotice reason={stopped} />
+          )}
+        </Device>
+      </div>
+      <Transport />
+    </section>
+  );
+}
+
+/** Fits the preview to the panel, or gives it the shape of a device. */
+function Device({ children }: { readonly children: ReactNode }) {
+  const { preview } = useEditor();
+  const frame = useStore(preview, (state) => state.frame);
+  return (
+    <div className="stage-device" data-frame={frame}>
+      {children}
+    </div>
+  );
+}
+
+function PreviewFrame({ url }: { readonly url: string }) {
+  const previewSync = usePreviewSync();
+  const frame = useRef<HTMLIFrameElement>(null);
+  useEffect(() => {
+    const element = frame.current;
+    if (!element) return;
+    const link = connectPreview(element, url, previewSync.receive);
+    const detach = previewSync.attach(link.send);
+    return () => {
+      detach();
+      link.dispose();
+    };
+  }, [previewSync, url]);
+  return (
+    <iframe
+      ref={frame}
+      className="stage-frame"
+      title="Preview"
+      allow="gamepad; microphone; camera; accelerometer; gyroscope; autoplay"
+      referrerPolicy="no-referrer"
+    />
+  );
+}
+
+const STOPPED: Readonly<Record<StopReason, string>> = {
+  lost: 'The preview is stopped. The graphics device was lost when this project was last open: its shaders or models may be too demanding.',
+  'broken-off': 'The preview is stopped. Scrim ended during playback when this project was last open.',
+  asked: 'The preview is stopped. Shift was held while the project opened.',
+};
+
+/** Replaces the preview until the user starts it. */
+function StoppedNotice({ reason }: { readonly reason: StopReason }) {
+  const editor = useEditor();
+  return (
+    <div className="stage-notice stage-stopped" role="status">
+      <p>{STOPPED[reason]}</p>
+      <Button onPress={() => startPreview(editor)}>Start preview</Button>
+    </div>
+  );
+}
+
+/** Message over the preview: lost device, loading, or problems. */
+function Notice() {
+  const editor = useEditor();
+  const state = useStore(editor.preview, (preview) => preview.status?.state ?? null);
+  const loading = useStore(editor.preview, isLoading);
+  const playing = useStore(editor.preview, (preview) => preview.playing);
+  const hasProgram = useStore(editor.compile, (compile) => compile.program !== null);
+  const refused = useStore(editor.compile, (compile) => hasErrors(compile.diagnostics));
+  const unlinked = useStore(editor.preview, (preview) => hasErrors(preview.shaderDiagnostics));
+  const broken = refused || unlinked;
+  if (state === 'lost')
+    return <p className="stage-notice">The graphics device was lost. The preview continues when the device is restored.</p>;
+  if (playing === null && broken && !hasProgram) {
+    return <p className="stage-notice">Nothing to show yet. See the problems below the graph.</p>;
+  }
+  if (loading) return <p className="stage-notice stage-loading">Loading…</p>;
+  if (broken) {
+    return (
+      <p className="stage-flag">
+        <Icon name="warning" size={14} /> Showing the last working version
+      </p>
+    );
+  }
+  return null;
+}
+
+function Transport() {
+  const editor = useEditor();
+  const held = useStore(editor.preview, isHeld);
+  return (
+    <div className="transport" role="toolbar" aria-label="Transport">
+      <IconButton icon={held ? 'play' : 'pause'} label={held ? 'Play' : 'Pause'} onPress={() => togglePlay(editor)} />
+      <IconButton icon="step" label="Next frame" onPress={() => stepFrames(editor, 1)} />
+      <IconButton icon="reset" label="Go to first frame" onPress={() => goToStart(editor)} />
+      <TransportTime />
+      <span className="transport-gap" />
+      <PreviewMenu />
+      <RoomLight />
+      <ViewsToggle />
+      <SourcePicker />
+    </div>
+  );
+}
+
+/** A component of its own, because it rerenders ten times a second. */
+function TransportTime() {
+  const { preview } = useEditor();
+  const known = useStore(preview, ({ status }) => status !== null);
+  const frame = useStore(preview, frameOf);
+  const timeS = useStore(preview, timeOf);
+  return (
+    <output className="transport-time" data-tip="Session time and frame number">
+      {known ? `${timeS.toFixed(2)} s` : '–'}
+      <span>{known ? frame : ''}</span>
+    </output>
+  );
+}
+
+function SourcePicker() {
+  const { preview } = useEditor();
+  const sources = useStore(preview, (state) => state.sources);
+  const chosen = useStore(preview, (state) => chosenSource(state)?.id ?? '');
+  const groups = [
+    ['Recordings', sources.filter(({ kind }) => kind === 'recorded')],
+    ['Emulated rooms', sources.filter(({ kind }) => kind === 'room')],
+    ['This computer', LOCAL_SOURCES],
+  ] as const;
+  const file = useRef<HTMLInputElement>(null);
+  return (
+    <>
+      <input
+        ref={file}
+        type="file"
+        hidden
+        accept="image/*"
+        aria-label="Image instead of the camera"
+        onChange={({ target }) => {
+          const [still] = target.files ?? [];
+          if (still) preview.setState({ still, sourceId: 'still' });
+          target.value = '';
+        }}
+      />
+      <select
+        className="select transport-source"
+        aria-label="Preview source"
+        value={chosen}
+        onChange={({ target }) => {
+          if (target.value === 'still') file.current?.click();
+          else preview.setState({ sourceId: target.value });
+        }}
+      >
+        {groups.map(
+          ([label, list]) =>
+            list.length > 0 && (
+              <optgroup key={label} label={label}>
+                {list.map(({ id, title }) => (
+                  <option key={id} value={id}>
+                    {title}
+                  </option>
+                ))}
+              </optgroup>
+            ),
+        )}
+      </select>
+    </>
+  );
+}
+
+/** Switches an emulated room between one view and two. Recordings have fixed views. */
+function ViewsToggle() {
+  const { preview } = useEditor();
+  const isRoom = useStore(preview, (state) => chosenSource(state)?.kind === 'room');
+  const views = useStore(preview, (state) => state.views);
+  if (!isRoom) return null;
+  return (
+    <IconButton
+      icon="eyes"
+      label={views === 2 ? 'One view' : 'Two views, as in a headset'}
+      pressed={views === 2}
+      onPress={() => preview.setState({ views: views === 2 ? 1 : 2 })}
+    />
+  );
+}

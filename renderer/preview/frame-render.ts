@@ -1,0 +1,120 @@
+import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
+import { createRenderClock } from '../../export/runtime/clock.ts';
+import { createPlayer } from '../../export/runtime/player.ts';
+import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
+import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
+import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { FrameRenderRequest, FromPreview, ToPreview } from '../preview-protocol.ts';
+import { previewDecoderFile } from './decoder-files.ts';
+import { createFrameEncoder, type FrameEncoder } from './frame-encoder.ts';
+import { pageFetch } from './network.ts';
+import { type OpenRenderSource, openRenderSource } from './render-source.ts';
+
+/** Draws frames of a recording or an emulated room one by one, as `scrim render` does: the same pixels each time. A page films one, and is then left. */
+export interface FrameRender {
+  /** False where the message is not for it. */
+  take(message: ToPreview): boolean;
+}
+
+/** As the preview and exported pages have it. */
+const SEED = 1;
+
+/** What a film is made with. */
+interface RenderSetup {
+  readonly gl: WebGL2RenderingContext;
+  readonly source: OpenRenderSource;
+  readonly encoder: FrameEncoder | null;
+  /** What the encoder films. */
+  readonly screen: HTMLCanvasElement;
+}
+
+export function createFrameRender(send: (message: FromPreview, transfer?: Transferable[]) => void): FrameRender {
+  let set: RenderSetup | null = null;
+  let problems: readonly Diagnostic[] = [];
+  const fail = (error: unknown) => {
+    const reason = error instanceof Error ? error.message : String(error);
+    send({ kind: 'render-failed', diagnostic: { code: 'SCR053', severity: 'error', message: `The frames cannot be drawn: ${reason}` } });
+  };
+  const begin = async (request: FrameRenderRequest) => {
+    const { program, video, widthPx, heightPx } = request;
+    const canvas = document.createElement('canvas');
+    canvas.width = widthPx;
+    canvas.height = heightPx;
+    const { antialias } = program.presentation;
+    const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
+    if (!gl || gl.drawingBufferWidth !== widthPx || gl.drawingBufferHeight !== heightPx) {
+      throw new Error(`this computer draws no pictures of ${widthPx} × ${heightPx}.`);
+    }
+    const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, readRadiance });
+    const player = createPlayer({
+      gl,
+      canvas,
+      program,
+      modules: RUNTIMES,
+      createScenes,
+      assets: createFetchAssetSource(request.assetBaseUrl, pageFetch),
+      seed: SEED,
+      clock: createRenderClock(),
+      held: true,
+      createLoopGuard,
+      onDiagnostics: (diagnostics) => {
+        problems = diagnostics;
+      },
+    });
+    await player.ready;
+    for (const { node, param, value } of request.values) player.setParam(node, param, value);
+    const { output: source, diagnostics } = await openRenderSource(request.source, gl, program, player);
+    const [broken] = [...diagnostics, ...problems].filter(({ severity }) => severity === 'error');
+    if (broken) return send({ kind: 'render-failed', diagnostic: broken });
+    if (source === null) throw new Error('what it is drawn over cannot be read.');
+    const screen = source.onCanvas ? canvas : copyOf(canvas);
+    const encoder = video === null ? null : await createFrameEncoder({ canvas: screen, widthPx, heightPx, frameRateHz: video.frameRateHz });
+    set = { gl, source, encoder, screen };
+    send({ kind: 'frame-rendered', frame: null });
+  };
+  const draw = async ({ gl, source, encoder, screen }: RenderSetup, timeS: number, keep: boolean) => {
+    if (!(await source.draw(timeS))) throw new Error('a picture of the recording is broken.');
+    if (gl.isContextLost()) throw new Error('the graphics device was lost.');
+    if (keep && encoder) {
+      if (!source.onCanvas) show(screen, source.read());
+      await encoder.add();
+    }
+    if (!keep || encoder) return send({ kind: 'frame-rendered', frame: null });
+    const pixels = source.read();
+    send({ kind: 'frame-rendered', frame: pixels }, [pixels.buffer]);
+  };
+  const end = async ({ encoder }: RenderSetup) => send({ kind: 'render-finished', file: (await encoder?.finish()) ?? null });
+  return {
+    take: (message) => {
+      switch (message.kind) {
+        case 'render-begin':
+          begin(message.request).catch(fail);
+          return true;
+        case 'render-frame':
+          if (set) draw(set, message.timeS, message.keep).catch(fail);
+          return true;
+        case 'render-end':
+          if (set) end(set).catch(fail);
+          return true;
+        default:
+          return false;
+      }
+    },
+  };
+}
+
+/** A canvas of the same size, to show pictures on that were read. */
+function copyOf({ width, height, ownerDocument }: HTMLCanvasElement): HTMLCanvasElement {
+  const copy = ownerDocument.createElement('canvas');
+  copy.width = width;
+  copy.height = height;
+  return copy;
+}
+
+function show(screen: HTMLCanvasElement, pixels: Uint8Array<ArrayBuffer>): void {
+  const image = new ImageData(new Uint8ClampedArray(pixels.buffer), screen.width, screen.height);
+  screen.getContext('2d')?.putImageData(image, 0, 0);
+}

@@ -1,0 +1,100 @@
+import type { Gltf } from '../../export/gltf/document.ts';
+import { findingsOf } from '../../export/gltf/findings.ts';
+import type { Program } from '../../export/program/program.ts';
+import { createFetchAssetSource } from '../../export/runtime/assets/asset-source.ts';
+import type { FrameClock } from '../../export/runtime/clock.ts';
+import { createPlayer, type Player } from '../../export/runtime/player.ts';
+import { createLoopGuard } from '../../export/runtime/program-instance/loop-watch.ts';
+import { createScenesWith } from '../../export/runtime/scenes/create-scenes.ts';
+import { readRadiance } from '../../export/runtime/scenes/environments/read-radiance.ts';
+import { ALL_DECODERS } from '../../export/runtime/scenes/models/decoders/all-decoders.ts';
+import { type CanvasFitter, createCanvasFitter } from '../../export/runtime/sessions/fit-canvas.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { FromPreview } from '../preview-protocol.ts';
+import { type CostMeter, createCostMeter } from './cost-meter.ts';
+import { previewDecoderFile } from './decoder-files.ts';
+import { pageFetch } from './network.ts';
+
+/** A canvas, its context and the player on it: what cannot be changed without beginning anew. */
+export interface PlayerHost {
+  readonly canvas: HTMLCanvasElement;
+  readonly gl: WebGL2RenderingContext;
+  readonly player: Player;
+  readonly fitter: CanvasFitter;
+  readonly meter: CostMeter;
+  /** Whether a program can be played here: contexts are made with or without antialiasing, and assets come from one place. */
+  suits(program: Program, assetBaseUrl: string): boolean;
+  dispose(): void;
+}
+
+export interface PlayerHostOptions {
+  readonly parent: HTMLElement;
+  readonly program: Program;
+  readonly assetBaseUrl: string;
+  readonly clock: FrameClock;
+  readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
+  readonly onContext: (state: 'lost' | 'restored') => void;
+  readonly send: (message: FromPreview) => void;
+}
+
+/** Of every model as if it stood for a real thing: which of them do changes with the program, and is judged when problems are told. */
+const inspect = (gltf: Gltf, path: string, fileBytes: number) => findingsOf(gltf, path, fileBytes, true);
+
+/** As the exported page has it, so that equal programs give equal pictures. */
+const SEED = 1;
+
+/** Throws where the browser has no WebGL 2. */
+export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext, send }: PlayerHostOptions): PlayerHost {
+  const canvas = document.createElement('canvas');
+  canvas.id = 'picture';
+  parent.prepend(canvas);
+  const { antialias } = program.presentation;
+  const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false, powerPreference: 'high-performance' });
+  if (!gl) throw new Error('This browser has no WebGL 2.');
+  const fitter = createCanvasFitter(canvas);
+  fitter.update();
+  const assets = createFetchAssetSource(assetBaseUrl, pageFetch);
+  const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, inspect, readRadiance });
+  const meter = createCostMeter(gl, clock, send);
+  const player = createPlayer({
+    timer: meter,
+    createLoopGuard,
+    gl,
+    canvas,
+    program,
+    modules: RUNTIMES,
+    createScenes,
+    assets,
+    seed: SEED,
+    onDiagnostics,
+    clock,
+  });
+  const lost = (event: Event) => {
+    // Without this the browser never gives the context back.
+    event.preventDefault();
+    player.contextLost();
+    onContext('lost');
+  };
+  const restored = () => void player.restore().then(() => onContext('restored'));
+  canvas.addEventListener('webglcontextlost', lost);
+  canvas.addEventListener('webglcontextrestored', restored);
+  return {
+    canvas,
+    gl,
+    player,
+    fitter,
+    meter,
+    suits: (next, base) => next.presentation.antialias === antialias && base === assetBaseUrl,
+    dispose: () => {
+      canvas.removeEventListener('webglcontextlost', lost);
+      canvas.removeEventListener('webglcontextrestored', restored);
+      meter.dispose();
+      player.dispose();
+      fitter.dispose();
+      // Browsers keep few contexts; waiting for the collector would lose another page's.
+      gl.getExtension('WEBGL_lose_context')?.loseContext();
+      canvas.remove();
+    },
+  };
+}

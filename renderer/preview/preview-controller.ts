@@ -1,0 +1,348 @@
+import { phantomNodes } from '../../export/program/phantom-nodes.ts';
+import type { Program } from '../../export/program/program.ts';
+import type { FrameClock } from '../../export/runtime/clock.ts';
+import type { PlayResult } from '../../export/runtime/player.ts';
+import { showLayer } from '../../export/runtime/present/show-layer.ts';
+import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
+import type { SessionFrame } from '../../nodes/kit/session.ts';
+import type { FromPreview, PreviewRange, PreviewSource, ToPreview } from '../preview-protocol.ts';
+import { createCaptures } from './captures.ts';
+import { coalesce } from './coalesce.ts';
+import { createGizmo } from './gizmo/gizmo.ts';
+import { createKeys } from './keys.ts';
+import { type OpenSession, openSession } from './open-session.ts';
+import { createPlayerHost, type PlayerHost } from './player-host.ts';
+import { createPosters, type PosterPlace, type PosterRequest } from './posters.ts';
+import { createProbes } from './probes.ts';
+import { createStatus } from './status.ts';
+import { createThumbnails } from './thumbnails.ts';
+import { createTransportClock } from './transport-clock.ts';
+import { isStep } from './walk.ts';
+
+export interface PreviewControllerOptions {
+  /** Holds the canvas. */
+  readonly parent: HTMLElement;
+  /** Where an emulated device shows its picture. */
+  readonly screen: HTMLElement;
+  readonly clock: FrameClock;
+  readonly send: (message: FromPreview, transfer?: Transferable[]) => void;
+}
+
+export interface PreviewController {
+  /** Those of films are for others. */
+  take(message: ToPreview): void;
+  /** The window changed its size. */
+  resized(): void;
+}
+
+interface Wanted {
+  readonly revision: number;
+  readonly program: Program;
+}
+
+/** After the last resize of the window, the wait before an emulated device, whose screen has a fixed size, is created again. */
+const RESIZE_PAUSE_S = 0.25;
+
+/** What a step is where there is no recording. */
+const DISPLAY_FRAME_S = 1 / 60;
+
+/** Plays what the editor sends over the session it chose: what is wanted is noted down, and `settle` makes it so. */
+export function createPreviewController({ parent, screen, clock: base, send }: PreviewControllerOptions): PreviewController {
+  let wanted: Wanted | null = null;
+  let source: PreviewSource | null = null;
+  /** Of the message that `source` came with. */
+  let request = 0;
+  let resizes = 0;
+  let metering = false;
+
+  let host: PlayerHost | null = null;
+  let open: OpenSession | null = null;
+  /** What `open` was opened for. */
+  let openKey = '';
+  let lost = false;
+  /** There is a picture. */
+  let plays = false;
+  let sessionProblems: readonly Diagnostic[] = [];
+  let playerProblems: readonly Diagnostic[] = [];
+
+  const posters = createPosters(send, () => clock.wake());
+  const captures = createCaptures(send, () => clock.wake());
+  const probes = createProbes(send, () => clock.wake());
+  let lightWorld: Extract<ToPreview, { kind: 'room-light' }>['directionWorld'] = null;
+  const gizmo = createGizmo(parent, send, () => clock.wake());
+  const keys = createKeys(window, send, (event) => source?.kind === 'room' && isStep(event));
+  let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1 };
+  const clock = createTransportClock(base, () => {
+    posters.beforeFrame();
+    probes.beforeFrame(posterPlace());
+    captures.beforeFrame(posterPlace());
+    if (!posters.busy) host?.fitter.update();
+  });
+  const status = createStatus(base, send);
+  const thumbnails = createThumbnails(base, send);
+
+  /** Holes in a model matter where it stands for a real thing, which the program says. */
+  const playerProblemsNow = (): readonly Diagnostic[] => {
+    const phantoms = wanted === null ? new Set<string>() : phantomNodes(wanted.program);
+    return playerProblems.filter(({ code, nodeId = '' }) => code !== 'SCR035' || phantoms.has(nodeId));
+  };
+  const tellProblems = () =>
+    send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblemsNow()] });
+  const tellState = () => {
+    const hasSession = open !== null && open.session !== null;
+    status.setState(lost ? 'lost' : !hasSession ? 'loading' : clock.playing ? 'playing' : 'paused');
+    clock.wake();
+  };
+  const fail = (error: unknown) => {
+    const reason = error instanceof Error ? error.message : String(error);
+    sessionProblems = [{ code: 'SCR053', severity: 'error', message: `The preview cannot draw: ${reason}` }];
+    tellProblems();
+  };
+  const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
+    if (outcome === 'superseded') return;
+    send({ kind: 'shader-errors', revision, errors: shaderErrors.map(({ shaderId, stage, log }) => ({ shaderId, stage, log })) });
+    if (outcome === 'playing') {
+      plays = true;
+      send({ kind: 'playing', revision });
+    }
+    if (playerProblems.length > 0) tellProblems();
+    thumbnails.anew();
+    clock.wake();
+  };
+
+  const endSession = async () => {
+    const ending = open;
+    open = null;
+    openKey = '';
+    host?.player.setSession(null);
+    await ending?.end();
+  };
+  const build = async ({ revision, program }: Wanted, { assetBaseUrl }: PreviewSource) => {
+    await endSession();
+    host?.dispose();
+    host = null;
+    plays = false;
+    lost = false;
+    playerProblems = [];
+    const made = createPlayerHost({
+      parent,
+      program,
+      assetBaseUrl,
+      clock,
+      send,
+      onDiagnostics: (diagnostics) => {
+        playerProblems = diagnostics;
+        tellProblems();
+      },
+      onContext: (state) => {
+        lost = state === 'lost';
+        tellState();
+      },
+    });
+    host = made;
+    made.meter.setOn(metering);
+    void made.player.ready.then((result) => {
+      if (host === made) report(revision, result);
+    });
+  };
+  const begin = async (playerHost: PlayerHost, { program }: Wanted, from: PreviewSource, key: string) => {
+    await endSession();
+    tellState();
+    const { gl, canvas } = playerHost;
+    const onEnd = () => pause();
+    const opened = await openSession(from, { gl, canvas, clock, program, screen, onEnd, onArrival: clock.wake });
+    open = opened;
+    // The editor answers with what of it is played.
+    send({ kind: 'frames', frames: opened.recording?.frames ?? null });
+    openKey = key;
+    if (lightWorld) opened.moveLight(lightWorld);
+    sessionProblems = opened.diagnostics;
+    tellProblems();
+    playerHost.player.reset();
+    playerHost.player.setSession(opened.session);
+    status.rewind(opened.recording?.frames ?? null);
+    opened.session?.start(draw, (event) => {
+      if (event.kind === 'reset') playerHost.player.reset();
+      if (event.kind !== 'problem') return;
+      sessionProblems = [...sessionProblems, { code: 'SCR054', severity: 'warning', message: event.message }];
+      tellProblems();
+    });
+    tellState();
+  };
+  const draw = (frame: SessionFrame) => {
+    if (!host || lost) return;
+    status.begin();
+    host.player.draw(frame);
+    status.end(frame, open?.recording?.isLate ?? false);
+    host.meter.afterFrame();
+    if (!posters.busy) showViewer(host.player, frame, viewer);
+    if (plays) posters.afterFrame();
+    probes.afterFrame(host.player, frame, posterPlace());
+    captures.afterFrame(posterPlace());
+    if (!posters.busy) gizmo.afterFrame(host.player, frame, posterPlace());
+    if (thumbnails.afterFrame(host.player)) clock.wake();
+  };
+  const settle = coalesce(async () => {
+    if (!wanted || !source) return;
+    const asked = request;
+    if (!host?.suits(wanted.program, source.assetBaseUrl)) await build(wanted, source);
+    const key = sessionKey(source, wanted.program, resizes);
+    if (host && key !== openKey) await begin(host, wanted, source, key);
+    status.setRequest(asked);
+  }, fail);
+
+  const takeProgram = (next: Wanted) => {
+    wanted = next;
+    if (source && host?.suits(next.program, source.assetBaseUrl)) {
+      void host.player.replaceProgram(next.program).then((result) => report(next.revision, result));
+    }
+    settle();
+  };
+  const pause = () => {
+    clock.setPlaying(false);
+    tellState();
+  };
+  const transport = (action: Extract<ToPreview, { kind: 'transport' }>['action']) => {
+    if (action === 'reset') {
+      open?.rewind();
+      host?.player.reset();
+      status.rewind(open?.recording?.frames ?? null);
+    } else clock.setPlaying(action === 'play');
+    if (action === 'play') open?.recording?.enterRange();
+    if (action === 'step') clock.step(open?.recording?.step() ?? DISPLAY_FRAME_S);
+    tellState();
+  };
+  const takeRange = (next: PreviewRange | null) => {
+    open?.recording?.setRange(next);
+    if (clock.playing) open?.recording?.enterRange();
+  };
+
+  const posterPlace = (): PosterPlace | null => {
+    if (lost || !plays || !host || !open?.session) return null;
+    if (source?.kind !== 'room') return placeOnCanvas(host.canvas);
+    const canvas = screen.querySelector('canvas');
+    const { views } = source;
+    const { resize } = open;
+    return canvas && { canvas, views, shows: 'after it', resize: (size) => resize(size && [size.widthPx * views, size.heightPx]) };
+  };
+  const takePoster = (asked: PosterRequest) => {
+    const place = posterPlace();
+    if (place) posters.want(asked, place);
+    else posters.refuse(asked);
+  };
+
+  return {
+    take: (message) => {
+      switch (message.kind) {
+        case 'program':
+          takeProgram(message);
+          return;
+        case 'param':
+          host?.player.setParam(message.node, message.param, message.value);
+          thumbnails.anew();
+          clock.wake();
+          return;
+        case 'session':
+          ({ source, request } = message);
+          settle();
+          return;
+        case 'room-light':
+          lightWorld = message.directionWorld;
+          open?.moveLight(lightWorld);
+          clock.wake();
+          return;
+        case 'poster':
+          takePoster(message);
+          return;
+        case 'thumbnails':
+          thumbnails.want(message.ports, message.heightPx);
+          clock.wake();
+          return;
+        case 'viewer':
+          viewer = message;
+          clock.wake();
+          return;
+        case 'cost':
+          metering = message.on;
+          host?.meter.setOn(metering);
+          clock.wake();
+          return;
+        case 'screenshot':
+          captures.screenshot(posterPlace());
+          return;
+        case 'record':
+          captures.record(message.on, posterPlace());
+          return;
+        case 'probe':
+          probes.ask(message);
+          return;
+        case 'gizmo':
+        case 'picking':
+          gizmo.take(message);
+          return;
+        case 'keys':
+          keys.take(message);
+          return;
+        case 'seek':
+          open?.recording?.seek(message.timeS);
+          clock.wake();
+          return;
+        case 'range':
+          takeRange(message.range);
+          return;
+        case 'transport':
+          transport(message.action);
+          return;
+      }
+    },
+    resized: () => {
+      clock.wake();
+      if (source?.kind !== 'room') return;
+      const mine = ++resizes;
+      void base.delay(RESIZE_PAUSE_S).then(() => {
+        if (mine === resizes) settle();
+      });
+    },
+  };
+}
+
+function showViewer(
+  player: PlayerHost['player'],
+  frame: SessionFrame,
+  { left, right, split }: Extract<ToPreview, { kind: 'viewer' }>,
+): void {
+  const [ofLeft, ofRight] = [left === null ? null : player.inspect(left), right === null ? null : player.inspect(right)];
+  for (let view = 0; view < frame.viewCount; view++) {
+    if (ofLeft) showLayer(ofLeft, view, 0, split);
+    if (ofRight) showLayer(ofRight, view, split, 1);
+  }
+}
+
+function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {
+  const { width: widthPx, height: heightPx } = canvas;
+  return {
+    canvas,
+    views: 1,
+    shows: 'in the frame',
+    resize: (size) => {
+      const to = size ?? { widthPx, heightPx };
+      canvas.width = to.widthPx;
+      canvas.height = to.heightPx;
+    },
+  };
+}
+
+/** Sessions that differ in this cannot stand for each other. Recordings care for nothing but their folder. */
+function sessionKey(source: PreviewSource, program: Program, resizes: number): string {
+  if (source.kind === 'recorded') return `recorded ${source.url}`;
+  if (source.kind !== 'room') return `${source.kind} ${source.kind === 'still' ? source.key : ''}`;
+  return JSON.stringify([
+    source.captureUrl,
+    source.views,
+    source.device,
+    source.tier,
+    program.needs,
+    program.presentation.antialias,
+    resizes,
+  ]);
+}

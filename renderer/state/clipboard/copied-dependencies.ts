@@ -1,0 +1,118 @@
+import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
+import { type Change, change, inTurn, unchanged } from '../../../export/graph/commands/change.ts';
+import { setSource } from '../../../export/graph/commands/shader-commands.ts';
+import { copyOfGraph } from '../../../export/graph/commands/ungroup-subgraph.ts';
+import { isChunkFile, shaderFilesOf, subgraphName, subgraphType } from '../../../export/graph/document-names.ts';
+import { loadProject } from '../../../export/graph/load.ts';
+import { newProject } from '../../../export/graph/new-project.ts';
+import { type Graph, type GraphNode, MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import { saveProject } from '../../../export/graph/save.ts';
+import type { CopiedDependencies } from '../editor/clipping.ts';
+import type { Editor } from '../editor/editor.ts';
+
+/** What nodes of a project need with them in another one; null where that is nothing. */
+export function dependenciesOf(project: Project, nodes: readonly GraphNode[]): CopiedDependencies | null {
+  const graphs: Record<string, Graph> = {};
+  const all = [...nodes];
+  // The list grows while it is walked: there are subgraphs in subgraphs.
+  for (const { type } of all) {
+    const name = subgraphName(type);
+    const graph = name === null ? undefined : getOwn(project.graphs, name);
+    if (name === null || !graph || graphs[name]) continue;
+    graphs[name] = graph;
+    all.push(...Object.values(graph.nodes));
+  }
+  const stems = new Set(all.flatMap(({ type }) => shaderFilesOf(type).map(stem)));
+  const shaders = pick(project.sources, (file) => stems.has(stem(file)));
+  const includes = Object.values(shaders).some((text) => text.includes('#include'));
+  const sources = pick(project.sources, (file) => Object.hasOwn(shaders, file) || (includes && isChunkFile(file)));
+  const values = new Set(
+    all.flatMap(({ params }) => Object.values(params).flatMap((binding) => ('value' in binding ? [binding.value] : []))),
+  );
+  const assets = pick(project.assets, (id) => values.has(id));
+  if ([graphs, sources, assets].every((table) => Object.keys(table).length === 0)) return null;
+  const empty = newProject('Copied');
+  const layout = pick(project.layout, (name) => getOwn(graphs, name) !== undefined);
+  return saveProject({ ...empty, graphs: { ...empty.graphs, ...graphs }, layout: { ...empty.layout, ...layout }, sources, assets });
+}
+
+/** Whether it is made as `dependenciesOf` makes it; what the texts say is judged when they are read. */
+export function isCopiedDependencies(value: unknown): value is CopiedDependencies | undefined {
+  if (value === undefined) return true;
+  const { project, layout, sources } = (value ?? {}) as Partial<Record<keyof CopiedDependencies, unknown>>;
+  const isTable = typeof sources === 'object' && sources !== null && Object.values(sources).every((text) => typeof text === 'string');
+  return typeof project === 'string' && typeof layout === 'string' && isTable;
+}
+
+export interface AddedDependencies {
+  /** Names that were taken by something else are new. */
+  readonly types: ReadonlyMap<string, string>;
+  readonly change: (project: Project) => Change;
+}
+
+/** Adds what is brought to the open project. What is there already, word for word, is not added again. Files that no project could have are left out. `paths`: where assets' files are now. */
+export function bring(editor: Editor, brought: CopiedDependencies, paths: ReadonlyMap<string, string> = new Map()): AddedDependencies {
+  const { project, open } = editor.document.getState();
+  const { base, readShader } = editor.libraries;
+  const guest = loadProject(brought).output;
+  const types = new Map<string, string>();
+  if (guest === null || open === null) return { types, change: unchanged };
+  const steps: ((project: Project) => Change)[] = [];
+  for (const [file, text] of Object.entries(guest.sources)) {
+    // Under another name, nothing would include it: what the project has of that name stays.
+    if (isChunkFile(file) && getOwn(project.sources, file) !== undefined) continue;
+    const name = freeKey(project.sources, file, (known) => known === text);
+    if (name !== file)
+      for (const kind of ['filter', 'operator', 'generator', 'technique']) types.set(`${kind}/${stem(file)}`, `${kind}/${stem(name)}`);
+    steps.push((before) => setSource(before, { base, readShader, file: name, text }));
+  }
+  for (const [id, asset] of Object.entries(guest.assets)) {
+    if (getOwn(project.assets, id) === undefined)
+      steps.push((before) => putAsset(before, { id, asset: { ...asset, path: paths.get(id) ?? asset.path } }));
+  }
+  const names = Object.keys(guest.graphs).filter((name) => name !== MAIN_GRAPH);
+  const isHere = (name: string) => JSON.stringify(getOwn(project.graphs, name)) === JSON.stringify(guest.graphs[name]);
+  for (const name of names) {
+    if (!isHere(name)) types.set(subgraphType(name), subgraphType(freeKey(project.graphs, name, () => false)));
+  }
+  for (const name of names.filter((candidate) => !isHere(candidate))) {
+    const graph = guest.graphs[name];
+    const to = subgraphName(types.get(subgraphType(name)) ?? '');
+    if (!graph || to === null) continue;
+    steps.push((before) => {
+      const copy = copyOfGraph(before, { ...graph, nodes: mapTypes(graph.nodes, types) }, guest.layout[name], editor.random);
+      return change(before, (draft) => {
+        Object.assign(draft.graphs, { [to]: copy.graph });
+        Object.assign(draft.layout, { [to]: copy.layout });
+      });
+    });
+  }
+  return { types, change: (before) => inTurn(before, ...steps) };
+}
+
+export function mapTypes<N extends { readonly type: string }>(
+  nodes: Readonly<Record<string, N>>,
+  types: ReadonlyMap<string, string>,
+): Readonly<Record<string, N>> {
+  return Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { ...node, type: types.get(node.type) ?? node.type }]));
+}
+
+/** `edge.fs`, or `edge-2.fs` where that is something else. */
+function freeKey<T>(table: Readonly<Record<string, T>>, wanted: string, isSame: (known: T) => boolean): string {
+  const ending = /\.\w+$/.exec(wanted)?.[0] ?? '';
+  let key = wanted;
+  for (let number = 2; ; number++) {
+    const known = getOwn(table, key);
+    if (known === undefined || isSame(known)) return key;
+    key = `${stem(wanted)}-${number}${ending}`;
+  }
+}
+
+function stem(file: string): string {
+  return file.replace(/\.\w+$/, '');
+}
+
+function pick<T>(table: Readonly<Record<string, T>>, isWanted: (key: string) => boolean): Record<string, T> {
+  return Object.fromEntries(Object.entries(table).filter(([key]) => isWanted(key)));
+}

@@ -1,0 +1,90 @@
+import { HostError } from '../../../app/contract/host-error.ts';
+import { loadProject } from '../../../export/graph/load.ts';
+import type { Asset } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import type { CopiedDependencies, CopiedFiles } from '../editor/clipping.ts';
+import type { Editor } from '../editor/editor.ts';
+import { toastDiagnostic } from '../editor/ui.ts';
+import { showRefusal } from '../files/files.ts';
+import { isGlb, isGltf, wholeModel } from '../files/whole-models.ts';
+
+const PIECE_BYTES = 2 ** 14;
+
+function assetsOf(brought: CopiedDependencies | undefined): Readonly<Record<string, Asset>> {
+  return (brought === undefined ? null : loadProject(brought).output)?.assets ?? {};
+}
+
+export function isCopiedFiles(value: unknown): value is CopiedFiles | undefined {
+  if (value === undefined) return true;
+  return typeof value === 'object' && value !== null && Object.values(value).every((text) => typeof text === 'string');
+}
+
+export function hasAssets(brought: CopiedDependencies | undefined): boolean {
+  return Object.keys(assetsOf(brought)).length > 0;
+}
+
+const MISSING_FIX = 'Put it beside the model in the project’s assets folder, or import the model as one .glb file.';
+
+/** Reads what the copied assets have in their files, models with all that they refer to. What cannot be read is said and left out. */
+export async function readCopiedFiles(editor: Editor, brought: CopiedDependencies | undefined): Promise<CopiedFiles> {
+  const { open } = editor.document.getState();
+  const files: Record<string, string> = {};
+  if (open === null) return files;
+  const read = async (path: string) => bytesOf((await editor.host.call('asset.read', { handle: open.handle, path })).base64);
+  for (const [id, { path, kind }] of Object.entries(assetsOf(brought))) {
+    try {
+      const { base64 } = await editor.host.call('asset.read', { handle: open.handle, path });
+      if (kind !== 'model' || !isGltf(path)) {
+        files[id] = base64;
+        continue;
+      }
+      const { file, diagnostic } = await wholeModel(path, bytesOf(base64), MISSING_FIX, (beside) => read(beside).catch(nullWhereMissing));
+      if (diagnostic !== null) toastDiagnostic(editor.ui, diagnostic);
+      if (file !== null) files[id] = base64Of(file.bytes);
+    } catch (error) {
+      showRefusal(editor, error);
+    }
+  }
+  return files;
+}
+
+/** What is there and cannot be read is another matter, which the host says. */
+function nullWhereMissing(error: unknown): null {
+  if (error instanceof HostError && error.diagnostic.code === 'SCR004') return null;
+  throw error;
+}
+
+function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+}
+
+/** Piece by piece: a call takes only so many arguments. */
+function base64Of(bytes: Uint8Array): string {
+  const pieces: string[] = [];
+  for (let at = 0; at < bytes.length; at += PIECE_BYTES) pieces.push(String.fromCharCode(...bytes.subarray(at, at + PIECE_BYTES)));
+  return btoa(pieces.join(''));
+}
+
+/** Puts the files of assets that the open project does not have into it; asset id → the path that it has here. */
+export async function writeCopiedFiles(
+  editor: Editor,
+  brought: CopiedDependencies | undefined,
+  files: CopiedFiles,
+): Promise<ReadonlyMap<string, string>> {
+  const { open, project } = editor.document.getState();
+  const paths = new Map<string, string>();
+  for (const [id, asset] of Object.entries(assetsOf(brought))) {
+    const base64 = getOwn(files, id);
+    if (open === null || base64 === undefined || getOwn(project.assets, id) !== undefined) continue;
+    try {
+      const bytes = bytesOf(base64);
+      const known = asset.path.slice(asset.path.lastIndexOf('/') + 1);
+      // A model that was copied with all that it refers to has become one file.
+      const name = isGltf(known) && isGlb(bytes) ? known.replace(/gltf$/i, 'glb') : known;
+      paths.set(id, (await editor.host.call('asset.import', { handle: open.handle, name, bytes })).path);
+    } catch (error) {
+      showRefusal(editor, error);
+    }
+  }
+  return paths;
+}

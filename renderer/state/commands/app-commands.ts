@@ -1,0 +1,395 @@
+import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from '../clipboard/clipboard.ts';
+import { redo, undo } from '../document/apply.ts';
+import { editableShader } from '../document/edit-shader.ts';
+import type { Editor } from '../editor/editor.ts';
+import { toggleMode } from '../editor/gizmo-state.ts';
+import { frameOf } from '../editor/preview-state.ts';
+import { revealNodes } from '../editor/ui.ts';
+import { resetViewer } from '../editor/viewer.ts';
+import { exportPage } from '../files/export-page.ts';
+import { newProject, openProject, save, saveAs } from '../files/files.ts';
+import { align, distribute, tidy } from '../graph/arrange.ts';
+import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from '../graph/edit-graph.ts';
+import { addFrame, addNote } from '../graph/layout-items.ts';
+import { addRerouteToSelected, soleWire } from '../graph/reroutes.ts';
+import { createSubgraph, leaveSubgraph, makeUnique, openSubgraph, selectedSubgraph, ungroupSelected } from '../graph/subgraphs.ts';
+import {
+  clearRange,
+  goToFrame,
+  goToStart,
+  lastFrame,
+  playedRange,
+  setIn,
+  setOut,
+  stepFrames,
+  toggleLoop,
+  togglePlay,
+} from '../preview/playback.ts';
+import { askForFrames } from '../preview/render-frames.ts';
+import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
+import type { AppCommand } from './app-command.ts';
+import {
+  askToSaveSubgraph,
+  middleOfCanvas,
+  nextScale,
+  openPalette,
+  openSwapPalette,
+  setScale,
+  switchMotion,
+  switchTheme,
+  toggleBottom,
+} from './command-actions.ts';
+import {
+  always,
+  hasFrames,
+  hasNodes,
+  hasOneNode,
+  hasRange,
+  hasSelection,
+  hasSeveral,
+  hasSubgraph,
+  isInside,
+  isOpen,
+} from './command-conditions.ts';
+import { startTour } from './tour.ts';
+
+const COMMANDS = {
+  // Browsers keep Ctrl+N for themselves; with Alt it is free everywhere.
+  'file.new': { label: 'New…', keys: ['Mod+Alt+N'], enabled: always, run: newProject, whileTyping: true },
+  'file.open': { label: 'Open…', keys: ['Mod+O'], enabled: always, run: openProject, whileTyping: true },
+  'file.save': { label: 'Save', keys: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
+  'file.save-as': { label: 'Save as…', keys: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },
+  'file.export': { label: 'Export page…', keys: ['Mod+E'], enabled: isOpen, run: (editor) => void exportPage(editor), whileTyping: true },
+  'file.render': { label: 'Render frames…', keys: ['Mod+Shift+E'], enabled: isOpen, run: askForFrames, whileTyping: true },
+  'edit.undo': { label: 'Undo', keys: ['Mod+Z'], enabled: ({ document }) => document.getState().history.past.length > 0, run: undo },
+  'edit.redo': {
+    label: 'Redo',
+    keys: ['Mod+Shift+Z', 'Mod+Y'],
+    enabled: ({ document }) => document.getState().history.future.length > 0,
+    run: redo,
+  },
+  'edit.cut': { label: 'Cut', keys: ['Mod+X'], enabled: hasNodes, run: (editor) => void cutSelection(editor), byEvent: true },
+  'edit.copy': { label: 'Copy', keys: ['Mod+C'], enabled: hasNodes, run: (editor) => void copySelection(editor), byEvent: true },
+  'edit.paste': { label: 'Paste', keys: ['Mod+V'], enabled: isOpen, run: (editor) => void pasteFromClipboard(editor), byEvent: true },
+  'edit.duplicate': { label: 'Duplicate', keys: ['Mod+D'], enabled: hasNodes, run: (editor) => void duplicateSelection(editor) },
+  'edit.duplicate-wired': {
+    label: 'Duplicate with wires',
+    keys: ['Mod+Shift+D'],
+    enabled: hasNodes,
+    run: (editor) => void duplicateSelection(editor, { wired: true }),
+  },
+  'edit.delete': { label: 'Delete', keys: ['Delete', 'Backspace'], enabled: hasSelection, run: (editor) => void deleteSelection(editor) },
+  'edit.select-all': { label: 'Select all', keys: ['Mod+A'], enabled: isOpen, run: selectAll },
+  'edit.mute': {
+    label: 'Mute',
+    keywords: ['bypass', 'disable'],
+    keys: ['M'],
+    enabled: hasNodes,
+    run: (editor) => void toggleMuted(editor),
+  },
+  'graph.add': { label: 'Add node…', keys: ['Tab', 'Shift+A'], enabled: isOpen, run: openPalette },
+  'graph.import-shadertoy': {
+    label: 'Import Shadertoy…',
+    keys: [],
+    enabled: isOpen,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'shadertoy' } }),
+  },
+  'graph.swap': { label: 'Change type…', keywords: ['swap', 'replace'], keys: ['Shift+S'], enabled: hasOneNode, run: openSwapPalette },
+  'graph.reroute': {
+    label: 'Add reroute',
+    keys: ['R'],
+    enabled: ({ selection }) => soleWire(selection.getState()) !== null,
+    run: (editor) => void addRerouteToSelected(editor),
+  },
+  'graph.collapse': { label: 'Collapse', keys: ['H'], enabled: hasNodes, run: (editor) => void toggleCollapsed(editor) },
+  'graph.subgraph': {
+    label: 'Create subgraph',
+    keywords: ['make', 'group'],
+    keys: ['Mod+G'],
+    enabled: hasNodes,
+    run: (editor) => void createSubgraph(editor),
+  },
+  'graph.unpack': {
+    label: 'Ungroup subgraph',
+    keywords: ['unpack', 'expand'],
+    keys: ['Mod+Shift+G'],
+    enabled: hasSubgraph,
+    run: (editor) => void ungroupSelected(editor),
+  },
+  'graph.independent': {
+    label: 'Make subgraph unique',
+    keywords: ['independent', 'single user'],
+    keys: [],
+    enabled: hasSubgraph,
+    run: (editor) => void makeUnique(editor),
+  },
+  'graph.save': { label: 'Save to the library…', keywords: ['subgraph'], keys: [], enabled: hasSubgraph, run: askToSaveSubgraph },
+  'graph.enter': {
+    label: 'Open subgraph',
+    keywords: ['enter', 'edit'],
+    keys: ['I'],
+    enabled: hasSubgraph,
+    run: (editor) => openSubgraph(editor, selectedSubgraph(editor) ?? ''),
+  },
+  'graph.leave': { label: 'Leave subgraph', keywords: ['exit', 'back'], keys: ['U'], enabled: isInside, run: leaveSubgraph },
+  'graph.frame': {
+    label: 'Add frame',
+    keywords: ['group box'],
+    keys: ['C'],
+    enabled: isOpen,
+    run: (editor) => void addFrame(editor, middleOfCanvas(editor)),
+  },
+  'graph.note': {
+    label: 'Add note',
+    keywords: ['comment'],
+    keys: ['N'],
+    enabled: isOpen,
+    run: (editor) => void addNote(editor, middleOfCanvas(editor)),
+  },
+  'arrange.tidy': { label: 'Tidy up', keys: ['L'], enabled: isOpen, run: (editor) => void tidy(editor) },
+  'arrange.left': { label: 'Align left', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'left') },
+  'arrange.centre': { label: 'Align centers', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'center') },
+  'arrange.right': { label: 'Align right', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'right') },
+  'arrange.top': { label: 'Align top', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'top') },
+  'arrange.middle': { label: 'Align middles', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'middle') },
+  'arrange.bottom': { label: 'Align bottom', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'bottom') },
+  'arrange.across': { label: 'Distribute across', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'x') },
+  'arrange.down': { label: 'Distribute down', keys: [], enabled: hasSeveral, run: (editor) => void distribute(editor, 'y') },
+  'view.find': {
+    label: 'Find in the graph…',
+    keywords: ['search'],
+    keys: ['Mod+F'],
+    enabled: isOpen,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'find' } }),
+  },
+  'view.fit': {
+    label: 'Fit graph to view',
+    keywords: ['frame all', 'show all', 'whole graph'],
+    keys: ['F'],
+    enabled: isOpen,
+    run: ({ ui }) => revealNodes(ui, [], 'fit'),
+  },
+  'view.fit-selection': {
+    label: 'Show the selection',
+    keywords: ['frame selected', 'show'],
+    keys: ['Shift+F'],
+    enabled: hasNodes,
+    run: ({ ui, selection }) => revealNodes(ui, [...selection.getState().nodes], 'fit'),
+  },
+  'view.thumbnails': {
+    label: 'Thumbnails',
+    keywords: ['pictures', 'images'],
+    keys: ['T'],
+    enabled: isOpen,
+    run: ({ viewer }) => viewer.setState(({ thumbnails }) => ({ thumbnails: !thumbnails })),
+  },
+  'view.pin': { label: 'Show in the preview', keywords: ['viewer', 'show', 'pin'], keys: ['P'], enabled: hasOneNode, run: pinSelected },
+  'view.compare': {
+    label: 'Compare in the preview',
+    keywords: ['wipe', 'split'],
+    keys: ['Shift+P'],
+    enabled: hasOneNode,
+    run: compareSelected,
+  },
+  'view.screen': {
+    label: 'Show output',
+    keywords: ['screen', 'reset viewer'],
+    keys: [],
+    enabled: ({ viewer }) => viewer.getState().left !== null,
+    run: ({ viewer }) => resetViewer(viewer),
+  },
+  'view.probe': {
+    label: 'Pixel probe',
+    keys: ['Q'],
+    enabled: isOpen,
+    run: ({ viewer }) => viewer.setState(({ probing }) => ({ probing: !probing, probed: null })),
+  },
+  // As 3D programs have them; G as well, because W walks in rooms.
+  'gizmo.move': {
+    label: 'Move gizmo',
+    keywords: ['translate', 'position'],
+    keys: ['W', 'G'],
+    enabled: isOpen,
+    run: ({ gizmo }) => toggleMode(gizmo, 'move'),
+  },
+  'gizmo.rotate': {
+    label: 'Rotate gizmo',
+    keywords: ['turn', 'rotation'],
+    keys: ['E'],
+    enabled: isOpen,
+    run: ({ gizmo }) => toggleMode(gizmo, 'rotate'),
+  },
+  'gizmo.scale': {
+    label: 'Scale gizmo',
+    keywords: ['resize', 'size'],
+    keys: ['S'],
+    enabled: isOpen,
+    run: ({ gizmo }) => toggleMode(gizmo, 'scale'),
+  },
+  'gizmo.space': {
+    label: 'Local or world space',
+    keywords: ['axes', 'orientation'],
+    keys: ['X'],
+    enabled: isOpen,
+    run: ({ gizmo }) => gizmo.setState(({ space }) => ({ space: space === 'world' ? 'local' : 'world' })),
+  },
+  'gizmo.snap': {
+    label: 'Snap gizmo',
+    keywords: ['grid', 'increments'],
+    keys: ['Shift+X'],
+    enabled: isOpen,
+    run: ({ gizmo }) => gizmo.setState(({ snap }) => ({ snap: !snap })),
+  },
+  'view.costs': {
+    label: 'Performance overlay',
+    keywords: ['costs', 'passes', 'memory'],
+    keys: ['K'],
+    enabled: isOpen,
+    run: ({ costs }) => costs.setState(({ on }) => ({ on: !on, measured: [] })),
+  },
+  'view.code': {
+    label: 'Shader source',
+    keys: ['Mod+J'],
+    enabled: (editor) => editableShader(editor) !== null || editor.ui.getState().bottom === 'code',
+    run: (editor) => toggleBottom(editor, 'code'),
+    whileTyping: true,
+  },
+  'view.timeline': { label: 'Timeline', keys: ['Shift+T'], enabled: isOpen, run: (editor) => toggleBottom(editor, 'timeline') },
+  'view.problems': {
+    label: 'Problems',
+    keys: ['Mod+M'],
+    enabled: always,
+    run: (editor) => toggleBottom(editor, 'problems'),
+    whileTyping: true,
+  },
+  'view.help': {
+    label: 'Help for the node',
+    keywords: ['documentation'],
+    keys: ['F1'],
+    enabled: always,
+    run: ({ ui }) => ui.setState(({ help }) => ({ help: !help })),
+    whileTyping: true,
+  },
+  'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance', 'tint'], keys: [], enabled: always, run: switchTheme },
+  // Without keys: Ctrl and plus are the browser's and the window's own, which make everything larger.
+  'view.larger': {
+    label: 'Increase UI scale',
+    keywords: ['zoom', 'larger', 'text size'],
+    keys: [],
+    enabled: (editor) => nextScale(editor, 1) !== undefined,
+    run: (editor) => setScale(editor, nextScale(editor, 1)),
+  },
+  'view.smaller': {
+    label: 'Decrease UI scale',
+    keywords: ['zoom', 'smaller', 'text size'],
+    keys: [],
+    enabled: (editor) => nextScale(editor, -1) !== undefined,
+    run: (editor) => setScale(editor, nextScale(editor, -1)),
+  },
+  'view.usual-size': {
+    label: 'Reset UI scale',
+    keywords: ['zoom', 'size', 'usual'],
+    keys: [],
+    enabled: ({ preferences }) => preferences.getState().scale !== 1,
+    run: (editor) => setScale(editor, 1),
+  },
+  'view.motion': { label: 'Reduce motion', keywords: ['less motion', 'animation'], keys: [], enabled: always, run: switchMotion },
+  'play.toggle': { label: 'Play or pause', keys: ['Space'], enabled: isOpen, run: togglePlay, where: 'time' },
+  'play.next': {
+    label: 'Next frame',
+    keywords: ['step', 'one frame on'],
+    keys: ['ArrowRight'],
+    enabled: isOpen,
+    run: (editor) => stepFrames(editor, 1),
+    where: 'time',
+  },
+  'play.back': {
+    label: 'Previous frame',
+    keywords: ['step', 'back'],
+    keys: ['ArrowLeft'],
+    enabled: hasFrames,
+    run: (editor) => stepFrames(editor, -1),
+    where: 'time',
+  },
+  'play.first': { label: 'Go to first frame', keywords: ['start'], keys: ['Home'], enabled: isOpen, run: goToStart, where: 'time' },
+  'play.last': {
+    label: 'Go to last frame',
+    keywords: ['end'],
+    keys: ['End'],
+    enabled: hasFrames,
+    run: (editor) => goToFrame(editor, lastFrame(editor.preview.getState())),
+    where: 'time',
+  },
+  'play.in': {
+    label: 'Set in point',
+    keywords: ['begin', 'range'],
+    keys: ['I'],
+    enabled: hasFrames,
+    run: (editor) => setIn(editor, frameOf(editor.preview.getState())),
+    where: 'time',
+  },
+  'play.out': {
+    label: 'Set out point',
+    keywords: ['end', 'range'],
+    keys: ['O'],
+    enabled: hasFrames,
+    run: (editor) => setOut(editor, frameOf(editor.preview.getState())),
+    where: 'time',
+  },
+  'play.to-in': {
+    label: 'Go to in point',
+    keywords: ['start', 'range'],
+    keys: ['Shift+I'],
+    enabled: hasFrames,
+    run: (editor) => goToFrame(editor, playedRange(editor.preview.getState()).from),
+    where: 'time',
+  },
+  'play.to-out': {
+    label: 'Go to out point',
+    keywords: ['end', 'range'],
+    keys: ['Shift+O'],
+    enabled: hasFrames,
+    run: (editor) => goToFrame(editor, playedRange(editor.preview.getState()).to),
+    where: 'time',
+  },
+  'play.whole': {
+    label: 'Clear play range',
+    keywords: ['play all', 'whole recording'],
+    keys: ['X'],
+    enabled: hasRange,
+    run: clearRange,
+    where: 'time',
+  },
+  'play.loop': { label: 'Loop', keywords: ['repeat'], keys: ['Shift+L'], enabled: hasFrames, run: toggleLoop, where: 'time' },
+  'help.commands': {
+    label: 'All commands…',
+    // The second as in text editors.
+    keys: ['Mod+K', 'Mod+Shift+P'],
+    enabled: always,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'commands' } }),
+    whileTyping: true,
+  },
+  'help.tour': { label: 'Take the tour', keys: [], enabled: isOpen, run: startTour },
+  'help.shortcuts': {
+    label: 'Keyboard shortcuts',
+    keys: ['?'],
+    enabled: always,
+    run: ({ ui }) => ui.setState({ dialog: { kind: 'shortcuts' } }),
+  },
+} as const satisfies Record<string, AppCommand>;
+
+export type AppCommandId = keyof typeof COMMANDS;
+
+export function appCommand(id: AppCommandId): AppCommand {
+  return COMMANDS[id];
+}
+
+export function appCommandIds(): readonly AppCommandId[] {
+  return Object.keys(COMMANDS) as AppCommandId[];
+}
+
+/** Does nothing where the command is not enabled. */
+export function runCommand(editor: Editor, id: AppCommandId): void {
+  const { enabled, run } = appCommand(id);
+  if (enabled(editor)) run(editor);
+}

@@ -1,0 +1,56 @@
+import type { Place } from '../editor/canvas-state.ts';
+import type { Editor } from '../editor/editor.ts';
+import { SCALES } from '../editor/preferences.ts';
+import { soleNode } from '../editor/selection.ts';
+import { addToast, type BottomTab, middleOfWindow } from '../editor/ui.ts';
+import { selectedSubgraph } from '../graph/subgraphs.ts';
+
+export function openSwapPalette({ ui, selection }: Editor): void {
+  const node = soleNode(selection.getState());
+  if (node !== null) ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, swap: node } });
+}
+
+export function askToSaveSubgraph(editor: Editor): void {
+  const name = selectedSubgraph(editor);
+  if (name !== null) editor.ui.setState({ dialog: { kind: 'library', name } });
+}
+
+/** The center of the visible part of the canvas, in canvas units. */
+export function middleOfCanvas({ canvas }: Editor): Place {
+  return canvas.getState().middle();
+}
+
+/** Opens the palette. If a single wire is the whole selection, the new node is inserted on it. */
+export function openPalette({ ui, selection }: Editor): void {
+  const { nodes, wires } = selection.getState();
+  const [wire] = nodes.size === 0 && wires.size === 1 ? wires : [];
+  ui.setState({ palette: { at: middleOfWindow(), place: null, end: null, ...(wire === undefined ? {} : { wire }) } });
+}
+
+/** Cycles through system, light and dark. */
+export function switchTheme({ preferences, ui }: Editor): void {
+  const next = { system: 'light', light: 'dark', dark: 'system' } as const;
+  const theme = next[preferences.getState().theme];
+  preferences.setState({ theme });
+  addToast(ui, { tone: 'info', text: theme === 'system' ? 'Theme: system.' : `Theme: ${theme}.` });
+}
+
+export function nextScale({ preferences }: Editor, by: 1 | -1): number | undefined {
+  const scales: readonly number[] = SCALES;
+  return scales[scales.indexOf(preferences.getState().scale) + by];
+}
+
+export function setScale({ preferences, ui }: Editor, scale = 1): void {
+  preferences.setState({ scale });
+  addToast(ui, { tone: 'info', text: `UI scale: ${Math.round(scale * 100)} %.` });
+}
+
+export function switchMotion({ preferences, ui }: Editor): void {
+  const motion = preferences.getState().motion === 'reduced' ? 'system' : 'reduced';
+  preferences.setState({ motion });
+  addToast(ui, { tone: 'info', text: motion === 'reduced' ? 'Motion: reduced.' : 'Motion: system.' });
+}
+
+export function toggleBottom({ ui }: Editor, tab: BottomTab): void {
+  ui.setState(({ bottom }) => ({ bottom: bottom === tab ? null : tab }));
+}

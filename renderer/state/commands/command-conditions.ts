@@ -1,0 +1,19 @@
+import type { Editor } from '../editor/editor.ts';
+import { idsOfKind } from '../editor/item-ids.ts';
+import { soleNode } from '../editor/selection.ts';
+import { selectedSubgraph } from '../graph/subgraphs.ts';
+
+export const always = () => true;
+export const isOpen = ({ document }: Editor) => document.getState().open !== null;
+export const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
+export const hasSelection = ({ selection }: Editor) => Object.values(selection.getState()).some((set: ReadonlySet<string>) => set.size > 0);
+
+export const hasFrames = ({ preview }: Editor) => preview.getState().frames !== null;
+export const hasRange = ({ preview }: Editor) => preview.getState().frames !== null && preview.getState().range !== null;
+export const hasSeveral = ({ selection }: Editor) => {
+  const { nodes, items } = selection.getState();
+  return nodes.size + idsOfKind(items, 'reroute').length > 1;
+};
+export const hasOneNode = ({ selection }: Editor) => soleNode(selection.getState()) !== null;
+export const hasSubgraph = (editor: Editor) => selectedSubgraph(editor) !== null;
+export const isInside = ({ document }: Editor) => document.getState().trail.length > 0;

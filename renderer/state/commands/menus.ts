@@ -1,0 +1,158 @@
+import type { PlatformMenu } from '../../../app/contract/contract.ts';
+import type { Editor } from '../editor/editor.ts';
+import { type AppCommandId, appCommand } from './app-commands.ts';
+import { keybindingsOf } from './keybindings.ts';
+
+/** The menus at the top of the editor, which the window's own mirrors where it has one. */
+export const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
+  {
+    label: 'File',
+    entries: ['file.new', 'file.open', 'line', 'file.save', 'file.save-as', 'line', 'graph.import-shadertoy', 'file.export', 'file.render'],
+  },
+  {
+    label: 'Edit',
+    entries: [
+      'edit.undo',
+      'edit.redo',
+      'line',
+      'edit.cut',
+      'edit.copy',
+      'edit.paste',
+      'edit.duplicate',
+      'edit.duplicate-wired',
+      'edit.delete',
+      'line',
+      'edit.select-all',
+      'edit.mute',
+    ],
+  },
+  {
+    label: 'Graph',
+    entries: [
+      'graph.add',
+      'graph.swap',
+      'graph.collapse',
+      'graph.frame',
+      'graph.note',
+      'graph.reroute',
+      'line',
+      'graph.subgraph',
+      'graph.save',
+      'graph.enter',
+      'graph.leave',
+      'graph.independent',
+      'graph.unpack',
+    ],
+  },
+  {
+    label: 'Arrange',
+    entries: [
+      'arrange.tidy',
+      'line',
+      'arrange.left',
+      'arrange.centre',
+      'arrange.right',
+      'line',
+      'arrange.top',
+      'arrange.middle',
+      'arrange.bottom',
+      'line',
+      'arrange.across',
+      'arrange.down',
+    ],
+  },
+  {
+    label: 'View',
+    entries: [
+      'view.find',
+      'view.fit',
+      'view.fit-selection',
+      'line',
+      'view.thumbnails',
+      'view.costs',
+      'view.pin',
+      'view.compare',
+      'view.screen',
+      'view.probe',
+      'line',
+      'gizmo.move',
+      'gizmo.rotate',
+      'gizmo.scale',
+      'gizmo.space',
+      'gizmo.snap',
+      'line',
+      'view.code',
+      'view.timeline',
+      'view.problems',
+      'line',
+      'view.larger',
+      'view.smaller',
+      'view.usual-size',
+      'line',
+      'view.theme',
+      'view.motion',
+    ],
+  },
+  {
+    label: 'Playback',
+    entries: [
+      'play.toggle',
+      'play.next',
+      'play.back',
+      'play.first',
+      'play.last',
+      'line',
+      'play.in',
+      'play.out',
+      'play.to-in',
+      'play.to-out',
+      'play.whole',
+      'play.loop',
+    ],
+  },
+  { label: 'Help', entries: ['view.help', 'help.commands', 'help.shortcuts', 'line', 'help.tour'] },
+];
+
+/** The menus as they are now, for the window's own. A question that is open takes all keys and clicks for itself. */
+export function platformMenus(editor: Editor): PlatformMenu[] {
+  const { dialog, palette } = editor.ui.getState();
+  const free = dialog === null && palette === null;
+  return MENUS.map(({ label, entries }) => ({
+    label,
+    entries: entries.map((id) => {
+      if (id === 'line') return id;
+      const command = appCommand(id);
+      return { command: id, label: command.label, chord: keybindingsOf(editor, id)[0] ?? null, enabled: free && command.enabled(editor) };
+    }),
+  }));
+}
+
+/** How long changes pause before the window's menu is updated: a recording that plays changes the preview with every frame. */
+const REST_MS = 60;
+
+/** Keeps the window's own menu like the editor's. */
+export function followMenus(editor: Editor): () => void {
+  let shown = '';
+  let waiting: (() => void) | null = null;
+  const show = () => {
+    waiting = null;
+    const menus = platformMenus(editor);
+    const text = JSON.stringify(menus);
+    if (text === shown) return;
+    shown = text;
+    editor.host.call('menu.show', { menus }).catch(() => {
+      // The window's menu is as it was; the next change tries again.
+      shown = '';
+    });
+  };
+  const soon = () => {
+    waiting ??= editor.clock.after(REST_MS, show);
+  };
+  const { document, selection, preview, viewer, ui, preferences } = editor;
+  const stops = [document, selection, preview, viewer, ui, preferences].map((store) => store.subscribe(soon));
+  show();
+  return () => {
+    waiting?.();
+    for (const stop of stops) stop();
+  };
+}

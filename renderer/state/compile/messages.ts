@@ -1,0 +1,17 @@
+import type { ProjectLogic } from '../../../export/graph/project.ts';
+import type { Program } from '../../../export/program/program.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+
+export interface CompileRequest {
+  readonly revision: number;
+  readonly project: ProjectLogic;
+  /** Layers to keep for looking at them; see `CompileOptions`. */
+  readonly taps: readonly string[];
+}
+
+export interface CompileAnswer {
+  readonly revision: number;
+  readonly program: Program | null;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly tookMs: number;
+}

@@ -1,0 +1,59 @@
+import { expect, test } from '@jest/globals';
+import { compile } from '../../../export/compiler/compile.ts';
+import { newProject } from '../../../export/graph/new-project.ts';
+import type { Graph } from '../../../export/graph/project.ts';
+import { LIBRARY } from '../../../tests/support/library.ts';
+import { costAt, costsOf, costWords, overBudget, totalOf } from './cost-state.ts';
+
+/** The camera's picture through filters to the screen. */
+function program(filters: readonly string[]) {
+  const ids = filters.map((type, i) => [`f${i}-aaaa`, { type, version: 1, params: {} }] as const);
+  const chain = ['video-aaaa', ...ids.map(([id]) => id)];
+  const graph: Graph = {
+    nodes: {
+      'video-aaaa': { type: 'source/camera-video', version: 1, params: {} },
+      ...Object.fromEntries(ids),
+      'screen-aaaa': { type: 'output/screen', version: 1, params: {} },
+    },
+    wires: [
+      ...ids.map(([id], i) => ({ from: { node: chain[i] ?? '', port: 'layer' }, to: { node: id, port: 'inputImage' } })),
+      { from: { node: chain.at(-1) ?? '', port: 'layer' }, to: { node: 'screen-aaaa', port: 'layer' } },
+    ],
+    exposed: { inputs: [], outputs: [] },
+  };
+  const { output } = compile({
+    project: { title: '', graphs: { main: graph }, sources: {}, assets: {}, page: newProject('').page },
+    library: LIBRARY,
+  });
+  if (!output) throw new Error('The project does not compile.');
+  return output;
+}
+
+test('passes and pictures stand at the node that draws them', () => {
+  const made = program(['filter/sepia', 'filter/threshold']);
+  const costs = costsOf(made, [], 'phone');
+  expect(totalOf(costs.values()).passes).toBe(made.operations.filter(({ kind }) => kind === 'pass').length);
+  // One picture of 1080 × 2400 RGBA8 between the two; the second draws on the screen.
+  expect(costAt(costs, 'f0-aaaa')).toMatchObject({ passes: 1, targets: 1, bytes: 1080 * 2400 * 4 });
+  expect(costAt(costs, 'f1-aaaa')).toMatchObject({ passes: 1, targets: 0, bytes: 0 });
+  expect(costAt(costs, 'nothing-aaaa')).toBeNull();
+  expect(costWords({ passes: 2, targets: 1, bytes: 3 * 2 ** 20, draws: 2, gpuMs: 0.5 })).toBe('2 passes · 3.0 MB · 0.50 ms');
+});
+
+test('a headset draws each pass twice; what is over its budget is said', () => {
+  const made = program(['filter/gaussian-blur', 'filter/sobel-edges', 'filter/gaussian-blur']);
+  const [phone, headset] = (['phone', 'headset'] as const).map((device) => totalOf(costsOf(made, [], device).values()));
+  if (!phone || !headset) throw new Error('There are two devices.');
+  expect(headset.passes).toBe(2 * phone.passes);
+  expect(overBudget(phone, 'phone')).toEqual([]);
+  expect(overBudget(headset, 'headset')).toEqual([expect.stringMatching(/passes: a headset has time for about 4/)]);
+});
+
+test('what the preview measured counts for the node of the operation, and for the subgraph that it is in', () => {
+  const made = program(['filter/sepia']);
+  const pass = made.operations.find(({ kind }) => kind === 'pass');
+  if (!pass) throw new Error('There is no pass.');
+  const inside = { ...made, operations: made.operations.map((operation) => ({ ...operation, node: `look-aaaa/${operation.node}` })) };
+  const costs = costsOf(inside, [{ id: pass.id, draws: 3, gpuMs: 1.25 }], 'phone');
+  expect(costAt(costs, 'look-aaaa')).toMatchObject({ draws: 3, gpuMs: 1.25, passes: 1 });
+});

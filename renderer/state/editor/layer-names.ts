@@ -1,0 +1,48 @@
+import { subgraphType } from '../../../export/graph/document-names.ts';
+import type { PortAddress } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import { sameAddress } from '../../../export/graph/wires.ts';
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import { type DocumentState, graphOf, nodeOf } from './document.ts';
+
+/** The first layer that nodes of a type give. */
+export function layerPortOf(definition: NodeDefinition | undefined): string | null {
+  return Object.entries(definition?.outputs ?? {}).find(([, { type }]) => type === 'layer')?.[0] ?? null;
+}
+
+/** What the compiler calls a port of the open graph: of a subgraph that several nodes stand for, in the first of them. */
+export function layerName(state: Pick<DocumentState, 'project' | 'graph' | 'trail'>, node: string, port: string): string {
+  return `${nodePath(state, node)}.${port}`;
+}
+
+/** What the compiler calls a node of the open graph. */
+export function nodePath(state: Pick<DocumentState, 'project' | 'graph' | 'trail'>, node: string): string {
+  const way = [...state.trail, state.graph];
+  const path = way.slice(1).map((inner, depth) => {
+    const nodes = getOwn(state.project.graphs, way[depth] ?? '')?.nodes ?? {};
+    return Object.keys(nodes).find((id) => nodes[id]?.type === subgraphType(inner)) ?? inner;
+  });
+  return [...path, node].join('/');
+}
+
+/** As people call a layer: by its node's title, and the port where the node gives several. */
+export function layerTitle(state: DocumentState, layer: string | null): string {
+  if (layer === null) return 'Output';
+  const id = layer.slice(layer.lastIndexOf('/') + 1, layer.lastIndexOf('.'));
+  const port = layer.slice(layer.lastIndexOf('.') + 1);
+  for (const graph of Object.values(state.project.graphs)) {
+    const node = getOwn(graph.nodes, id);
+    if (!node) continue;
+    const { title = id, outputs = {} } = state.library.definition(node.type) ?? {};
+    const several = Object.values(outputs).filter(({ type }) => type === 'layer').length > 1;
+    return several ? `${title} · ${getOwn(outputs, port)?.label ?? port}` : title;
+  }
+  return id;
+}
+
+/** The layer at a port: the one that an output gives, or that is wired to an input; null where there is none. */
+export function layerAt(state: DocumentState, { node, port }: PortAddress, side: 'input' | 'output'): string | null {
+  const from = side === 'output' ? { node, port } : graphOf(state).wires.find(({ to }) => sameAddress(to, { node, port }))?.from;
+  const definition = from && state.library.definition(nodeOf(state, from.node)?.type ?? '');
+  return from && getOwn(definition?.outputs ?? {}, from.port)?.type === 'layer' ? layerName(state, from.node, from.port) : null;
+}

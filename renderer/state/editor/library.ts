@@ -1,0 +1,133 @@
+import { readDefinition } from '../../../export/glsl/read-definition.ts';
+import { subgraphType } from '../../../export/graph/document-names.ts';
+import { createInterfaceLookup, type NodeInterface } from '../../../export/graph/library/node-interface.ts';
+import { createShaderCache, type ProjectLibrary, projectLibrary, type ReadShader } from '../../../export/graph/library/project-library.ts';
+import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
+import { libraryOf, type NodeDefinition, type NodeLibrary } from '../../../nodes/kit/definition.ts';
+
+/** Node types and shader texts as `nodes/generated` has them. */
+export interface LibraryData {
+  readonly definitions: readonly NodeDefinition[];
+  readonly shaders: Readonly<Record<string, string>>;
+}
+
+/** The node type that a shader file is, or what is wrong with its header. */
+export const readShader: ReadShader = (file, source) => {
+  return readDefinition(source, file);
+};
+
+/** What the editor knows of node types, for one project after the other. */
+export interface Libraries {
+  /** Without any project's own shaders. */
+  readonly base: NodeLibrary;
+  /** Reads each text once. */
+  readonly readShader: ReadShader;
+  /**
+   * With the project's own shaders and subgraphs. While a shader's header is broken, its node keeps the ports it had when the header could
+   * last be read: a comma forgotten while typing takes no wires away.
+   */
+  readonly of: (project: Pick<Project, 'sources' | 'graphs'>) => ProjectLibrary;
+  /** The same without subgraphs, as the compiler takes it: it puts what is in them in their place. */
+  readonly withoutSubgraphs: (project: Pick<Project, 'sources'>) => ProjectLibrary;
+}
+
+interface Whole {
+  readonly graphs: Project['graphs'];
+  readonly own: ProjectLibrary;
+  /** The subgraphs' definitions, as JSON. */
+  readonly text: string;
+  readonly library: ProjectLibrary;
+}
+
+export function createLibraries(data: LibraryData): Libraries {
+  const base = libraryOf(data.definitions, data.shaders);
+  const cache = createShaderCache(readShader);
+  const lastGood = new Map<string, NodeDefinition>();
+  let last: { readonly sources: Project['sources']; readonly library: ProjectLibrary } | null = null;
+  const readOrLastGood: ReadShader = (file, source) => {
+    const result = cache.read(file, source);
+    if (result.output !== null) lastGood.set(file, result.output);
+    return { output: result.output ?? lastGood.get(file) ?? null, diagnostics: result.diagnostics };
+  };
+  const withoutSubgraphs: Libraries['withoutSubgraphs'] = ({ sources }) => {
+    if (last?.sources === sources) return last.library;
+    const library = projectLibrary(base, sources, readOrLastGood);
+    cache.endGeneration();
+    last = { sources, library };
+    return library;
+  };
+  let lastWhole: Whole | null = null;
+  return {
+    base,
+    readShader: cache.read,
+    withoutSubgraphs,
+    of: ({ sources, graphs }) => {
+      const own = withoutSubgraphs({ sources });
+      if (lastWhole?.graphs === graphs && lastWhole.own === own) return lastWhole.library;
+      const definitions = subgraphDefinitions(graphs, own);
+      const text = JSON.stringify(definitions);
+      // The same library for as long as no subgraph looks different from outside: the whole canvas hangs on it.
+      const library = lastWhole?.text === text && lastWhole.own === own ? lastWhole.library : withDefinitions(own, definitions);
+      lastWhole = { graphs, own, text, library };
+      return library;
+    },
+  };
+}
+
+/** What people look for who want what they made themselves. */
+const KEYWORDS = ['library', 'project', 'own', 'group'];
+
+/** Subgraphs as node types. They lower to nothing of their own: the compiler puts what is in them in their place. */
+function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): readonly NodeDefinition[] {
+  const faceOf = createInterfaceLookup({ graphs }, library);
+  return Object.keys(graphs)
+    .filter((name) => name !== MAIN_GRAPH)
+    .flatMap((name) => {
+      const face = faceOf(subgraphType(name));
+      return face ? [{ ...face, ...wordsOf(name, face), keywords: KEYWORDS, lowering: { kind: 'behavior' as const } }] : [];
+    });
+}
+
+/** Ports whose labels are alike inside are told apart by their names outside. */
+function wordsOf(name: string, face: NodeInterface): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
+  const labels = [face.inputs, face.params].flatMap((ports) => Object.values(ports).map(({ label }) => label));
+  const named = <T extends { readonly label: string }>(ports: Readonly<Record<string, T>>, among: readonly string[]) =>
+    Object.fromEntries(
+      Object.entries(ports).map(([port, value]) => {
+        const alone = among.filter((label) => label === value.label).length < 2;
+        return [port, alone ? value : { ...value, label: titleOfName(port) }];
+      }),
+    );
+  return {
+    title: titleOfName(name),
+    doc: 'A subgraph of this project. Open it to edit its nodes; the edits apply to all of its instances.',
+    inputs: named(face.inputs, labels),
+    outputs: named(
+      face.outputs,
+      Object.values(face.outputs).map(({ label }) => label),
+    ),
+    params: named(face.params, labels),
+  };
+}
+
+/** `soft-look` → `Soft look`, `inputImage2` → `Input image 2`. */
+export function titleOfName(name: string): string {
+  const words = name
+    .replaceAll(/([a-z])([A-Z0-9])/g, '$1 $2')
+    .replaceAll(/[-_]+/g, ' ')
+    .toLowerCase();
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+function withDefinitions(library: ProjectLibrary, definitions: readonly NodeDefinition[]): ProjectLibrary {
+  const byType = new Map(definitions.map((definition) => [definition.type, definition]));
+  if (byType.size === 0) return library;
+  return {
+    ...library,
+    definition: (type) => byType.get(type) ?? library.definition(type),
+    *types() {
+      yield* library.types();
+      yield* byType.keys();
+    },
+  };
+}

@@ -1,0 +1,88 @@
+import { createStore, type StoreApi } from 'zustand/vanilla';
+
+export type Theme = 'system' | 'light' | 'dark';
+export type Motion = 'system' | 'reduced';
+
+/** How large text and controls are, 1 as they are made; from step to step. */
+export const SCALES = [0.8, 0.9, 1, 1.1, 1.25, 1.5] as const;
+
+export interface RecentProject {
+  readonly path: string;
+  readonly title: string;
+}
+
+/** What a person chose for all their projects; it outlives the window. */
+export interface Preferences {
+  readonly theme: Theme;
+  readonly motion: Motion;
+  /** Of `SCALES`. */
+  readonly scale: number;
+  /** Keys that differ from the table of commands, by command; none for a command without keys. */
+  readonly keybindings: Readonly<Record<string, readonly string[]>>;
+  /** Newest first. */
+  readonly recent: readonly RecentProject[];
+}
+
+export type PreferencesStore = StoreApi<Preferences>;
+
+/** The editor, as far as it is needed here. */
+type PreferencesHolder = { readonly preferences: PreferencesStore };
+
+export const DEFAULT_PREFERENCES: Preferences = { theme: 'system', motion: 'system', scale: 1, keybindings: {}, recent: [] };
+
+const KEY = 'scrim-preferences';
+
+/** As the browser's storage holds them: keybindings keep their first name there. */
+type StoredPreferences = Omit<Preferences, 'keybindings'> & { readonly chords: Preferences['keybindings'] };
+const MAX_RECENT = 8;
+
+export function createPreferences(preferences: Preferences): PreferencesStore {
+  return createStore<Preferences>(() => preferences);
+}
+
+/** As they were kept; defaults for what is missing or senseless. */
+export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences {
+  let saved: Partial<Record<keyof StoredPreferences, unknown>> = {};
+  try {
+    saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
+  } catch {
+    // Someone else's text: defaults do.
+  }
+  return {
+    theme: saved.theme === 'light' || saved.theme === 'dark' ? saved.theme : 'system',
+    motion: saved.motion === 'reduced' ? 'reduced' : 'system',
+    scale: SCALES.find((scale) => scale === saved.scale) ?? 1,
+    keybindings: readKeybindings(saved.chords),
+    recent: Array.isArray(saved.recent) ? saved.recent.filter(isRecent).slice(0, MAX_RECENT) : [],
+  };
+}
+
+/** Writes every change at once: another window that opens next shall know it. */
+export function keepPreferences({ preferences }: PreferencesHolder, storage: Pick<Storage, 'setItem'>): () => void {
+  return preferences.subscribe(({ keybindings: chords, ...rest }) => {
+    const stored: StoredPreferences = { ...rest, chords };
+    storage.setItem(KEY, JSON.stringify(stored));
+  });
+}
+
+export function rememberProject({ preferences }: PreferencesHolder, project: RecentProject): void {
+  preferences.setState(({ recent }) => ({
+    recent: [project, ...recent.filter(({ path }) => path !== project.path)].slice(0, MAX_RECENT),
+  }));
+}
+
+export function forgetProject({ preferences }: PreferencesHolder, path: string): void {
+  preferences.setState(({ recent }) => ({ recent: recent.filter((project) => project.path !== path) }));
+}
+
+function isRecent(value: unknown): value is RecentProject {
+  const project = value as Partial<RecentProject> | null;
+  return typeof project?.path === 'string' && typeof project.title === 'string';
+}
+
+function readKeybindings(value: unknown): Record<string, readonly string[]> {
+  if (typeof value !== 'object' || value === null) return {};
+  const isList = (keybindings: unknown): keybindings is readonly string[] =>
+    Array.isArray(keybindings) && keybindings.every((keybinding) => typeof keybinding === 'string');
+  return Object.fromEntries(Object.entries(value).filter((entry): entry is [string, readonly string[]] => isList(entry[1])));
+}

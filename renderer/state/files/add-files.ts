@@ -1,0 +1,240 @@
+import { companionOf, readIsf } from '../../../export/glsl/isf/read-isf.ts';
+import { moveImported } from '../../../export/glsl/language/header-edits.ts';
+import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
+import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
+import { inTurn } from '../../../export/graph/commands/change.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
+import type { Asset } from '../../../export/graph/project.ts';
+import type { AssetKind, NodeLibrary } from '../../../nodes/kit/definition.ts';
+import { apply } from '../document/apply.ts';
+import type { Place } from '../editor/canvas-state.ts';
+import type { Editor } from '../editor/editor.ts';
+import { selectOnly } from '../editor/selection.ts';
+import { addToast, toastDiagnostic } from '../editor/ui.ts';
+import { addShader, type ForeignShader } from '../shaders/add-shader.ts';
+import { addShadertoy } from '../shaders/import-shadertoy.ts';
+import { showRefusal } from './files.ts';
+import { addCube } from './import-cube.ts';
+import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
+
+/** Endings by which a dropped file is known, first come first served; `also` may be chosen where that kind is asked for: ordinary pictures as panoramas, and the files that a model refers to. */
+const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly string[]; readonly also?: readonly string[] }[] = [
+  { kind: 'model', endings: ['.glb', '.gltf'], also: ['.bin', '.png', '.jpg', '.jpeg', '.webp', '.ktx2'] },
+  { kind: 'image', endings: ['.png', '.jpg', '.jpeg', '.webp'] },
+  { kind: 'video', endings: ['.mp4', '.webm', '.m4v'] },
+  { kind: 'audio', endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
+  { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
+];
+const SHADERS = /\.(fs|isf|glsl)$/i;
+const TABLES = /\.cube$/i;
+/** What sources of shadertoy.com are kept in. */
+const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;
+const VERTEX_SHADER = /\.vs$/i;
+const STEP_PX = 40;
+
+export function kindOfFile(name: string): AssetKind | 'shader' | null {
+  if (SHADERS.test(name)) return 'shader';
+  const lower = name.toLowerCase();
+  return KINDS.find(({ endings }) => endings.some((ending) => lower.endsWith(ending)))?.kind ?? null;
+}
+
+/** For file inputs. */
+export function acceptedNames(kind: AssetKind): string {
+  const { endings = [], also = [] } = KINDS.find((known) => known.kind === kind) ?? {};
+  return [...endings, ...also].join();
+}
+
+/** The part of `File` that is used. */
+export interface DroppedFile {
+  readonly name: string;
+  arrayBuffer(): Promise<ArrayBuffer>;
+}
+
+/**
+ * Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. A vertex shader
+ * goes with the shader of its name, and so do pictures with the shader that imports them.
+ */
+export function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
+  return editor.fileWork(() => addEach(editor, files, place));
+}
+
+async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
+  const added: string[] = [];
+  const { others, vertexOf, picturesOf } = await pairShaders(await packModels(editor, files));
+  for (const [index, file] of others.entries()) {
+    const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
+    const shadertoy = await readShadertoy(file);
+    if (shadertoy !== null) {
+      const node = addShadertoy(editor, { source: shadertoy, name: file.name.replace(/\.[^.]*$/, '') }, at);
+      if (node !== null) added.push(node);
+      continue;
+    }
+    if (TABLES.test(file.name)) {
+      added.push(...(await addCube(editor, { name: file.name, text: await textOf(file) }, at)));
+      continue;
+    }
+    const kind = kindOfFile(file.name);
+    if (kind === null) {
+      const text = VERTEX_SHADER.test(file.name)
+        ? `${file.name} goes with a shader of its name: drop both together.`
+        : `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr), a color table (.cube) nor an ISF shader (.fs).`;
+      addToast(editor.ui, { tone: 'error', text });
+      continue;
+    }
+    const node =
+      kind === 'shader'
+        ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), picturesOf.get(file)), at)
+        : await addAssetNode(editor, file, kind, at);
+    if (node !== null) added.push(node);
+  }
+  if (added.length > 0) selectOnly(editor.selection, added);
+}
+
+const MISSING_FIX = 'Bring in the model together with all its files, or as one .glb file.';
+
+/** Dropped files come without their folders, in which references may go up. */
+const SOMEWHERE = 'a/b/c/';
+
+/** The files with each `.gltf` and what it refers to as one; where something is missing, that is said and the model left out. */
+async function packModels(editor: Editor, files: readonly DroppedFile[]): Promise<readonly DroppedFile[]> {
+  const taken = new Set<DroppedFile>();
+  const models: DroppedFile[] = [];
+  for (const file of files.filter(({ name }) => isGltf(name))) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const beside = (path: string) => named(files, path.slice(path.lastIndexOf('/') + 1));
+    const read = async (path: string) => {
+      const found = beside(path);
+      return found ? new Uint8Array(await found.arrayBuffer()) : null;
+    };
+    const whole = await wholeModel(`${SOMEWHERE}${file.name}`, bytes, MISSING_FIX, read);
+    for (const used of [file, ...whole.beside.map(beside)]) if (used) taken.add(used);
+    if (whole.diagnostic !== null) toastDiagnostic(editor.ui, whole.diagnostic);
+    if (whole.file !== null) models.push(fileOf(whole.file));
+  }
+  return [...models, ...files.filter((file) => !taken.has(file))];
+}
+
+function fileOf({ name, bytes }: ModelFile): DroppedFile {
+  return { name, arrayBuffer: async () => bytes.buffer };
+}
+
+/** Pictures that a shader imports, by the path in its header. */
+type Pictures = ReadonlyMap<string, DroppedFile>;
+
+interface PairedFiles {
+  /** All but the vertex shaders and pictures that a shader brings along. */
+  readonly others: readonly DroppedFile[];
+  readonly vertexOf: ReadonlyMap<DroppedFile, DroppedFile>;
+  readonly picturesOf: ReadonlyMap<DroppedFile, Pictures>;
+}
+
+async function pairShaders(files: readonly DroppedFile[]): Promise<PairedFiles> {
+  const vertexOf = new Map<DroppedFile, DroppedFile>();
+  const picturesOf = new Map<DroppedFile, Pictures>();
+  const paired = new Set<DroppedFile>();
+  for (const file of files) {
+    if (!SHADERS.test(file.name)) continue;
+    const vertex = named(files, companionOf(file.name));
+    if (vertex) vertexOf.set(file, vertex);
+    const imported = readIsf(await textOf(file), file.name).output?.imported ?? [];
+    const pictures = new Map<string, DroppedFile>();
+    for (const path of imported.flatMap(({ paths }) => paths)) {
+      const picture = named(files, path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1));
+      if (picture) pictures.set(path, picture);
+    }
+    picturesOf.set(file, pictures);
+    for (const used of [vertex, ...pictures.values()]) if (used) paired.add(used);
+  }
+  return { others: files.filter((file) => !paired.has(file)), vertexOf, picturesOf };
+}
+
+/** Dropped files come without their folders. */
+function named(files: readonly DroppedFile[], wanted: string): DroppedFile | undefined {
+  return files.find(({ name }) => name.toLowerCase() === wanted.toLowerCase());
+}
+
+/** Its pictures become files of the project, and its header says where they are now. */
+async function readShaderFile(
+  editor: Editor,
+  file: DroppedFile,
+  vertex: DroppedFile | undefined,
+  pictures: Pictures = new Map(),
+): Promise<ForeignShader> {
+  const moved = new Map<string, string>();
+  for (const [path, picture] of pictures) {
+    const imported = await importFile(editor, picture, 'image');
+    if (imported !== null) moved.set(path, `../${imported.path}`);
+  }
+  const text = moveImported(await textOf(file), moved);
+  return { name: file.name, text, ...(vertex && { vertex: await textOf(vertex) }) };
+}
+
+/** A file's text where it is a source of shadertoy.com, else null. */
+async function readShadertoy(file: DroppedFile): Promise<string | null> {
+  if (!SOURCES.test(file.name)) return null;
+  const text = await textOf(file);
+  return isShadertoy(text) ? text : null;
+}
+
+async function textOf(file: DroppedFile): Promise<string> {
+  return new TextDecoder().decode(await file.arrayBuffer());
+}
+
+/** Copies a file into the project, of a model all of its files, and makes an asset of it; its id, or null where that was refused. */
+export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: AssetKind): Promise<string | null> {
+  return editor.fileWork(async () => {
+    const [first, ...others] = await packModels(editor, files);
+    const file = [first, ...others].find((candidate) => candidate && kindOfFile(candidate.name) === kind) ?? first;
+    if (!file) return null;
+    const imported = await importFile(editor, file, kind);
+    if (imported === null) return null;
+    const { project } = editor.document.getState();
+    const id = makeAssetId(project, imported.path, editor.random);
+    return apply(editor, `Import ${file.name}`, putAsset(project, { id, asset: imported })) ? id : null;
+  });
+}
+
+async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): Promise<Asset | null> {
+  const { open } = editor.document.getState();
+  if (open === null) return null;
+  try {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const { path } = await editor.host.call('asset.import', { handle: open.handle, name: file.name, bytes });
+    return { path, kind };
+  } catch (error) {
+    showRefusal(editor, error);
+    return null;
+  }
+}
+
+/** One step: the asset, and the node of the library that brings such files. */
+async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, place: Place): Promise<string | null> {
+  const source = sourceOf(editor.document.getState().library, kind);
+  const asset = await importFile(editor, file, kind);
+  if (asset === null) return null;
+  const { project, library, graph } = editor.document.getState();
+  const assetId = makeAssetId(project, asset.path, editor.random);
+  if (source === null) {
+    apply(editor, `Import ${file.name}`, putAsset(project, { id: assetId, asset }));
+    return null;
+  }
+  const id = makeNodeId(project, source.type, editor.random);
+  const change = inTurn(
+    project,
+    (before) => putAsset(before, { id: assetId, asset }),
+    (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),
+  );
+  return apply(editor, `Add ${file.name}`, change) ? id : null;
+}
+
+/** The first source whose asset param takes the kind. */
+function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: string; readonly param: string } | null {
+  for (const type of library.types()) {
+    const definition = library.definition(type);
+    if (definition?.lowering.kind !== 'source') continue;
+    const param = Object.entries(definition.params).find(([, candidate]) => candidate.type === 'asset' && candidate.accept === kind);
+    if (param) return { type, param: param[0] };
+  }
+  return null;
+}

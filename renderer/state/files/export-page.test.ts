@@ -1,0 +1,113 @@
+import { describe, expect, test } from '@jest/globals';
+import { newProject } from '../../../export/graph/new-project.ts';
+import { openTestEditor, type TestEditor } from '../../../tests/support/test-editor.ts';
+import type { Editor } from '../editor/editor.ts';
+import { createPosterRequests } from '../preview-sync/preview-posters.ts';
+import { followHost } from '../start.ts';
+import { cancelExport, exportPage } from './export-page.ts';
+import { openPath } from './files.ts';
+
+const JPEG = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0);
+
+function texts({ ui }: Editor): string[] {
+  return ui.getState().toasts.map(({ text }) => text);
+}
+
+/** What the host was asked to export with. */
+function asked({ host }: TestEditor) {
+  return host.calls.find(({ method }) => method === 'export.run')?.input;
+}
+
+describe('an export from the editor', () => {
+  test('takes the picture of the preview along', async () => {
+    const opened = await openTestEditor();
+    const { editor } = opened;
+    editor.posters.take = async ({ widthPx, heightPx }) => (widthPx === 1200 && heightPx === 630 ? JPEG : null);
+    expect(await exportPage(editor, '/page')).toBe(true);
+    expect(asked(opened)).toMatchObject({ out: '/page', poster: JPEG });
+    expect(texts(editor)).toEqual(['Exported to /page.']);
+    expect(editor.ui.getState().exporting).toBeNull();
+  });
+
+  test('does without one where there is no preview, or it does not answer', async () => {
+    const opened = await openTestEditor();
+    const { editor, clock } = opened;
+    expect(await exportPage(editor, '/page')).toBe(true);
+    expect(asked(opened)).toMatchObject({ poster: null });
+
+    editor.preview.setState({ ready: true });
+    const sent: unknown[] = [];
+    const pictures = createPosterRequests(editor, (message) => void sent.push(message));
+    const taken = pictures.take({ widthPx: 12, heightPx: 6 });
+    expect(sent).toEqual([{ kind: 'poster', request: 1, widthPx: 12, heightPx: 6 }]);
+    clock.pass(60_000);
+    expect(await taken).toBeNull();
+
+    // It answers late, when another is waited for.
+    const next = pictures.take({ widthPx: 24, heightPx: 12 });
+    pictures.deliver(1, new Uint8Array(1));
+    pictures.deliver(2, JPEG);
+    expect(await next).toBe(JPEG);
+  });
+
+  test('is cancelled by another project that is opened, and says no more than that', async () => {
+    const opened = await openTestEditor();
+    const { editor, host } = opened;
+    host.answer('export.run', async ({ out }) => {
+      await openPath(editor, '/other');
+      return { ok: false, out, diagnostics: [], bytes: 0 };
+    });
+    expect(await exportPage(editor, '/page')).toBe(false);
+    expect(texts(editor)).toEqual(['The export was cancelled.']);
+    expect(editor.ui.getState().bottom).toBeNull();
+  });
+
+  test('tells what it is at, of its own project alone, and can be cancelled', async () => {
+    const opened = await openTestEditor(newProject('Test'));
+    const { host, editor } = opened;
+    let finish = () => {};
+    const cancelled = new Promise<void>((resolve) => {
+      finish = resolve;
+    });
+    host.answer('export.run', async ({ out }) => {
+      await cancelled;
+      return { ok: false, out, diagnostics: [], bytes: 0 };
+    });
+    const stop = followHost(editor);
+    const exported = exportPage(editor, '/page');
+    const handle = editor.document.getState().open?.handle ?? '';
+    while (asked(opened) === undefined) await Promise.resolve();
+    const text = () => editor.ui.getState().exporting?.text;
+    host.emit({ kind: 'export-progress', handle, text: 'Compressing assets/robot.glb…' });
+    expect(text()).toBe('Compressing assets/robot.glb…');
+    host.emit({ kind: 'export-progress', handle: 'another0another0', text: 'Writing…' });
+    expect(text()).toBe('Compressing assets/robot.glb…');
+
+    await cancelExport(editor);
+    expect(host.calls.at(-1)).toEqual({ method: 'export.cancel', input: { handle } });
+    host.emit({ kind: 'export-progress', handle, text: 'Writing file 2…' });
+    expect(text()).toBe('Cancelling…');
+    finish();
+    expect(await exported).toBe(false);
+    expect(texts(editor)).toEqual(['The export was cancelled.']);
+    stop();
+  });
+
+  test('that is cancelled before it reaches the host never does', async () => {
+    const opened = await openTestEditor();
+    const exported = exportPage(opened.editor, '/page');
+    await cancelExport(opened.editor);
+    expect(await exported).toBe(false);
+    expect(asked(opened)).toBeUndefined();
+  });
+
+  test('is refused with a shader that the driver of the preview refuses', async () => {
+    const opened = await openTestEditor();
+    const { editor } = opened;
+    editor.preview.setState({ shaderDiagnostics: [{ code: 'SCR042', severity: 'error', message: '"glow": undeclared identifier' }] });
+    expect(await exportPage(editor, '/page')).toBe(false);
+    expect(asked(opened)).toBeUndefined();
+    expect(texts(editor)).toEqual(['"glow": undeclared identifier']);
+    expect(editor.ui.getState()).toMatchObject({ bottom: 'problems', exporting: null });
+  });
+});

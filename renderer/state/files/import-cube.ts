@@ -1,0 +1,59 @@
+import { lutPicture } from '../../../export/glsl/lut/lut-picture.ts';
+import { readCube } from '../../../export/glsl/lut/read-cube.ts';
+import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
+import { inTurn } from '../../../export/graph/commands/change.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { connect } from '../../../export/graph/commands/wire-commands.ts';
+import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
+import type { Project } from '../../../export/graph/project.ts';
+import { apply } from '../document/apply.ts';
+import type { Place } from '../editor/canvas-state.ts';
+import type { Editor } from '../editor/editor.ts';
+import { toastDiagnostic } from '../editor/ui.ts';
+import { showRefusal } from './files.ts';
+
+const PICTURE = 'source/image-file';
+const TABLE = 'operator/color-lut';
+const BETWEEN_PX = 260;
+
+/**
+ * One step: a color table (.cube) becomes a picture of the project, and two nodes: the picture, wired to the operator that grades by
+ * it. Their ids, or none where something is wrong, which is shown.
+ */
+export async function addCube(
+  editor: Editor,
+  { name, text }: { readonly name: string; readonly text: string },
+  place: Place,
+): Promise<string[]> {
+  const { output, diagnostics } = readCube(text, name);
+  for (const { line, message, fix, ...diagnostic } of diagnostics) {
+    const where = line === undefined ? name : `${name}, line ${line}`;
+    toastDiagnostic(editor.ui, { ...diagnostic, message: `${where}: ${message}`, ...(fix === undefined ? {} : { fix }) });
+  }
+  const { open } = editor.document.getState();
+  if (output === null || open === null) return [];
+  const { widthPx, heightPx, size, columns, rgba } = lutPicture(output);
+  // Few need it, so few load it.
+  const { encode } = await import('fast-png');
+  let path: string;
+  try {
+    const bytes = Uint8Array.from(encode({ width: widthPx, height: heightPx, data: rgba, channels: 4, depth: 8 }));
+    ({ path } = await editor.host.call('asset.import', { handle: open.handle, name: name.replace(/\.cube$/i, '.png'), bytes }));
+  } catch (error) {
+    showRefusal(editor, error);
+    return [];
+  }
+  const { project, library, graph } = editor.document.getState();
+  const asset = makeAssetId(project, path, editor.random);
+  const picture = makeNodeId(project, PICTURE, editor.random);
+  const table = makeNodeId(project, TABLE, editor.random);
+  const right = { x: place.x + BETWEEN_PX, y: place.y };
+  const change = inTurn(
+    project,
+    (before: Project) => putAsset(before, { id: asset, asset: { path, kind: 'image' } }),
+    (before: Project) => addNode(before, { library, graph, id: picture, type: PICTURE, ...place, params: { file: asset } }),
+    (before: Project) => addNode(before, { library, graph, id: table, type: TABLE, ...right, params: { size, columns } }),
+    (before: Project) => connect(before, { library, graph, from: { node: picture, port: 'layer' }, to: { node: table, port: 'table' } }),
+  );
+  return apply(editor, `Add ${name}`, change) ? [picture, table] : [];
+}

@@ -1,0 +1,213 @@
+import { describe, expect, test } from '@jest/globals';
+import { openTestEditor } from '../../../tests/support/test-editor.ts';
+import type { ToPreview } from '../../preview-protocol.ts';
+import { undo } from '../document/apply.ts';
+import { graphOf, nodeOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { selectOnly, soleNode } from '../editor/selection.ts';
+import { filesOf } from '../files/files.ts';
+import { addNodeFromPalette, connect, toggleMuted } from '../graph/edit-graph.ts';
+import { createSubgraph, openSubgraph, setPortExposed } from '../graph/subgraphs.ts';
+import { bindExpression } from '../params/bind-params.ts';
+import { editParam } from '../params/edit-params.ts';
+import { toggleKey } from '../params/keyframes.ts';
+import { cancelDrag, createGizmos, currentGizmoTarget } from './apply-gizmo.ts';
+
+function add(editor: Editor, type: string): string {
+  const definition = editor.document.getState().library.definition(type);
+  const id = definition ? addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null) : null;
+  if (id === null) throw new Error(`${type} was not added.`);
+  return id;
+}
+
+/** A box that goes through two Transforms, side by side, into a scene. */
+async function boxes() {
+  const { editor } = await openTestEditor();
+  const box = add(editor, 'objects/primitive');
+  const [left, right] = [add(editor, 'objects/transform'), add(editor, 'objects/transform')];
+  const scene = add(editor, 'layer/scene');
+  for (const transform of [left, right]) {
+    connect(editor, { node: box, port: 'objects' }, { node: transform, port: 'objects' });
+    connect(editor, { node: transform, port: 'objects' }, { node: scene, port: 'objects' });
+  }
+  const posted: ToPreview[] = [];
+  const gizmos = createGizmos(editor, (message) => posted.push(message));
+  const shown = () => posted.filter((message) => message.kind === 'gizmo').at(-1)?.gizmo ?? null;
+  const drag = (values: Readonly<Record<string, number | readonly number[]>>, state: 'moved' | 'ended' = 'moved') =>
+    gizmos.take({ kind: 'gizmo', state, values });
+  return { editor, box, left, right, scene, gizmos, shown, drag, posted };
+}
+
+const position = (editor: Editor, node: string) => nodeOf(editor.document.getState(), node)?.params.positionM;
+
+describe('what is taken hold of', () => {
+  test('a Transform by its own place; a box by its own size, and by the place of what comes after it', async () => {
+    const { editor, box, left, right, shown } = await boxes();
+    selectOnly(editor.selection, [left]);
+    const handles = { position: 'positionM', rotation: 'rotationRad', scale: 'scale' };
+    expect(shown()).toMatchObject({ node: left, mode: 'move', space: 'world', handles });
+    selectOnly(editor.selection, [box]);
+    expect([left, right]).toContain(shown()?.node);
+    editor.gizmo.setState({ mode: 'scale' });
+    expect(shown()).toMatchObject({ node: box, handles: { scale: 'sizeM' } });
+  });
+
+  test('by the way that the clicked object went', async () => {
+    const { editor, box, right, scene, gizmos, shown } = await boxes();
+    gizmos.take({ kind: 'picked', way: [box, right, scene], phantom: false });
+    expect(soleNode(editor.selection.getState())).toBe(box);
+    expect(shown()).toMatchObject({ node: right, way: [box, right, scene] });
+    gizmos.take({ kind: 'picked', way: [box, right, scene], phantom: false });
+    expect(soleNode(editor.selection.getState())).toBe(right);
+  });
+
+  test('not the surfaces that a device finds', async () => {
+    const { editor, scene, gizmos } = await boxes();
+    const planes = add(editor, 'world/planes');
+    selectOnly(editor.selection, []);
+    gizmos.take({ kind: 'picked', way: [planes, scene], phantom: true });
+    expect(soleNode(editor.selection.getState())).toBe(null);
+  });
+
+  test('not what a wire or an expression decides, and it says so; muted Transforms are passed by', async () => {
+    const { editor, left, right, box } = await boxes();
+    selectOnly(editor.selection, [left]);
+    bindExpression(editor, left, 'positionM', '[sin(time), 0, 0]');
+    expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: '“Position” of Transform follows an expression.' });
+    expect(currentGizmoTarget(editor, 'rotate').target?.node).toBe(left);
+    const vector = add(editor, 'value/make-vector3');
+    connect(editor, { node: vector, port: 'vector' }, { node: right, port: 'positionM' });
+    selectOnly(editor.selection, [right]);
+    expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: '“Position” of Transform comes by a wire.' });
+    toggleMuted(editor);
+    editor.gizmo.setState({ way: [box, right] });
+    expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: null, reason: expect.stringContaining('by itself') });
+  });
+
+  test('nothing where a node has no place, and of a model without a Transform what to do', async () => {
+    const { editor } = await boxes();
+    selectOnly(editor.selection, [add(editor, 'filter/sepia')]);
+    expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: null });
+    selectOnly(editor.selection, [add(editor, 'source/model')]);
+    expect(currentGizmoTarget(editor, 'move')).toMatchObject({
+      reason: 'Model cannot be moved by itself. Wire its objects through a Transform.',
+    });
+  });
+
+  test('in a subgraph, and from outside by what it shows', async () => {
+    const { editor, left, box, shown, drag } = await boxes();
+    selectOnly(editor.selection, [box, left]);
+    createSubgraph(editor);
+    const [outer = ''] = editor.selection.getState().nodes;
+    openSubgraph(editor, 'subgraph');
+    selectOnly(editor.selection, [left]);
+    expect(shown()).toMatchObject({ node: `${outer}/${left}` });
+    setPortExposed(editor, 'inputs', { node: left, port: 'positionM' }, true);
+    const { trail } = editor.document.getState();
+    editor.document.setState({ graph: trail[0] ?? 'main', trail: [] });
+    selectOnly(editor.selection, [outer]);
+    expect(shown()).toMatchObject({ node: `${outer}/${left}`, handles: { position: 'positionM' } });
+    drag({ positionM: [1, 0, 0] });
+    drag({ positionM: [2, 0, 0] }, 'ended');
+    const face = editor.document.getState().library.definition(nodeOf(editor.document.getState(), outer)?.type ?? '');
+    const [name = ''] = Object.keys(face?.params ?? {});
+    expect(nodeOf(editor.document.getState(), outer)?.params[name]).toEqual({ value: [2, 0, 0] });
+  });
+});
+
+describe('a drag', () => {
+  test('is one step, rounded and within the param’s range, and the next is another', async () => {
+    const { editor, left, drag } = await boxes();
+    selectOnly(editor.selection, [left]);
+    const before = filesOf(editor);
+    drag({ positionM: [0.1, 0.2, 0.300000001] });
+    drag({ positionM: [0.2, 0.2, 99] });
+    drag({ positionM: [0.30000000000000004, 0.2, 99] }, 'ended');
+    expect(position(editor, left)).toEqual({ value: [0.3, 0.2, 10] });
+    drag({ positionM: [1, 0, 0] });
+    drag({ positionM: [2, 0, 0] }, 'ended');
+    undo(editor);
+    expect(position(editor, left)).toEqual({ value: [0.3, 0.2, 10] });
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('of two params is one step, too', async () => {
+    const { editor, drag } = await boxes();
+    const sun = add(editor, 'light/directional');
+    selectOnly(editor.selection, [sun]);
+    editor.gizmo.setState({ mode: 'rotate' });
+    const before = filesOf(editor);
+    drag({ azimuthRad: 1, elevationRad: 0.4 });
+    drag({ azimuthRad: 1.2, elevationRad: 0.5 }, 'ended');
+    expect(nodeOf(editor.document.getState(), sun)?.params).toEqual({ azimuthRad: { value: 1.2 }, elevationRad: { value: 0.5 } });
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('taken back leaves no step, and what was done before can still be undone', async () => {
+    const { editor, left, drag, shown } = await boxes();
+    selectOnly(editor.selection, [left]);
+    editParam(editor, left, 'scale', 2);
+    const { past } = editor.document.getState().history;
+    drag({ positionM: [1, 0, 0] });
+    cancelDrag(editor);
+    expect(position(editor, left)).toBeUndefined();
+    expect(editor.document.getState().history.past.length).toBe(past.length);
+    expect(editor.document.getState().history.future).toEqual([]);
+    // What the preview holds on to is there again.
+    expect(shown()).toMatchObject({ node: left });
+    drag({ positionM: [1, 0, 0] });
+    cancelDrag(editor);
+    undo(editor);
+    expect(nodeOf(editor.document.getState(), left)?.params.scale).toBeUndefined();
+  });
+
+  test('sets the key at the moment that is shown, where there are keyframes', async () => {
+    const { editor, left, drag } = await boxes();
+    selectOnly(editor.selection, [left]);
+    toggleKey(editor, left, 'positionM', 0);
+    const before = filesOf(editor);
+    editor.preview.setState({
+      status: { state: 'paused', frame: 30, timeS: 2, frameMs: 1, widthPx: 1, heightPx: 1, request: 0, late: false, worldFromView: null },
+    });
+    drag({ positionM: [1, 0, 0] });
+    drag({ positionM: [2, 0, 0] }, 'ended');
+    expect(position(editor, left)).toMatchObject({
+      track: {
+        keys: [
+          { timeS: 0, value: [0, 0, 0] },
+          { timeS: 2, value: [2, 0, 0] },
+        ],
+      },
+    });
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('of a node that goes away is over', async () => {
+    const { editor, left, drag, shown } = await boxes();
+    selectOnly(editor.selection, [left]);
+    drag({ positionM: [1, 0, 0] });
+    selectOnly(editor.selection, []);
+    expect(shown()).toBe(null);
+    expect(editor.gizmo.getState().drag).toBe(null);
+    drag({ positionM: [3, 0, 0] }, 'ended');
+    expect(position(editor, left)).toEqual({ value: [1, 0, 0] });
+    expect(graphOf(editor.document.getState()).wires.length).toBe(4);
+  });
+});
+
+test('keys pressed in the preview are for the editor, in the words of its shortcuts', async () => {
+  const { editor, left, gizmos, posted } = await boxes();
+  gizmos.tell();
+  expect(posted.find(({ kind }) => kind === 'keys')).toMatchObject({ keybindings: expect.arrayContaining(['Mod+Z', 'W', 'E', 'S', 'X']) });
+  selectOnly(editor.selection, [left]);
+  gizmos.take({ kind: 'key', keybinding: 'E' });
+  expect(editor.gizmo.getState().mode).toBe('rotate');
+  gizmos.take({ kind: 'key', keybinding: 'E' });
+  expect(editor.gizmo.getState().mode).toBe(null);
+  editor.ui.setState({ dialog: { kind: 'commands' } });
+  gizmos.take({ kind: 'key', keybinding: 'W' });
+  expect(editor.gizmo.getState().mode).toBe(null);
+});

@@ -1,0 +1,153 @@
+import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
+import { moveNodes } from '../../../export/graph/commands/layout-commands.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { setRoutes } from '../../../export/graph/commands/route-commands.ts';
+import { connect, disconnect, reorderWires } from '../../../export/graph/commands/wire-commands.ts';
+import { makeNodeId } from '../../../export/graph/document-names.ts';
+import { inputOf } from '../../../export/graph/library/node-interface.ts';
+import type { PortAddress, Project, Wire } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import { routeOf, type Stretch } from '../../../export/graph/routes.ts';
+import { printWire, sameAddress } from '../../../export/graph/wires.ts';
+import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
+import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
+import { conversion, type WireType } from '../../../nodes/kit/wire-types.ts';
+import { apply } from '../document/apply.ts';
+import type { Place, WireInHand } from '../editor/canvas-state.ts';
+import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { selectOnly } from '../editor/selection.ts';
+import { placesAfterInsert } from './insert-spacing.ts';
+import { fittingPort } from './palette-search.ts';
+import { stretchCalled } from './reroutes.ts';
+
+export interface WireTypes {
+  readonly from: WireType;
+  /** One for each wire. */
+  readonly to: readonly WireType[];
+}
+
+/** The types at the ends of what is drawn under an id, or null where one is unknown. */
+export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
+  const state = editor.document.getState();
+  const at = stretchCalled(state, stretch);
+  const definitionAt = (node: string) => state.library.definition(nodeOf(state, node)?.type ?? '');
+  const from = at && getOwn(definitionAt(at.source.node)?.outputs ?? {}, at.source.port)?.type;
+  const to = (at?.wires ?? []).flatMap(({ to: { node, port } }): WireType | [] => {
+    const definition = definitionAt(node);
+    return (definition && inputOf(definition, port)?.type) ?? [];
+  });
+  return from === undefined || to.length === 0 || to.length < (at?.wires.length ?? 0) ? null : { from, to };
+}
+
+/** The ports through which a wire can go, or null where it cannot go through such a node. */
+export function portsThrough(
+  definition: NodeDefinition,
+  { from, to }: WireTypes,
+): { readonly input: string; readonly output: string } | null {
+  const input = fittingPort(definition, { type: from, side: 'output' });
+  const output = Object.entries(definition.outputs).find(([, { type }]) => to.every((target) => conversion(type, target) !== 'none'))?.[0];
+  return input === null || output === undefined ? null : { input, output };
+}
+
+/** Whether a node that is let go over a wire goes into it: one that has no wires yet, and that the wire can go through. */
+export function canInsert(editor: Editor, node: string, stretch: string): boolean {
+  const state = editor.document.getState();
+  const isFree = graphOf(state).wires.every(({ from, to }) => from.node !== node && to.node !== node);
+  const definition = state.library.definition(nodeOf(state, node)?.type ?? '');
+  const types = wireTypes(editor, stretch);
+  return isFree && definition !== undefined && types !== null && portsThrough(definition, types) !== null;
+}
+
+/** Leads what is drawn under an id through a node: its wires keep their places among those of their ports, and their ways. */
+export function insertOnWire(editor: Editor, node: string, stretch: string): (project: Project) => Change {
+  const { library, graph } = editor.document.getState();
+  const at = stretchCalled(editor.document.getState(), stretch);
+  const types = wireTypes(editor, stretch);
+  return (project) => {
+    const definition = library.definition(getOwn(project.graphs[graph]?.nodes ?? {}, node)?.type ?? '');
+    const ports = definition && types ? portsThrough(definition, types) : null;
+    if (!at || !ports) return inTurn(project);
+    const output = { node, port: ports.output };
+    const led: RoutedWire = { from: at.source, to: { node, port: ports.input }, route: at.before };
+    return inTurn(project, ...replaceWires(editor, at, output), connectAlong(editor, led));
+  };
+}
+
+/** A wire and its way. */
+interface RoutedWire extends Wire {
+  readonly route: readonly string[];
+}
+
+/** Draws a wire along a way. */
+function connectAlong(editor: Editor, { from, to, route }: RoutedWire): (project: Project) => Change {
+  const { library, graph } = editor.document.getState();
+  return (project) =>
+    inTurn(
+      project,
+      (before) => connect(before, { library, graph, from, to }),
+      (before) => setRoutes(before, { graph, routes: { [printWire({ from, to })]: route } }),
+    );
+}
+
+/** What the wires of a stretch brought from before it comes from elsewhere now. */
+function replaceWires(editor: Editor, { wires, before: passed }: Stretch, from: PortAddress): ((project: Project) => Change)[] {
+  const layout = layoutOf(editor.document.getState());
+  return wires.map((wire) => replaceSource(editor, wire, { from, to: wire.to, route: routeOf(layout, wire).slice(passed.length) }));
+}
+
+/** Puts a wire in the place of one that ends at the same port. */
+export function replaceSource(editor: Editor, wire: Wire, led: RoutedWire): (project: Project) => Change {
+  const { graph } = editor.document.getState();
+  return (project) => {
+    const sources = (project.graphs[graph]?.wires ?? []).filter(({ to }) => sameAddress(to, wire.to)).map(({ from }) => from);
+    const inOrder = sources.map((from) => (sameAddress(from, wire.from) ? led.from : from));
+    return inTurn(
+      project,
+      (before) => disconnect(before, { graph, wires: [wire] }),
+      connectAlong(editor, led),
+      (before) => reorderWires(before, { graph, to: wire.to, from: inOrder }),
+    );
+  };
+}
+
+/** A node dragged onto a wire: its new place, the room that is made for it, and both wires are one step. */
+export function dropOnWire(editor: Editor, node: string, place: Place, stretch: string): boolean {
+  const state = editor.document.getState();
+  const { project, graph } = state;
+  const at = stretchCalled(state, stretch);
+  const positions = at ? placesAfterInsert(state, node, place, at) : { [node]: place };
+  const change = inTurn(project, (before) => moveNodes(before, { graph, positions }), insertOnWire(editor, node, stretch));
+  if (hasErrors(change.diagnostics)) return apply(editor, 'Move', moveNodes(project, { graph, positions: { [node]: place } }));
+  return apply(editor, `Insert ${titleOf(state, node)}`, change);
+}
+
+const OVER = 'operator/over';
+
+/** Whether a wire in hand may be let go over another one: a layer over a layer. */
+export function canLayOver(editor: Editor, inHand: WireInHand, stretch: string): boolean {
+  const state = editor.document.getState();
+  const at = stretchCalled(state, stretch);
+  const types = wireTypes(editor, stretch);
+  const isLayer = inHand.side === 'output' && [inHand.type, types?.from, ...(types?.to ?? [])].every((type) => type === 'layer');
+  return isLayer && at !== undefined && at.source.node !== inHand.node && state.library.definition(OVER) !== undefined;
+}
+
+/** A layer let go over a layer's wire is laid over what runs there, by an Over that goes into the wire. The node, or null. */
+export function layOver(editor: Editor, { node, port, route = [] }: WireInHand, stretch: string, place: Place): string | null {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const at = stretchCalled(state, stretch);
+  if (!at) return null;
+  const id = makeNodeId(project, OVER, editor.random);
+  const change = inTurn(
+    project,
+    (before) => addNode(before, { library, graph, id, type: OVER, ...place }),
+    ...replaceWires(editor, at, { node: id, port: 'layer' }),
+    connectAlong(editor, { from: at.source, to: { node: id, port: 'bottom' }, route: at.before }),
+    connectAlong(editor, { from: { node, port }, to: { node: id, port: 'top' }, route }),
+  );
+  if (!apply(editor, `Lay ${titleOf(state, node)} over`, change)) return null;
+  selectOnly(editor.selection, [id]);
+  return id;
+}

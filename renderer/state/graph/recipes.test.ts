@@ -1,0 +1,121 @@
+import { describe, expect, test } from '@jest/globals';
+import { openTestEditor } from '../../../tests/support/test-editor.ts';
+import { undo } from '../document/apply.ts';
+import type { WireInHand } from '../editor/canvas-state.ts';
+import { graphOf, nodeOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { soleNode } from '../editor/selection.ts';
+import { filesOf } from '../files/files.ts';
+import { addNodeFromPalette, connect } from './edit-graph.ts';
+import { canLayOver, layOver } from './insert-on-wire.ts';
+import { searchPalette } from './palette-search.ts';
+import { recipesOf } from './recipes.ts';
+
+const AT = { x: 300, y: 200 };
+
+/** As the palette does: what is first for a query, with a wire in hand. */
+function choose(editor: Editor, query: string, inHand: WireInHand | null = null): string {
+  const { library } = editor.document.getState();
+  const all = [...library.types()].flatMap((type) => library.definition(type) ?? []);
+  const combined = recipesOf(library).map(({ definition }) => definition);
+  const [first] = searchPalette([...all, ...combined], query, inHand);
+  const id = first ? addNodeFromPalette(editor, first, AT, inHand) : null;
+  if (id === null) throw new Error(`“${query}” added nothing.`);
+  return id;
+}
+
+const outOf = (node: string, type: WireInHand['type'], port: string = type): WireInHand => ({ node, port, type, side: 'output' });
+const wiresOf = (editor: Editor) => {
+  const typeOf = (id: string) => nodeOf(editor.document.getState(), id)?.type.split('/')[1];
+  return graphOf(editor.document.getState())
+    .wires.map(({ from, to }) => `${typeOf(from.node)} > ${typeOf(to.node)}.${to.port}`)
+    .sort();
+};
+
+describe('a combination', () => {
+  test('draws objects with a technique, by the technique’s name alone, in one step', async () => {
+    const { editor } = await openTestEditor();
+    const model = choose(editor, 'model');
+    const before = filesOf(editor);
+    const apply = choose(editor, 'cartoon', outOf(model, 'objects'));
+    expect(nodeOf(editor.document.getState(), apply)?.type).toBe('objects/apply-technique');
+    expect(soleNode(editor.selection.getState())).toBe(apply);
+    expect(wiresOf(editor)).toEqual(['model > apply-technique.objects', 'toon > apply-technique.technique']);
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+  });
+
+  test('of a shadow on the floor takes the only light and the room’s depth along', async () => {
+    const { editor } = await openTestEditor();
+    const model = choose(editor, 'model');
+    const sun = choose(editor, 'directional');
+    choose(editor, 'shadow on floor', outOf(model, 'objects'));
+    expect(wiresOf(editor)).toEqual([
+      'depth > depth-occlusion.depth',
+      'directional > shadow.lights',
+      'model > shadow.casters',
+      'phantom > shadow.receivers',
+      'primitive > phantom.objects',
+      'shadow > depth-occlusion.layer',
+    ]);
+    const lights = Object.entries(graphOf(editor.document.getState()).nodes).filter(([, { type }]) => type === 'light/directional');
+    expect(lights.map(([id]) => id)).toEqual([sun]);
+  });
+
+  test('is not what a search for the node itself finds first', async () => {
+    const { editor } = await openTestEditor();
+    const [shadow, toon] = [choose(editor, 'shadow'), choose(editor, 'toon')];
+    expect(nodeOf(editor.document.getState(), shadow)?.type).toBe('layer/shadow');
+    expect(nodeOf(editor.document.getState(), toon)?.type).toBe('technique/toon');
+  });
+});
+
+describe('what a new node cannot do without', () => {
+  test('comes with it where only one node can give it, and is shared by the next', async () => {
+    const { editor } = await openTestEditor();
+    const scene = choose(editor, 'scene');
+    choose(editor, 'depth occlusion', outOf(scene, 'layer'));
+    choose(editor, 'depth occlusion', outOf(scene, 'layer'));
+    const nodes = Object.values(graphOf(editor.document.getState()).nodes).map(({ type }) => type);
+    expect(nodes.filter((type) => type === 'world/depth')).toHaveLength(1);
+    expect(wiresOf(editor).filter((wire) => wire === 'depth > depth-occlusion.depth')).toHaveLength(2);
+  });
+
+  test('is left to the person where there is a choice', async () => {
+    const { editor } = await openTestEditor();
+    choose(editor, 'directional');
+    choose(editor, 'point light');
+    choose(editor, 'shadow');
+    expect(wiresOf(editor)).toEqual([]);
+  });
+});
+
+describe('a layer let go over a layer’s wire', () => {
+  async function videoOnScreen() {
+    const { editor } = await openTestEditor();
+    const [video, screen] = [choose(editor, 'camera video'), choose(editor, 'screen')];
+    connect(editor, { node: video, port: 'layer' }, { node: screen, port: 'layer' });
+    return { editor, video, wire: `${video}.layer -> ${screen}.layer` };
+  }
+
+  test('is laid over it, in one step', async () => {
+    const { editor, video, wire } = await videoOnScreen();
+    const scene = outOf(choose(editor, 'scene'), 'layer');
+    const before = filesOf(editor);
+    expect(canLayOver(editor, scene, wire)).toBe(true);
+    expect(soleNode(editor.selection.getState())).not.toBeNull();
+    layOver(editor, scene, wire, AT);
+    expect(wiresOf(editor)).toEqual(['camera-video > over.bottom', 'over > screen.layer', 'scene > over.top']);
+    undo(editor);
+    expect(filesOf(editor)).toEqual(before);
+    // Over itself there is nothing to lay it.
+    expect(canLayOver(editor, outOf(video, 'layer'), wire)).toBe(false);
+  });
+
+  test('but nothing else is', async () => {
+    const { editor, wire } = await videoOnScreen();
+    expect(canLayOver(editor, outOf(choose(editor, 'model'), 'objects'), wire)).toBe(false);
+    const scene = choose(editor, 'scene');
+    expect(canLayOver(editor, { node: scene, port: 'objects', type: 'objects', side: 'input' }, wire)).toBe(false);
+  });
+});

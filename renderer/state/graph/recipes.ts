@@ -1,0 +1,181 @@
+import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { connect } from '../../../export/graph/commands/wire-commands.ts';
+import { makeNodeId } from '../../../export/graph/document-names.ts';
+import type { ParamValue, PortAddress, Project } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import { defineNode, type InputPort, type NodeDefinition, type NodeLibrary, type OutputPort } from '../../../nodes/kit/definition.ts';
+import type { Place } from '../editor/canvas-state.ts';
+
+/** Nodes that are nearly always wanted together, as one entry of the palette. Once added they are nodes like any others. */
+export interface Recipe {
+  /** As the palette shows it; `combination/NAME`. Its ports are those of `ports`. */
+  readonly definition: NodeDefinition;
+  /** By a name within the combination; the first is the one that is selected and stands at the place. */
+  readonly nodes: Readonly<Record<string, RecipeNode>>;
+  readonly wires: readonly (readonly [from: string, to: string])[];
+  /** The combination's port → `node.port` within. */
+  readonly ports: Readonly<Record<string, string>>;
+}
+
+interface RecipeNode extends Place {
+  readonly type: string;
+  readonly params?: Readonly<Record<string, ParamValue>>;
+}
+
+interface RecipeData extends Omit<Recipe, 'definition' | 'ports'> {
+  readonly name: string;
+  readonly title: string;
+  readonly doc: string;
+  readonly keywords: readonly string[];
+  readonly inputs: Readonly<Record<string, string>>;
+  readonly outputs: Readonly<Record<string, string>>;
+}
+
+const COLUMN_PX = 240;
+const ROW_PX = 120;
+
+const FLOOR = {
+  plane: { type: 'objects/primitive', params: { shape: 'plane', sizeM: [5, 0, 5] } },
+  floor: { type: 'objects/phantom' },
+} as const;
+
+const RECIPES: readonly RecipeData[] = [
+  {
+    name: 'real-floor',
+    title: 'Real floor',
+    doc: 'A phantom of five by five meters that lies where the real floor is, to catch shadows. Comes as a Primitive and a Phantom.',
+    keywords: ['ground', 'plane', 'shadow catcher', 'phantom'],
+    nodes: { floor: { ...FLOOR.floor, x: 0, y: 0 }, plane: { ...FLOOR.plane, x: -COLUMN_PX, y: 0 } },
+    wires: [['plane.objects', 'floor.objects']],
+    inputs: {},
+    outputs: { objects: 'floor.objects' },
+  },
+  {
+    name: 'shadow-on-floor',
+    title: 'Shadow on the real floor',
+    doc: 'The shadow of objects on the floor of the room, hidden where real things stand before it, as a layer to lay over the video. Comes as a Shadow layer with a Phantom of the floor, and a Depth occlusion.',
+    keywords: ['shadow catcher', 'ground', 'contact'],
+    nodes: {
+      shadow: { type: 'layer/shadow', x: 0, y: 0 },
+      // Depth sensors are off by a few centimeters, and the floor lies in the very plane that it is compared with.
+      clip: { type: 'layer/depth-occlusion', params: { biasM: 0.06, softnessM: 0.04 }, x: COLUMN_PX, y: 0 },
+      floor: { ...FLOOR.floor, x: -COLUMN_PX, y: ROW_PX },
+      plane: { ...FLOOR.plane, x: -2 * COLUMN_PX, y: ROW_PX },
+    },
+    wires: [
+      ['plane.objects', 'floor.objects'],
+      ['floor.objects', 'shadow.receivers'],
+      ['shadow.layer', 'clip.layer'],
+    ],
+    inputs: { casters: 'shadow.casters', lights: 'shadow.lights' },
+    outputs: { layer: 'clip.layer' },
+  },
+];
+
+/** All that a library has the nodes for, with one for each technique: the technique, applied to objects. */
+export function recipesOf(library: NodeLibrary): readonly Recipe[] {
+  const techniques = [...library.types()].flatMap((type) => {
+    const definition = library.definition(type);
+    return definition?.lowering.kind === 'technique' ? [appliedTechnique(definition)] : [];
+  });
+  return [...RECIPES, ...techniques].flatMap((recipe) => toRecipe(library, recipe) ?? []);
+}
+
+function appliedTechnique({ type, title, doc, keywords = [] }: NodeDefinition): RecipeData {
+  return {
+    name: `on-objects-${type.replaceAll('/', '-')}`,
+    title: `${title} on objects`,
+    doc: `${doc} Comes with the Set material that draws the objects so.`,
+    keywords,
+    nodes: { apply: { type: 'objects/apply-technique', x: 0, y: 0 }, technique: { type, x: -COLUMN_PX, y: ROW_PX } },
+    wires: [['technique.technique', 'apply.technique']],
+    inputs: { objects: 'apply.objects' },
+    outputs: { objects: 'apply.objects' },
+  };
+}
+
+function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wires, inputs, outputs }: RecipeData): Recipe | null {
+  if (Object.values(nodes).some(({ type }) => library.definition(type) === undefined)) return null;
+  const definitionOf = (address: string) => {
+    const { node, port } = parse(address);
+    return { definition: library.definition(getOwn(nodes, node)?.type ?? ''), port };
+  };
+  const taken: Record<string, InputPort> = {};
+  for (const [port, address] of Object.entries(inputs)) {
+    const inner = definitionOf(address);
+    const found = inner.definition?.inputs[inner.port];
+    if (found) taken[port] = found;
+  }
+  const given: Record<string, OutputPort> = {};
+  for (const [port, address] of Object.entries(outputs)) {
+    const inner = definitionOf(address);
+    const found = inner.definition?.outputs[inner.port];
+    if (found) given[port] = found;
+  }
+  const definition = defineNode({
+    type: `combination/${name}`,
+    version: 1,
+    title,
+    doc,
+    keywords,
+    inputs: taken,
+    outputs: given,
+    params: {},
+    lowering: { kind: 'behavior' },
+  });
+  return { definition, nodes, wires, ports: { ...inputs, ...outputs } };
+}
+
+export interface AddedRecipe {
+  /** The node that it is about. */
+  readonly main: string;
+  readonly ids: readonly string[];
+  /** Where the combination's own ports ended up. */
+  readonly portOf: (port: string) => PortAddress | null;
+  readonly change: (project: Project) => Change;
+}
+
+export function addRecipe(
+  combination: Recipe,
+  { library, graph, random, project, x, y }: Place & { library: NodeLibrary; graph: string; random: () => number; project: Project },
+): AddedRecipe {
+  const ids = new Map(Object.entries(combination.nodes).map(([name, { type }]) => [name, makeNodeId(project, type, random)]));
+  const idOf = (name: string) => ids.get(name) ?? name;
+  const place = (address: string): PortAddress => {
+    const { node, port } = parse(address);
+    return { node: idOf(node), port };
+  };
+  const adds = Object.entries(combination.nodes).map(
+    ([name, node]) =>
+      (before: Project): Change =>
+        addNode(before, {
+          library,
+          graph,
+          id: idOf(name),
+          type: node.type,
+          x: x + node.x,
+          y: y + node.y,
+          ...(node.params && { params: node.params }),
+        }),
+  );
+  const wires = combination.wires.map(
+    ([from, to]) =>
+      (before: Project): Change =>
+        connect(before, { library, graph, from: place(from), to: place(to) }),
+  );
+  return {
+    main: [...ids.values()][0] ?? '',
+    ids: [...ids.values()],
+    portOf: (port) => {
+      const address = getOwn(combination.ports, port);
+      return address === undefined ? null : place(address);
+    },
+    change: (before) => inTurn(before, ...adds, ...wires),
+  };
+}
+
+function parse(address: string): PortAddress {
+  const [node = '', port = ''] = address.split('.');
+  return { node, port };
+}

@@ -1,0 +1,102 @@
+import { inTurn } from '../../../export/graph/commands/change.ts';
+import { putReroute, setRoutes } from '../../../export/graph/commands/route-commands.ts';
+import { makeLayoutId } from '../../../export/graph/document-names.ts';
+import type { PortAddress, Wire } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import { routeOf, type Stretch, stretchesOf, wiresThrough } from '../../../export/graph/routes.ts';
+import { printWire } from '../../../export/graph/wires.ts';
+import { apply } from '../document/apply.ts';
+import type { Place } from '../editor/canvas-state.ts';
+import { graphOf, layoutOf, type OpenGraph, titleOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { itemId, itemOf } from '../editor/item-ids.ts';
+import { type Selection, selectOnly } from '../editor/selection.ts';
+import { portPlace } from './arrange.ts';
+
+/** What is drawn under an id: the last stretch of a wire is called as the wire is. */
+export function stretchCalled(state: OpenGraph, id: string): Stretch | undefined {
+  return stretchesOf(graphOf(state), layoutOf(state)).get(id);
+}
+
+/** The wires that are drawn under an id. */
+export function wiresOfStretch(state: OpenGraph, id: string): readonly string[] {
+  return stretchCalled(state, id)?.wires.map(printWire) ?? [];
+}
+
+/** Leads all wires that run there through a new point, and selects it. Returns its id, or null where no stretch has this id. */
+export function addReroute(editor: Editor, stretch: string, place: Place): string | null {
+  const state = editor.document.getState();
+  const { project, graph } = state;
+  const at = stretchCalled(state, stretch);
+  if (!at) return null;
+  const id = makeLayoutId(project, graph, 'reroute', editor.random);
+  const layout = layoutOf(state);
+  const routes = at.wires.map((wire) => [printWire(wire), [...at.before, id, ...routeOf(layout, wire).slice(at.before.length)]]);
+  const change = inTurn(
+    project,
+    (before) => putReroute(before, { graph, id, reroute: place }),
+    (before) => setRoutes(before, { graph, routes: Object.fromEntries(routes) }),
+  );
+  if (!apply(editor, 'Add reroute', change)) return null;
+  selectOnly(editor.selection, [], [], [itemId('reroute', id)]);
+  return id;
+}
+
+/** The one selected wire, and nothing else with it; null otherwise. */
+export function soleWire({ nodes, wires, items }: Selection): string | null {
+  const [only] = nodes.size + items.size === 0 && wires.size === 1 ? wires : [];
+  return only ?? null;
+}
+
+/** In the middle of the longest stretch of the selected wire. */
+export function addRerouteToSelected(editor: Editor): boolean {
+  const state = editor.document.getState();
+  const wire = soleWire(editor.selection.getState());
+  let longest: { readonly id: string; readonly lengthPx: number; readonly middle: Place } | null = null;
+  for (const [id, stretch] of stretchesOf(graphOf(state), layoutOf(state))) {
+    const [from, to] = endsOf(editor, stretch);
+    if (!from || !to || !stretch.wires.some((other) => printWire(other) === wire)) continue;
+    const lengthPx = Math.hypot(to.x - from.x, to.y - from.y);
+    if (longest === null || lengthPx > longest.lengthPx) {
+      longest = { id, lengthPx, middle: { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 } };
+    }
+  }
+  return longest !== null && addReroute(editor, longest.id, longest.middle) !== null;
+}
+
+function endsOf(editor: Editor, { source, wires, before, to }: Stretch): readonly [Place | undefined, Place | undefined] {
+  const { reroutes } = layoutOf(editor.document.getState());
+  const last = before.at(-1);
+  return [
+    last === undefined ? portPlace(editor, source, 'output') : getOwn(reroutes, last),
+    to === null ? portPlace(editor, wires[0].to, 'input') : getOwn(reroutes, to),
+  ];
+}
+
+export interface Branch {
+  /** The output that the reroute's wires come from. */
+  readonly from: PortAddress;
+  /** The way from there, the reroute included. */
+  readonly route: readonly string[];
+}
+
+/** Where a wire that is drawn from a reroute comes from; null where the canvas calls none so. */
+export function branchAt(state: OpenGraph, canvasId: string): Branch | null {
+  const item = itemOf(canvasId);
+  if (item?.kind !== 'reroute') return null;
+  const layout = layoutOf(state);
+  const [wire] = wiresThrough(graphOf(state), layout, item.id);
+  if (!wire) return null;
+  const route = routeOf(layout, wire);
+  return { from: wire.from, route: route.slice(0, route.indexOf(item.id) + 1) };
+}
+
+/** For those who cannot see it. */
+export function rerouteWords(state: OpenGraph, wires: readonly Wire[]): string {
+  const [first, ...more] = wires;
+  if (!first) return 'Reroute';
+  const from = titleOf(state, first.from.node);
+  return more.length === 0
+    ? `Reroute of the wire from ${from} to ${titleOf(state, first.to.node)}`
+    : `Reroute of ${wires.length} wires from ${from}`;
+}

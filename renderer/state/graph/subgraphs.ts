@@ -1,0 +1,145 @@
+import { inTurn } from '../../../export/graph/commands/change.ts';
+import { changeType } from '../../../export/graph/commands/change-type.ts';
+import { createSubgraph as createSubgraphFrom } from '../../../export/graph/commands/create-subgraph.ts';
+import { exposePort, hidePort, renameGraph } from '../../../export/graph/commands/subgraph-commands.ts';
+import { duplicateSubgraph, ungroupSubgraph } from '../../../export/graph/commands/ungroup-subgraph.ts';
+import { makeNodeId, subgraphName, subgraphType } from '../../../export/graph/document-names.ts';
+import { type ExposedPorts, MAIN_GRAPH, type PortAddress, type Project } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import { sameAddress } from '../../../export/graph/wires.ts';
+import { apply } from '../document/apply.ts';
+import { graphOf, layoutOf, nodeOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { selectNothing, selectOnly, soleNode } from '../editor/selection.ts';
+import { addToast, revealNodes } from '../editor/ui.ts';
+
+/** The subgraph that the one selected node stands for, or null. */
+export function selectedSubgraph(editor: Editor): string | null {
+  const node = soleNode(editor.selection.getState());
+  return node === null ? null : subgraphName(nodeOf(editor.document.getState(), node)?.type ?? '');
+}
+
+/** Shows what is in a subgraph of the open graph. */
+export function openSubgraph(editor: Editor, name: string): void {
+  const { graph, trail, project } = editor.document.getState();
+  if (getOwn(project.graphs, name) === undefined) return;
+  show(editor, name, [...trail, graph]);
+}
+
+/** Back along the way; `depth` 0 is the main graph. */
+export function openOnTrail(editor: Editor, depth: number): void {
+  const { trail } = editor.document.getState();
+  const graph = trail[depth];
+  if (graph !== undefined) show(editor, graph, trail.slice(0, depth));
+}
+
+export function leaveSubgraph(editor: Editor): void {
+  const { trail, graph } = editor.document.getState();
+  openOnTrail(editor, trail.length - 1);
+  // Where one came from is where one looks.
+  const stood = Object.entries(graphOf(editor.document.getState()).nodes).find(([, { type }]) => type === subgraphType(graph));
+  if (stood) selectOnly(editor.selection, [stood[0]]);
+}
+
+function show(editor: Editor, graph: string, trail: readonly string[]): void {
+  selectNothing(editor.selection);
+  editor.document.setState({ graph, trail });
+  // Once its nodes are on the canvas.
+  editor.clock.nextFrame(() => revealNodes(editor.ui, [], 'fit'));
+}
+
+/** Puts the selected nodes into a new subgraph and selects the node in their place. */
+export function createSubgraph(editor: Editor): boolean {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const nodes = [...editor.selection.getState().nodes];
+  const places = nodes.map((id) => getOwn(layoutOf(state).nodes, id) ?? { x: 0, y: 0 });
+  const middle = (side: 'x' | 'y') => places.reduce((sum, place) => sum + place[side], 0) / Math.max(places.length, 1);
+  const name = freeName(project, 'subgraph');
+  const id = makeNodeId(project, subgraphType(name), editor.random);
+  const change = createSubgraphFrom(project, { library, graph, nodes, name, id, x: middle('x'), y: middle('y') });
+  if (!apply(editor, 'Create subgraph', change)) return false;
+  selectOnly(editor.selection, [id]);
+  return true;
+}
+
+/** Puts what is in the selected subgraph in its place, and selects it. */
+export function ungroupSelected(editor: Editor): boolean {
+  const { project, library, graph } = editor.document.getState();
+  const node = soleNode(editor.selection.getState());
+  if (node === null) return false;
+  const before = new Set(Object.keys(graphOf(editor.document.getState()).nodes));
+  if (!apply(editor, 'Ungroup subgraph', ungroupSubgraph(project, { library, graph, node, random: editor.random }))) return false;
+  selectOnly(
+    editor.selection,
+    Object.keys(graphOf(editor.document.getState()).nodes).filter((id) => !before.has(id)),
+  );
+  return true;
+}
+
+/** Gives the selected node a subgraph of its own, like the one that it shares. */
+export function makeUnique(editor: Editor): boolean {
+  const { project, graph } = editor.document.getState();
+  const node = soleNode(editor.selection.getState());
+  const from = selectedSubgraph(editor);
+  if (node === null || from === null) return false;
+  const to = freeName(project, from.replace(/-\d+$/, ''));
+  const change = inTurn(
+    project,
+    (before) => duplicateSubgraph(before, { from, to, random: editor.random }),
+    (before) => changeType(before, { library: editor.libraries.of(before), graph, node, type: subgraphType(to) }),
+  );
+  return apply(editor, 'Make subgraph unique', change);
+}
+
+/** A subgraph's name as a person would write it: “Söft look” is `soft-look`. Empty where no letter begins it. */
+export function nameOfTitle(title: string): string {
+  const words =
+    title
+      .normalize('NFKD')
+      .replaceAll(/\p{M}/gu, '')
+      .toLowerCase()
+      .match(/[a-z0-9]+/g) ?? [];
+  return words.join('-').replace(/^[0-9-]+/, '');
+}
+
+export function renameSubgraph(editor: Editor, from: string, title: string): boolean {
+  const to = nameOfTitle(title);
+  if (to === from) return true;
+  if (to === '') {
+    addToast(editor.ui, { tone: 'error', text: 'A subgraph needs a name that begins with a letter.' });
+    return false;
+  }
+  const { project, graph, trail } = editor.document.getState();
+  if (!apply(editor, 'Rename the subgraph', renameGraph(project, { from, to }))) return false;
+  const renamed = (name: string) => (name === from ? to : name);
+  editor.document.setState({ graph: renamed(graph), trail: trail.map(renamed) });
+  return true;
+}
+
+export type PortSide = keyof ExposedPorts;
+
+/** The name under which a port of the open subgraph is exposed, or null. */
+export function exposedName(exposed: ExposedPorts, side: PortSide, address: PortAddress): string | null {
+  return exposed[side].find((port) => sameAddress(port, address))?.name ?? null;
+}
+
+/** Shows a port or a value of a node in the open subgraph outside, or hides it again. */
+export function setPortExposed(editor: Editor, side: PortSide, { node, port }: PortAddress, shown: boolean): boolean {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  const { exposed } = graphOf(state);
+  if (graph === MAIN_GRAPH) return false;
+  const known = exposedName(exposed, side, { node, port });
+  if (!shown) return known === null || apply(editor, 'Hide exposed port', hidePort(project, { library, graph, side, name: known }));
+  const taken = new Set([...exposed.inputs, ...exposed.outputs].map(({ name }) => name));
+  let name = port;
+  for (let number = 2; taken.has(name); number++) name = `${port}${number}`;
+  return apply(editor, 'Expose port', exposePort(project, { library, graph, side, name, node, port }));
+}
+
+function freeName({ graphs }: Project, stem: string): string {
+  let name = stem;
+  for (let number = 2; getOwn(graphs, name) !== undefined; number++) name = `${stem}-${number}`;
+  return name;
+}

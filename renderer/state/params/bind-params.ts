@@ -1,0 +1,84 @@
+import { parseBinding } from '../../../export/graph/expression/param-expression.ts';
+import { bindingMisfit } from '../../../export/graph/library/binding-misfit.ts';
+import { outOfRange } from '../../../export/graph/library/param-value.ts';
+import type { Binding, ParamValue } from '../../../export/graph/project.ts';
+import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { Editor } from '../editor/editor.ts';
+import { addToast } from '../editor/ui.ts';
+import { bind, findParam } from './bound-param.ts';
+import { boundValue } from './value-text.ts';
+
+/** Lets a param follow an expression. One that cannot be read is refused, with the reason. */
+export function bindExpression(editor: Editor, node: string, param: string, expression: string): boolean {
+  const found = findParam(editor, node, param);
+  if (!found) return false;
+  const { definition } = found;
+  const read = parseBinding(definition, expression);
+  if (read.ok) return bind(editor, `Bind ${definition.label}`, node, param, { expression });
+  addToast(editor.ui, { tone: 'error', text: `“${definition.label}” cannot follow that: ${read.message}.`, detail: expression });
+  return false;
+}
+
+/** Begins an expression with the value that the param has now. */
+export function startExpression(editor: Editor, node: string, param: string): boolean {
+  const found = findParam(editor, node, param);
+  return found !== null && bindExpression(editor, node, param, expressionOf(boundValue(found.definition, found.binding)));
+}
+
+/** From an expression or a track back to a value, which is the definition's: what was there before is not kept. */
+export function unbind(editor: Editor, node: string, param: string): boolean {
+  const found = findParam(editor, node, param);
+  return found !== null && bind(editor, `Unbind ${found.definition.label}`, node, param, { value: found.definition.default });
+}
+
+/** A param as text for the clipboard: JSON, or an expression behind its `=`. */
+export function paramText(param: ParamDefinition, binding: Binding | undefined): string {
+  if (binding !== undefined && 'expression' in binding) return `=${binding.expression}`;
+  if (binding !== undefined && 'track' in binding) return JSON.stringify({ track: binding.track });
+  return JSON.stringify(boundValue(param, binding));
+}
+
+export async function copyParam(editor: Editor, node: string, param: string): Promise<void> {
+  const found = findParam(editor, node, param);
+  if (found) await editor.clipboard.write(paramText(found.definition, found.binding));
+}
+
+/** Takes over what `copyParam` wrote for this or another param, or a number from anywhere. */
+export async function pasteParam(editor: Editor, node: string, param: string): Promise<boolean> {
+  const text = await editor.clipboard.read().catch(() => '');
+  const found = findParam(editor, node, param);
+  if (!found) return false;
+  const { definition } = found;
+  const binding = bindingOfText(text.trim());
+  const readable = binding !== null && (!('expression' in binding) || parseBinding(definition, binding.expression).ok);
+  if (readable && bindingMisfit(definition, binding) === null && !isOutOfRange(definition, binding)) {
+    return bind(editor, `Paste ${definition.label}`, node, param, atPort(binding, found.binding));
+  }
+  addToast(editor.ui, { tone: 'info', text: `What is on the clipboard does not fit “${definition.label}”.` });
+  return false;
+}
+
+function bindingOfText(text: string): Binding | null {
+  if (text.startsWith('=')) return { expression: text.slice(1).trim() };
+  try {
+    const value = JSON.parse(text) as ParamValue | Extract<Binding, { track: unknown }>;
+    if (typeof value === 'object' && value !== null && 'track' in value) return Array.isArray(value.track?.keys) ? value : null;
+    return { value };
+  } catch {
+    return null;
+  }
+}
+
+function isOutOfRange(definition: ParamDefinition, binding: Binding): boolean {
+  return 'value' in binding && outOfRange(definition, binding.value) !== null;
+}
+
+/** A value pasted at a port stays the port's. */
+function atPort(next: Binding, before: Binding | undefined): Binding {
+  return 'value' in next && before !== undefined && 'port' in before ? { port: next.value } : next;
+}
+
+function expressionOf(value: ParamValue): string {
+  if (typeof value === 'boolean') return value ? '1' : '0';
+  return typeof value === 'object' ? `[${value.join(', ')}]` : String(value);
+}

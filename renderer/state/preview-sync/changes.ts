@@ -1,0 +1,76 @@
+import type { Binding, Graph, GraphNode, ParamValue, Project } from '../../../export/graph/project.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+
+/** A value of the running program that another one took the place of. */
+export interface ParamEdit {
+  readonly graph: string;
+  readonly node: string;
+  readonly param: string;
+  readonly value: ParamValue;
+}
+
+/** What follows from a change of the project: nothing that plays, some values, or another program. */
+export type Consequence =
+  | { readonly kind: 'nothing' }
+  | { readonly kind: 'params'; readonly edits: readonly ParamEdit[] }
+  | { readonly kind: 'program' };
+
+/**
+ * Compares two states of a project, undo and redo included. Parts that are the same object are taken for unchanged, so this
+ * costs as much as what changed.
+ */
+export function consequenceOf(before: Project, after: Project, library: NodeLibrary): Consequence {
+  if (before.sources !== after.sources || before.assets !== after.assets || before.title !== after.title || before.page !== after.page) {
+    return { kind: 'program' };
+  }
+  if (before.graphs === after.graphs) return { kind: 'nothing' };
+  if (!sameKeys(before.graphs, after.graphs)) return { kind: 'program' };
+  const edits: ParamEdit[] = [];
+  for (const [name, graph] of Object.entries(after.graphs)) {
+    const old = getOwn(before.graphs, name);
+    if (old === graph) continue;
+    if (!old || !collectEdits(name, old, graph, library, edits)) return { kind: 'program' };
+  }
+  return edits.length === 0 ? { kind: 'nothing' } : { kind: 'params', edits };
+}
+
+/** False where more than values changed. */
+function collectEdits(name: string, before: Graph, after: Graph, library: NodeLibrary, edits: ParamEdit[]): boolean {
+  if (before.wires !== after.wires || before.exposed !== after.exposed || !sameKeys(before.nodes, after.nodes)) return false;
+  for (const [id, node] of Object.entries(after.nodes)) {
+    const old = getOwn(before.nodes, id);
+    if (old === node) continue;
+    if (!old || old.type !== node.type || old.version !== node.version || old.muted !== node.muted) return false;
+    if (!collectParams(name, id, old, node, library, edits)) return false;
+  }
+  return true;
+}
+
+function collectParams(graph: string, id: string, before: GraphNode, after: GraphNode, library: NodeLibrary, edits: ParamEdit[]): boolean {
+  const definition = library.definition(after.type);
+  if (!definition) return false;
+  for (const param of new Set([...Object.keys(before.params), ...Object.keys(after.params)])) {
+    const old = getOwn(before.params, param);
+    const next = getOwn(after.params, param);
+    if (old === next) continue;
+    const declared = getOwn(definition.params, param);
+    if (declared?.stage !== 'uniform') return false;
+    const value = heldValue(next, declared.default);
+    if (value === undefined || heldValue(old, declared.default) === undefined) return false;
+    edits.push({ graph, node: id, param, value });
+  }
+  return true;
+}
+
+/** Undefined for a track or an expression. A port that is wired holds a value too; setting it changes nothing on screen. */
+function heldValue(binding: Binding | undefined, byDefault: ParamValue): ParamValue | undefined {
+  if (binding === undefined) return byDefault;
+  if ('value' in binding) return binding.value;
+  return 'port' in binding ? binding.port : undefined;
+}
+
+function sameKeys(a: object, b: object): boolean {
+  const keys = Object.keys(a);
+  return keys.length === Object.keys(b).length && keys.every((key) => Object.hasOwn(b, key));
+}

@@ -1,0 +1,12 @@
+import { createContext, useContext } from 'react';
+import type { PreviewSync } from './preview-sync.ts';
+
+const PreviewSyncContext = createContext<PreviewSync | null>(null);
+
+export const PreviewSyncProvider = PreviewSyncContext.Provider;
+
+export function usePreviewSync(): PreviewSync {
+  const previewSync = useContext(PreviewSyncContext);
+  if (!previewSync) throw new Error('usePreviewSync is only there below PreviewSyncProvider.');
+  return previewSync;
+}

@@ -1,0 +1,27 @@
+import type { PreviewSource } from '../../preview-protocol.ts';
+import type { Editor } from '../editor/editor.ts';
+import { chosenSource } from '../editor/preview-state.ts';
+
+/** Where the preview is to take its picture from; null where nothing is open, or what was chosen is not there yet. */
+export function previewSource(editor: Pick<Editor, 'document' | 'preview'>): PreviewSource | null {
+  const state = editor.preview.getState();
+  const { open } = editor.document.getState();
+  const source = chosenSource(state);
+  if (source === null || open === null) return null;
+  const { assetBaseUrl } = open;
+  const { still, frame, views, tier } = state;
+  switch (source.kind) {
+    case 'camera':
+    case 'orbit':
+      return { kind: source.kind, assetBaseUrl };
+    case 'still':
+      return still && { kind: 'still', picture: still, key: `${still.name} ${still.size} ${still.lastModified}`, assetBaseUrl };
+    case 'room': {
+      const device = frame === 'glasses' ? 'glasses' : views === 2 ? 'headset' : 'phone';
+      return { kind: 'room', captureUrl: source.url, views, device, tier, assetBaseUrl };
+    }
+    case 'recorded':
+      break;
+  }
+  return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
+}

@@ -1,0 +1,58 @@
+import { MAIN_GRAPH } from '../../../export/graph/project.ts';
+import { type DocumentState, graphOf, nodeOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { layerName, layerPortOf } from '../editor/layer-names.ts';
+import { soleNode } from '../editor/selection.ts';
+import { addToast } from '../editor/ui.ts';
+import { resetViewer, type ViewerStore } from '../editor/viewer.ts';
+
+/** The layer that the screen shows, in the main graph. */
+function screenLayer({ project }: DocumentState): string | null {
+  const main = graphOf({ project, graph: MAIN_GRAPH });
+  const wire = main.wires.filter(({ to }) => main.nodes[to.node]?.type === 'output/screen').at(-1);
+  return wire ? `${wire.from.node}.${wire.from.port}` : null;
+}
+
+/** All layers that a program has to keep for looking at them. */
+export function viewedLayers(editor: Pick<Editor, 'viewer' | 'thumbnails' | 'document'>): readonly string[] {
+  const { left, right, probing } = editor.viewer.getState();
+  const besides = [left, right, probing ? probedLayer(editor) : null];
+  return [...new Set([...editor.thumbnails.wanted(), ...besides.flatMap((layer) => layer ?? [])])].sort();
+}
+
+/** Where a probe finds depth. */
+export function probedLayer({ viewer, document }: Pick<Editor, 'viewer' | 'document'>): string | null {
+  return viewer.getState().left ?? screenLayer(document.getState());
+}
+
+function selectedLayer({ document, selection }: Editor): string | null {
+  const state = document.getState();
+  const node = soleNode(selection.getState());
+  const port = node === null ? null : layerPortOf(state.library.definition(nodeOf(state, node)?.type ?? ''));
+  return node === null || port === null ? null : layerName(state, node, port);
+}
+
+/** Shows the selected node's layer in the whole preview, or the screen again where it is shown already. */
+export function pinSelected(editor: Editor): void {
+  const layer = selectedLayer(editor);
+  if (layer !== null) pinLayer(editor.viewer, layer);
+  else addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer: the preview can show it.' });
+}
+
+export function pinLayer(viewer: ViewerStore, layer: string): void {
+  if (viewer.getState().left === layer) resetViewer(viewer);
+  else viewer.setState({ left: layer, right: null, split: null });
+}
+
+/** Puts the selected node's layer beside what the preview shows, with a wipe between both. */
+export function compareSelected(editor: Editor): void {
+  const layer = selectedLayer(editor);
+  if (layer !== null) compareLayer(editor.viewer, layer);
+  else addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer to compare it.' });
+}
+
+export function compareLayer(viewer: ViewerStore, layer: string): void {
+  const { left } = viewer.getState();
+  if (left === null || left === layer) viewer.setState({ left: layer, right: null, split: 0.5 });
+  else viewer.setState({ right: layer, split: 0.5 });
+}

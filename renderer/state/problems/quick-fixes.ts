@@ -1,0 +1,82 @@
+import { removeNodes } from '../../../export/graph/commands/node-commands.ts';
+import { disconnect } from '../../../export/graph/commands/wire-commands.ts';
+import { getOwn } from '../../../export/graph/record.ts';
+import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import { apply } from '../document/apply.ts';
+import { graphOf, nodeOf, titleOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { middleOfWindow } from '../editor/ui.ts';
+import { addNodeFromPalette } from '../graph/edit-graph.ts';
+import { resetParam } from '../params/edit-params.ts';
+import { goToProblem } from './problems.ts';
+
+/** What can be done about a problem with one press; undo takes it back. */
+export interface QuickFix {
+  readonly label: string;
+  readonly run: (editor: Editor) => void;
+}
+
+const SCREEN = 'output/screen';
+
+/** The fix for a problem of the open graph, or null where only the person knows what to do. */
+export function quickFixOf(editor: Editor, problem: Diagnostic): QuickFix | null {
+  const { nodeId = '', port = '' } = problem;
+  const state = editor.document.getState();
+  const node = nodeOf(state, nodeId);
+  const definition = state.library.definition(node?.type ?? '');
+  switch (problem.code) {
+    case 'SCR015':
+      return definition && getOwn(definition.inputs, port) ? { label: 'Find a node', run: () => openPaletteFor(editor, problem) } : null;
+    case 'SCR017': {
+      const hasScreen = Object.values(graphOf(state).nodes).some(({ type }) => type === SCREEN);
+      return hasScreen || state.trail.length > 0 ? null : { label: 'Add an output node', run: addScreen };
+    }
+    case 'SCR018':
+    case 'SCR019':
+    case 'SCR022':
+      return definition && getOwn(definition.params, port)
+        ? { label: 'Reset parameter', run: () => void resetParam(editor, nodeId, port) }
+        : null;
+    case 'SCR010':
+    case 'SCR021':
+      return node ? { label: `Delete ${titleOf(state, nodeId)}`, run: () => deleteNode(editor, nodeId) } : null;
+    case 'SCR012':
+      return node && port !== '' ? { label: 'Delete wire', run: () => deleteWires(editor, nodeId, port) } : null;
+    default:
+      return null;
+  }
+}
+
+/** The palette, as if a wire had been pulled out of the port that has none. */
+function openPaletteFor(editor: Editor, problem: Diagnostic): void {
+  const { nodeId = '', port = '' } = problem;
+  const state = editor.document.getState();
+  const input = getOwn(state.library.definition(nodeOf(state, nodeId)?.type ?? '')?.inputs ?? {}, port);
+  if (!input) return;
+  goToProblem(editor, problem);
+  const { x, y } = getOwn(state.project.layout[state.graph]?.nodes ?? {}, nodeId) ?? editor.canvas.getState().middle();
+  editor.ui.setState({
+    palette: {
+      at: middleOfWindow(),
+      place: { x: x - 60, y: y + 60 },
+      end: { node: nodeId, port, side: 'input', type: input.type },
+    },
+  });
+}
+
+function addScreen(editor: Editor): void {
+  const definition = editor.document.getState().library.definition(SCREEN);
+  if (definition) addNodeFromPalette(editor, { definition, port: null }, editor.canvas.getState().middle(), null);
+}
+
+function deleteNode(editor: Editor, node: string): void {
+  const state = editor.document.getState();
+  const { project, library, graph } = state;
+  apply(editor, `Delete ${titleOf(state, node)}`, removeNodes(project, { library, graph, nodes: [node] }));
+}
+
+function deleteWires(editor: Editor, node: string, port: string): void {
+  const state = editor.document.getState();
+  const wires = graphOf(state).wires.filter(({ from, to }) => [from, to].some((end) => end.node === node && end.port === port));
+  apply(editor, 'Disconnect', disconnect(state.project, { graph: state.graph, wires }));
+}

@@ -1,0 +1,59 @@
+import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
+import { inTurn } from '../../../export/graph/commands/change.ts';
+import { addNode } from '../../../export/graph/commands/node-commands.ts';
+import { setSource } from '../../../export/graph/commands/shader-commands.ts';
+import { isShaderFile, makeNodeId, makeShaderFile } from '../../../export/graph/document-names.ts';
+import type { Project } from '../../../export/graph/project.ts';
+import { apply } from '../document/apply.ts';
+import type { Place } from '../editor/canvas-state.ts';
+import type { Editor } from '../editor/editor.ts';
+import { addToast } from '../editor/ui.ts';
+
+/** A shader file from elsewhere. */
+export interface ForeignShader {
+  readonly name: string;
+  readonly text: string;
+  /** Of the vertex shader that came with it. */
+  readonly vertex?: string;
+}
+
+/** One step: the shader as a file of the project, and a node of it; the node's id, or null where something is wrong, which is shown. */
+export function addShader(editor: Editor, file: ForeignShader, place: Place): string | null {
+  const { text, vertex } = file;
+  const { project, graph } = editor.document.getState();
+  const name = freeShaderName(project, file.name);
+  if (!isShaderFile(name)) {
+    addToast(editor.ui, { tone: 'error', text: `${file.name} is not a valid name for a shader: rename it and drop it again.` });
+    return null;
+  }
+  const { base, readShader } = editor.libraries;
+  const read = readShader(`shaders/${name}`, text);
+  if (read.output === null) {
+    const [first] = read.diagnostics;
+    addToast(editor.ui, {
+      tone: 'error',
+      text: `${file.name}: ${first?.message ?? 'its header cannot be read.'}`,
+      detail: first?.fix ?? '',
+    });
+    return null;
+  }
+  const { type } = read.output;
+  const id = makeNodeId(project, type, editor.random);
+  const change = inTurn(
+    project,
+    (before) => setSource(before, { base, readShader, file: name, text }),
+    ...(vertex === undefined ? [] : [(before: Project) => setSource(before, { base, readShader, file: companionOf(name), text: vertex })]),
+    (before) => addNode(before, { library: editor.libraries.of(before), graph, id, type, ...place }),
+  );
+  return apply(editor, `Add ${name}`, change) ? id : null;
+}
+
+function freeShaderName({ sources }: Project, wanted: string): string {
+  const given = wanted.replace(/\.[^.]*$/, '');
+  const ending = wanted.slice(given.length).toLowerCase();
+  // "Glow+More!.fs" is a good name anywhere but in a node's type.
+  const stem = isShaderFile(`${given}${ending}`) ? given : makeShaderFile(given).replace(/\.fs$/, '');
+  let name = `${stem}${ending}`;
+  for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}${ending}`;
+  return name;
+}

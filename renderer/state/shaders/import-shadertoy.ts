@@ -1,0 +1,43 @@
+import { convertShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
+import { makeShaderFile } from '../../../export/graph/document-names.ts';
+import type { Place } from '../editor/canvas-state.ts';
+import { layoutOf } from '../editor/document.ts';
+import type { Editor } from '../editor/editor.ts';
+import { selectOnly } from '../editor/selection.ts';
+import { addToast, revealNodes, toastDiagnostic } from '../editor/ui.ts';
+import { addShader } from './add-shader.ts';
+
+export interface ShadertoySource {
+  /** Pasted tabs, or the site's JSON. */
+  readonly source: string;
+  /** How the shader is called where the source does not say. */
+  readonly name: string;
+}
+
+const GAP_PX = 260;
+
+/** One step: an ISF file of the source in the project, and a node of it, whose id comes back; null where that cannot be, which is shown. */
+export function addShadertoy(editor: Editor, { source, name }: ShadertoySource, place: Place): string | null {
+  const { output, diagnostics } = convertShadertoy(source, name);
+  for (const diagnostic of diagnostics) toastDiagnostic(editor.ui, diagnostic);
+  if (output === null) return null;
+  const node = addShader(editor, { name: makeShaderFile(output.title || name), text: output.text }, place);
+  if (node !== null) addToast(editor.ui, { tone: 'info', text: `License: ${output.licence}.`, detail: `Credit: ${output.credit}.` });
+  return node;
+}
+
+/** The same beside the graph, selected and brought into view. */
+export function importShadertoy(editor: Editor, shader: ShadertoySource): boolean {
+  const node = addShadertoy(editor, shader, placeBeside(editor));
+  if (node === null) return false;
+  selectOnly(editor.selection, [node]);
+  revealNodes(editor.ui, [node]);
+  return true;
+}
+
+/** To the right of all that is there. */
+function placeBeside(editor: Editor): Place {
+  const places = Object.values(layoutOf(editor.document.getState()).nodes);
+  const last = places.reduce<Place | null>((right, place) => (right === null || place.x > right.x ? place : right), null);
+  return last === null ? { x: 0, y: 0 } : { x: last.x + GAP_PX, y: last.y };
+}

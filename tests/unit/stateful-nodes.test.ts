@@ -1,0 +1,291 @@
+import { describe, expect, test } from '@jest/globals';
+import { AnimationClip, BoxGeometry, Group, Matrix4, Mesh, MeshStandardMaterial, type Object3D, VectorKeyframeTrack } from 'three';
+import { createRandom } from '../../export/runtime/random.ts';
+import type { PulseQueue } from '../../export/runtime/values/pulses.ts';
+import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
+import type { NodeModule } from '../../nodes/kit/runtime.ts';
+import type { ObjectList } from '../../nodes/kit/scene-lists.ts';
+import type { SessionFrame } from '../../nodes/kit/session.ts';
+import { LIBRARY } from '../support/library.ts';
+import { fakeContext, type PlainValue, pulseNumbers } from '../support/node-context.ts';
+
+/**
+ * Every node type is played twice, once from frame 0 and once from frame 14, with inputs that change in every frame, and compared at
+ * frame 15: what differs has to be declared stateful, and what is declared stateful has to differ.
+ */
+const LAST = 15;
+const RATE_HZ = 10;
+
+/** What draws nothing but the scene it is given, which the fake scene takes; and what the GPU alone would show. */
+const GPU_ALONE: Readonly<Record<string, string>> = {
+  'world/depth': 'Only its steadier keeps a picture, on the GPU, and only where smoothing is on: tests/browser/room-depth.test.ts.',
+};
+
+/** Params that keep a node off the GPU. */
+const FIXED: Readonly<Record<string, Readonly<Record<string, PlainValue>>>> = {
+  'world/depth': { source: 'device', filter: 'nearest', fillHoles: false, smoothingS: 0 },
+  'source/camera-video': { withoutImage: 'transparent' },
+};
+
+/** Values, kept in all frames, at which what a node keeps is seen. */
+const SHOWING: Readonly<Record<string, Readonly<Record<string, PlainValue>>>> = {
+  'pulse/every': { periodS: 0.25 },
+  'pulse/on-start': { delayS: 0.05 },
+  'pulse/on-change': { least: 1 },
+};
+
+const TYPES = Object.keys(RUNTIMES).filter((type) => {
+  const module = RUNTIMES[type];
+  return module !== undefined && 'create' in module && LIBRARY.definition(type) !== undefined;
+});
+
+function definitionOf(type: string): NodeDefinition {
+  const definition = LIBRARY.definition(type);
+  if (!definition) throw new Error(`There is no ${type}.`);
+  return definition;
+}
+
+/** In [0, 1), of no pattern that a node could have. */
+function chance(frame: number, salt: number): number {
+  const wave = Math.sin(frame * 12.9898 + salt * 78.233) * 43758.5453;
+  return wave - Math.floor(wave);
+}
+
+function valueAt(param: ParamDefinition, frame: number, salt: number): PlainValue {
+  const between = (min: number, max: number, more = 0) => min + (max - min) * chance(frame, salt + more);
+  switch (param.type) {
+    case 'number':
+      return between(Math.max(param.min ?? -2, -10), Math.min(param.max ?? 2, 10));
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+      return param.default.map((_, i) => between(param.min?.[i] ?? -2, param.max?.[i] ?? 2, i));
+    case 'color':
+      return param.default.map((_, i) => between(0, 1, i));
+    case 'toggle':
+      return chance(frame, salt) < 0.5;
+    case 'text':
+      return `text ${frame}`;
+    case 'choice':
+      return param.options[Math.floor(chance(frame, salt) * param.options.length)]?.value ?? param.default;
+    case 'curve':
+    case 'asset':
+      return param.default as PlainValue;
+  }
+}
+
+function objectList(): ObjectList {
+  const root = new Mesh(new BoxGeometry(), new MeshStandardMaterial());
+  const item = { key: 'box', root, worldFromObject: new Matrix4(), role: 'virtual' as const, castsShadow: true, receivesShadow: true };
+  return { version: 1, items: [item] };
+}
+
+function model() {
+  const clip = new AnimationClip('rise', 2, [new VectorKeyframeTrack('part.position', [0, 2], [0, 0, 0, 0, 2, 0])]);
+  const part = () => Object.assign(new Mesh(new BoxGeometry()), { name: 'part' });
+  return { instantiate: () => new Group().add(part()), clips: [clip] };
+}
+
+function controller(frame: number, last: number, salt: number) {
+  const pressed = (more: number) => chance(frame, salt + more) < 0.5;
+  return {
+    connected: true,
+    stick: Float32Array.of(chance(frame, salt), chance(frame, salt + 1)),
+    // Within the hysteresis two frames ago, pulled before that.
+    trigger: frame === last - 2 ? 1 : frame === last - 1 ? 0.45 : frame === last ? 0.6 : 0,
+    squeeze: chance(frame, salt + 2),
+    primary: pressed(3),
+    secondary: pressed(4),
+    worldFromRay: new Float32Array(16).fill(frame),
+  };
+}
+
+const TONE = Float32Array.from({ length: 48_000 }, (_, i) => chance(i, 5));
+
+/** One plane that stays and changes, one that comes and goes. */
+function surfaces(frame: number) {
+  const surface = (id: string, size: number) => ({
+    id,
+    version: frame,
+    label: '',
+    worldFromSurface: new Float32Array(16).map((_, i) => (i % 5 === 0 ? 1 : chance(frame, i))),
+    orientation: 'horizontal' as const,
+    outlineXZ: Float32Array.of(0, 0, size, 0, size, size, 0, size),
+    positions: Float32Array.of(0, 0, 0, size, 0, 0, 0, 0, size),
+    indices: Uint32Array.of(0, 1, 2),
+  });
+  const found = [surface('stays', 1 + chance(frame, 1)), ...(frame % 2 === 1 ? [surface('goes', 1)] : [])];
+  return { planes: found, meshes: found };
+}
+
+function sessionFrame(frame: number, first: number, last: number): SessionFrame {
+  const picture = { texture: `picture ${frame}`, widthPx: 4 + frame, heightPx: 3, uvFromViewUv: new Float32Array(9).fill(frame) };
+  const tapped = frame % 5 === 2;
+  return {
+    index: frame,
+    timeS: frame / RATE_HZ,
+    deltaS: frame === first ? 0 : 1 / RATE_HZ,
+    viewCount: 1,
+    views: [{ eye: 'none', cameraImage: picture, depth: { ...picture, texture: `depth ${frame}` } }],
+    light: null,
+    surfaces: surfaces(frame),
+    input: {
+      taps: [{ worldFromRay: new Float32Array(16).fill(frame), by: 'screen' }],
+      tapCount: tapped ? 1 : 0,
+      left: controller(frame, last, 31),
+      right: controller(frame, last, 37),
+    },
+  } as unknown as SessionFrame;
+}
+
+function lightAt(frame: number) {
+  if (frame > 10) return null;
+  return {
+    sphericalHarmonics: new Float32Array(27).map((_, i) => chance(frame, i)),
+    primaryDirectionWorld: Float32Array.of(chance(frame, 1), 1, 0),
+    primaryIntensity: new Float32Array(3).fill(chance(frame, 2)),
+  };
+}
+
+/** Everything a render could see of a node's outputs, in one text. */
+function written(value: unknown): string {
+  // By `this`, because three's objects write themselves otherwise, with an id that is new each time.
+  return JSON.stringify(value, function (this: Readonly<Record<string, unknown>>, key) {
+    const part = this[key];
+    if (key === 'version' || typeof part === 'function') return undefined;
+    if (ArrayBuffer.isView(part)) return [...(part as Float32Array)];
+    if (part instanceof Matrix4) return part.elements;
+    if (isObject3D(part)) {
+      const seen: unknown[] = [];
+      part.traverse((child) => {
+        const { geometry, material, instanceMatrix } = child as Partial<Mesh> & { instanceMatrix?: { array: Float32Array } };
+        const { color, opacity } = (material ?? {}) as Partial<MeshStandardMaterial>;
+        seen.push(child.matrixWorld.elements, geometry?.attributes.position?.array, color?.toArray(), opacity, instanceMatrix?.array);
+      });
+      return seen;
+    }
+    return part;
+  });
+}
+
+function isObject3D(part: unknown): part is Object3D {
+  return typeof part === 'object' && part !== null && 'isObject3D' in part;
+}
+
+/** What the node gives at frame `last`, played from `first` on. Params named in `steady` keep their value. */
+function giveAt(type: string, first: number, last: number, start: Readonly<Record<string, PlainValue>>, steady: readonly string[]): string {
+  const definition = definitionOf(type);
+  const session = { light: null as unknown, cameraMean: null as unknown };
+  const asked: unknown[] = [];
+  const playback = { picture: null, follow: (...what: unknown[]) => asked.push(what), settle: () => null, dispose: () => {} };
+  const handle = (value: unknown) => () => ({ value, settled: Promise.resolve(), release: () => {} });
+  const assets = {
+    image: handle({ texture: 'image', widthPx: 2, heightPx: 2 }),
+    video: handle({ durationS: 4, widthPx: 2, heightPx: 2, open: () => playback }),
+    audio: handle({ durationS: 1, sampleRateHz: 48_000, channels: [TONE] }),
+    model: handle(model()),
+    environment: handle('panorama'),
+  };
+  const scene = { update: (...what: unknown[]) => asked.push(what), draw: () => {}, dispose: () => {} };
+  const scenes = { createScene: () => scene };
+  const objects = [objectList()];
+  const inputs = Object.fromEntries(
+    Object.entries(definition.inputs).flatMap(([name, port]) => (port.type === 'objects' ? [[name, objects]] : [])),
+  );
+  const files = Object.fromEntries(
+    Object.entries(definition.params).flatMap(([name, { stage }]) => (stage === 'asset' ? [[name, 'a']] : [])),
+  );
+  const services = { session, assets, scenes, random: createRandom(1, 'node').next } as never;
+  const params = { ...files, ...FIXED[type], ...start } as never;
+  const fake = fakeContext(definition, { params, inputs: inputs as never, services });
+  const clock = fake.ctx.clock as { timeS: number; deltaS: number; frame: number; held: boolean };
+  clock.held = true;
+  const { outputs } = fake.ctx;
+  for (const [name, port] of Object.entries(definition.outputs)) {
+    const { views } = outputs[name] as unknown as { views: unknown[] };
+    if (port.type === 'layer') views.push({ texture: null, widthPx: 0, heightPx: 0, uvFromViewUv: new Float32Array(9) });
+    if (port.type === 'depth') views.push(null);
+  }
+  const node = (RUNTIMES[type] as NodeModule).create(fake.ctx as never);
+  for (let frame = first; frame <= last; frame++) {
+    asked.length = 0;
+    fake.tick(0);
+    Object.assign(clock, { timeS: frame / RATE_HZ, deltaS: frame === first ? 0 : 1 / RATE_HZ, frame });
+    session.light = lightAt(frame);
+    session.cameraMean = frame > 12 ? Float32Array.of(0.2, 0.3, chance(frame, 9)) : null;
+    Object.entries(definition.params).forEach(([name, param], salt) => {
+      if (param.stage !== 'uniform' || param.type === 'curve' || steady.includes(name) || FIXED[type]?.[name] !== undefined) return;
+      fake.set(name, name === 'presses' ? frame : valueAt(param, frame, salt));
+    });
+    Object.entries(definition.inputs).forEach(([name, port], salt) => {
+      if (port.type !== 'pulse') return;
+      const queue = fake.ctx.inputs[name] as unknown as PulseQueue;
+      queue.clear();
+      // None in the last two frames, where it could hide what came before.
+      if (frame < last - 1 && chance(frame, salt) < 0.4) queue.emit().number = frame;
+    });
+    for (const { items } of objects) for (const { worldFromObject } of items) worldFromObject.makeTranslation(frame, 0, 0);
+    node.update(sessionFrame(frame, first, last));
+    node.remember?.();
+  }
+  const given = Object.entries(definition.outputs).map(([name, { type: wire }]) => {
+    const output = outputs[name] as never;
+    // No channel is silence, whatever else stands there.
+    if (wire === 'audio' && (output as { channelCount: number }).channelCount === 0) return [name, 'silence'];
+    if (wire === 'pulse') return [name, pulseNumbers(output)];
+    // In whatever order surfaces were found.
+    if (wire === 'objects') return [name, [...(output as ObjectList).items].sort((a, b) => a.key.localeCompare(b.key))];
+    return [name, output];
+  });
+  const text = written([given, asked]);
+  node.dispose();
+  return text;
+}
+
+/** The node's own config, and each other word of each of its choices. */
+function configs({ params }: NodeDefinition): readonly Readonly<Record<string, PlainValue>>[] {
+  return [
+    {},
+    ...Object.entries(params).flatMap(([name, param]) =>
+      param.type === 'choice' && param.stage === 'structure' && !Object.values(FIXED).some((fixed) => name in fixed)
+        ? param.options.map(({ value }) => ({ [name]: value }))
+        : [],
+    ),
+  ];
+}
+
+/** What has to be left alone for the node to be stateless, with its values; null where it never is. */
+function stateless({ stateful }: NodeDefinition): Readonly<Record<string, PlainValue>> | null {
+  if (stateful === undefined) return {};
+  if (stateful === true) return null;
+  return 'moves' in stateful ? {} : { [stateful.param]: stateful.above };
+}
+
+function steadyParams({ stateful }: NodeDefinition): readonly string[] {
+  if (stateful === undefined || stateful === true) return [];
+  return 'moves' in stateful ? stateful.moves : [stateful.param];
+}
+
+test('there are nodes of both kinds', () => {
+  expect(TYPES).toEqual(expect.arrayContaining(['value/math', 'value/counter', 'world/depth', 'source/model', 'layer/scene']));
+});
+
+describe.each(TYPES.filter((type) => stateless(definitionOf(type)) !== null))('%s', (type) => {
+  const definition = definitionOf(type);
+
+  test.each(configs(definition))('as it is declared stateless, gives the same frame 15 played from 14 as from 0: %j', (config) => {
+    const start = { ...config, ...stateless(definition) };
+    const steady = steadyParams(definition);
+    expect(giveAt(type, LAST - 1, LAST, start, steady)).toBe(giveAt(type, 0, LAST, start, steady));
+  });
+});
+
+describe.each(TYPES.filter((type) => definitionOf(type).stateful !== undefined && !(type in GPU_ALONE)))('%s', (type) => {
+  test('is rightly declared stateful: a frame differs when it is played from the one before', () => {
+    const start = SHOWING[type] ?? {};
+    const lasts = Array.from({ length: LAST }, (_, i) => i + 5);
+    const steady = Object.keys(start);
+    expect(lasts.some((last) => giveAt(type, last - 1, last, start, steady) !== giveAt(type, 0, last, start, steady))).toBe(true);
+  });
+});

@@ -1,0 +1,3 @@
+import { runTool } from './run.mjs';
+
+await runTool('sync-chunks/main.ts');
