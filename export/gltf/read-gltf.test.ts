@@ -175,7 +175,11 @@ describe('readGltf', () => {
       packedGlb({}, { count: 2 ** 30, byteStride: 4 }),
       'the file is damaged: its compressed part 0 claims 4096 MB, and no device shows more than 512 MB. Export it again.',
     ],
-    ['nothing for meshopt', packedGlb({}, {}), 'the file is damaged: its compressed part 0 has no description of its content. Export it again.'],
+    [
+      'nothing for meshopt',
+      packedGlb({}, {}),
+      'the file is damaged: its compressed part 0 has no description of its content. Export it again.',
+    ],
     [
       'a node that is its own child',
       text({ ...TRIANGLE, scenes: [{ nodes: [0] }], nodes: [{ mesh: 0, children: [1] }, { children: [1] }] }),
