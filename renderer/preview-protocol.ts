@@ -152,9 +152,13 @@ export type FromPreview =
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
   | { readonly kind: 'probed'; readonly probe: PreviewProbe }
-  /** A gizmo is being dragged: what the node's params become. `ended`: the last of a drag. `cancelled`: all is to be as before. */
+  /**
+   * A gizmo is being dragged: the new values of the node's params. `drag` counts the drags of a page from 1, so that the editor can
+   * ignore the rest of one that it canceled. `ended`: the last message of a drag. `cancelled`: the values before the drag return.
+   */
   | {
       readonly kind: 'gizmo';
+      readonly drag: number;
       readonly state: 'moved' | 'ended' | 'cancelled';
       readonly values: Readonly<Record<string, number | readonly number[]>>;
     }

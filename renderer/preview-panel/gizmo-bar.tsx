@@ -7,7 +7,7 @@ import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { gizmoTargetOf } from '../state/editor/gizmo-target.ts';
 import { soleNode } from '../state/editor/selection.ts';
 import { addToast } from '../state/editor/ui.ts';
-import { cancelDrag } from '../state/gizmo/apply-gizmo.ts';
+import { cancelDrag } from '../state/gizmo/cancel-drag.ts';
 import { onEscape } from '../ui/escape.ts';
 import { Icon, type IconName } from '../ui/icon.tsx';
 import './gizmo-bar.css';

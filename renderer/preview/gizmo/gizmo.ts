@@ -42,6 +42,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   let seen = false;
   let box: ViewBox | null = null;
   let drag: Drag | null = null;
+  let drags = 0;
   let press: { readonly pointer: number; readonly x: number; readonly y: number } | null = null;
   let question: { readonly u: number; readonly v: number } | null = null;
   let reading: ReadParam = () => null;
@@ -75,12 +76,12 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   };
   const cancel = () => {
     endDrag();
-    send({ kind: 'gizmo', state: 'cancelled', values: {} });
+    send({ kind: 'gizmo', drag: drags, state: 'cancelled', values: {} });
   };
   const tell = (state: 'moved' | 'ended') => {
     if (!drag || !overlay) return;
     const { gizmo: held, read, from } = drag;
-    send({ kind: 'gizmo', state, values: paramsOf(held.mode, held.handles, read, from, overlay.object) });
+    send({ kind: 'gizmo', drag: drags, state, values: paramsOf(held.mode, held.handles, read, from, overlay.object) });
   };
 
   const onDown = (event: PointerEvent) => {
@@ -92,6 +93,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       overlay.canvas.setPointerCapture(event.pointerId);
       const { position, quaternion, scale } = overlay.object;
       const from = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
+      drags++;
       drag = { pointer: event.pointerId, from, gizmo, read: held(gizmo, reading) };
       document.body.style.cursor = 'grabbing';
       event.stopImmediatePropagation();

@@ -1,5 +1,5 @@
 import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from '../clipboard/clipboard.ts';
-import { redo, undo } from '../document/apply.ts';
+import { redo } from '../document/apply.ts';
 import { editableShader } from '../document/edit-shader.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toggleMode } from '../editor/gizmo-state.ts';
@@ -8,6 +8,7 @@ import { revealNodes } from '../editor/ui.ts';
 import { resetViewer } from '../editor/viewer.ts';
 import { exportPage } from '../files/export-page.ts';
 import { newProject, openProject, save, saveAs } from '../files/files.ts';
+import { undoOrCancelDrag } from '../gizmo/cancel-drag.ts';
 import { align, distribute, tidy } from '../graph/arrange.ts';
 import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from '../graph/edit-graph.ts';
 import { addFrame, addNote } from '../graph/layout-items.ts';
@@ -61,7 +62,12 @@ const COMMANDS = {
   'file.save-as': { label: 'Save as…', keys: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },
   'file.export': { label: 'Export page…', keys: ['Mod+E'], enabled: isOpen, run: (editor) => void exportPage(editor), whileTyping: true },
   'file.render': { label: 'Render frames…', keys: ['Mod+Shift+E'], enabled: isOpen, run: askForFrames, whileTyping: true },
-  'edit.undo': { label: 'Undo', keys: ['Mod+Z'], enabled: ({ document }) => document.getState().history.past.length > 0, run: undo },
+  'edit.undo': {
+    label: 'Undo',
+    keys: ['Mod+Z'],
+    enabled: ({ document }) => document.getState().history.past.length > 0,
+    run: undoOrCancelDrag,
+  },
   'edit.redo': {
     label: 'Redo',
     keys: ['Mod+Shift+Z', 'Mod+Y'],

@@ -10,11 +10,15 @@ export interface GizmoState {
   readonly snap: boolean;
   /** Nodes of the program that the object went through that was clicked last. */
   readonly way: readonly string[];
-  /** What is being dragged. */
   readonly drag: GizmoDrag | null;
+  /** The `id` of the last drag that ended or was canceled; 0: none since the preview page loaded. */
+  readonly endedDrag: number;
 }
 
+/** The drag in progress. */
 export interface GizmoDrag {
+  /** Which drag of the preview page it is, from 1. */
+  readonly id: number;
   readonly target: GizmoTarget;
   /** Of the history, when it began. */
   readonly state: number;
@@ -25,7 +29,7 @@ export interface GizmoDrag {
 export type GizmoStore = StoreApi<GizmoState>;
 
 export function createGizmoState(): GizmoStore {
-  return createStore<GizmoState>(() => ({ mode: 'move', space: 'world', snap: false, way: [], drag: null }));
+  return createStore<GizmoState>(() => ({ mode: 'move', space: 'world', snap: false, way: [], drag: null, endedDrag: 0 }));
 }
 
 /** The mode that is on goes off. */

@@ -11,7 +11,8 @@ import { createSubgraph, openSubgraph, setPortExposed } from '../graph/subgraphs
 import { bindExpression } from '../params/bind-params.ts';
 import { editParam } from '../params/edit-params.ts';
 import { toggleKey } from '../params/keyframes.ts';
-import { cancelDrag, createGizmos, currentGizmoTarget } from './apply-gizmo.ts';
+import { createGizmos, currentGizmoTarget } from './apply-gizmo.ts';
+import { cancelDrag, undoOrCancelDrag } from './cancel-drag.ts';
 
 function add(editor: Editor, type: string): string {
   const definition = editor.document.getState().library.definition(type);
@@ -33,9 +34,13 @@ async function boxes() {
   const posted: ToPreview[] = [];
   const gizmos = createGizmos(editor, (message) => posted.push(message));
   const shown = () => posted.filter((message) => message.kind === 'gizmo').at(-1)?.gizmo ?? null;
-  const drag = (values: Readonly<Record<string, number | readonly number[]>>, state: 'moved' | 'ended' = 'moved') =>
-    gizmos.take({ kind: 'gizmo', state, values });
-  return { editor, box, left, right, scene, gizmos, shown, drag, posted };
+  let drags = 1;
+  const drag = (values: Readonly<Record<string, number | readonly number[]>>, state: 'moved' | 'ended' = 'moved') => {
+    gizmos.take({ kind: 'gizmo', drag: drags, state, values });
+    if (state === 'ended') drags++;
+  };
+  const nextDrag = () => drags++;
+  return { editor, box, left, right, scene, gizmos, shown, drag, nextDrag, posted };
 }
 
 const position = (editor: Editor, node: string) => nodeOf(editor.document.getState(), node)?.params.positionM;
@@ -146,7 +151,7 @@ describe('a drag', () => {
   });
 
   test('taken back leaves no step, and what was done before can still be undone', async () => {
-    const { editor, left, drag, shown } = await boxes();
+    const { editor, left, drag, nextDrag, shown } = await boxes();
     selectOnly(editor.selection, [left]);
     editParam(editor, left, 'scale', 2);
     const { past } = editor.document.getState().history;
@@ -157,10 +162,27 @@ describe('a drag', () => {
     expect(editor.document.getState().history.future).toEqual([]);
     // What the preview holds on to is there again.
     expect(shown()).toMatchObject({ node: left });
+    nextDrag();
     drag({ positionM: [1, 0, 0] });
     cancelDrag(editor);
     undo(editor);
     expect(nodeOf(editor.document.getState(), left)?.params.scale).toBeUndefined();
+  });
+
+  test('undone before the preview says that it ended stays undone, and the next drag counts', async () => {
+    const { editor, left, drag } = await boxes();
+    selectOnly(editor.selection, [left]);
+    const before = filesOf(editor);
+    drag({ positionM: [1, 0, 0] });
+    undoOrCancelDrag(editor);
+    drag({ positionM: [2, 0, 0] });
+    drag({ positionM: [3, 0, 0] }, 'ended');
+    expect(filesOf(editor)).toEqual(before);
+    drag({ positionM: [4, 0, 0] });
+    drag({ positionM: [4, 0, 1] }, 'ended');
+    expect(position(editor, left)).toEqual({ value: [4, 0, 1] });
+    undoOrCancelDrag(editor);
+    expect(filesOf(editor)).toEqual(before);
   });
 
   test('sets the key at the moment that is shown, where there are keyframes', async () => {

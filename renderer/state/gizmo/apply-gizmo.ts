@@ -4,7 +4,7 @@ import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
 import type { FromPreview, GizmoMode, ToPreview } from '../../preview-protocol.ts';
 import { appCommand, appCommandIds, runCommand } from '../commands/app-commands.ts';
 import { commandOfKeybinding, keybindingsOf } from '../commands/keybindings.ts';
-import { endGesture, takeBack } from '../document/apply.ts';
+import { endGesture } from '../document/apply.ts';
 import { nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import type { GizmoDrag } from '../editor/gizmo-state.ts';
@@ -15,6 +15,7 @@ import { selectOnly, soleNode } from '../editor/selection.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { editParams } from '../params/edit-params.ts';
 import { editAt } from '../params/keyframes.ts';
+import { cancelDrag } from './cancel-drag.ts';
 
 export function currentGizmoTarget(
   { document, selection, gizmo }: Pick<Editor, 'document' | 'selection' | 'gizmo'>,
@@ -27,7 +28,7 @@ const VERBS: Readonly<Record<GizmoMode, string>> = { move: 'Move', rotate: 'Turn
 
 /** The end of the line to the preview's gizmo. */
 export interface Gizmos {
-  /** A preview page came anew. */
+  /** Sends everything to a preview page that has just loaded. */
   tell(): void;
   take(message: Extract<FromPreview, { kind: 'gizmo' | 'picked' | 'key' }>): void;
   dispose(): void;
@@ -39,7 +40,7 @@ export function createGizmos(editor: Editor, post: (message: ToPreview) => void)
   const follow = () => {
     const { mode, space, snap, way, drag } = gizmo.getState();
     const target = mode === null ? null : currentGizmoTarget(editor, mode).target;
-    if (target === null && drag !== null) gizmo.setState({ drag: null });
+    if (target === null && drag !== null) gizmo.setState({ drag: null, endedDrag: drag.id });
     const wanted = mode && target && { node: target.program, mode, space, snap, handles: target.handles, way };
     const text = JSON.stringify([wanted, mode !== null]);
     if (text === told) return;
@@ -67,6 +68,8 @@ export function createGizmos(editor: Editor, post: (message: ToPreview) => void)
   return {
     tell: () => {
       told = '';
+      cancelDrag(editor);
+      gizmo.setState({ endedDrag: 0 });
       follow();
       tellKeys();
     },
@@ -81,21 +84,11 @@ export function createGizmos(editor: Editor, post: (message: ToPreview) => void)
   };
 }
 
-/** Ends a drag, and everything is as it was before. */
-export function cancelDrag(editor: Editor): void {
-  const { gizmo } = editor;
-  const { drag, mode } = gizmo.getState();
-  if (drag === null) return;
-  takeBack(editor, drag.state);
-  // Without anything to hold on to, the preview lets go.
-  gizmo.setState({ drag: null, mode: null });
-  gizmo.setState({ mode });
-}
-
-function takeDrag(editor: Editor, { state, values }: Extract<FromPreview, { kind: 'gizmo' }>): void {
+function takeDrag(editor: Editor, { drag: id, state, values }: Extract<FromPreview, { kind: 'gizmo' }>): void {
   const { gizmo, document, preview } = editor;
-  const { mode } = gizmo.getState();
+  const { mode, endedDrag } = gizmo.getState();
   let { drag } = gizmo.getState();
+  if (id <= endedDrag) return;
   if (state === 'cancelled') {
     cancelDrag(editor);
     return;
@@ -104,13 +97,13 @@ function takeDrag(editor: Editor, { state, values }: Extract<FromPreview, { kind
     const target = mode === null ? null : currentGizmoTarget(editor, mode).target;
     if (target === null || state === 'ended') return;
     endGesture(editor);
-    drag = { target, state: document.getState().history.state, timeS: timeOf(preview.getState()) };
+    drag = { id, target, state: document.getState().history.state, timeS: timeOf(preview.getState()) };
     gizmo.setState({ drag });
   }
   setValues(editor, drag, mode ?? 'move', values);
   if (state !== 'ended') return;
   endGesture(editor);
-  gizmo.setState({ drag: null });
+  gizmo.setState({ drag: null, endedDrag: id });
 }
 
 function setValues(editor: Editor, { target, timeS }: GizmoDrag, mode: GizmoMode, values: Readonly<Record<string, ParamValue>>): void {
