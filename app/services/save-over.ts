@@ -6,7 +6,8 @@ import { refusal, writeRefusal } from './file-errors.ts';
 import type { FileLayer } from './file-layer.ts';
 import { changesBetween, PROJECT_FILE, readProjectFiles, revisionOf } from './project-files.ts';
 import { withLock } from './project-lock.ts';
-import { requireFolder, SCRIM_FOLDER } from './scrim-folder.ts';
+import { removeOldReplaced, replacedFolder } from './replaced-folders.ts';
+import { requireFolder } from './scrim-folder.ts';
 import { type Changes, finishInterrupted, keepOld, writeAll } from './transaction.ts';
 
 export interface SaveJob {
@@ -40,13 +41,16 @@ export async function saveOver({ root, next, loaded, revision, files }: SaveJob)
       const added = Object.entries(current?.sources ?? {}).filter(([name]) => !loaded.has(name) && !Object.hasOwn(next.sources, name));
       const saved: ProjectFiles = { ...next, sources: { ...Object.fromEntries(added), ...next.sources } };
       const changes = changesBetween(current, saved);
-      const kept = revision === null ? await keepReplaced(root, changes, files) : null;
+      const now = new Date();
+      const kept = revision === null ? await keepReplaced(root, replacedFolder(now), changes, files) : null;
       try {
         await writeAll(root, changes, files, stillMine);
       } catch (error) {
         if (kept !== null) await files.remove(join(root, kept)).catch(() => {});
         throw error;
       }
+      // The save is complete; a folder that cannot be removed is tried again after the next one.
+      if (kept !== null) await removeOldReplaced(root, now, files).catch(() => {});
       return { saved, kept };
     });
   } catch (error) {
@@ -77,8 +81,7 @@ function changedOutside(): HostError {
 }
 
 /** Gives what is about to be replaced or removed a second name in a folder of its own; null where nothing is. */
-async function keepReplaced(root: string, changes: Changes, files: FileLayer): Promise<string | null> {
-  const folder = `${SCRIM_FOLDER}/replaced-${new Date().toISOString().replaceAll(':', '-')}`;
+async function keepReplaced(root: string, folder: string, changes: Changes, files: FileLayer): Promise<string | null> {
   let count = 0;
   for (const path of changes.keys()) {
     const target = join(root, path);

@@ -17,6 +17,9 @@ import { fakeContext, type PlainValue, pulseNumbers } from '../support/node-cont
 const LAST = 15;
 const RATE_HZ = 10;
 
+/** The first of the frames that are played before a reset. */
+const OTHERS = 100;
+
 /** What draws nothing but the scene it is given, which the fake scene takes; and what the GPU alone would show. */
 const GPU_ALONE: Readonly<Record<string, string>> = {
   'world/depth': 'Only its steadier keeps a picture, on the GPU, and only where smoothing is on: tests/browser/room-depth.test.ts.',
@@ -173,8 +176,18 @@ function isObject3D(part: unknown): part is Object3D {
   return typeof part === 'object' && part !== null && 'isObject3D' in part;
 }
 
-/** What the node gives at frame `last`, played from `first` on. Params named in `steady` keep their value. */
-function giveAt(type: string, first: number, last: number, start: Readonly<Record<string, PlainValue>>, steady: readonly string[]): string {
+/**
+ * What the node gives at frame `last`, played from `first` on. Params named in `steady` keep their value. `played` is the number of other
+ * frames that it plays before, and is reset after.
+ */
+function giveAt(
+  type: string,
+  first: number,
+  last: number,
+  start: Readonly<Record<string, PlainValue>>,
+  steady: readonly string[],
+  played = 0,
+): string {
   const definition = definitionOf(type);
   const session = { light: null as unknown, cameraMean: null as unknown };
   const asked: unknown[] = [];
@@ -196,7 +209,8 @@ function giveAt(type: string, first: number, last: number, start: Readonly<Recor
   const files = Object.fromEntries(
     Object.entries(definition.params).flatMap(([name, { stage }]) => (stage === 'asset' ? [[name, 'a']] : [])),
   );
-  const services = { session, assets, scenes, random: createRandom(1, 'node').next } as never;
+  const random = createRandom(1, 'node');
+  const services = { session, assets, scenes, random: random.next } as never;
   const params = { ...files, ...FIXED[type], ...start } as never;
   const fake = fakeContext(definition, { params, inputs: inputs as never, services });
   const clock = fake.ctx.clock as { timeS: number; deltaS: number; frame: number; held: boolean };
@@ -208,7 +222,7 @@ function giveAt(type: string, first: number, last: number, start: Readonly<Recor
     if (port.type === 'depth') views.push(null);
   }
   const node = (RUNTIMES[type] as NodeModule).create(fake.ctx as never);
-  for (let frame = first; frame <= last; frame++) {
+  const play = (frame: number, first: number, last: number) => {
     asked.length = 0;
     fake.tick(0);
     Object.assign(clock, { timeS: frame / RATE_HZ, deltaS: frame === first ? 0 : 1 / RATE_HZ, frame });
@@ -228,7 +242,14 @@ function giveAt(type: string, first: number, last: number, start: Readonly<Recor
     for (const { items } of objects) for (const { worldFromObject } of items) worldFromObject.makeTranslation(frame, 0, 0);
     node.update(sessionFrame(frame, first, last));
     node.remember?.();
+  };
+  // As the player does it.
+  for (let frame = OTHERS; frame < OTHERS + played; frame++) play(frame, OTHERS, OTHERS + played - 1);
+  if (played > 0) {
+    random.reset();
+    node.reset?.();
   }
+  for (let frame = first; frame <= last; frame++) play(frame, first, last);
   const given = Object.entries(definition.outputs).map(([name, { type: wire }]) => {
     const output = outputs[name] as never;
     // No channel is silence, whatever else stands there.
@@ -287,5 +308,14 @@ describe.each(TYPES.filter((type) => definitionOf(type).stateful !== undefined &
     const lasts = Array.from({ length: LAST }, (_, i) => i + 5);
     const steady = Object.keys(start);
     expect(lasts.some((last) => giveAt(type, last - 1, last, start, steady) !== giveAt(type, 0, last, start, steady))).toBe(true);
+  });
+});
+
+describe.each(TYPES)('%s', (type) => {
+  test('begins anew after a reset', () => {
+    const steady = Object.keys(SHOWING[type] ?? {});
+    const givenAfter = (played: number) => [0, 1, 2, LAST].map((last) => giveAt(type, 0, last, SHOWING[type] ?? {}, steady, played));
+    const fresh = givenAfter(0);
+    for (const played of [4, LAST]) expect(givenAfter(played)).toEqual(fresh);
   });
 });

@@ -22,7 +22,7 @@ function start(hand: Hand = 'either', deadZone = 0) {
       pulses: [outputs.pulled.count, outputs.primary.count, outputs.secondary.count],
     };
   };
-  return { outputs, frame };
+  return { outputs, frame, reset: () => node.reset?.() };
 }
 
 function move(controller: MutableController, x: number, y: number): void {
@@ -77,5 +77,26 @@ describe('gamepad', () => {
     expect([pull(0.49), pull(0.5)]).toEqual([0, 1]);
     expect(outputs.pulled.at(0).worldFromPose).toEqual(new Float32Array(16).fill(3));
     expect([pull(0.45), pull(0.55), pull(0.3), pull(0.6)]).toEqual([0, 0, 0, 1]);
+  });
+
+  test('after a reset, what is still pressed is pressed anew', () => {
+    const { frame, reset } = start();
+    const hold = (input: MutableInput) => {
+      Object.assign(input.right, { trigger: 0.45, primary: true, secondary: true });
+    };
+    const pull = (input: MutableInput) => {
+      hold(input);
+      input.right.trigger = 1;
+    };
+    expect([frame(pull).pulses, frame(hold).pulses]).toEqual([
+      [1, 1, 1],
+      [0, 0, 0],
+    ]);
+    reset();
+    // Between the two limits, the trigger is not pulled unless it was.
+    expect([frame(hold).pulses, frame(pull).pulses]).toEqual([
+      [0, 1, 1],
+      [1, 0, 0],
+    ]);
   });
 });

@@ -44,6 +44,11 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       hadPrimary = primary;
       hadSecondary = secondary;
     },
+    reset: () => {
+      wasPulled = false;
+      hadPrimary = false;
+      hadSecondary = false;
+    },
     dispose: () => {},
   };
 }
