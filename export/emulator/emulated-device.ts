@@ -2,7 +2,7 @@ import { metaQuest3, P_DEVICE, XRDevice, type XRDeviceConfig, type XRInputSource
 import { createScreenInput, type ScreenInput } from './input/screen-input.ts';
 import { DEVICE_PROFILES, type DeviceName } from './profiles.ts';
 
-/** iwer's device with a screen to touch. */
+/** The device of iwer with a touch screen. */
 export class EmulatedDevice extends XRDevice {
   readonly screenInput: ScreenInput;
 
@@ -31,7 +31,7 @@ export class EmulatedDevice extends XRDevice {
   }
 
   override get inputSources(): XRInputSource[] {
-    // Absent while the base class is being made.
+    // Undefined while the constructor of the base class runs.
     return [...super.inputSources, ...(this.screenInput?.sources() ?? [])];
   }
 }

@@ -7,11 +7,11 @@ import type { SessionWorld } from './session/grant-session.ts';
 import { type Presentation, presentationOf } from './session/presentation.ts';
 import { showPresentation } from './session/run-frame.ts';
 
-/** Pictures of the last frame. */
+/** Reads back images of the last frame. */
 export function createReadback(world: SessionWorld): Pick<Emulator, 'readLayer' | 'readRoom' | 'readComposite' | 'counts'> {
   const presenting = (): { session: EmulatedSession; shown: Presentation } => {
     const shown = world.session && presentationOf(world.session);
-    if (!world.session || !shown) throw new Error('There is no session with a layer to read.');
+    if (!world.session || !shown) throw new Error('No session with a layer is running.');
     return { session: world.session, shown };
   };
   const takeLayer = (): Pixels => {
@@ -24,7 +24,7 @@ export function createReadback(world: SessionWorld): Pick<Emulator, 'readLayer' 
     const { widthPx, heightPx } = shown;
     const rgba = new Uint8Array(widthPx * heightPx * 4);
     const { display } = world.settings;
-    // On display the canvas holds both by now: draw the room again, and put the layer back.
+    // With `display`, the canvas contains room and layer: draw the room alone, then restore the layer.
     if (display) roomServices.view.drawRoom(session[P_SESSION].mode === 'immersive-ar' ? eyes : []);
     roomServices.view.readPixels(rgba);
     if (display) showPresentation(session, shown);

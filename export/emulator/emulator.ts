@@ -3,12 +3,13 @@ import type { DepthState } from './depth/session-depth.ts';
 import type { Pixels } from './display/composite.ts';
 import type { LightState } from './light/session-light.ts';
 
-/** The controls of an installed device. Poses are in world space: meters, y up, the floor at y = 0. */
+/** Controls of an installed device. Poses are in world space: meters, y up, the floor at y = 0. */
 export interface Emulator {
   /** The device of iwer, which controls controllers, hands and recordings. */
   readonly device: XRDevice;
   /** Sets the pose of the head from the next frame on. */
   setPose(pose: HeadPose): void;
+  /** Sets the vertical field of view, in radians. */
   setFovY(fovYRad: number): void;
   /** Rotates the device or resizes its window: layers have this size from the next frame on, as in Chrome on Android. */
   setSize(sizePx: readonly [width: number, height: number]): void;
@@ -16,42 +17,63 @@ export interface Emulator {
   setTracked(tracked: boolean): void;
   /** From the next frame on: correct depth, no depth, or the last depth in every frame. */
   setDepth(state: DepthState): void;
-  /** From the next frame on: what light estimation says. */
+  /** Sets what depth sensing returns from the next frame on: correct depth, no depth, or the last depth in every frame. */
   setLight(state: LightState): void;
-  /** Moves the room's strongest light, in the room itself and in what is estimated of it: a unit vector towards it; null: back. */
+  /**
+   * Moves the room's strongest light, in the images and in the light estimate: a unit vector from the scene towards the light. Null
+   * restores it.
+   */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
   setVisibility(state: 'visible' | 'visible-blurred' | 'hidden'): void;
-  /** The user re-centers: `local` and `local-floor` spaces begin anew where the viewer is, and say so with `reset`. */
+  /** Re-centers: `local` and `local-floor` spaces move to the viewer and dispatch `reset`. */
   recenter(): void;
-  /** The system ends the session, as a home button does. */
+  /** Ends the session as the system does, such as by a home button. */
   endSession(): Promise<void>;
 
-  /** A finger on a handheld device's screen; normalized, origin at the top left. */
+  /**
+   * Touches the screen of a handheld device. Coordinates are normalized, with the origin at the top left.
+   *
+   * @throws Error if the screen is already touched.
+   */
   press(x: number, y: number): void;
+  /** Moves the touch; same coordinates as `press`. */
   move(x: number, y: number): void;
   release(): void;
 
-  /** Resolves once the page has an immersive session with something to draw into and waits for a frame. */
+  /** Resolves once the page has an immersive session with a layer and has requested a frame. */
   frameRequested(): Promise<void>;
   /**
-   * Runs frames of a device with a manual clock, one after the other, with a turn of the event loop after each. Sessions on the page
-   * get one with each, too.
+   * Runs `count` frames of a device with a manual clock. The event loop runs after each. Without an immersive session, inline sessions get
+   * the frames.
    *
-   * @throws Error when there is no session, or the page no longer asks for frames.
+   * @throws Error if there is no session, if the page has requested no frame, or if the clock is not manual.
    */
   stepFrame(count?: number): Promise<void>;
 
-  /** What the page drew in the last frame: premultiplied. */
+  /**
+   * What the page drew in the last frame, premultiplied.
+   *
+   * @throws Error if there is no session with a layer.
+   */
   readLayer(): Pixels;
-  /** What the device's cameras saw in the last frame. */
+  /**
+   * What the device's cameras saw in the last frame.
+   *
+   * @throws Error if there is no session with a layer.
+   */
   readRoom(): Pixels;
-  /** What the user saw in the last frame. */
+  /**
+   * What the user saw in the last frame.
+   *
+   * @throws Error if there is no session with a layer.
+   */
   readComposite(): Pixels;
   /**
    * Casts a ray into the room.
    *
+   * @param originWorld Meters.
    * @param directionWorld Any length except 0.
-   * @returns Meters to the first surface, or null where the ray hits nothing.
+   * @returns Meters to the first surface, or null if the ray hits nothing.
    */
   measure(originWorld: readonly number[], directionWorld: readonly number[]): number | null;
   /** GPU objects of the device's own context, for leak tests. */
@@ -60,7 +82,7 @@ export interface Emulator {
   uninstall(): Promise<void>;
 }
 
-/** World from head: a column-major 4×4 matrix without scale, or its parts; the quaternion is x, y, z, w. */
+/** Pose of the head in world space: a column-major 4×4 matrix without scale, or position in meters and quaternion as x, y, z, w. */
 export type HeadPose =
   | { readonly matrix: ArrayLike<number> }
   | { readonly position: readonly [number, number, number]; readonly quaternion?: readonly [number, number, number, number] };

@@ -11,7 +11,7 @@ export interface SessionWishes {
 export interface DepthWishes {
   readonly usagePreference?: readonly string[];
   readonly dataFormatPreference?: readonly string[];
-  /** Depth of this frame as the view sees it; else of the depth camera, from when it was taken. Default: true. */
+  /** Whether depth is reprojected to the current view; otherwise it comes with the depth camera's own pose. Default: true. */
   readonly matchDepthView?: boolean;
 }
 
@@ -23,13 +23,13 @@ export interface DepthConfiguration {
 
 export type Grant =
   | { readonly features: readonly string[]; readonly depth: DepthConfiguration | null }
-  /** A required feature that cannot be had. */
+  /** A required feature that the device does not support. */
   | { readonly missing: string };
 
-/** Always there in an immersive session, asked for or not (WebXR Device API, "default features"). */
+/** Features that every immersive session has (WebXR Device API, “default features”). */
 const DEFAULT_FEATURES = ['viewer', 'local'];
 
-/** What a session gets of what it asked for: WebXR Device API §5.2 ("resolve the requested features"). */
+/** Resolves the requested features: WebXR Device API §5.2. */
 export function grantFeatures(wishes: SessionWishes, supported: ReadonlySet<string>, depthProfile: DepthProfile): Grant {
   const depth = wishes.depthSensing ? chooseDepth(wishes.depthSensing, depthProfile) : null;
   const canHave = (feature: string): boolean => {
@@ -47,8 +47,8 @@ export function grantFeatures(wishes: SessionWishes, supported: ReadonlySet<stri
 }
 
 /**
- * WebXR Depth Sensing §2.3, "find supported configuration combination": one wish is taken as it is, of several the first that
- * fits, of none the device's own choice; null when usage and format do not go together on this device.
+ * “Find supported configuration combination” of WebXR Depth Sensing §2.3. A single preference is used as is; of several, the first
+ * supported one; without preferences, the device's first. Returns null if the device does not support the result.
  */
 export function chooseDepth(wishes: DepthWishes, profile: DepthProfile): DepthConfiguration | null {
   const usage = choose(wishes.usagePreference ?? [], profile.usages);
@@ -56,7 +56,7 @@ export function chooseDepth(wishes: DepthWishes, profile: DepthProfile): DepthCo
   return usage && format ? { usage, format, matchView: wishes.matchDepthView ?? true } : null;
 }
 
-/** Every usage of a profile goes with every format of it, so the two can be chosen apart. */
+/** Every usage of a profile works with every format, so they are chosen independently. */
 function choose<T extends string>(preferences: readonly string[], supported: readonly T[]): T | undefined {
   if (preferences.length === 0) return supported[0];
   const wished = preferences.find((preference) => supported.some((value) => value === preference));

@@ -1,15 +1,19 @@
 import type { FrameClock } from '../runtime/clock.ts';
 
-/** Decides when sessions' frames happen and what time they carry. */
+/** Schedules the frames of sessions and their times. */
 export interface FrameSource {
-  /** `runFrame` is called with seconds until what is returned is called; it returns whether it really was a frame. */
+  /** Calls `runFrame` with the time in seconds until the returned function is called. `runFrame` returns whether it drew a frame. */
   start(runFrame: (timeS: number) => boolean): () => void;
-  /** Runs one frame of every session now. Only a manual source can. */
+  /**
+   * Runs one frame of every session now.
+   *
+   * @throws Error if the source is not manual.
+   */
   step(): void;
   readonly manual: boolean;
 }
 
-/** Frames with the display, carrying its time. */
+/** Frames of the display, with its time. */
 export function createFreeSource(clock: FrameClock): FrameSource {
   return {
     manual: false,
@@ -26,12 +30,12 @@ export function createFreeSource(clock: FrameClock): FrameSource {
       };
     },
     step: () => {
-      throw new Error('Frames run with the display here. Install the emulator with clock: "manual" to step them.');
+      throw new Error('This clock cannot be stepped: frames follow the display. Install the emulator with clock: "manual" to step them.');
     },
   };
 }
 
-/** Frame N of a session at N/`framesPerSecond`, whenever `step` is called: the same script gives the same pictures. */
+/** Frames on `step` only. Frame N of a session has the time N/`framesPerSecond`, so the same script gives the same images. */
 export function createManualSource(framesPerSecond: number): FrameSource {
   const runs = new Map<(timeS: number) => boolean, number>();
   return {
@@ -41,14 +45,14 @@ export function createManualSource(framesPerSecond: number): FrameSource {
       return () => void runs.delete(runFrame);
     },
     step: () => {
-      if (runs.size === 0) throw new Error('There is no session to step.');
+      if (runs.size === 0) throw new Error('No session is running, so no frame can be stepped.');
       let drawn = false;
       for (const [run, index] of [...runs]) {
         if (!run(index / framesPerSecond)) continue;
         drawn = true;
         if (runs.has(run)) runs.set(run, index + 1);
       }
-      if (!drawn) throw new Error('The session has no base layer yet: nothing can be drawn.');
+      if (!drawn) throw new Error('The session has no layer, so no frame can be drawn. Set a base layer first.');
     },
   };
 }

@@ -9,11 +9,11 @@ export interface InjectedEmulator {
 }
 
 declare global {
-  /** There in pages that were given the emulator before their own scripts. */
+  /** Present in pages that load the emulator before their own scripts. */
   var scrimEmulator: InjectedEmulator | undefined;
 }
 
-// Entry of a script that tests put into a page before the page's own: bundle it as an IIFE.
+// Entry of a script that tests inject before the page's own: bundle it as an IIFE.
 const injected: InjectedEmulator = {
   current: null,
   install: (options) => {
@@ -22,5 +22,5 @@ const injected: InjectedEmulator = {
   },
 };
 globalThis.scrimEmulator = injected;
-// three.js warns when it is loaded twice. The page's copy and ours share nothing, so the page need not hear of ours.
+// three.js warns if it is loaded twice. The page's copy and this one share nothing, so the marker is removed.
 Reflect.deleteProperty(globalThis, '__THREE__');

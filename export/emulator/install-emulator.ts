@@ -27,30 +27,37 @@ import type { EmulatedRenderState } from './session/render-state.ts';
 import type { WorldSettings } from './world.ts';
 
 /**
- * Installs an emulated WebXR device in this page: `navigator.xr` and its interfaces, until `uninstall`. The room is created when the
- * first session is requested.
+ * Installs an emulated WebXR device in this page: `navigator.xr` and its interfaces, until `uninstall`. The room is created when the first
+ * immersive session is requested.
  *
- * @param options What is left out takes its value from `EMULATOR_DEFAULTS` and the device's profile. Lengths in meters, angles in radians.
+ * @param options Missing options have the values of `EMULATOR_DEFAULTS` and of the device's profile. Meters and radians.
  * @returns The controls of the device.
  *
  * @example
  * const emulator = installEmulator({ device: 'phone', room: 'studio', clock: 'manual' });
  * emulator.setPose({ position: [0, 1.5, 1] });
+ * // … the page requests a session …
+ * await emulator.frameRequested();
+ * await emulator.stepFrame();
+ * const { rgba } = emulator.readComposite();
  */
 export function installEmulator(options: EmulatorOptions = {}): Emulator {
-  const said = withDefaults<EmulatorOptions, keyof SettledDefaults>(EMULATOR_DEFAULTS, options);
-  const profile = DEVICE_PROFILES[said.device];
-  const device = new EmulatedDevice(said.device, said.fovYRad ?? profile.fovYRad, said.ipdM, said.modes);
+  const resolved = withDefaults<EmulatorOptions, keyof SettledDefaults>(EMULATOR_DEFAULTS, options);
+  const profile = DEVICE_PROFILES[resolved.device];
+  const device = new EmulatedDevice(resolved.device, resolved.fovYRad ?? profile.fovYRad, resolved.ipdM, resolved.modes);
   let roomServices: OwnedRoomServices | null = null;
   const world: SessionWorld = {
     device,
     profile,
-    settings: settle(said),
-    frames: said.clock === 'manual' ? createManualSource(said.framesPerSecond) : createFreeSource(said.frameClock ?? createBrowserClock()),
-    screen: createScreen(said.container),
+    settings: resolveSettings(resolved),
+    frames:
+      resolved.clock === 'manual'
+        ? createManualSource(resolved.framesPerSecond)
+        : createFreeSource(resolved.frameClock ?? createBrowserClock()),
+    screen: createScreen(resolved.container),
     screenInput: device.screenInput,
     roomServices: () => {
-      roomServices ??= createRoomServices(said.room, said.antialias ?? said.clock === 'free');
+      roomServices ??= createRoomServices(resolved.room, resolved.antialias ?? resolved.clock === 'free');
       return roomServices;
     },
     tracked: true,
@@ -65,7 +72,7 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
     system[P_SYSTEM].grantSession = (request) => grantSession(world, system, request);
     checkModes(system);
   }
-  // The session's framebuffer is ours, and the page's canvas stays where it is.
+  // Layers own their framebuffer, and the page's canvas stays in place, so iwer's handling of both is disabled.
   device[P_DEVICE].onBaseLayerSet = () => {};
   device[P_DEVICE].onSessionEnd = () => {};
 
@@ -110,35 +117,35 @@ export function installEmulator(options: EmulatorOptions = {}): Emulator {
   };
 }
 
-function settle(said: EmulatorOptions & SettledDefaults): WorldSettings {
-  const { views, depth, features } = DEVICE_PROFILES[said.device];
-  const refused = new Set(said.refuse);
+function resolveSettings(resolved: EmulatorOptions & SettledDefaults): WorldSettings {
+  const { views, depth, features } = DEVICE_PROFILES[resolved.device];
+  const refused = new Set(resolved.refuse);
   return {
-    views: said.views ?? views,
-    features: new Set([...features, ...said.extra].filter((feature) => !refused.has(feature))),
-    sizePx: said.sizePx,
-    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, ...DEPTH_DEFAULTS }, said.depth ?? {}),
-    light: withDefaults<LightOptions, keyof LightOptions>(LIGHT_DEFAULTS, said.light ?? {}),
-    display: said.display,
-    requireGesture: said.requireGesture,
+    views: resolved.views ?? views,
+    features: new Set([...features, ...resolved.extra].filter((feature) => !refused.has(feature))),
+    sizePx: resolved.sizePx,
+    depth: withDefaults<DepthOptions, keyof DepthOptions>({ ...depth, ...DEPTH_DEFAULTS }, resolved.depth ?? {}),
+    light: withDefaults<LightOptions, keyof LightOptions>(LIGHT_DEFAULTS, resolved.light ?? {}),
+    display: resolved.display,
+    requireGesture: resolved.requireGesture,
   };
 }
 
 const scratchPosition = new Vector3();
-const scratchTurn = new Quaternion();
+const scratchRotation = new Quaternion();
 const scratchScale = new Vector3();
 
 function setPose(device: EmulatedDevice, pose: HeadPose): void {
-  if ('matrix' in pose) new Matrix4().fromArray(Array.from(pose.matrix)).decompose(scratchPosition, scratchTurn, scratchScale);
+  if ('matrix' in pose) new Matrix4().fromArray(Array.from(pose.matrix)).decompose(scratchPosition, scratchRotation, scratchScale);
   else {
     scratchPosition.set(...pose.position);
-    scratchTurn.set(...(pose.quaternion ?? [0, 0, 0, 1])).normalize();
+    scratchRotation.set(...(pose.quaternion ?? [0, 0, 0, 1])).normalize();
   }
   device.position.set(scratchPosition.x, scratchPosition.y, scratchPosition.z);
-  device.quaternion.set(scratchTurn.x, scratchTurn.y, scratchTurn.z, scratchTurn.w);
+  device.quaternion.set(scratchRotation.x, scratchRotation.y, scratchRotation.z, scratchRotation.w);
 }
 
-/** iwer moves the head to the middle of the room instead. */
+/** Re-centers at the viewer; iwer's own method moves the head to the center of the room instead. */
 function recenter({ device, session }: SessionWorld): void {
   const state = device[P_DEVICE];
   state.updateViews();
@@ -159,7 +166,7 @@ function createTouch(world: SessionWorld): Pick<Emulator, 'press' | 'move' | 're
     press: (x, y) => {
       const root = world.session?.[P_EMULATED].overlayRoot;
       const touched = root ? document.elementFromPoint(x * window.innerWidth, y * window.innerHeight) : null;
-      // WebXR DOM Overlays §3.3: the overlay may keep a touch for itself.
+      // WebXR DOM Overlays §3.3: the overlay may cancel the event to keep the touch.
       const event = new Event('beforexrselect', { bubbles: true, cancelable: true, composed: true });
       world.screenInput.press(x, y, touched !== null && (root?.contains(touched) ?? false) && !touched.dispatchEvent(event));
     },
@@ -176,8 +183,8 @@ function createStepping(world: SessionWorld): Pick<Emulator, 'frameRequested' | 
     stepFrame: async (count = 1) => {
       for (let i = 0; i < count; i++) {
         const sessions = world.session ? [world.session] : [...world.inlineSessions];
-        if (sessions.length === 0) throw new Error('There is no session: nothing can be stepped.');
-        if (!sessions.some(isWaiting)) throw new Error('The page waits for no frame. Await frameRequested() first.');
+        if (sessions.length === 0) throw new Error('No session is running, so no frame can be stepped.');
+        if (!sessions.some(isWaiting)) throw new Error('The page has not requested a frame. Await frameRequested() first.');
         world.frames.step();
         await nextTask();
       }
@@ -191,7 +198,7 @@ function isWaiting(session: EmulatedSession): boolean {
   return !ended && frameCallbacks.length > 0 && (baseLayer !== null || layers.length > 0);
 }
 
-/** A turn of the event loop, so that promises and messages of the page get theirs; not throttled as timers are. */
+/** Waits for one iteration of the event loop, so that promises and messages of the page are handled. Unlike timers, it is not throttled. */
 function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel();

@@ -21,7 +21,7 @@ import { EmulatedRenderState } from './session/render-state.ts';
 import { EmulatedRigidTransform } from './session/rigid-transform.ts';
 import { makeXrCompatible, watchContexts } from './xr-compatible.ts';
 
-/** The interfaces of the specifications that iwer leaves out, or whose implementation here is another. */
+/** Interfaces that iwer does not implement, or that are implemented here instead. */
 const GLOBALS: Readonly<Record<string, unknown>> = {
   XRSession: EmulatedSession,
   XRFrame: EmulatedFrame,
@@ -57,9 +57,9 @@ const GLOBALS: Readonly<Record<string, unknown>> = {
   XRMeshSet,
 };
 
-/** Puts the device in the page's way; what it returns takes everything back. */
+/** Installs the device's globals in the page. Returns a function that restores the previous ones. */
 export function installGlobals(device: XRDevice): () => void {
-  // Chromium has a `navigator.xr` of its own even without a device.
+  // Chromium has a `navigator.xr` even without a device.
   device.installRuntime({ forceInstall: true });
   const state = device[P_DEVICE];
   const globals = globalThis as unknown as Record<string, unknown>;
@@ -70,7 +70,7 @@ export function installGlobals(device: XRDevice): () => void {
   for (const prototype of state.previousMakeXRCompatible?.keys() ?? []) {
     Object.defineProperty(prototype, 'makeXRCompatible', { configurable: true, value: makeXrCompatible });
   }
-  // iwer covers the browser's name with that of a headset; pages that look at it would take other ways than on a phone.
+  // iwer overrides the user agent with that of a headset, which would make pages behave differently from a phone.
   if (state.previousUserAgentDescriptor === null) Reflect.deleteProperty(navigator, 'userAgent');
   const unwatch = watchContexts();
   return () => {

@@ -6,62 +6,64 @@ import type { LightOptions } from './light/session-light.ts';
 import type { DepthFormat, DepthUsage, DeviceName } from './profiles.ts';
 import type { RoomSource } from './rooms/room-source.ts';
 
-/** What `installEmulator` takes. Plain data but for `container` and `frameClock`, so that a test can send it into a page. */
+/** Options of `installEmulator`. All but `container` and `frameClock` are plain data, so a test can send them to a page. */
 export interface EmulatorOptions {
   readonly device?: DeviceName;
-  /** One view covers the framebuffer; two stand side by side. Default: what the device has. */
+  /** One view covers the framebuffer, two are side by side. Default: the device's. */
   readonly views?: 1 | 2;
-  /** What kinds of session it has: AR and VR unless given. */
+  /** Session modes that the device supports. Default: AR and VR. */
   readonly modes?: readonly ('immersive-ar' | 'immersive-vr')[];
-  /** What the device sees; null is an endless void without depth or surfaces. */
+  /** What the device sees. Null is empty space without depth or surfaces. */
   readonly room?: RoomSource | null;
-  /** `manual`: frames come from `stepFrame` alone, frame N at N/`framesPerSecond`. `free`: with the display. */
+  /** `manual`: only `stepFrame` runs frames, frame N at N/`framesPerSecond` seconds. `free`: frames follow the display. */
   readonly clock?: 'free' | 'manual';
-  /** Of a manual clock: few make long waits short. Default: 60. */
+  /** Frame rate of a manual clock; a low rate makes long waits short. Default: 60. */
   readonly framesPerSecond?: number;
-  /** Framebuffer, both views together; default: that of the container or window when the layer is made. */
+  /** Size of the framebuffer with all views. Default: size of the container or window when the layer is created. */
   readonly sizePx?: readonly [width: number, height: number] | null;
   /** Vertical field of view. Default: the device's. */
   readonly fovYRad?: number;
   readonly ipdM?: number;
-  /** Feature descriptors that this device does not grant, as if the user or the hardware had refused. */
+  /** Features that this device denies, as if the user or the hardware refused. */
   readonly refuse?: readonly string[];
-  /** Feature descriptors granted beyond what the device's profile has: camera access on a headset, say. */
+  /** Features beyond the device's profile, such as `camera-access` on a headset. */
   readonly extra?: readonly string[];
   readonly depth?: DepthOptions;
   readonly light?: LightOptions;
-  /** `requestSession` needs a user gesture, as in browsers. */
+  /** Whether `requestSession` needs a user gesture, as in browsers. */
   readonly requireGesture?: boolean;
-  /** Copy the picture to the screen; off, frames are drawn for reading back alone. */
+  /** Whether to show the image on the page. If false, frames are drawn for readback only. */
   readonly display?: boolean;
-  /** Smooth edges of the room. Default: with a free clock alone, where people look; on the CPU it doubles a frame's time. */
+  /**
+   * Whether edges of the room are antialiased. Default: only with a free clock, because it doubles the frame time on a software renderer.
+   */
   readonly antialias?: boolean;
-  /** Where the picture is shown; default: over the whole window while a session runs. */
+  /** Element that shows the image. Default: the whole window while a session runs. */
   readonly container?: HTMLElement | null;
   /** Default: the browser's. */
   readonly frameClock?: FrameClock | null;
 }
 
-/** What is left out is as the device's profile has it. */
+/** Missing values are those of the device's profile. */
 export interface DepthOptions {
   readonly usages?: readonly DepthUsage[];
   readonly formats?: readonly DepthFormat[];
-  /** Columns and rows of the depth buffer, which is that of the turned sensor: see `transform`. */
+  /** Columns and rows of the depth buffer, in the orientation of the sensor: see `transform`. */
   readonly sizePx?: readonly [width: number, height: number];
-  /** How the depth buffer lies against the view; default: upright, covering it exactly. */
+  /** Orientation of the depth buffer relative to the view. Default: upright, covering it exactly. */
   readonly transform?: DepthTransform;
   /**
-   * What depth textures hold. `meters`: as the specification says. `window`: as Quest Browser does, values of a depth buffer with
-   * an endless far plane, its first row at the bottom, and the attributes `depthNear`, `depthFar` and `isValid` that no specification has.
+   * Content of depth textures. `meters` follows the specification. `window` follows Quest Browser: window-space depth with an infinite far
+   * plane, first row at the bottom, and the non-standard attributes `depthNear`, `depthFar` and `isValid`.
    */
   readonly gpuValues?: 'meters' | 'window';
-  /** The camera that measures, for pages that ask for `matchDepthView: false`; null: it stands where the view is, and sees as the view does. */
+  /** The depth camera for pages that request `matchDepthView: false`. Null uses the pose and lens of the view. */
   readonly sensor?: DepthSensor | null;
-  /** Frames by which depth comes late. Pages that ask for depth of the view get the late picture as if it were of now; others are told where it was taken. */
+  /** Delay of depth, in frames. With `matchDepthView: false` the page gets the old pose with it; else the depth is not reprojected. */
   readonly lagFrames?: number;
-  /** Default: none, depth is exact. */
+  /** Default: null, exact depth. */
   readonly noise?: DepthNoise | null;
-  /** Nothing is known of what is farther; null: no limit but the format's. */
+  /** Depth beyond this distance is unknown, in meters. Null: only the format limits it. */
   readonly maxM?: number | null;
 }
 
@@ -85,7 +87,7 @@ export const EMULATOR_DEFAULTS: SettledDefaults = {
   frameClock: null,
 };
 
-/** `defaults` overlaid with what `options` really says: `undefined` says nothing. */
+/** Merges `options` over `defaults`; an `undefined` option has its default. */
 export function withDefaults<O extends object, K extends keyof O>(defaults: Required<Pick<O, K>>, options: O): O & Required<Pick<O, K>> {
   const said = Object.entries(options).filter(([, value]) => value !== undefined);
   return { ...defaults, ...Object.fromEntries(said) } as O & Required<Pick<O, K>>;

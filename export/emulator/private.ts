@@ -1,3 +1,3 @@
-/** Where our classes keep what pages must not see, as iwer does with its own symbols. */
+/** Keys of internal state on objects that pages see, as in iwer. */
 export const P_EMULATED = Symbol('scrim/emulated-session');
 export const P_EYE = Symbol('scrim/emulated-view');

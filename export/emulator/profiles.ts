@@ -3,28 +3,28 @@ export type DeviceName = 'phone' | 'headset' | 'glasses';
 export type DepthUsage = 'cpu-optimized' | 'gpu-optimized';
 export type DepthFormat = 'luminance-alpha' | 'unsigned-short' | 'float32';
 
-/** What one kind of device has, as far as pages can tell. Sources: export/emulator/README.md. */
+/** What a kind of device supports, as visible to pages. Sources: export/emulator/README.md. */
 export interface DeviceProfile {
   readonly views: 1 | 2;
   readonly blend: 'alpha-blend' | 'additive';
   readonly interaction: 'screen-space' | 'world-space';
   readonly fovYRad: number;
   readonly controllers: boolean;
-  /** Hertz; the first is the one that sessions begin with. */
+  /** Hertz; sessions start with the first. */
   readonly frameRates: readonly number[];
   readonly features: readonly string[];
   readonly depth: DepthProfile;
 }
 
 export interface DepthProfile {
-  /** In the device's own order of preference. */
+  /** In the device's order of preference. */
   readonly usages: readonly DepthUsage[];
   readonly formats: readonly DepthFormat[];
   readonly sizePx: readonly [width: number, height: number];
 }
 
 export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
-  // Chrome on Android, held upright or across.
+  // Chrome on Android, portrait or landscape.
   phone: {
     views: 1,
     blend: 'alpha-blend',
@@ -75,7 +75,7 @@ export const DEVICE_PROFILES: Readonly<Record<DeviceName, DeviceProfile>> = {
       sizePx: [160, 160],
     },
   },
-  // A see-through display: it adds light and cannot darken.
+  // An additive display: it adds light and cannot darken.
   glasses: {
     views: 2,
     blend: 'additive',

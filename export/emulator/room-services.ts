@@ -8,7 +8,11 @@ export interface OwnedRoomServices extends RoomServices {
   dispose(): void;
 }
 
-/** @throws Error when the room cannot be made of its source. */
+/**
+ * Creates the room with its view and light estimation.
+ *
+ * @throws Error if the source is invalid.
+ */
 export function createRoomServices(source: RoomSource | null, antialias: boolean): OwnedRoomServices {
   const room = source === null ? null : createRoom(source);
   const view = createRoomView(room, antialias);

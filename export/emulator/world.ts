@@ -11,7 +11,7 @@ import type { DepthOptions } from './options.ts';
 import type { DeviceProfile } from './profiles.ts';
 import type { PrimaryLight, Room } from './rooms/room.ts';
 
-/** The emulated device and what is around it; sessions come and go in it. */
+/** The emulated device and its surroundings; they outlive sessions. */
 export interface World {
   readonly device: XRDevice;
   readonly profile: DeviceProfile;
@@ -19,9 +19,9 @@ export interface World {
   readonly frames: FrameSource;
   readonly screen: Screen;
   readonly screenInput: ScreenInput;
-  /** The room, its picture and its light; made when first needed. */
+  /** The room, its view and its light estimate; created on first use. */
   readonly roomServices: () => RoomServices;
-  /** Whether the device knows where it is. */
+  /** Whether the device has tracking. */
   tracked: boolean;
   depthState: DepthState;
   lightState: LightState;
@@ -30,7 +30,7 @@ export interface World {
 export interface WorldSettings {
   readonly views: 1 | 2;
   readonly features: ReadonlySet<string>;
-  /** Of the screen, while that may change; null: the window's when a layer is made. */
+  /** Size of the screen; null for the window's size when a layer is created. */
   sizePx: readonly [width: number, height: number] | null;
   readonly depth: Required<DepthOptions>;
   readonly light: Required<LightOptions>;
@@ -42,9 +42,9 @@ export interface RoomServices {
   readonly room: Room | null;
   readonly view: RoomView;
   readonly light: () => RoomLight | null;
-  /** Made when first needed. */
+  /** Created on first use. */
   readonly compositor: () => LayerCompositor;
-  /** How often its light was moved. */
+  /** How often `moveLight` was called. */
   readonly lightMoves: number;
   moveLight(directionWorld: PrimaryLight['directionWorld'] | null): void;
 }

@@ -1,4 +1,4 @@
-/** Sixteen numbers into one of iwer's matrices, whose type is not quite an array. */
+/** Copies sixteen numbers into a matrix of iwer, whose type is not an array type. */
 export function writeMatrix(target: { [index: number]: number }, source: ArrayLike<number>): void {
   for (let i = 0; i < 16; i++) target[i] = source[i] ?? 0;
 }

@@ -1,21 +1,24 @@
 import type { Gl } from './display/app-gl.ts';
 
-/** Contexts made without `xrCompatible` that have not asked for it since. Real browsers refuse to make a layer with them. */
+/**
+ * Contexts that are not XR compatible: created without `xrCompatible` and without a later `makeXRCompatible`. Browsers reject layers with
+ * them.
+ */
 const plain = new WeakSet<object>();
 
 export function isXrCompatible(context: Gl): boolean {
   return !plain.has(context);
 }
 
-/** What stands for `makeXRCompatible` on the contexts' prototypes: WebXR Device API §11.6. */
+/** Replaces `makeXRCompatible` of the contexts' prototypes: WebXR Device API §11.6. */
 export async function makeXrCompatible(this: Gl): Promise<void> {
   if (this.isContextLost()) throw new DOMException('The WebGL context is lost.', 'InvalidStateError');
   plain.delete(this);
 }
 
 /**
- * Notes how contexts are made from now on: a browser without a device answers `xrCompatible: false` whatever was asked. Returns
- * what ends it.
+ * Records whether new contexts request `xrCompatible`, because a browser without a device reports false regardless. Returns a function that
+ * stops recording.
  */
 export function watchContexts(): () => void {
   const undos = [...watchMaking(), ...answerAttributes()];
@@ -60,5 +63,5 @@ function isGl(context: object | null): context is Gl {
   return context instanceof WebGL2RenderingContext || context instanceof WebGLRenderingContext;
 }
 
-/** A second call returns the first one's context, whatever it asks for. */
+/** Contexts that `getContext` returned before: a second call returns the same one regardless of its options. */
 const seen = new WeakSet<object>();

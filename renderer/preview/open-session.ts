@@ -121,7 +121,7 @@ async function openRecording(url: string, { gl, clock, onEnd, onArrival }: Sessi
       seek: session.seekTime,
       step: () => {
         const fromS = session.playheadS;
-        session.stepOn();
+        session.nextFrame();
         return session.playheadS - fromS;
       },
       setRange: session.setRange,

@@ -17,7 +17,7 @@ const IDLE_S = 0.25;
  * The longest step of time, seconds. While the page is hidden browsers ask for no frames; what plays then goes on where it was,
  * instead of making up for it in one leap.
  */
-const LONGEST_STEP_S = 0.5;
+const MAX_STEP_S = 0.5;
 
 /**
  * Runs with `base` while playing; held, it gives frames of the same time, few and far between. `beforeFrame` runs ahead of every
@@ -35,7 +35,7 @@ export function createTransportClock(base: FrameClock, beforeFrame: () => void):
 
   const advance = () => {
     const nowS = base.nowS();
-    if (playing) timeS += Math.min(Math.max(0, nowS - baseS), LONGEST_STEP_S);
+    if (playing) timeS += Math.min(Math.max(0, nowS - baseS), MAX_STEP_S);
     baseS = nowS;
   };
   const tick = () => {

@@ -238,8 +238,8 @@ describe('a session tells the page', () => {
 test('a refusal says why, and what to do', async () => {
   expect(await page.call('refusals')).toEqual({
     none: [false, false, 'SCR050 This browser cannot show AR: it has no WebXR.'],
-    lacking: [true, false, 'SCR051 This device has no AR, or lacks what the page needs: finding surfaces.'],
-    optional: [true, true, 'SCR055 Not available here: depth of the room. There is no depth.'],
+    lacking: [true, false, 'SCR051 This device has no AR, or lacks what the page needs: surfaces you point at.'],
+    optional: [true, true, 'SCR055 Not available here: the depth of the room. There is no depth.'],
     complete: [true, true],
   });
 });

@@ -186,13 +186,13 @@ describe('an exported page whose visitor refuses', () => {
       }),
     );
     await use.click();
-    await page.getByText('Following how the device turns was not allowed').waitFor();
+    await page.getByText('The motion sensor was not allowed').waitFor();
     await untilGreen(page);
   });
 
   test.each([
     ['NotFoundError', 'No camera was found. Connect one'],
-    ['NotReadableError', 'The camera is busy or does not answer. Close other apps'],
+    ['NotReadableError', 'The camera is in use or does not respond. Close other apps'],
   ])('nothing, but there is no camera to have: %s', async (name, text) => {
     const { page, use } = await open({}, (opening) =>
       opening.addInitScript((error) => {

@@ -145,8 +145,8 @@ describe.each([
 
   test('a feature is refused: it is said what the page does without, and it runs', async () => {
     const page = await enter({ ...options, refuse: ['depth-sensing', 'light-estimation'], extra: [] });
-    await notice(page, 'Not available here: depth of the room.').waitFor({ state: 'attached' });
-    await notice(page, 'light of the room.').waitFor({ state: 'attached' });
+    await notice(page, 'Not available here: the depth of the room.').waitFor({ state: 'attached' });
+    await notice(page, 'the light in the room.').waitFor({ state: 'attached' });
     const [left, right] = halves(await page.readLayer(), views);
     expect(right).toBeGreaterThan(100);
     expect(left).toBeGreaterThan(right * leastShare);

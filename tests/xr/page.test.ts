@@ -133,7 +133,7 @@ describe('an exported page with AR', () => {
     const xr = await openXrPage(chromium.browser, only.url, { device: 'headset' });
     opened.push(xr);
     await xr.page.getByRole('button', { name: 'Enter AR' }).click();
-    await xr.page.getByRole('alert').getByText('lacks what the page needs: the camera picture').waitFor();
+    await xr.page.getByRole('alert').getByText('lacks what the page needs: the camera feed').waitFor();
     expect(await xr.page.getByRole('button', { name: 'Use the camera' }).isVisible()).toBe(true);
     await xr.page.getByRole('button', { name: 'Enter VR' }).click();
     await xr.page.evaluate(() => scrimEmulator?.current?.frameRequested());

@@ -4,13 +4,19 @@ import type { RoomView } from '../display/room-view.ts';
 import type { DepthCameraPose } from './depth-sensor.ts';
 import { type Affine, depthClipFromView } from './depth-transform.ts';
 
-/** Measures the room exactly: meters along the camera's axis, drawn into a float target at the centers of the buffer's texels. */
+/** Measures exact room depth: view-space distance, rendered into a float target at the texel centers of the depth buffer. */
 export interface DepthCamera {
-  /** Row-major from the top; 0 where the camera's ray meets nothing. The same array every time. */
+  /** Meters, row-major from the top; 0 where no surface is hit. Each call returns the same array. */
   measure(pose: DepthCameraPose): Float32Array;
   dispose(): void;
 }
 
+/**
+ * Creates a depth camera.
+ *
+ * @param view Source of the room's geometry; stays owned by the caller.
+ * @param map Depth buffer UV from view UV, as `depthUvFromViewUv` returns it.
+ */
 export function createDepthCamera(view: RoomView, widthPx: number, heightPx: number, map: Affine): DepthCamera {
   const target = new WebGLRenderTarget(widthPx, heightPx, {
     format: RedFormat,
@@ -18,7 +24,7 @@ export function createDepthCamera(view: RoomView, widthPx: number, heightPx: num
     minFilter: NearestFilter,
     magFilter: NearestFilter,
   });
-  // A flip turns front faces into back faces.
+  // A flip reverses the winding, so both sides are drawn.
   const material = new ShaderMaterial({
     side: DoubleSide,
     blending: NoBlending,

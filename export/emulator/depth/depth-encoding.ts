@@ -1,7 +1,7 @@
 import type { DepthFormat } from '../profiles.ts';
 
 export interface EncodedDepth {
-  /** Row-major from the top, without padding; 0 is unknown. */
+  /** Row-major from the top, without padding; 0 means unknown. */
   readonly data: ArrayBuffer;
   readonly rawValueToMeters: number;
 }
@@ -9,7 +9,7 @@ export interface EncodedDepth {
 const METERS_PER_UNIT = 0.001;
 const MAX_UINT16 = 65_535;
 
-/** Meters as a device would store them: 16-bit formats in millimeters, what lies beyond 65.535 m unknown. */
+/** Encodes meters as a device stores them. 16-bit formats hold millimeters; distances beyond 65.535 m become unknown. */
 export function encodeDepth(meters: Float32Array, format: DepthFormat): EncodedDepth {
   if (format === 'float32') return { data: Float32Array.from(meters).buffer, rawValueToMeters: 1 };
   const units = new Uint16Array(meters.length);
@@ -20,7 +20,7 @@ export function encodeDepth(meters: Float32Array, format: DepthFormat): EncodedD
   return { data: units.buffer, rawValueToMeters: METERS_PER_UNIT };
 }
 
-/** Meters → what a depth buffer with an endless far plane holds, rows from the bottom; 0 stays unknown. */
+/** Converts meters to window-space depth with an infinite far plane, rows from the bottom; 0 stays unknown. */
 export function encodeWindowDepth(meters: Float32Array, widthPx: number, nearM: number): EncodedDepth {
   const values = new Float32Array(meters.length);
   const rows = meters.length / widthPx;

@@ -7,7 +7,10 @@ import { encodeDepth, readDepth } from './depth-encoding.ts';
 import { MatrixTransform } from './matrix-transform.ts';
 import type { DepthShot, SessionDepth } from './session-depth.ts';
 
-/** WebXR Depth Sensing §3.1. `transform` and `projectionMatrix` are those of the view, unless the page asked for the depth camera's. */
+/**
+ * `XRDepthInformation` of WebXR Depth Sensing §3.1. `transform` and `projectionMatrix` are those of the view, or of the depth camera if the
+ * page requested `matchDepthView: false`.
+ */
 export class EmulatedDepthInformation {
   readonly width: number;
   readonly height: number;
@@ -27,13 +30,13 @@ export class EmulatedDepthInformation {
     this.#view = view;
   }
 
-  /** "Attempting to access the depth buffer": only while the frame lasts. */
+  /** “Attempting to access the depth buffer” (§3.1): the data is valid during its frame only. */
   protected checkFrame(): void {
     this.#view.checkFrame();
   }
 }
 
-/** In the reference space that the view's pose was asked in. */
+/** The depth camera's pose in the reference space in which the page requested the view's pose. */
 function referenceFromDepth(view: EmulatedView, { worldFromDepth }: DepthShot): XRRigidTransform {
   const viewFromWorld = new Matrix4().fromArray(Array.from(view[P_EYE].eye.worldFromView)).invert();
   const reference = new Matrix4().fromArray(Array.from(view.transform.matrix));
@@ -61,10 +64,10 @@ export class EmulatedCpuDepthInformation extends EmulatedDepthInformation {
     return this.#data;
   }
 
-  /** `x` and `y` are normalized view coordinates. */
+  /** Depth in meters; `x` and `y` are normalized view coordinates. */
   getDepthInMeters(x: number, y: number): number {
     this.checkFrame();
-    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) throw new RangeError('Normalized view coordinates lie between 0 and 1.');
+    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) throw new RangeError('Normalized view coordinates must be between 0 and 1.');
     const m = this.normDepthBufferFromNormView.matrix;
     const at = (i: number): number => m[i] ?? 0;
     const column = toIndex(at(0) * x + at(4) * y + at(12), this.width);
@@ -81,7 +84,7 @@ function toIndex(normalized: number, count: number): number {
 export class EmulatedWebGlDepthInformation extends EmulatedDepthInformation {
   readonly textureType: 'texture' | 'texture-array';
   readonly imageIndex: number | null;
-  /** There with `window` values alone. */
+  /** Present only if `gpuValues` is `window`. */
   declare readonly depthNear?: number;
   declare readonly depthFar?: number;
   declare readonly isValid?: true;

@@ -2,22 +2,22 @@ import { Matrix4, Quaternion, Vector3 } from 'three';
 import type { Eye } from '../display/eye.ts';
 import { projectEye } from '../session/projection.ts';
 
-/** A depth camera beside the view, with a lens of its own: what pages get that ask for `matchDepthView: false`. */
+/** A depth camera with its own pose and lens, used for pages that request `matchDepthView: false`. */
 export interface DepthSensor {
-  /** Where it is in the view's space: x right, y up, z back. */
+  /** Position in view space, meters. */
   readonly positionM?: readonly [number, number, number];
-  /** How it is turned against the view: x, y, z, w. */
+  /** Orientation in view space, as x, y, z, w. */
   readonly quaternion?: readonly [number, number, number, number];
   readonly fovYRad: number;
 }
 
-/** Where a buffer is measured from: column-major 4×4. */
+/** Pose and projection of a depth measurement, column-major 4×4. */
 export interface DepthCameraPose {
   readonly worldFromDepth: Float32Array;
   readonly clipFromDepth: Float32Array;
 }
 
-/** `aspect` is that of the sensor's upright picture; null stands for the view's own place and lens. */
+/** `aspect` is width over height of the sensor's upright image. A null sensor uses the pose and lens of the view. */
 export function aimSensor(sensor: DepthSensor | null, eye: Eye, aspect: number, nearM: number, farM: number): DepthCameraPose {
   if (!sensor) return { worldFromDepth: eye.worldFromView, clipFromDepth: eye.clipFromView };
   const viewFromDepth = new Matrix4().compose(

@@ -1,7 +1,7 @@
 import type { DepthFormat } from '../profiles.ts';
 import type { EncodedDepth } from './depth-encoding.ts';
 
-/** Depth on the GPU, in the page's own context: a texture for one view, an array with a layer per eye for two. */
+/** Depth as a texture in the page's context: a plain texture for one view, a texture array with a layer per eye for two. */
 export interface DepthTexture {
   readonly texture: WebGLTexture;
   /** Row 0 of the texture is the buffer's top row. */
@@ -9,7 +9,7 @@ export interface DepthTexture {
   dispose(): void;
 }
 
-/** WebXR Depth Sensing §2.2, the table of formats. */
+/** Texture formats of WebXR Depth Sensing §2.2. */
 function glFormat(gl: WebGL2RenderingContext, format: DepthFormat): readonly [internal: GLenum, format: GLenum, type: GLenum] {
   switch (format) {
     case 'luminance-alpha':

@@ -1,13 +1,13 @@
 /**
- * How a depth buffer lies against its view. Coordinates are normalized with the origin at the top left and y down, for view and
- * buffer alike (WebXR Depth Sensing §1.1). First the covered rectangle, then the flips, then the turn.
+ * Orientation of a depth buffer relative to its view. Coordinates of both are normalized, with the origin at the top left and y down (WebXR
+ * Depth Sensing §1.1). The steps apply in this order: `covers`, flips, rotation.
  */
 export interface DepthTransform {
-  /** Clockwise turn of the buffer's picture against the view's: 90 is a phone's sensor when the phone stands upright. */
+  /** Clockwise rotation of the buffer relative to the view. A phone held upright has 90. */
   readonly turnDeg?: 0 | 90 | 180 | 270;
   readonly flipX?: boolean;
   readonly flipY?: boolean;
-  /** The rectangle of the view that the buffer shows; larger than the view (from below 0 to above 1) when the sensor sees more. */
+  /** Rectangle of the view that the buffer covers. It exceeds [0, 1] if the sensor sees more than the view. */
   readonly covers?: { readonly x: number; readonly y: number; readonly width: number; readonly height: number };
 }
 
@@ -24,10 +24,14 @@ export interface Affine {
 const IDENTITY: Affine = { a: 1, b: 0, c: 0, d: 1, tx: 0, ty: 0 };
 const FLIP_X: Affine = { ...IDENTITY, a: -1, tx: 1 };
 const FLIP_Y: Affine = { ...IDENTITY, d: -1, ty: 1 };
-/** What was on the right comes to the bottom: (u, v) → (1 − v, u). */
+/** Clockwise quarter turn: (u, v) → (1 − v, u). */
 const QUARTER: Affine = { a: 0, b: 1, c: -1, d: 0, tx: 1, ty: 0 };
 
-/** `normDepthBufferFromNormView` as a map of the plane. */
+/**
+ * Affine map of `normDepthBufferFromNormView`.
+ *
+ * @returns Depth buffer UV from view UV; both have their origin at the top left.
+ */
 export function depthUvFromViewUv(transform: DepthTransform): Affine {
   const covers = transform.covers ?? { x: 0, y: 0, width: 1, height: 1 };
   const parts: Affine[] = [
@@ -39,20 +43,20 @@ export function depthUvFromViewUv(transform: DepthTransform): Affine {
   return parts.reduce((first, then) => compose(then, first), IDENTITY);
 }
 
-/** Column-major 4×4 that leaves z alone, as the specification asks. */
+/** Converts the map to a column-major 4×4 matrix that leaves z unchanged, as the specification requires. */
 export function affineToMatrix({ a, b, c, d, tx, ty }: Affine): Float32Array {
   return new Float32Array([a, b, 0, 0, c, d, 0, 0, 0, 0, 1, 0, tx, ty, 0, 1]);
 }
 
 /**
- * The projection to draw a depth buffer with: `clipFromView` followed by the map in normalized coordinates. Row 0 of the drawn
- * target is the buffer's top row, so reading it back needs no turning over.
+ * Projection for rendering a depth buffer: `clipFromView` followed by `map`. Row 0 of the target is the top row of the buffer, so its
+ * pixels need no flip after readback.
  *
  * @param clipFromView Column-major 4×4.
+ * @param map Depth buffer UV from view UV.
  */
 export function depthClipFromView(clipFromView: ArrayLike<number>, map: Affine): Float32Array {
-  // Normalized device coordinates to view UV and depth UV to the target's device coordinates: x = 2u − 1, y = 1 − 2v before,
-  // y = 2v − 1 after.
+  // x = 2u − 1, y = 1 − 2v converts view UV to device coordinates; y = 2v − 1 for the target, whose rows are flipped.
   const ax = map.a;
   const ay = -map.c;
   const ac = map.a + map.c + 2 * map.tx - 1;

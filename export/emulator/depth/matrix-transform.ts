@@ -3,8 +3,8 @@ import { Matrix4 } from 'three';
 import { writeMatrix } from '../write-matrix.ts';
 
 /**
- * An XRRigidTransform around a matrix as it is. `normDepthBufferFromNormView` is one by name only: real devices put flips and
- * scales into it, which position and orientation cannot say.
+ * An `XRRigidTransform` with an arbitrary matrix. `normDepthBufferFromNormView` contains flips and scales on real devices, which position
+ * and orientation cannot express.
  */
 export class MatrixTransform extends XRRigidTransform {
   constructor(matrix: ArrayLike<number>) {

@@ -7,32 +7,32 @@ import { addDepthNoise } from './depth-noise.ts';
 import { aimSensor, type DepthCameraPose } from './depth-sensor.ts';
 import { affineToMatrix, depthUvFromViewUv } from './depth-transform.ts';
 
-/** `stopped`: no depth any more. `frozen`: every frame has the last depth. */
+/** `stopped`: no depth. `frozen`: every frame has the last depth. */
 export type DepthState = 'working' | 'stopped' | 'frozen';
 
-/** One picture of the depth camera, and where it was taken. */
+/** One depth image and the pose it was taken from. */
 export interface DepthShot extends DepthCameraPose {
-  /** Row-major from the top, meters, 0 where unknown. */
+  /** Meters, row-major from the top; 0 where unknown. */
   readonly meters: Float32Array;
 }
 
-/** Depth sensing as one session was granted it. */
+/** The depth sensing granted to one session. */
 export interface SessionDepth extends DepthConfiguration {
   readonly widthPx: number;
   readonly heightPx: number;
   /** Column-major 4×4. */
   readonly bufferFromView: Float32Array;
   readonly gpuValues: 'meters' | 'window';
-  /** The page may pause depth sensing (WebXR Depth Sensing §2.3). */
+  /** Whether depth sensing is active; the page can pause it (WebXR Depth Sensing §2.3). */
   active: boolean;
-  /** Once a frame, before the page is asked: where the eyes are by now. */
+  /** Records the eyes of this frame; called once per frame, before the page's callbacks. */
   follow(eyes: readonly Eye[], nearM: number, farM: number, state: DepthState): void;
-  /** Of the view with this index: the same all through a frame. Null while there is none. */
+  /** Depth of the view with this index, constant during a frame; null if there is none. */
   shot(index: number): DepthShot | null;
   dispose(): void;
 }
 
-/** The eyes of one frame, and its number. */
+/** Depth poses of one frame, and the frame's number. */
 interface Stand {
   readonly frame: number;
   readonly poses: readonly DepthCameraPose[];
@@ -46,7 +46,7 @@ export function createSessionDepth(view: RoomView, granted: DepthConfiguration, 
   const sensor = granted.matchView ? null : options.sensor;
   const turned = (options.transform.turnDeg ?? 0) % 180 !== 0;
   const aspect = turned ? heightPx / widthPx : widthPx / heightPx;
-  /** The newest last; the first is what the sensor shows by now. */
+  /** Newest last. The first is the one that the sensor reports, `lagFrames` frames old. */
   const stands: Stand[] = [];
   const shots = new Map<number, DepthShot>();
   let frames = 0;

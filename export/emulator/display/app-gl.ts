@@ -1,4 +1,4 @@
-/** A page's context. */
+/** A WebGL context of the page. */
 export type Gl = WebGLRenderingContext | WebGL2RenderingContext;
 
 export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {
@@ -6,8 +6,8 @@ export function isWebGl2(gl: Gl): gl is WebGL2RenderingContext {
 }
 
 /**
- * The page's own context, borrowed for a moment: a real device works behind its back, so whatever we bind is bound back. Only
- * what uploads and framebuffers depend on; nothing is drawn in it.
+ * Runs `work` with the page's context and restores the state that uploads and framebuffers change, because a real device does not touch the
+ * page's GL state.
  */
 export function borrowGl<T>(gl: Gl, work: () => T): T {
   const giveBack = isWebGl2(gl) ? keepWebGl2(gl) : keepFramebuffer(gl);
@@ -37,7 +37,7 @@ function keepFramebuffer(gl: WebGLRenderingContext): () => void {
   return () => gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
 }
 
-/** Unbinds the pixel buffers, from and into which texels would go. */
+/** Unbinds the pixel buffers, which would redirect uploads and reads. Returns a function that restores them. */
 function keepWebGl2(gl: WebGL2RenderingContext): () => void {
   const unpackBuffer = gl.getParameter(gl.PIXEL_UNPACK_BUFFER_BINDING);
   const packBuffer = gl.getParameter(gl.PIXEL_PACK_BUFFER_BINDING);
@@ -59,7 +59,7 @@ const TEXTURE_TARGETS = [
   ['TEXTURE_CUBE_MAP', 'TEXTURE_BINDING_CUBE_MAP'],
 ] as const;
 
-/** With the value that leaves a plain upload or read as it is; 4-byte rows would not fit 16-bit depth of odd widths. */
+/** Each parameter with its default. Rows aligned to 4 bytes would not fit 16-bit depth of odd widths. */
 const PIXEL_STORES = [
   ['UNPACK_FLIP_Y_WEBGL', 0],
   ['UNPACK_PREMULTIPLY_ALPHA_WEBGL', 0],

@@ -8,8 +8,8 @@ export interface Pixels {
 }
 
 /**
- * What the user of the device sees: a page's premultiplied layer over the room, worked out with integers, so that it is the same
- * on every machine. WebXR Augmented Reality Module §3.2: `alpha-blend` lays the layer over, `additive` adds its light.
+ * Composites the page's premultiplied layer with the room, as the user of the device sees it: `alpha-blend` draws the layer over the room,
+ * `additive` adds it (WebXR Augmented Reality Module §3.2). Integer arithmetic gives the same result on every machine.
  */
 export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode): Pixels {
   const rgba = new Uint8Array(layer.rgba.length);
@@ -25,7 +25,7 @@ export function compositePixels(layer: Pixels, room: Pixels, blend: BlendMode): 
   return { widthPx: layer.widthPx, heightPx: layer.heightPx, rgba };
 }
 
-/** WebGL reads rows from the bottom. */
+/** Flips rows read from WebGL, which come from the bottom. */
 export function turnRows(rgba: Uint8Array, widthPx: number, heightPx: number): Pixels {
   const out = new Uint8Array(rgba.length);
   const rowBytes = widthPx * 4;

@@ -4,7 +4,7 @@ import { createWebGl1Target } from './webgl1-target.ts';
 
 const SAMPLES = 4;
 
-/** The device's framebuffer in the page's context, of WebGL 2 or 1. */
+/** Creates the device's framebuffer in the page's WebGL 1 or 2 context. */
 export function createLayerTarget(gl: Gl, widthPx: number, heightPx: number, options: LayerTargetOptions): LayerTarget {
   return isWebGl2(gl) ? createWebGl2Target(gl, widthPx, heightPx, options) : createWebGl1Target(gl, widthPx, heightPx, options);
 }
@@ -46,7 +46,7 @@ function createWebGl2Target(
   };
   borrowGl(gl, allocate);
 
-  /** Of a context that was lost nothing is left, when it is back either: pages make a new layer then. */
+  /** Whether the framebuffer is lost with its context. It stays lost when the context is restored: the page creates a new layer. */
   const isGone = (): boolean => gl.isContextLost() || !gl.isFramebuffer(framebuffer);
 
   return {

@@ -1,16 +1,16 @@
 import { Camera } from 'three';
 
-/** One view as it is drawn: what a page gets as XRView and XRViewport. */
+/** A view as it is drawn; pages get it as `XRView` and `XRViewport`. */
 export interface Eye {
   readonly name: 'none' | 'left' | 'right';
   /** Column-major 4×4. */
   readonly clipFromView: Float32Array;
   readonly worldFromView: Float32Array;
-  /** In the framebuffer, pixels, origin bottom left. */
+  /** Pixels in the framebuffer, origin bottom left. */
   readonly viewport: { readonly x: number; readonly y: number; readonly widthPx: number; readonly heightPx: number };
 }
 
-/** A camera of three.js that takes its matrices as they are. */
+/** A three.js camera whose matrices are set directly. */
 export function createEyeCamera(): Camera {
   const camera = new Camera();
   camera.matrixAutoUpdate = false;

@@ -1,14 +1,17 @@
 import type { Gl } from './app-gl.ts';
 
-/** The framebuffer that the device lends to a page: its own, never the canvas, so that a page that draws into the canvas shows nothing here either. */
+/**
+ * The framebuffer that the device provides to a page. It is not the canvas, so pages that draw to the canvas by mistake show nothing, as on
+ * a device.
+ */
 export interface LayerTarget {
-  /** Null: the canvas itself, as for sessions on the page. */
+  /** Null for the canvas, as in inline sessions. */
   readonly framebuffer: WebGLFramebuffer | null;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Of another size from now on, and empty; the framebuffer stays the same one. */
+  /** Resizes and clears; the framebuffer object stays the same. */
   resize(widthPx: number, heightPx: number): void;
-  /** Transparent black and far depth, as every frame begins (WebXR Device API §11.2). */
+  /** Clears to transparent black and far depth, as at the start of every frame (WebXR Device API §11.2). */
   clear(): void;
   /** Premultiplied RGBA, rows from the bottom. */
   read(out: Uint8Array): void;
@@ -22,7 +25,7 @@ export interface LayerTargetOptions {
   readonly alpha: boolean;
 }
 
-/** What stands for a framebuffer of the device where a page draws into its canvas: nothing is cleared, scaled or shown elsewhere. */
+/** A target for pages that draw to their own canvas: it clears, scales and presents nothing. */
 export function canvasTarget(gl: Gl): LayerTarget {
   return {
     framebuffer: null,

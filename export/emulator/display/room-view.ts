@@ -16,23 +16,28 @@ import type { Room } from '../rooms/room.ts';
 import type { BlendMode } from './composite.ts';
 import { aimCamera, createEyeCamera, type Eye } from './eye.ts';
 
-/** The room drawn on a canvas of its own, and what a page drew laid over it: the picture that the user of the device has. */
+/** Draws the room on its own canvas and composites the page's layer over it: the image that the user of the device sees. */
 export interface RoomView {
   readonly canvas: HTMLCanvasElement;
   readonly renderer: WebGLRenderer;
   readonly scene: Scene;
   resize(widthPx: number, heightPx: number): void;
-  /** The room alone, for every eye: what the device's cameras see. */
+  /** Draws the room alone, for every eye, as the device's cameras see it. */
   drawRoom(eyes: readonly Eye[]): void;
-  /** A layer over what is drawn. `rgba` is premultiplied, rows from the bottom, as large as the canvas. */
+  /** Composites a layer over the current image. `rgba` is premultiplied, rows from the bottom, of the canvas size. */
   drawLayer(rgba: Uint8Array, blend: BlendMode): void;
-  /** What is drawn, rows from the bottom. */
+  /** Reads the current image, rows from the bottom. */
   readPixels(out: Uint8Array): void;
   dispose(): void;
 }
 
+/**
+ * Creates a room view with its own canvas and renderer, which `dispose` releases.
+ *
+ * @param room Null for a device without a room. The view does not dispose it.
+ */
 export function createRoomView(room: Room | null, antialias: boolean): RoomView {
-  // Kept after presenting, because tests and camera images read it at their own time.
+  // The drawing buffer is preserved because tests and camera images read it after presentation.
   const renderer = new WebGLRenderer({ antialias, alpha: false, preserveDrawingBuffer: true });
   renderer.setPixelRatio(1);
   renderer.autoClear = false;
@@ -89,7 +94,7 @@ interface Overlay {
 function createOverlay(): Overlay {
   const material = new ShaderMaterial({
     uniforms: { layer: { value: null } },
-    // The plane spans the canvas whatever the camera is.
+    // The plane covers the canvas regardless of the camera.
     vertexShader: 'varying vec2 layerUv; void main() { layerUv = uv; gl_Position = vec4(position.xy * 2.0, 0.0, 1.0); }',
     fragmentShader: 'uniform sampler2D layer; varying vec2 layerUv; void main() { gl_FragColor = texture(layer, layerUv); }',
     depthTest: false,

@@ -1,14 +1,12 @@
-/** The device's screen in the page: the picture, letterboxed, over everything but a DOM overlay. */
+/** The device's screen in the page: a letterboxed canvas above everything but a DOM overlay. */
 export interface Screen {
-  /** Pixels of the place where the picture is shown. */
+  /** Size of the screen area, in device pixels. */
   sizePx(): readonly [width: number, height: number];
   show(canvas: HTMLCanvasElement, overlayRoot: HTMLElement | null): void;
   hide(): void;
 }
 
-/**
- * Styles are set one property at a time: pages with a strict `style-src` refuse style attributes and sheets, not the object model.
- */
+/** Sets styles property by property: a strict `style-src` blocks style attributes and style sheets but not the object model. */
 export function createScreen(container: HTMLElement | null): Screen {
   let shown: { readonly element: HTMLElement; restoreOverlay(): void } | null = null;
   const hide = (): void => {
@@ -27,7 +25,7 @@ export function createScreen(container: HTMLElement | null): Screen {
       const element = document.createElement('div');
       element.dataset.scrimEmulator = '';
       setStyles(element, container ? { ...FILL, position: 'absolute' } : { ...FILL, position: 'fixed', zIndex: '2147483000' });
-      // Said in full, because pages hide the canvases they know, which a device's screen is not.
+      // Every style is set explicitly, because pages may hide canvases by style rules.
       setStyles(canvas, { width: '100%', height: '100%', objectFit: 'contain', display: 'block', visibility: 'visible' });
       element.append(canvas);
       (container ?? document.body).append(element);
@@ -37,12 +35,12 @@ export function createScreen(container: HTMLElement | null): Screen {
   };
 }
 
-/** Of device pixels per CSS pixel: more is not seen, and is read back every frame. */
+/** Maximum device pixels per CSS pixel. More is not visible but would be read back every frame. */
 const MAX_DENSITY = 2;
 
 const FILL = { inset: '0', background: '#000', overflow: 'hidden' } as const;
 
-/** WebXR DOM Overlays §4.2, the user agent's style sheet. */
+/** User agent style sheet of WebXR DOM Overlays §4.2. */
 const OVERLAY = {
   position: 'fixed',
   inset: '0',
@@ -55,7 +53,7 @@ const OVERLAY = {
   background: 'transparent',
 } as const;
 
-/** Returns what puts the former values back. */
+/** Returns a function that restores the previous values. */
 function setStyles(element: HTMLElement, styles: Partial<Record<keyof CSSStyleDeclaration & string, string>>): () => void {
   const style = element.style as unknown as Record<string, string>;
   const former = Object.keys(styles).map((name) => [name, style[name] ?? ''] as const);

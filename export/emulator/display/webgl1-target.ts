@@ -1,7 +1,7 @@
 import { borrowGl, type Gl } from './app-gl.ts';
 import type { LayerTarget, LayerTargetOptions } from './layer-target.ts';
 
-/** The device's framebuffer in a context of WebGL 1, which has no multisampling: edges are as they fall. */
+/** The device's framebuffer in a WebGL 1 context, without antialiasing because WebGL 1 has no multisampling. */
 export function createWebGl1Target(
   gl: WebGLRenderingContext,
   startWidthPx: number,
@@ -18,7 +18,7 @@ export function createWebGl1Target(
     const format = alpha ? gl.RGBA : gl.RGB;
     gl.bindTexture(gl.TEXTURE_2D, color);
     gl.texImage2D(gl.TEXTURE_2D, 0, format, widthPx, heightPx, 0, format, gl.UNSIGNED_BYTE, null);
-    // Sizes that are no power of two are complete with these alone.
+    // Textures whose size is not a power of two need these filters and wrap modes to be complete.
     for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -75,7 +75,7 @@ function depthFormatOf(gl: WebGLRenderingContext, depth: boolean, stencil: boole
   return stencil ? [gl.STENCIL_ATTACHMENT, gl.STENCIL_INDEX8] : [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT16];
 }
 
-/** Transparent black, far depth and stencil 0, whatever masks and values the page has set; those are put back. */
+/** Clears to transparent black, far depth and stencil 0 regardless of the page's masks and clear values, which it restores. */
 export function clearAll(gl: Gl): void {
   const colorMask = gl.getParameter(gl.COLOR_WRITEMASK) as boolean[];
   const depthMask = gl.getParameter(gl.DEPTH_WRITEMASK) as boolean;

@@ -4,13 +4,13 @@ import type { Room, RoomPlane } from '../rooms/room.ts';
 export interface RayHit {
   readonly distanceM: number;
   readonly pointWorld: Vector3;
-  /** Towards the ray's origin. */
+  /** Unit vector on the side of the ray's origin. */
   readonly normalWorld: Vector3;
 }
 
 export type HitKind = 'plane' | 'mesh' | 'point';
 
-/** Where a ray meets the room, nearest first. Planes are polygons in space; meshes and points are what is really there. */
+/** Hits of a ray in the room, nearest first. `plane` tests detected planes; `mesh` and `point` test the solids. */
 export function castRay(room: Room, originWorld: Vector3, directionWorld: Vector3, kinds: ReadonlySet<HitKind>): RayHit[] {
   const hits: RayHit[] = [];
   if (kinds.has('mesh') || kinds.has('point')) hits.push(...castAtSolids(room, originWorld, directionWorld));
@@ -47,7 +47,7 @@ function castAtPlane(plane: RoomPlane, originWorld: Vector3, directionWorld: Vec
   return { distanceM, pointWorld: at.applyMatrix4(worldFromPlane), normalWorld };
 }
 
-/** Even–odd rule. */
+/** Point in polygon by the even–odd rule. */
 export function isInside(x: number, z: number, polygon: readonly (readonly [number, number])[]): boolean {
   let inside = false;
   polygon.forEach(([ax, az], i) => {

@@ -7,13 +7,13 @@ import { EmulatedRay } from './ray.ts';
 
 export interface HitTestWishes {
   readonly space?: XRSpace;
-  /** For transient input: the profile of the input sources that it follows. */
+  /** For transient input: profile of the input sources to follow. */
   readonly profile?: string;
   readonly entityTypes?: readonly HitKind[];
   readonly offsetRay?: EmulatedRay;
 }
 
-/** A subscription: XRHitTestSource and XRTransientInputHitTestSource of WebXR Hit Test §3. */
+/** A subscription: `XRHitTestSource` or `XRTransientInputHitTestSource` of WebXR Hit Test §3. */
 export class EmulatedHitTestSource {
   readonly #active: Set<EmulatedHitTestSource>;
 
@@ -23,13 +23,13 @@ export class EmulatedHitTestSource {
   }
 
   cancel(): void {
-    if (!this.#active.delete(this)) throw new DOMException('The hit test source is cancelled already.', 'InvalidStateError');
+    if (!this.#active.delete(this)) throw new DOMException('The hit test source is already canceled.', 'InvalidStateError');
   }
 }
 
 export class EmulatedTransientHitTestSource extends EmulatedHitTestSource {}
 
-/** What a hit needs of the frame that it was found in. */
+/** The data of a frame that its hit test results need. */
 interface HitFrame {
   getPose(space: XRSpace, baseSpace: XRSpace): XRPose;
   readonly session: { anchorAt(space: XRSpace): Promise<XRAnchor> };
@@ -48,7 +48,7 @@ export class EmulatedHitTestResult {
     return this.#frame.getPose(this.#space, baseSpace);
   }
 
-  /** Also when the frame is over: pages keep the last result and anchor it when the user taps, as browsers let them. */
+  /** Also works after the frame: pages keep the last result and create the anchor when the user taps, which browsers allow. */
   createAnchor(): Promise<XRAnchor> {
     return this.#frame.session.anchorAt(this.#space);
   }
@@ -64,7 +64,7 @@ export class EmulatedTransientHitTestResult {
   }
 }
 
-/** WebXR Hit Test §6, "compute hit test results": without wishes about entities, planes alone. */
+/** “Compute hit test results” of WebXR Hit Test §6. Without `entityTypes`, only planes are tested. */
 export function computeHits(
   frame: HitFrame,
   room: Room,
@@ -81,7 +81,7 @@ export function computeHits(
   );
 }
 
-/** Y along the normal; z along the surface, towards where the ray came from. */
+/** Pose of a hit: y along the normal, z along the surface towards the ray's origin. */
 function worldFromHit({ pointWorld, normalWorld }: RayHit, directionWorld: Vector3): Float32Array {
   const y = normalWorld;
   const z = directionWorld.clone().negate();

@@ -1,9 +1,6 @@
 type PointInit = { readonly x?: number; readonly y?: number; readonly z?: number; readonly w?: number };
 
-/**
- * XRRay of WebXR Hit Test §5.1. iwer's turns `matrix` the wrong way round and refuses directions without `w`, so this one is
- * ours.
- */
+/** `XRRay` of WebXR Hit Test §5.1. iwer's implementation inverts `matrix` and rejects directions without `w`. */
 export class EmulatedRay {
   readonly origin: DOMPointReadOnly;
   readonly direction: DOMPointReadOnly;
@@ -17,23 +14,23 @@ export class EmulatedRay {
       return;
     }
     const { x = 0, y = 0, z = 0, w = 1 } = originOrTransform;
-    if (w !== 1) throw new TypeError('The origin of a ray has w = 1.');
-    if ((direction.w ?? 0) !== 0) throw new TypeError('The direction of a ray has w = 0.');
+    if (w !== 1) throw new TypeError('The origin of a ray must have w = 1.');
+    if ((direction.w ?? 0) !== 0) throw new TypeError('The direction of a ray must have w = 0.');
     this.origin = new DOMPointReadOnly(x, y, z, 1);
     this.direction = unit(direction.x ?? 0, direction.y ?? 0, direction.z ?? 0);
   }
 
-  /** The rigid transform that takes the ray from (0, 0, 0) along −z here, by the shortest turn. */
+  /** Rigid transform from the ray (origin, −z) to this ray, by the smallest rotation. */
   get matrix(): Float32Array {
     this.#matrix ??= rayMatrix(this.origin, this.direction);
     return this.#matrix;
   }
 }
 
-/** Rodrigues' formula for the turn from −z to `d`, about (−z) × d. */
+/** Rodrigues' formula for the rotation from −z to `d` about (−z) × d. */
 function rayMatrix(o: DOMPointReadOnly, d: DOMPointReadOnly): Float32Array {
   const cos = -d.z;
-  // Straight back, no turn is the shortest: WebXR Hit Test §5.1 takes the one about x.
+  // For +z every half turn is smallest; WebXR Hit Test §5.1 takes the one about x.
   if (cos < -0.999999) return new Float32Array([1, 0, 0, 0, 0, -1, 0, 0, 0, 0, -1, 0, o.x, o.y, o.z, 1]);
   const [ax, ay] = [d.y, -d.x];
   const k = 1 / (1 + cos);
@@ -59,6 +56,6 @@ function rayMatrix(o: DOMPointReadOnly, d: DOMPointReadOnly): Float32Array {
 
 function unit(x: number, y: number, z: number): DOMPointReadOnly {
   const length = Math.hypot(x, y, z);
-  if (length === 0) throw new TypeError('A ray needs a direction.');
+  if (length === 0) throw new TypeError('The direction of a ray must not have length 0.');
   return new DOMPointReadOnly(x / length, y / length, z / length, 0);
 }

@@ -4,18 +4,18 @@ import { Matrix4, Quaternion, Vector3 } from 'three';
 import { writeMatrix } from '../write-matrix.ts';
 
 /**
- * A finger on the screen of a handheld device: a transient input source of mode `screen` (WebXR Device API §12.1), there from
+ * A finger on the screen of a handheld device: a transient input source of target ray mode `screen` (WebXR Device API §12.1), present from
  * touch to release.
  */
 export interface ScreenInput {
-  /** Normalized, origin at the top left of the view. A silent press fires no select events: an overlay took it. */
+  /** Normalized, origin at the top left of the view. A silent press dispatches no select events, because an overlay canceled it. */
   press(x: number, y: number, silent?: boolean): void;
   move(x: number, y: number): void;
   release(): void;
   sources(): readonly XRInputSource[];
-  /** Fires what happened since the last frame; `refresh` makes the session notice that `sources` changed. */
+  /** Dispatches the events since the last frame. `refresh` makes the session update its input sources. */
   fire(frame: XRFrame, session: XRSession, refresh: () => void): void;
-  /** Aims the source through its point; poses are this frame's. */
+  /** Sets the target ray through the touched point, from the poses of this frame. */
   aim(clipFromView: Float32Array): void;
   reset(): void;
 }
@@ -37,7 +37,7 @@ export function createScreenInput(viewerSpace: XRReferenceSpace): ScreenInput {
   const event = (type: string, frame: XRFrame): Event => new XRInputSourceEvent(type, { frame, inputSource: source });
   return {
     press: (x, y, silent = false) => {
-      if (phase !== 'up') throw new Error('The finger is on the screen already.');
+      if (phase !== 'up') throw new Error('The screen is already touched. Release it first.');
       point = { x, y };
       phase = 'pressed';
       released = false;
@@ -47,7 +47,7 @@ export function createScreenInput(viewerSpace: XRReferenceSpace): ScreenInput {
       point = { x, y };
     },
     release: () => {
-      if (phase === 'up') throw new Error('There is no finger on the screen.');
+      if (phase === 'up') throw new Error('The screen is not touched. Press it first.');
       released = true;
     },
     sources: () => (phase === 'down' ? [source] : []),

@@ -10,13 +10,13 @@ export interface CompositionLayerState {
   readonly session: XRSession;
   readonly images: LayerImages;
   readonly clearOnAccess: boolean;
-  /** The frame in which its images were asked for last. */
+  /** The frame that accessed the images last. */
   accessedIn: object | null;
   destroyed: boolean;
   needsRedraw: boolean;
 }
 
-/** XRCompositionLayer of WebXR Layers §3.2: images that the device itself lays into the picture. */
+/** `XRCompositionLayer` of WebXR Layers §3.2: images that the device composites. */
 export class EmulatedCompositionLayer extends XRLayer {
   readonly [P_LAYER]: CompositionLayerState;
   readonly layout: LayerLayout;
@@ -44,7 +44,7 @@ export class EmulatedCompositionLayer extends XRLayer {
     return this[P_LAYER].needsRedraw;
   }
 
-  /** Takes it out of the picture for good. */
+  /** Removes the layer permanently. */
   destroy(): void {
     const state = this[P_LAYER];
     if (state.destroyed) return;
@@ -53,9 +53,9 @@ export class EmulatedCompositionLayer extends XRLayer {
   }
 }
 
-/** As large as the picture: the page draws each view into it. */
+/** A layer of the view's size; the page draws each view into it. */
 export class EmulatedProjectionLayer extends EmulatedCompositionLayer {
-  /** Kept, and ignored as the specification allows: the device reprojects nothing. */
+  /** Stored but ignored, as the specification permits: the device does not reproject. */
   deltaPose: XRRigidTransform | null = null;
 
   get textureWidth(): number {
@@ -74,7 +74,7 @@ export class EmulatedProjectionLayer extends EmulatedCompositionLayer {
     return true;
   }
 
-  /** Null, whatever is set: the device has none. */
+  /** Always null: the device does not support foveation. */
   get fixedFoveation(): number | null {
     return null;
   }
@@ -82,7 +82,7 @@ export class EmulatedProjectionLayer extends EmulatedCompositionLayer {
   set fixedFoveation(_level: number | null) {}
 }
 
-/** What all layers have that stand somewhere in the world. */
+/** Space and transform of a layer that is placed in the world. */
 export interface Placement {
   space: XRSpace;
   transform: XRRigidTransform;
@@ -110,16 +110,16 @@ abstract class PlacedLayer extends EmulatedCompositionLayer {
   }
 }
 
-/** A rectangle around the origin of its transform, seen from +z. Meters. */
+/** A rectangle centered at the origin of its transform, facing +z. Meters. */
 export class EmulatedQuadLayer extends PlacedLayer {
   width = 1;
   height = 1;
 }
 
-/** Part of a cylinder around the y axis of its transform, seen from within, its middle at −z. Meters and radians. */
+/** A part of a cylinder around the y axis of its transform, seen from inside, centered at −z. Meters and radians. */
 export class EmulatedCylinderLayer extends PlacedLayer {
   radius = 2;
   centralAngle = Math.PI / 4;
-  /** Width along the arc over height. */
+  /** Arc length over height. */
   aspectRatio = 2;
 }

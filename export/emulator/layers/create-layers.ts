@@ -20,7 +20,7 @@ export interface ProjectionLayerInit {
   readonly clearOnAccess?: boolean;
 }
 
-/** XRLayerInit of WebXR Layers §5.1, with what quads and cylinders add. */
+/** `XRLayerInit` of WebXR Layers §5.1 with the members that quad and cylinder layers share. */
 export interface PlacedLayerInit {
   readonly space: XRSpace;
   readonly viewPixelWidth: number;
@@ -44,10 +44,10 @@ export interface CylinderLayerInit extends PlacedLayerInit {
   readonly aspectRatio?: number;
 }
 
-/** The only kind of layer that needs no feature. */
+/** Creates a projection layer, the only kind that does not need the feature `layers`. */
 export function createProjectionLayer(session: EmulatedSession, gl: Gl, init: ProjectionLayerInit): EmulatedProjectionLayer {
   checkLiving(session, gl);
-  if (session[P_SESSION].mode === 'inline') throw new DOMException('Sessions on the page have no projection layers.', 'InvalidStateError');
+  if (session[P_SESSION].mode === 'inline') throw new DOMException('Inline sessions have no projection layers.', 'InvalidStateError');
   const { world } = session[P_EMULATED];
   const { views } = world.settings;
   const asArray = init.textureType === 'texture-array';
@@ -74,8 +74,8 @@ export function createQuadLayer(session: EmulatedSession, gl: Gl, init: QuadLaye
 export function createCylinderLayer(session: EmulatedSession, gl: Gl, init: CylinderLayerInit): EmulatedCylinderLayer {
   const { radius = 2, centralAngle = Math.PI / 4, aspectRatio = 2 } = init;
   checkPlaced(session, gl, init, { aspectRatio });
-  if (!(radius >= 0)) throw new TypeError(`The radius of a cylinder is not negative, but this one is ${radius}.`);
-  if (!(centralAngle >= 0 && centralAngle <= 2 * Math.PI)) throw new TypeError('The central angle of a cylinder is between 0 and 2 π.');
+  if (!(radius >= 0)) throw new TypeError(`The radius ${radius} of a cylinder is negative.`);
+  if (!(centralAngle >= 0 && centralAngle <= 2 * Math.PI)) throw new TypeError('The central angle of a cylinder must be between 0 and 2π.');
   const { images, layout } = placedImages(session, gl, init);
   const layer = new EmulatedCylinderLayer(session, images, layout, init.clearOnAccess ?? true, placement(init));
   return owned(session, Object.assign(layer, { radius, centralAngle, aspectRatio }));
@@ -91,12 +91,12 @@ function checkPlaced(session: EmulatedSession, gl: Gl, init: PlacedLayerInit, po
   if (!session.enabledFeatures.includes('layers')) {
     throw new DOMException('The session was not granted "layers".', 'NotSupportedError');
   }
-  if (!(init?.space instanceof XRSpace)) throw new TypeError('A layer needs a space to stand in.');
+  if (!(init?.space instanceof XRSpace)) throw new TypeError('A layer requires a space.');
   const { viewPixelWidth, viewPixelHeight } = init;
   for (const [name, value] of Object.entries({ viewPixelWidth, viewPixelHeight, ...positive })) {
-    if (!(value > 0)) throw new TypeError(`The ${name} of a layer is more than 0, but this one is ${value}.`);
+    if (!(value > 0)) throw new TypeError(`The ${name} of a layer must be greater than 0, but is ${value}.`);
   }
-  if (init.layout === 'default') throw new TypeError('The layout "default" is for projection layers alone.');
+  if (init.layout === 'default') throw new TypeError('The layout "default" is for projection layers only.');
 }
 
 function placement({ space, transform }: PlacedLayerInit): Placement {

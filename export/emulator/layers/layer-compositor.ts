@@ -18,20 +18,20 @@ import {
 import { createEyeCamera, type Eye } from '../display/eye.ts';
 import type { ViewportPx } from '../session/viewport-scale.ts';
 
-/** One image of a layer as one eye, or all of them, see it. */
+/** An image of a layer, for one eye or for both. */
 export interface LayerPicture {
   /** Premultiplied, rows from the bottom. */
   readonly rgba: Uint8Array;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** What of it is seen. */
+  /** The visible part. */
   readonly part: ViewportPx;
   readonly opacity: number;
   readonly useAlpha: boolean;
   readonly shape: LayerShape;
 }
 
-/** `screen`: over the whole of the eye's picture. Meters and radians. */
+/** Shape in meters and radians; `screen` covers the whole viewport of the eye. */
 export type LayerShape =
   | { readonly kind: 'screen' }
   | { readonly kind: 'quad'; readonly worldFromLayer: Matrix4; readonly widthM: number; readonly heightM: number }
@@ -43,14 +43,14 @@ export type LayerShape =
       readonly heightM: number;
     };
 
-/** Puts the images of several layers together, as the compositor of a headset does, on the device's own context. */
+/** Composites the images of several layers on the device's own context, as the compositor of a headset does. */
 export interface LayerCompositor {
-  /** Premultiplied RGBA, rows from the bottom: of each eye, its pictures from the lowest to the highest. */
+  /** Draws the images of each eye from bottom to top. `out` receives premultiplied RGBA, rows from the bottom. */
   compose(widthPx: number, heightPx: number, eyes: readonly Eye[], pictures: (eye: Eye) => Iterable<LayerPicture>, out: Uint8Array): void;
   dispose(): void;
 }
 
-/** Along the arc of a cylinder: 1/128 of a full turn is off by 0.03 % of the radius. */
+/** Segments of a full circle along a cylinder; with 128 the error is 0.03 % of the radius. */
 const SEGMENTS = 128;
 
 const VERTEX_SHADER = `
@@ -159,5 +159,5 @@ export function createLayerCompositor(renderer: WebGLRenderer): LayerCompositor 
   };
 }
 
-// Used up within one `draw`.
+// Valid during one `draw` only.
 const scratchView = new Matrix4();

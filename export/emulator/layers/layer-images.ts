@@ -1,17 +1,17 @@
 import { borrowGl, type Gl, isWebGl2 } from '../display/app-gl.ts';
 import { clearAll } from '../display/webgl1-target.ts';
 
-/** The textures of one composition layer, in the page's own context. */
+/** The textures of one composition layer in the page's context. */
 export interface LayerImages {
   readonly color: WebGLTexture;
   readonly depthStencil: WebGLTexture | null;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Of a texture array; 0: a plain texture. */
+  /** Layers of the texture array; 0 for a plain texture. */
   readonly arrayLength: number;
-  /** Transparent black and far depth, in all of it. */
+  /** Clears all images to transparent black and far depth. */
   clear(): void;
-  /** Premultiplied RGBA, rows from the bottom, of one layer of an array. */
+  /** Reads one array layer as premultiplied RGBA, rows from the bottom. */
   read(index: number, out: Uint8Array): void;
   dispose(): void;
 }
@@ -21,11 +21,11 @@ export interface LayerImagesOptions {
   readonly heightPx: number;
   readonly arrayLength: number;
   readonly colorFormat: GLenum;
-  /** 0: without depth. */
+  /** 0 for a layer without depth. */
   readonly depthFormat: GLenum;
 }
 
-/** Color formats of WebXR Layers §5.1 that can be drawn into, with the sized format of each. */
+/** Color formats of WebXR Layers §5.1 that can be drawn to, with their sized formats. */
 const COLOR_FORMATS: ReadonlyMap<GLenum, GLenum> = new Map([
   [0x1908, 0x8058], // RGBA: RGBA8
   [0x1907, 0x8051], // RGB: RGB8
@@ -34,7 +34,7 @@ const COLOR_FORMATS: ReadonlyMap<GLenum, GLenum> = new Map([
   [0x8c43, 0x8c43], // SRGB8_ALPHA8
 ]);
 
-/** With the sized format, and whether it has a stencil. */
+/** Depth formats with their sized format and whether it has a stencil. */
 const DEPTH_FORMATS: ReadonlyMap<GLenum, readonly [sized: GLenum, stencil: boolean]> = new Map([
   [0x1902, [0x81a6, false]], // DEPTH_COMPONENT: DEPTH_COMPONENT24
   [0x81a6, [0x81a6, false]], // DEPTH_COMPONENT24
@@ -42,7 +42,7 @@ const DEPTH_FORMATS: ReadonlyMap<GLenum, readonly [sized: GLenum, stencil: boole
   [0x88f0, [0x88f0, true]], // DEPTH24_STENCIL8
 ]);
 
-/** @throws TypeError when the context cannot make layers of that kind. */
+/** @throws TypeError if the context does not support the format or the size. */
 export function createLayerImages(gl: Gl, options: LayerImagesOptions): LayerImages {
   const { widthPx, heightPx, arrayLength, colorFormat, depthFormat } = options;
   checkFormats(gl, options);
@@ -96,15 +96,16 @@ export function createLayerImages(gl: Gl, options: LayerImagesOptions): LayerIma
 
 function checkFormats(gl: Gl, { arrayLength, colorFormat, depthFormat, widthPx, heightPx }: LayerImagesOptions): void {
   const most = gl.getParameter(gl.MAX_TEXTURE_SIZE) as number;
-  if (Math.max(widthPx, heightPx) > most) throw new TypeError(`The layer would be ${widthPx} × ${heightPx} pixels: the most is ${most}.`);
+  if (Math.max(widthPx, heightPx) > most)
+    throw new TypeError(`A layer of ${widthPx} × ${heightPx} pixels is too large. The limit is ${most}.`);
   const sizedOnly = colorFormat !== gl.RGBA && colorFormat !== gl.RGB;
   if (!COLOR_FORMATS.has(colorFormat) || (sizedOnly && !isWebGl2(gl))) {
-    throw new TypeError(`The color format 0x${colorFormat.toString(16)} is not supported for layers of this context.`);
+    throw new TypeError(`The color format 0x${colorFormat.toString(16)} is not supported by this context.`);
   }
   if (depthFormat !== 0 && !DEPTH_FORMATS.has(depthFormat)) {
     throw new TypeError(`The depth format 0x${depthFormat.toString(16)} is not supported for layers.`);
   }
-  if (arrayLength > 0 && !isWebGl2(gl)) throw new TypeError('Texture arrays need WebGL 2.');
+  if (arrayLength > 0 && !isWebGl2(gl)) throw new TypeError('Texture arrays require WebGL 2.');
 }
 
 function sizedTexture(gl: WebGL2RenderingContext, { widthPx, heightPx, arrayLength }: LayerImagesOptions, format: GLenum): WebGLTexture {
@@ -125,7 +126,7 @@ function plainTexture(gl: Gl, { widthPx, heightPx }: LayerImagesOptions, format:
   return texture;
 }
 
-/** Null without a depth format, and in a WebGL 1 that has no depth textures, as the specification allows. */
+/** Null without a depth format, and in WebGL 1 without depth textures, as the specification permits. */
 function depthTexture(gl: Gl, options: LayerImagesOptions): WebGLTexture | null {
   const found = DEPTH_FORMATS.get(options.depthFormat);
   if (!found) return null;

@@ -5,7 +5,7 @@ import type { LayerImages } from './layer-images.ts';
 
 type EyeName = 'none' | 'left' | 'right';
 
-/** XRWebGLSubImage of WebXR Layers §5.3: where in which texture a page draws one view of a layer. */
+/** `XRWebGLSubImage` of WebXR Layers §5.3: the texture and viewport for one view of a layer. */
 export class EmulatedSubImage {
   readonly viewport: XRViewport;
   readonly colorTexture: WebGLTexture;
@@ -32,7 +32,7 @@ export class EmulatedSubImage {
   }
 }
 
-/** Which part of which image of a layer an eye sees; without an eye, all of the first. */
+/** Viewport and image index of an eye; `none` gives the whole first image. */
 export function partForEye(
   layout: LayerLayout,
   images: LayerImages,
@@ -44,7 +44,7 @@ export function partForEye(
   if (layout === 'mono') return { viewport: whole, index: 0 };
   if (arrayLength > 0) return { viewport: whole, index: second };
   if (eye === 'none') return { viewport: whole, index: 0 };
-  // The left eye's half is the left or the upper one.
+  // The left eye has the left or the upper half.
   if (layout === 'stereo-top-bottom') {
     const half = heightPx / 2;
     return { viewport: { ...whole, y: second === 0 ? half : 0, heightPx: half }, index: 0 };
@@ -52,14 +52,14 @@ export function partForEye(
   return { viewport: { ...whole, x: (second * widthPx) / 2, widthPx: widthPx / 2 }, index: 0 };
 }
 
-/** The page asks for the images of a layer: emptied the first time in a frame, unless it wanted to keep them. */
+/** Returns the images of a layer and clears them at the first access of a frame if `clearOnAccess` is set. */
 export function accessImages(layer: EmulatedCompositionLayer, frame: object): LayerImages {
   const state = layer[P_LAYER];
   if (state.accessedIn !== frame) {
     state.accessedIn = frame;
     if (state.clearOnAccess) state.images.clear();
   }
-  // Within the frame it goes on to say that it needs what is drawn now.
+  // `needsRedraw` stays true until the running callback returns.
   queueMicrotask(() => {
     state.needsRedraw = false;
   });

@@ -1,9 +1,9 @@
 import type { XRSpace } from 'iwer';
-import type { SaidLight } from './session-light.ts';
+import type { EstimatedLight } from './session-light.ts';
 
 export type ReflectionFormat = 'srgba8' | 'rgba16f';
 
-/** WebXR Lighting Estimation §2.1. */
+/** `XRLightProbe` of WebXR Lighting Estimation §2.1. */
 export class EmulatedLightProbe extends EventTarget {
   readonly probeSpace: XRSpace;
   #onreflectionchange: ((event: Event) => void) | null = null;
@@ -24,14 +24,14 @@ export class EmulatedLightProbe extends EventTarget {
   }
 }
 
-/** WebXR Lighting Estimation §2.3; in the probe's space, which is turned as the world is. */
+/** `XRLightEstimate` of WebXR Lighting Estimation §2.3, in the space of the probe, whose axes are those of the world. */
 export class EmulatedLightEstimate {
   readonly sphericalHarmonicsCoefficients: Float32Array;
   readonly primaryLightDirection: DOMPointReadOnly;
   readonly primaryLightIntensity: DOMPointReadOnly;
 
-  /** Where the device finds no direction or intensity: straight from above, and none. */
-  constructor({ sphericalHarmonics, directionWorld, intensity }: SaidLight) {
+  /** Without an estimated direction the light comes from above; without an intensity it is 0. */
+  constructor({ sphericalHarmonics, directionWorld, intensity }: EstimatedLight) {
     const [x, y, z] = directionWorld ?? [0, 1, 0];
     const [r, g, b] = intensity ?? [0, 0, 0];
     this.sphericalHarmonicsCoefficients = sphericalHarmonics;
@@ -40,11 +40,11 @@ export class EmulatedLightEstimate {
   }
 }
 
-/** What a probe was asked for and by whom; kept apart, because pages see the probe itself. */
+/** Session and format of a probe. It is stored separately because pages see the probe itself. */
 export interface ProbeState {
   readonly session: EventTarget;
   readonly format: ReflectionFormat;
-  /** The cube map is there, and the page has not been told yet. */
+  /** Whether the cube map changed and `reflectionchange` was not dispatched yet. */
   changed: boolean;
 }
 

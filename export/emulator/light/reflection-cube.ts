@@ -2,7 +2,7 @@ import { DataUtils } from 'three';
 import type { ReflectionFormat } from './light-probe.ts';
 import type { ReflectionFaces } from './session-light.ts';
 
-/** The probe's cube map as a texture of the page's own context. */
+/** Uploads the probe's cube map as a texture of the page's context. */
 export function createReflectionCube(gl: WebGL2RenderingContext, light: ReflectionFaces, format: ReflectionFormat): WebGLTexture {
   const texture = gl.createTexture();
   const size = light.cubeSizePx;
@@ -21,7 +21,7 @@ function toHalf(linear: Float32Array): Uint16Array {
   return Uint16Array.from(linear, (value) => DataUtils.toHalfFloat(Math.min(value, 65_504)));
 }
 
-/** IEC 61966-2-1. */
+/** sRGB transfer function, IEC 61966-2-1. */
 function toSrgb(linear: Float32Array): Uint8Array {
   return Uint8Array.from(linear, (value, index) => {
     if (index % 4 === 3) return 255;

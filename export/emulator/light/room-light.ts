@@ -4,13 +4,13 @@ import type { RoomView } from '../display/room-view.ts';
 import type { Room } from '../rooms/room.ts';
 import { type CubeFace, projectCube } from './spherical-harmonics.ts';
 
-/** What light estimation gives: measured from the room's own pictures, so that virtual objects and the room agree. */
+/** Light estimated from rendered images of the room, so that it agrees with what the user sees. */
 export interface RoomLight {
   /** 27 numbers, linear-sRGB radiance, world space. */
   readonly sphericalHarmonics: Float32Array;
   readonly directionWorld: readonly [number, number, number];
   readonly intensity: readonly [number, number, number];
-  /** Faces +x, −x, +y, −y, +z, −z as GL wants them (row 0 is t = 0): RGBA, linear radiance. */
+  /** Faces +x, −x, +y, −y, +z, −z in the order of GL (row 0 is t = 0): RGBA, linear radiance. */
   readonly cubeFaces: readonly Float32Array[];
   readonly cubeSizePx: number;
 }
@@ -18,8 +18,8 @@ export interface RoomLight {
 const CUBE_SIZE_PX = 32;
 
 /**
- * Camera axes per face of a GL cube map (OpenGL ES 3.0 §3.8.10). Seen from inside, a face of GL is a photograph turned by half a
- * turn: s runs along −`right`, t along −`up`.
+ * Camera axes per face of a GL cube map (OpenGL ES 3.0 §3.8.10). Seen from inside, a face is rotated by half a turn: s runs along −`right`,
+ * t along −`up`.
  */
 const FACES = [
   { forward: [1, 0, 0], right: [0, 0, 1], up: [0, 1, 0] },
@@ -30,6 +30,7 @@ const FACES = [
   { forward: [0, 0, -1], right: [1, 0, 0], up: [0, 1, 0] },
 ] as const;
 
+/** Renders the room into a cube map at `room.probeWorld` and projects it on spherical harmonics. Leaves the renderer's target unset. */
 export function measureLight(view: RoomView, room: Room): RoomLight {
   const target = new WebGLRenderTarget(CUBE_SIZE_PX, CUBE_SIZE_PX, {
     format: RGBAFormat,
@@ -61,7 +62,7 @@ export function measureLight(view: RoomView, room: Room): RoomLight {
   };
 }
 
-/** Rows from the bottom as read back → rows from t = 0. */
+/** Rotates rows read from the bottom to rows from t = 0. */
 function halfTurn(rgba: Float32Array): Float32Array {
   const out = new Float32Array(rgba.length);
   for (let i = 0; i < rgba.length; i += 4) out.set(rgba.subarray(i, i + 4), rgba.length - 4 - i);

@@ -1,33 +1,36 @@
 import { createRandom } from '../../runtime/random.ts';
 import type { RoomLight } from './room-light.ts';
 
-/** How light estimation behaves on this device. */
+/** Behavior of light estimation on this device. */
 export interface LightOptions {
-  /** Frames by which estimates come late. */
+  /** Delay of the estimate, in frames. */
   readonly lagFrames?: number;
-  /** Standard deviation of all that is estimated but the direction, as a share of it: each frame has its own. */
+  /** Standard deviation of intensities and coefficients, relative to their value; it differs in each frame. The direction has no noise. */
   readonly flicker?: number;
   readonly seed?: number;
 }
 
 export const LIGHT_DEFAULTS: Required<LightOptions> = { lagFrames: 0, flicker: 0, seed: 0 };
 
-/** `room`: the room's light. `stopped`: no estimate any more. `frozen`: every frame has the last estimate. Else the room's light, changed. */
+/**
+ * `room`: the light of the room. `stopped`: no estimate. `frozen`: the last estimate in every frame. An object overrides parts of the
+ * room's light.
+ */
 export type LightState = 'room' | 'stopped' | 'frozen' | LightChanges;
 
-/** What is left out is as in the room. */
+/** Missing values are those of the room. */
 export interface LightChanges {
   /** 27 numbers, linear-sRGB radiance, world space. */
   readonly sphericalHarmonics?: readonly number[];
-  /** Null: the device finds no direction, or no intensity. */
+  /** Null if the device estimates no direction or no intensity. */
   readonly directionWorld?: readonly [number, number, number] | null;
   readonly intensity?: readonly [number, number, number] | null;
-  /** A color for each face of the cube map: +x, −x, +y, −y, +z, −z; linear radiance. Null: there is no cube map. */
+  /** One color per face of the cube map: +x, −x, +y, −y, +z, −z; linear radiance. Null if there is no cube map. */
   readonly reflection?: readonly (readonly [number, number, number])[] | null;
 }
 
-/** What one frame's estimate says. */
-export interface SaidLight {
+/** The estimate of one frame. */
+export interface EstimatedLight {
   readonly sphericalHarmonics: Float32Array;
   readonly directionWorld: readonly [number, number, number] | null;
   readonly intensity: readonly [number, number, number] | null;
@@ -40,21 +43,24 @@ export interface ReflectionFaces {
 
 /** Light estimation in one session. */
 export interface SessionLight {
-  /** Once a frame, before the page is asked. `roomMoves`: how often the room's light was moved. True when the cube map is another one now. */
+  /**
+   * Advances by one frame; called before the page's callbacks. `roomMoves` counts changes of the room's light. Returns whether the cube map
+   * changed.
+   */
   follow(state: LightState, roomMoves?: number): boolean;
-  /** Of this frame; null where the device has none. */
-  estimate(): SaidLight | null;
+  /** The estimate of this frame, or null. */
+  estimate(): EstimatedLight | null;
   reflection(): ReflectionFaces | null;
 }
 
 export function createSessionLight(measured: () => RoomLight | null, options: Required<LightOptions>): SessionLight {
-  /** The newest last; the first is what is told by now. */
+  /** Newest last. The first is the one reported, `lagFrames` frames old. */
   const states: LightState[] = [];
   let state: LightState = 'room';
-  /** What was told before it froze. */
+  /** The state reported before it froze. */
   let kept: LightState = 'room';
   let frames = 0;
-  /** The state that the cube map is of, and how often the room's light had been moved by then. */
+  /** The state and the value of `roomMoves` that the current cube map shows. */
   let shown: LightState | null = null;
   let shownMoves = 0;
 
@@ -82,11 +88,11 @@ export function createSessionLight(measured: () => RoomLight | null, options: Re
       if (!room || state === 'stopped') return null;
       const { sphericalHarmonics = room.sphericalHarmonics, directionWorld, intensity } = changes();
       const brightness = flicker(options, frames);
-      const told = intensity === undefined ? room.intensity : intensity;
+      const estimated = intensity === undefined ? room.intensity : intensity;
       return {
         sphericalHarmonics: Float32Array.from(sphericalHarmonics, (value) => value * brightness),
         directionWorld: directionWorld === undefined ? room.directionWorld : directionWorld,
-        intensity: told && [told[0] * brightness, told[1] * brightness, told[2] * brightness],
+        intensity: estimated && [estimated[0] * brightness, estimated[1] * brightness, estimated[2] * brightness],
       };
     },
     reflection: () => {
@@ -98,7 +104,7 @@ export function createSessionLight(measured: () => RoomLight | null, options: Re
   };
 }
 
-/** What decides the cube map: the same value for the same one. */
+/** Identity of the cube map's content: equal values mean equal cube maps. */
 function sourceOf(state: LightState): unknown {
   return typeof state === 'object' ? (state.reflection ?? (state.reflection === null ? null : 'room')) : 'room';
 }

@@ -1,7 +1,7 @@
-/** A picture taken along one axis of the world with a field of view of 90°: linear-sRGB radiance, RGBA, rows from the bottom. */
+/** A square image along one axis of the world with a field of view of 90°: linear-sRGB radiance, RGBA, rows from the bottom. */
 export interface CubeFace {
   readonly rgba: Float32Array;
-  /** Unit vectors of the world: where the camera looks, and its right and up. */
+  /** Axes of the camera, unit vectors in world space. */
   readonly forward: Vector;
   readonly right: Vector;
   readonly up: Vector;
@@ -10,8 +10,8 @@ export interface CubeFace {
 type Vector = readonly [number, number, number];
 
 /**
- * Six square faces of `sizePx` → 9 coefficients × RGB, in the order of WebXR Lighting Estimation §3.2: the projection of the
- * radiance on the real basis functions (Ramamoorthi and Hanrahan 2001, eq. 3), each texel weighted by its solid angle.
+ * Projects six square faces of `sizePx` on the real basis functions, each texel weighted by its solid angle (Ramamoorthi and Hanrahan 2001,
+ * eq. 3). Returns 9 coefficients × RGB in the order of WebXR Lighting Estimation §3.2.
  */
 export function projectCube(faces: readonly CubeFace[], sizePx: number): Float32Array {
   const out = new Float64Array(27);

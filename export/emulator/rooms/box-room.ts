@@ -3,20 +3,25 @@ import { createMovableLight } from './movable-light.ts';
 import { type Room, type RoomMesh, type RoomPlane, rectanglePlane } from './room.ts';
 import { createScanMaterial } from './scan-material.ts';
 
-/** Plain data: a solid block standing about the y axis. */
+/** A solid block, rotated about the y axis. Plain data. */
 export interface RoomBox {
-  /** A semantic label of WebXR. Labels of horizontal surfaces, such as `floor` and `table`, also make a plane of its top. */
+  /** A semantic label of WebXR. Labels of horizontal surfaces, such as `floor` and `table`, also add a plane at the top. */
   readonly label: string;
   readonly centerWorld: readonly [number, number, number];
   readonly sizeM: readonly [number, number, number];
   readonly yawRad?: number;
-  /** Linear-sRGB. */
+  /** Reflectance, linear-sRGB. */
   readonly albedo?: readonly [number, number, number];
 }
 
 const TOP_IS_PLANE = new Set(['floor', 'table', 'desk', 'couch', 'shelf', 'bed']);
 
-/** A room of blocks, for tests that work out by hand what is where. */
+/**
+ * Creates a room of blocks, for tests that compute geometry by hand.
+ *
+ * @example
+ * const room = createBoxRoom([{ label: 'floor', centerWorld: [0, -0.05, 0], sizeM: [4, 0.1, 4] }]);
+ */
 export function createBoxRoom(boxes: readonly RoomBox[]): Room {
   const solids = new Group();
   const movableLight = createMovableLight();

@@ -7,15 +7,15 @@ import { createScanMaterial } from './scan-material.ts';
 
 type EntityJson = Parameters<typeof SpatialEntity.fromPBJSON>[0];
 
-/** Eye height: captures say nothing about where their light is. */
+/** Position of the light probe at eye height, because captures contain no light. */
 const PROBE_WORLD = [0, 1.4, 0] as const;
 const ALBEDO = [0.62, 0.6, 0.57] as const;
 
 /**
- * A room scanned by a headset, from the JSON in `@iwer/sem/captures`: one mesh of everything, planes and boxes with labels. The
- * mesh is what is seen and measured; the boxes are bounds around furniture that is in the mesh already, and are only detected.
+ * Creates a room from a scan: the JSON in `@iwer/sem/captures`, which has one mesh of everything, planes, and labeled boxes. The mesh is
+ * drawn and measured; the boxes bound furniture that the mesh contains and are only detected.
  *
- * @throws Error when `capture` is no such JSON.
+ * @throws Error if `capture` is not such JSON.
  */
 export function createCaptureRoom(capture: unknown): Room {
   const solids = new Group();
@@ -57,7 +57,7 @@ export function createCaptureRoom(capture: unknown): Room {
 
 function readEntities(capture: unknown): EntityJson[] {
   const entities = (capture as { spatialEntities?: unknown } | null)?.spatialEntities;
-  if (!Array.isArray(entities)) throw new Error('This is no room capture: "spatialEntities" is missing.');
+  if (!Array.isArray(entities)) throw new Error('The capture is invalid: "spatialEntities" is missing.');
   return entities as EntityJson[];
 }
 

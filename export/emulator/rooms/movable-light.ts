@@ -1,11 +1,11 @@
 import { Vector3 } from 'three';
 import type { PrimaryLight } from './room.ts';
 
-/** The strongest light of a room that brings none of its own, which may be moved. */
+/** The strongest light of a room without lights of its own. */
 export interface MovableLight {
-  /** As it stands now. */
+  /** The current light. */
   readonly light: PrimaryLight;
-  /** Unit vector towards it; the same object however it moves, for materials to read. */
+  /** Unit vector towards the light. The object stays the same, so materials can hold it. */
   readonly towardsWorld: Vector3;
   /** `Room.moveLight`. */
   move(directionWorld: PrimaryLight['directionWorld'] | null): void;

@@ -3,15 +3,19 @@ import { createCaptureRoom } from './capture-room.ts';
 import type { Room } from './room.ts';
 import { createStudioRoom } from './studio/create-studio-room.ts';
 
-/** Plain data that a room is made from. Nothing is fetched: the caller loads the JSON of a capture. */
+/** Plain data that describes a room. The caller loads the JSON of a capture. */
 export type RoomSource =
-  /** The furnished, textured room of our own. */
+  /** A furnished, textured room. */
   | 'studio'
   /** The content of a file of `@iwer/sem/captures`. */
   | { readonly capture: unknown }
   | { readonly boxes: readonly RoomBox[] };
 
-/** @throws Error when a capture cannot be read. */
+/**
+ * Creates a room; the caller disposes it.
+ *
+ * @throws Error if a capture is invalid.
+ */
 export function createRoom(source: RoomSource): Room {
   if (source === 'studio') return createStudioRoom();
   return 'capture' in source ? createCaptureRoom(source.capture) : createBoxRoom(source.boxes);

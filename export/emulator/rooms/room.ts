@@ -1,25 +1,19 @@
 import type { Object3D, Scene, WebGLRenderer } from 'three';
 
-/**
- * A room for the emulated device: world space, meters, y up, floor at y = 0. What one sees is what is measured and hit: the
- * solids and nothing else.
- */
+/** A room for the emulated device, in world space: meters, y up, floor at y = 0. Images, depth and hit tests use the same solids. */
 export interface Room {
   /** Meshes with opaque materials that write display-referred sRGB to the screen and linear light into other targets. */
   readonly solids: Object3D;
-  /** What plane detection finds. */
+  /** Planes that plane detection reports. */
   readonly planes: readonly RoomPlane[];
-  /** What mesh detection finds. */
+  /** Meshes that mesh detection reports. */
   readonly meshes: readonly RoomMesh[];
-  /** The strongest light; the rest of the light estimate is measured from the solids at `probeWorld`. */
+  /** The strongest light. The rest of the light estimate is measured from the solids at `probeWorld`. */
   readonly primaryLight: PrimaryLight;
   readonly probeWorld: readonly [number, number, number];
-  /**
-   * Moves the strongest light to another direction, a unit vector from the scene towards it; null: back to where the room has it. `prepare`
-   * has to follow.
-   */
+  /** Moves the strongest light: a unit vector from the scene towards the light, or null to restore it. Call `prepare` afterwards. */
   moveLight(directionWorld: PrimaryLight['directionWorld'] | null): void;
-  /** Draws what the solids' materials need first, such as shadow maps, with the renderer and the scene that will draw them. */
+  /** Renders what the solids' materials need, such as shadow maps, with the renderer and scene that draw them. */
   prepare?(renderer: WebGLRenderer, scene: Scene): void;
   dispose(): void;
 }
@@ -27,11 +21,11 @@ export interface Room {
 export interface PrimaryLight {
   /** Unit vector from the scene towards the light. */
   readonly directionWorld: readonly [number, number, number];
-  /** Linear-sRGB irradiance on a surface that faces it, as devices estimate it: for the room as a whole. */
+  /** Linear-sRGB irradiance on a surface that faces the light, averaged over the room as devices estimate it. */
   readonly intensity: readonly [number, number, number];
 }
 
-/** A plane: its y axis is the normal; the polygon lies in its x–z plane. */
+/** A plane whose y axis is the normal; the polygon is in its x–z plane. */
 export interface RoomPlane {
   /** A semantic label of WebXR: `floor`, `wall`, `table`, … */
   readonly label: string;
@@ -44,12 +38,12 @@ export interface RoomPlane {
 export interface RoomMesh {
   readonly label: string;
   readonly worldFromMesh: readonly number[];
-  /** Three numbers each. */
+  /** Three numbers per vertex. */
   readonly vertices: Float32Array;
   readonly indices: Uint32Array;
 }
 
-/** A plane from its axes: normal `y`, and `x` within it; the polygon is the rectangle of the given size around the origin. */
+/** Creates a rectangular plane around `originWorld` from its normal `yWorld` and the axis `xWorld` in the plane. */
 export function rectanglePlane(
   label: string,
   originWorld: readonly [number, number, number],

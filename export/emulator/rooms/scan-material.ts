@@ -9,10 +9,7 @@ void main() {
   gl_Position = projectionMatrix * viewMatrix * world;
 }`;
 
-/**
- * Flat shading from screen-space derivatives, so that a scan of triangles without normals reads as a room, and a faint grid
- * every 25 cm, so that moving through it can be seen.
- */
+/** Flat shading from screen-space derivatives, for scans without normals, and a faint grid every 25 cm that makes motion visible. */
 const FRAGMENT = `
 uniform vec3 albedo;
 uniform vec3 towardsLightWorld;
@@ -36,7 +33,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** For rooms that bring geometry and no pictures. `albedo` is linear-sRGB. */
+/** Material for rooms without textures. `albedo` is linear-sRGB. */
 export function createScanMaterial(albedo: readonly [number, number, number], { light, towardsWorld }: MovableLight): ShaderMaterial {
   return new ShaderMaterial({
     side: DoubleSide,

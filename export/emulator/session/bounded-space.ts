@@ -5,7 +5,7 @@ import { EmulatedReferenceSpace } from './emulated-reference-space.ts';
 
 type SpaceType = Exclude<EmulatedReferenceSpace[typeof P_REF_SPACE]['type'], null>;
 
-/** XRBoundedReferenceSpace of WebXR Device API §9.3: the floor that the user has cleared. */
+/** `XRBoundedReferenceSpace` of WebXR Device API §9.3: the floor area that the user has cleared. */
 export class EmulatedBoundedReferenceSpace extends EmulatedReferenceSpace {
   /** Corners on the floor, in this space, clockwise as seen from above. */
   readonly boundsGeometry: readonly DOMPointReadOnly[];
@@ -23,7 +23,7 @@ export class EmulatedBoundedReferenceSpace extends EmulatedReferenceSpace {
   }
 }
 
-/** The room's floor; without a room the square of 3 m by 3 m that a user has told the device. */
+/** The room's floor, or a square of 3 m without a room. */
 export function boundsOf(room: Room | null): DOMPointReadOnly[] {
   const floor = room?.planes.find(({ label }) => label === 'floor');
   if (!floor) return CLEARED.map(([x, z]) => new DOMPointReadOnly(x, 0, z, 1));
@@ -42,7 +42,7 @@ const CLEARED = [
   [-1.5, 1.5],
 ] as const;
 
-/** To 5 cm, so that the room cannot be told by its size. */
+/** Rounds to 5 cm, so that the size does not identify the room. */
 function toStep(m: number): number {
   return Math.round(m * 20) / 20 + 0;
 }
@@ -51,7 +51,7 @@ function toPoint({ x, y, z }: Vector3): DOMPointReadOnly {
   return new DOMPointReadOnly(x, y, z, 1);
 }
 
-/** Seen from above, x to the right and z down. */
+/** Seen from above, with x to the right and z down. */
 function isClockwise(corners: readonly DOMPointReadOnly[]): boolean {
   const doubleArea = corners.reduce((sum, { x, z }, i) => {
     const next = corners[(i + 1) % corners.length];

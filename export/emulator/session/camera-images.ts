@@ -2,7 +2,7 @@ import { type Gl, isWebGl2 } from '../display/app-gl.ts';
 import { P_EYE } from '../private.ts';
 import type { EmulatedView } from './emulated-view.ts';
 
-/** Camera images in a page's context, one texture per view, filled once per frame from the room's canvas. */
+/** Camera images in a page's context: one texture per view, updated once per frame from the room's canvas. */
 export class CameraImages {
   readonly #gl: Gl;
   readonly #textures = new Map<
@@ -26,7 +26,7 @@ export class CameraImages {
     this.#textures.set(index, { texture, widthPx, heightPx, of: frame });
     gl.bindTexture(gl.TEXTURE_2D, texture);
     gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, 1);
-    // Views stand side by side and are as high as the canvas: only the columns are to be cut out.
+    // Views are side by side and have the height of the canvas, so only columns are skipped.
     if (isWebGl2(gl)) {
       gl.pixelStorei(gl.UNPACK_SKIP_PIXELS, x);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, widthPx, heightPx, gl.RGBA, gl.UNSIGNED_BYTE, canvas);
@@ -50,7 +50,7 @@ export class CameraImages {
   }
 }
 
-/** WebGL 1 can skip no columns. */
+/** Copies columns to another canvas, because WebGL 1 cannot skip them during upload. */
 function cutOut(canvas: HTMLCanvasElement, x: number, widthPx: number, heightPx: number): TexImageSource {
   if (widthPx === canvas.width) return canvas;
   const part = new OffscreenCanvas(widthPx, heightPx);

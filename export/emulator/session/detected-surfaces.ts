@@ -2,7 +2,7 @@ import type { XRFrame } from 'iwer';
 import { type GlobalSpace, NativeMesh, NativePlane, P_FRAME, XRMesh, XRPlane, XRRigidTransform, XRSpace } from 'iwer';
 import type { Room } from '../rooms/room.ts';
 
-/** Planes and meshes of the room as a session sees them: the same objects in every frame, changed once, when first seen. */
+/** Detected planes and meshes of a session: created in the first frame and never changed. */
 export interface Surfaces {
   addPlanes(frame: XRFrame): void;
   addMeshes(frame: XRFrame): void;
@@ -25,7 +25,7 @@ export function createSurfaces(room: () => Room | null, world: GlobalSpace): Sur
 
 type Label = ConstructorParameters<typeof NativePlane>[2];
 
-/** iwer guesses the orientation from the label, and says in every frame that the plane has changed. */
+/** iwer derives the orientation from the label and reports a change in every frame. */
 class EmulatedPlane extends XRPlane {
   readonly #orientation: 'horizontal' | 'vertical';
   readonly #seenMs: number;

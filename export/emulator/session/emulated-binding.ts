@@ -23,12 +23,12 @@ import type { EmulatedSession } from './emulated-session.ts';
 import { type EmulatedCamera, EmulatedView } from './emulated-view.ts';
 import type { EmulatedRenderState } from './render-state.ts';
 
-/** XRWebGLBinding: what the device brings into a page's own context. */
+/** `XRWebGLBinding`: layers, depth, camera images and reflections in the page's context. */
 export class EmulatedBinding {
   readonly #session: EmulatedSession;
   readonly #gl: Gl;
   readonly #images: CameraImages;
-  /** Each is the page's, which may delete it sooner. */
+  /** The page owns each cube map and may delete it earlier. */
   readonly #cubes: WebGLTexture[] = [];
   #depth: DepthTexture | null = null;
 
@@ -38,7 +38,7 @@ export class EmulatedBinding {
     this.#session = session;
     this.#gl = context;
     if (session[P_SESSION].mode === 'inline') {
-      throw new DOMException('A binding is for immersive sessions: one on the page draws into its canvas.', 'InvalidStateError');
+      throw new DOMException('Bindings require an immersive session.', 'InvalidStateError');
     }
     if (!isXrCompatible(context)) throw new DOMException('The context is not XR compatible.', 'InvalidStateError');
     this.#images = new CameraImages(context);
@@ -68,7 +68,7 @@ export class EmulatedBinding {
   }
 
   createEquirectLayer(): never {
-    throw new DOMException('The emulated device has projection, quad and cylinder layers only.', 'NotSupportedError');
+    throw new DOMException('The emulated device supports only projection, quad and cylinder layers.', 'NotSupportedError');
   }
 
   createCubeLayer(): never {
@@ -76,19 +76,19 @@ export class EmulatedBinding {
   }
 
   getSubImage(layer: EmulatedCompositionLayer, frame: EmulatedFrame, eye: 'none' | 'left' | 'right' = 'none'): EmulatedSubImage {
-    if (layer instanceof EmulatedProjectionLayer) throw new TypeError('Projection layers are asked for with getViewSubImage.');
+    if (layer instanceof EmulatedProjectionLayer) throw new TypeError('The layer is a projection layer. Call getViewSubImage.');
     this.#checkLayer(layer);
     if (frame?.session !== this.#session || !frame[P_FRAME].active || !frame[P_FRAME].animationFrame) {
-      throw new DOMException('The frame belongs to another session, or is over.', 'InvalidStateError');
+      throw new DOMException('The frame belongs to another session or has ended.', 'InvalidStateError');
     }
-    if (layer.layout === 'stereo' && eye === 'none') throw new TypeError('A stereo layer is asked for with an eye: left or right.');
+    if (layer.layout === 'stereo' && eye === 'none') throw new TypeError('The layer is stereo. Pass the eye "left" or "right".');
     const images = accessImages(layer, frame);
     const { viewport, index } = partForEye(layer.layout, images, eye);
     return new EmulatedSubImage(images, viewport, index);
   }
 
   getViewSubImage(layer: EmulatedProjectionLayer, view: EmulatedView): EmulatedSubImage {
-    if (!(layer instanceof EmulatedProjectionLayer)) throw new TypeError('Layers but projection layers are asked for with getSubImage.');
+    if (!(layer instanceof EmulatedProjectionLayer)) throw new TypeError('The layer is not a projection layer. Call getSubImage.');
     this.#checkLayer(layer);
     this.#checkView(view);
     const { frame, eye } = view[P_EYE];
@@ -102,14 +102,15 @@ export class EmulatedBinding {
     if (session !== this.#session) throw new TypeError('The layer belongs to another session.');
     if (destroyed) throw new DOMException('The layer was destroyed.', 'InvalidStateError');
     const { layers } = session[P_SESSION].renderState as EmulatedRenderState;
-    if (!layers.includes(layer)) throw new TypeError('The layer is not in the session’s list: set it with updateRenderState first.');
+    if (!layers.includes(layer)) throw new TypeError('The layer is not in the session’s layers. Add it with updateRenderState first.');
   }
 
   /** WebXR Depth Sensing §3.3. */
   getDepthInformation(view: EmulatedView): EmulatedWebGlDepthInformation | null {
     const depth = this.#session.requireDepth();
     this.#checkView(view);
-    if (depth.usage !== 'gpu-optimized') throw new DOMException('Depth was granted for the CPU.', 'InvalidStateError');
+    if (depth.usage !== 'gpu-optimized')
+      throw new DOMException('The session uses CPU depth. Call getDepthInformation of XRFrame.', 'InvalidStateError');
     const { world, eyes } = this.#session[P_EMULATED];
     const { index } = view[P_EYE];
     const shot = world.tracked ? depth.shot(index) : null;
@@ -136,14 +137,14 @@ export class EmulatedBinding {
     );
   }
 
-  /** WebXR Raw Camera Access §3.3. Row 0 of the texture is the bottom of the picture. */
+  /** `getCameraImage` of WebXR Raw Camera Access §3.3. Row 0 of the texture is the bottom of the image. */
   getCameraImage(camera: EmulatedCamera): WebGLTexture {
     const view = camera[P_EYE];
     this.#checkView(view);
     return borrowGl(this.#gl, () => this.#images.update(this.#session[P_EMULATED].roomServices.view.canvas, view));
   }
 
-  /** WebXR Lighting Estimation §5.1: a new texture each time. */
+  /** `getReflectionCubeMap` of WebXR Lighting Estimation §5.1. Each call creates a texture. */
   getReflectionCubeMap(probe: EmulatedLightProbe): WebGLTexture | null {
     if (this.#gl.isContextLost()) throw new DOMException('The WebGL context is lost.', 'InvalidStateError');
     if (this.#session[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
@@ -159,7 +160,7 @@ export class EmulatedBinding {
 
   #checkView(view: EmulatedView): void {
     if (!(view instanceof EmulatedView) || view[P_EYE].frame.session !== this.#session || !view[P_EYE].frame[P_FRAME].active) {
-      throw new DOMException('The view belongs to another session, or its frame is over.', 'InvalidStateError');
+      throw new DOMException('The view belongs to another session or its frame has ended.', 'InvalidStateError');
     }
   }
 
@@ -170,8 +171,8 @@ export class EmulatedBinding {
   }
 }
 
-/** Depth textures and float cube maps have no formats in WebGL 1. */
+/** WebGL 1 has no formats for depth textures and float cube maps. */
 function requireWebGl2(gl: Gl): WebGL2RenderingContext {
   if (isWebGl2(gl)) return gl;
-  throw new DOMException('The emulated device gives depth and reflections on the GPU to contexts of WebGL 2 only.', 'NotSupportedError');
+  throw new DOMException('Depth textures and reflection cube maps of the emulated device require WebGL 2.', 'NotSupportedError');
 }

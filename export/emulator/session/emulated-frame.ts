@@ -13,7 +13,7 @@ import { P_EMULATED, P_EYE } from '../private.ts';
 import type { EmulatedSession } from './emulated-session.ts';
 import { EmulatedView } from './emulated-view.ts';
 
-/** A frame whose answers are this frame's: hits are worked out when asked for, from this frame's poses. */
+/** An `XRFrame` that computes hits from its own poses when a page requests them. */
 export class EmulatedFrame extends XRFrame {
   readonly #session: EmulatedSession;
 
@@ -26,18 +26,18 @@ export class EmulatedFrame extends XRFrame {
     return this.#session;
   }
 
-  /** The events of this frame are over: from now on it has views. */
+  /** Ends the input events of this frame and starts its animation callbacks, in which views are available. */
   beginAnimation(): void {
     this[P_FRAME].animationFrame = true;
   }
 
-  /** Null while tracking is lost (WebXR Device API §8.1). */
+  /** Null without tracking (WebXR Device API §8.1). */
   override getViewerPose(referenceSpace: XRReferenceSpace): XRViewerPose {
     this.#check();
-    if (!this[P_FRAME].animationFrame) throw new DOMException('The frame of an event has no views.', 'InvalidStateError');
+    if (!this[P_FRAME].animationFrame) throw new DOMException('The frame of an input event has no views.', 'InvalidStateError');
     const { world, eyes, viewportScales } = this.#session[P_EMULATED];
     const { device } = world;
-    // The type of iwer leaves out what the specification allows.
+    // iwer's type omits the null of the specification.
     if (!world.tracked && this.#session[P_SESSION].mode !== 'inline') return null as unknown as XRViewerPose;
     const views = eyes.map((eye, index) => {
       const space = device.viewSpaces[eye.name];
@@ -46,14 +46,14 @@ export class EmulatedFrame extends XRFrame {
     return new XRViewerPose(this.getPose(device.viewerSpace, referenceSpace).transform, views, false);
   }
 
-  // iwer promises its own classes; pages see the interfaces of the specification.
-  // --- Depth: WebXR Depth Sensing §3.2 ---
+  // Types of iwer require its own classes; pages get the interfaces of the specification.
 
   override getDepthInformation(view: object): never {
     const depth = this.#session.requireDepth();
     this.#check();
     if (!(view instanceof EmulatedView) || view[P_EYE].frame !== this) throw foreign('view');
-    if (depth.usage !== 'cpu-optimized') throw new DOMException('Depth was granted for the GPU.', 'InvalidStateError');
+    if (depth.usage !== 'cpu-optimized')
+      throw new DOMException('The session uses GPU depth. Call getDepthInformation of XRWebGLBinding.', 'InvalidStateError');
     const shot = this.#session[P_EMULATED].world.tracked ? depth.shot(view[P_EYE].index) : null;
     return (shot ? new EmulatedCpuDepthInformation(view, depth, shot) : null) as never;
   }
@@ -103,7 +103,7 @@ export class EmulatedFrame extends XRFrame {
 
   #check(): void {
     if (!this[P_FRAME].active) {
-      throw new DOMException('The frame is over: it can only be asked during its own callback.', 'InvalidStateError');
+      throw new DOMException('The frame has ended. It is valid only in its callback.', 'InvalidStateError');
     }
   }
 }

@@ -19,14 +19,14 @@ export interface LayerInit {
 const SCALE_LIMITS = { min: 0.2, max: 1 };
 
 /**
- * XRWebGLLayer with a framebuffer of its own, as on a device. iwer lends the canvas, where a page that forgets to bind the
- * layer's framebuffer still seems to work.
+ * `XRWebGLLayer` with its own framebuffer, as on a device. iwer uses the canvas, where a page that forgets to bind the framebuffer still
+ * seems to work.
  */
 export class EmulatedLayer extends XRLayer {
   readonly [P_WEBGL_LAYER]: { session: EmulatedSession; context: Gl; antialias: boolean };
   readonly target: LayerTarget;
   readonly #scale: number;
-  /** The same object each time that a view is asked for. */
+  /** The same viewport object for each call of `getViewport`. */
   readonly #viewports = new WeakMap<EmulatedView, XRViewport>();
 
   constructor(session: EmulatedSession, context: Gl, init: LayerInit = {}) {
@@ -41,7 +41,7 @@ export class EmulatedLayer extends XRLayer {
       return;
     }
     if (!isXrCompatible(context)) {
-      throw new DOMException('The context is not XR compatible: make it with { xrCompatible: true }.', 'InvalidStateError');
+      throw new DOMException('The context is not XR compatible. Create it with { xrCompatible: true }.', 'InvalidStateError');
     }
     const antialias = (init.antialias ?? true) && isWebGl2(context);
     this.#scale = Math.min(Math.max(init.framebufferScaleFactor ?? 1, SCALE_LIMITS.min), SCALE_LIMITS.max);
@@ -55,14 +55,14 @@ export class EmulatedLayer extends XRLayer {
     this[P_WEBGL_LAYER] = { session, context, antialias };
   }
 
-  /** As large as the device's screen is by now. */
+  /** Resizes to the current size of the device's screen. */
   fit(): void {
     const [widthPx, heightPx] = pictureSizePx(this[P_WEBGL_LAYER].session[P_EMULATED].world, this.#scale);
     if (widthPx !== this.target.widthPx || heightPx !== this.target.heightPx) this.target.resize(widthPx, heightPx);
   }
 
   static getNativeFramebufferScaleFactor(session: EmulatedSession): number {
-    if (!(session instanceof EmulatedSession)) throw new TypeError('This is no session.');
+    if (!(session instanceof EmulatedSession)) throw new TypeError('The session is not an XRSession of this device.');
     return session[P_SESSION].ended ? 0 : 1;
   }
 
@@ -74,14 +74,14 @@ export class EmulatedLayer extends XRLayer {
     return true;
   }
 
-  /** Null, whatever is set: the device has none (WebXR Device API §11.3). */
+  /** Always null: the device does not support foveation (WebXR Device API §11.3). */
   get fixedFoveation(): number | null {
     return null;
   }
 
   set fixedFoveation(_level: number | null) {}
 
-  /** Null for sessions on the page: they draw into the canvas. */
+  /** Null in inline sessions, which draw to the canvas. */
   get framebuffer(): WebGLFramebuffer | null {
     return this.target.framebuffer;
   }

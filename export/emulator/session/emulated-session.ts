@@ -31,13 +31,13 @@ export interface EmulatedSessionState {
   readonly surfaces: Surfaces;
   readonly hitTests: { readonly active: Set<EmulatedHitTestSource>; readonly wishes: WeakMap<EmulatedHitTestSource, HitTestWishes> };
   readonly probes: EmulatedLightProbe[];
-  /** Frees what was made in the page's contexts. */
+  /** Release resources in the page's contexts. */
   readonly disposers: (() => void)[];
-  /** Of the frame that runs or ran last. */
+  /** Eyes of the current or last frame. */
   eyes: readonly Eye[];
-  /** Where `local` spaces begin: the viewer's place when the session began, or was re-centered. */
+  /** Origin of `local` spaces: the viewer's pose when the session started or was re-centered. */
   localOrigin: Float32Array;
-  /** Of each eye. */
+  /** One per eye. */
   readonly viewportScales: readonly ViewportScale[];
 }
 
@@ -48,7 +48,7 @@ export interface SessionGrant {
   readonly overlayRoot: HTMLElement | null;
 }
 
-/** iwer's session with a frame loop of ours, and with the modules that iwer lacks. */
+/** iwer's session with Scrim's frame loop and the WebXR modules that iwer does not implement. */
 export class EmulatedSession extends XRSession {
   readonly [P_EMULATED]: EmulatedSessionState;
   #stopFrames: () => void = () => {};
@@ -58,7 +58,7 @@ export class EmulatedSession extends XRSession {
     world.device[P_DEVICE].updateViews();
     this[P_EMULATED] = {
       world,
-      // A session on the page needs no room.
+      // An inline session does not need the room.
       get roomServices() {
         return world.roomServices();
       },
@@ -73,7 +73,7 @@ export class EmulatedSession extends XRSession {
       localOrigin: levelPose(world.device[P_DEVICE].viewerSpace[P_SPACE].offsetMatrix),
       viewportScales: [createViewportScale(), createViewportScale()],
     };
-    // The base class has started iwer's own loop, which computes depth and hits from the poses of the previous frame.
+    // The base class has started iwer's frame loop, which computes depth and hits from the poses of the previous frame. Stop it.
     const state = this[P_SESSION];
     if (state.deviceFrameHandle !== undefined) globalThis.cancelAnimationFrame(state.deviceFrameHandle);
     delete state.deviceFrameHandle;
@@ -81,7 +81,7 @@ export class EmulatedSession extends XRSession {
     state.renderState = initialRenderState(grant.mode);
   }
 
-  /** Starts the session's frames, which end with it. */
+  /** Starts the frame loop, which ends with the session. */
   startFrames(run: (session: EmulatedSession, timeS: number) => boolean): void {
     this.#stopFrames = this[P_EMULATED].world.frames.start((timeS) => run(this, timeS));
   }
@@ -102,7 +102,7 @@ export class EmulatedSession extends XRSession {
     for (const dispose of disposers.splice(0)) dispose();
   }
 
-  // --- What sessions on the page know of the device: nothing ---
+  // --- Inline sessions: nothing of the device is visible ---
 
   #isInline(): boolean {
     return this[P_SESSION].mode === 'inline';
@@ -126,13 +126,13 @@ export class EmulatedSession extends XRSession {
     state.pendingRenderState = changeRenderState(former, wishes as RenderStateWishes);
   }
 
-  /** The rate is told, and frames come as the emulator's clock gives them. */
+  /** Stores the rate; the emulator's clock still schedules the frames. */
   override async updateTargetFrameRate(rate: number): Promise<void> {
     const state = this[P_SESSION];
     if (state.ended) throw new DOMException('The session has ended.', 'InvalidStateError');
     const { supportedFrameRates } = state;
     if (!supportedFrameRates?.includes(rate)) {
-      throw new TypeError(`The device has no frame rate of ${rate} Hz. It has ${[...(supportedFrameRates ?? [])].join(', ')}.`);
+      throw new TypeError(`The frame rate ${rate} Hz is not supported. Use one of ${[...(supportedFrameRates ?? [])].join(', ')}.`);
     }
     if (rate === state.nominalFrameRate) return;
     await null;
@@ -140,7 +140,7 @@ export class EmulatedSession extends XRSession {
     this.dispatchEvent(new XRSessionEvent('frameratechange', { session: this }));
   }
 
-  /** iwer fires `select` with `selectstart`, when the button goes down; it belongs before `selectend` (WebXR Device API §10.2). */
+  /** iwer dispatches `select` with `selectstart`; it belongs before `selectend` (WebXR Device API §10.2). */
   override dispatchEvent(event: Event): boolean {
     const action = /^(select|squeeze)(end)?$/.exec(event.type);
     if (!action || !this[P_EMULATED].world.profile.controllers) return super.dispatchEvent(event);
@@ -156,7 +156,7 @@ export class EmulatedSession extends XRSession {
   override async requestReferenceSpace(type: XRReferenceSpaceType): Promise<XRReferenceSpace> {
     const state = this[P_SESSION];
     const types: readonly string[] = Object.values(XRReferenceSpaceType);
-    if (!types.includes(type)) throw new TypeError(`"${type}" is no reference space. Those are ${types.join(', ')}.`);
+    if (!types.includes(type)) throw new TypeError(`"${type}" is not a reference space. Use one of ${types.join(', ')}.`);
     if (state.ended || !state.referenceSpaceIsSupported(type)) {
       throw new DOMException(`The reference space "${type}" is not supported by this session.`, 'NotSupportedError');
     }
@@ -173,7 +173,7 @@ export class EmulatedSession extends XRSession {
 
   // --- Anchors: WebXR Anchors §4 ---
 
-  /** An anchor at the origin of `space`, which stands in the world; resolved in the next frame. */
+  /** Creates an anchor at the current origin of `space`; resolves in the next frame. */
   async anchorAt(space: XRSpace): Promise<XRAnchor> {
     this.requireFeature('anchors');
     const anchor = new XRAnchor(space, this);
@@ -209,7 +209,7 @@ export class EmulatedSession extends XRSession {
     this.#depthConfiguration().active = true;
   }
 
-  /** @throws DOMException NotSupportedError when the session was not granted depth. */
+  /** @throws DOMException NotSupportedError if the session has no depth sensing. */
   requireDepth(): SessionDepth {
     const { depth } = this[P_EMULATED];
     if (!depth) throw new DOMException('The session has no depth sensing.', 'NotSupportedError');
@@ -239,7 +239,7 @@ export class EmulatedSession extends XRSession {
     return probe;
   }
 
-  /** Once per probe, and again when the cube map is another one. */
+  /** Dispatches `reflectionchange` once per probe and again when the cube map changes. */
   announceReflections(): void {
     const { light, probes, roomServices, world } = this[P_EMULATED];
     const another = light.follow(world.lightState, roomServices.lightMoves);
@@ -255,13 +255,13 @@ export class EmulatedSession extends XRSession {
 
   override async requestHitTestSource(wishes: object): Promise<never> {
     this.requireFeature('hit-test');
-    if (!(wishes as HitTestWishes).space) throw new TypeError('A hit test needs a space.');
+    if (!(wishes as HitTestWishes).space) throw new TypeError('A hit test requires a space.');
     return this.#addHitTest(EmulatedHitTestSource, wishes as HitTestWishes) as never;
   }
 
   async requestHitTestSourceForTransientInput(wishes: HitTestWishes): Promise<EmulatedTransientHitTestSource> {
     this.requireFeature('hit-test');
-    if (!wishes.profile) throw new TypeError('A hit test for transient input needs a profile.');
+    if (!wishes.profile) throw new TypeError('A hit test for transient input requires a profile.');
     return this.#addHitTest(EmulatedTransientHitTestSource, wishes);
   }
 
@@ -278,7 +278,7 @@ export class EmulatedSession extends XRSession {
     return this[P_EMULATED].overlayRoot ? { type: 'screen' } : null;
   }
 
-  /** @throws DOMException InvalidStateError when the session has ended, NotSupportedError when it was not granted the feature. */
+  /** @throws DOMException InvalidStateError if the session has ended, NotSupportedError if it does not have the feature. */
   requireFeature(feature: string): void {
     if (this[P_SESSION].ended) throw new DOMException('The session has ended.', 'InvalidStateError');
     if (!this.enabledFeatures.includes(feature)) {
@@ -287,7 +287,7 @@ export class EmulatedSession extends XRSession {
   }
 }
 
-/** The session that a layer was made for. */
+/** The session that a layer was created for. */
 function ownerOf(layer: object): unknown {
   if (layer instanceof EmulatedCompositionLayer) return layer[P_LAYER].session;
   return P_WEBGL_LAYER in layer ? (layer[P_WEBGL_LAYER] as { session: unknown }).session : null;

@@ -4,7 +4,7 @@ import type { Eye } from '../display/eye.ts';
 import { P_EYE } from '../private.ts';
 import { requestScale, scaledViewport, type ViewportPx, type ViewportScale } from './viewport-scale.ts';
 
-/** XRCamera of WebXR Raw Camera Access §3.2. */
+/** `XRCamera` of WebXR Raw Camera Access §3.2. */
 export class EmulatedCamera {
   readonly width: number;
   readonly height: number;
@@ -23,7 +23,7 @@ export class EmulatedView extends XRView {
     readonly eye: Eye;
     readonly index: number;
     readonly frame: XRFrame;
-    /** Undefined where the viewport cannot be scaled. */
+    /** Undefined if the viewport cannot be scaled. */
     readonly scale: ViewportScale | undefined;
     camera: EmulatedCamera | null;
   };
@@ -33,7 +33,7 @@ export class EmulatedView extends XRView {
     this[P_EYE] = { eye, index, frame, scale, camera: null };
   }
 
-  /** Raw Camera Access §3.1, "obtain camera": aligned with the view, as large as its viewport. */
+  /** “Obtain camera” of Raw Camera Access §3.1: aligned with the view, of the viewport's size. */
   get camera(): EmulatedCamera | null {
     const state = this[P_EYE];
     if (!state.frame.session.enabledFeatures.includes('camera-access')) return null;
@@ -42,22 +42,22 @@ export class EmulatedView extends XRView {
     return state.camera;
   }
 
-  /** WebXR Device API §7.2: holds from the next question for the viewport on, in this frame and those that follow. */
+  /** WebXR Device API §7.2: applies from the next `getViewport` on, in this and later frames. */
   override requestViewportScale(scale: number | null | undefined): void {
     const { scale: current } = this[P_EYE];
     if (current) requestScale(current, scale);
   }
 
-  /** The part of `full` that this view is drawn into. */
+  /** The part of `full` that the page draws this view into. */
   viewportIn(full: ViewportPx): ViewportPx {
     const { frame, scale } = this[P_EYE];
     return scale ? scaledViewport(scale, full, frame) : full;
   }
 
-  /** @throws DOMException when the frame that this view is of is over. */
+  /** @throws DOMException InvalidStateError if the frame of this view is over. */
   checkFrame(): void {
     if (!this[P_EYE].frame[P_FRAME].active) {
-      throw new DOMException('The frame is over: views, depth and camera images are only there in its callback.', 'InvalidStateError');
+      throw new DOMException('The frame has ended. Views, depth and camera images are valid only in its callback.', 'InvalidStateError');
     }
   }
 }

@@ -8,26 +8,26 @@ import { runInlineFrame } from './run-inline-frame.ts';
 
 type Request = Parameters<XRSystem[typeof P_SYSTEM]['grantSession']>[0];
 
-/** The world with the session that runs in it, if one does. */
+/** The device and its sessions. */
 export interface SessionWorld extends World {
-  /** The immersive one: there is one at a time. */
+  /** The immersive session; at most one exists. */
   session: EmulatedSession | null;
-  /** Those on the page. */
+  /** The running inline sessions. */
   readonly inlineSessions: Set<EmulatedSession>;
 }
 
-/** What iwer takes for "not supported": modes that there are not (WebIDL's enumerations). */
+/** Rejects unknown session modes with a TypeError (WebIDL enumerations); iwer treats them as not supported. */
 export function checkModes(system: XRSystem): void {
   const ask = system.isSessionSupported.bind(system);
   system.isSessionSupported = async (mode) => {
-    if (!MODES.includes(mode)) throw new TypeError(`"${mode}" is no session mode. Those are ${MODES.join(', ')}.`);
+    if (!MODES.includes(mode)) throw new TypeError(`"${mode}" is not a session mode. Use one of ${MODES.join(', ')}.`);
     return ask(mode);
   };
 }
 
 const MODES: readonly string[] = ['inline', 'immersive-vr', 'immersive-ar'];
 
-/** What follows `requestSession` once the mode is known to be supported (WebXR Device API §4.1). */
+/** Continues `requestSession` after the mode was found to be supported (WebXR Device API §4.1). */
 export function grantSession(world: SessionWorld, system: XRSystem, { mode, options, resolve, reject }: Request): void {
   try {
     const session = makeSession(world, system, mode, options as SessionWishes);
@@ -51,27 +51,28 @@ export function grantSession(world: SessionWorld, system: XRSystem, { mode, opti
 
 function makeSession(world: World, system: XRSystem, mode: Request['mode'], wishes: SessionWishes): EmulatedSession {
   if (mode === 'inline') return makeInlineSession(world, wishes);
-  if (system[P_SYSTEM].activeSession) throw new DOMException('There is an immersive session already.', 'InvalidStateError');
+  if (system[P_SYSTEM].activeSession) throw new DOMException('An immersive session is already running.', 'InvalidStateError');
   if (world.settings.requireGesture && !navigator.userActivation.isActive) {
     throw new DOMException('An immersive session can only be requested in the handler of a user gesture.', 'SecurityError');
   }
   const grant = grantFeatures(wishes, world.settings.features, world.settings.depth);
-  if ('missing' in grant) throw new DOMException(`The device does not grant the required feature "${grant.missing}".`, 'NotSupportedError');
+  if ('missing' in grant)
+    throw new DOMException(`The device does not support the required feature "${grant.missing}".`, 'NotSupportedError');
   const root = wishes.domOverlay?.root;
   const overlayRoot = grant.features.includes('dom-overlay') && root instanceof HTMLElement ? root : null;
   return withLocalStorage(() => new EmulatedSession(world, { ...grant, mode, overlayRoot }));
 }
 
-/** On the page, beside an immersive one too: all that it can know is that there is a viewer. */
+/** Creates an inline session, which may run beside an immersive one and supports the reference space `viewer` only. */
 function makeInlineSession(world: World, wishes: SessionWishes): EmulatedSession {
   const grant = grantFeatures(wishes, new Set(['viewer']), world.settings.depth);
   if ('missing' in grant) {
-    throw new DOMException(`Sessions on the page have no "${grant.missing}": only the reference space "viewer".`, 'NotSupportedError');
+    throw new DOMException(`Inline sessions do not support "${grant.missing}", only the reference space "viewer".`, 'NotSupportedError');
   }
   return withLocalStorage(() => new EmulatedSession(world, { mode: 'inline', features: ['viewer'], depth: null, overlayRoot: null }));
 }
 
-/** iwer reads stored anchors when a session is made, which throws where a page has no storage (sandboxed frames, bare schemes). */
+/** iwer reads stored anchors when it creates a session, which throws in pages without storage, such as sandboxed frames. */
 function withLocalStorage<T>(make: () => T): T {
   if (hasStorage()) return make();
   const former = Object.getOwnPropertyDescriptor(globalThis, 'localStorage');

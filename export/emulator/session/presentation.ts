@@ -17,23 +17,23 @@ import { pictureSizePx } from './picture-size.ts';
 import type { EmulatedRenderState } from './render-state.ts';
 import { stretchViewport } from './viewport-scale.ts';
 
-/** What the page shows by now: its base layer, or its list of layers. */
+/** What the page presents: its base layer or its list of layers. */
 export interface Presentation {
   readonly widthPx: number;
   readonly heightPx: number;
-  /** As every frame begins. */
+  /** Clears the layers at the start of a frame. */
   clear(): void;
-  /** The page's premultiplied pixels, rows from the bottom; the same array while the size stays. */
+  /** The page's premultiplied pixels, rows from the bottom; the same array as long as the size stays. */
   read(): Uint8Array;
 }
 
-/** Null while the page has nothing to draw into. The base layer takes the size that the device's screen has by now. */
+/** Null if the session has no layer. Resizes the base layer to the device's screen. */
 export function presentationOf(session: EmulatedSession): Presentation | null {
   const { baseLayer, layers } = session[P_SESSION].renderState as EmulatedRenderState;
   if (layers.length > 0) return presentList(session, layers);
   const layer: unknown = baseLayer;
   if (!(layer instanceof EmulatedLayer)) return null;
-  // Without a size of its own the device keeps the window's as it was when the layer was made.
+  // Without `sizePx`, the layer keeps the window's size from its creation.
   if (session[P_EMULATED].world.settings.sizePx) layer.fit();
   const { widthPx, heightPx } = layer.target;
   return { widthPx, heightPx, clear: () => layer.target.clear(), read: () => readWebGlLayer(session, layer) };
@@ -50,7 +50,7 @@ function readWebGlLayer(session: EmulatedSession, { target }: EmulatedLayer): Ui
   return pixels;
 }
 
-// Read, uploaded and forgotten within one frame.
+// Valid within one frame only.
 let layerPixels = new Uint8Array(0);
 
 function pixelsFor(bytes: number): Uint8Array {
@@ -63,7 +63,7 @@ function presentList(session: EmulatedSession, layers: readonly XRLayer[]): Pres
   return {
     widthPx,
     heightPx,
-    // Composition layers are emptied when the page asks for their images.
+    // Composition layers are cleared when the page accesses their images.
     clear: () => {
       for (const layer of layers) if (layer instanceof EmulatedLayer) layer.target.clear();
     },
@@ -77,7 +77,7 @@ function presentList(session: EmulatedSession, layers: readonly XRLayer[]): Pres
   };
 }
 
-/** How a layer looks to an eye; its images are read once for all eyes. */
+/** The images of a layer per eye, read back once for all eyes. */
 function imagesOf(session: EmulatedSession, layer: XRLayer): (eye: Eye) => LayerPicture[] {
   if (layer instanceof EmulatedLayer) {
     const { widthPx, heightPx } = layer.target;
@@ -108,7 +108,7 @@ function scaleTo({ x, y, widthPx, heightPx }: Eye['viewport'], layerWidthPx: num
   return { x: x * factor, y: y * factor, widthPx: widthPx * factor, heightPx: heightPx * factor };
 }
 
-/** Of a projection layer's view, what the page drew into where it asked for a smaller viewport. */
+/** The viewport of a projection layer's view, smaller if the page scaled it. */
 function drawnPart(session: EmulatedSession, viewport: Eye['viewport'], eye: Eye): Eye['viewport'] {
   const { eyes, viewportScales } = session[P_EMULATED];
   const current = viewportScales[eyes.indexOf(eye)]?.current ?? 1;
@@ -127,7 +127,7 @@ function shapeOf(layer: EmulatedCompositionLayer): LayerShape {
   return { kind: 'screen' };
 }
 
-/** Where the layer stands in this frame: its space may move with the head or a hand. */
+/** The layer's pose in this frame; its space may follow the head or a hand. */
 function worldFromLayer({ space, transform }: EmulatedQuadLayer | EmulatedCylinderLayer): Matrix4 {
   const matrix = new Matrix4().fromArray(Array.from(transform.matrix));
   for (let at: XRSpace | undefined = space; at; at = at[P_SPACE].parentSpace) {

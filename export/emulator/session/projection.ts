@@ -1,10 +1,11 @@
-/** Of a view's width; a headset's eyes see further to their own side, which a symmetric projection would hide. */
+/** Horizontal shift of a headset's projection, relative to the view's width: each eye sees further to its own side. */
 const OUTWARD_SHIFT = 0.06;
 
 /**
- * Column-major 4×4 of an eye.
+ * Perspective projection of an eye.
  *
- * @param aspect Width over height of the eye's viewport; pixels are square.
+ * @param aspect Width over height of the eye's viewport.
+ * @returns `clipFromView`, column-major 4×4.
  */
 export function projectEye(name: 'none' | 'left' | 'right', fovYRad: number, aspect: number, nearM: number, farM: number): Float32Array {
   const halfHeight = Math.tan(fovYRad / 2);

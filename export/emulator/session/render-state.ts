@@ -11,7 +11,7 @@ export interface RenderStateWishes {
 
 type Init = NonNullable<ConstructorParameters<typeof XRRenderState>[0]>;
 
-/** XRRenderState with the layers of WebXR Layers §2: either those or a base layer. */
+/** `XRRenderState` with `layers` of WebXR Layers §2. It has either those or a base layer. */
 export class EmulatedRenderState extends XRRenderState {
   readonly layers: readonly XRLayer[];
 
@@ -21,12 +21,12 @@ export class EmulatedRenderState extends XRRenderState {
   }
 }
 
-/** What a session begins with. */
+/** Render state of a new session. */
 export function initialRenderState(mode: string): EmulatedRenderState {
   return new EmulatedRenderState(mode === 'inline' ? { inlineVerticalFieldOfView: Math.PI / 2 } : {});
 }
 
-/** `former` with what the page changes. */
+/** Returns a copy of `former` with the changes that the page requested. */
 export function changeRenderState(former: EmulatedRenderState, wishes: RenderStateWishes): EmulatedRenderState {
   const fovRad = wishes.inlineVerticalFieldOfView ?? former.inlineVerticalFieldOfView;
   const layers = wishes.layers ?? null;
@@ -39,14 +39,14 @@ export function changeRenderState(former: EmulatedRenderState, wishes: RenderSta
   });
 }
 
-/** Of sessions on the page: none sees nothing, and half a turn everything. */
+/** Limits for inline sessions, in radians. */
 const FOV_LIMITS_RAD = { min: 0.01, max: Math.PI - 0.01 };
 
 /**
- * WebXR Device API §4.3 and Layers §2.2, what `updateRenderState` refuses.
+ * Checks the changes that a page passes to `updateRenderState` (WebXR Device API §4.3, Layers §2.2).
  *
- * @param isOwn Whether a layer was made for the session.
- * @throws TypeError and DOMException as the specifications say.
+ * @param isOwn Whether a layer was created for the session.
+ * @throws TypeError or DOMException as specified.
  */
 export function checkRenderState(
   wishes: RenderStateWishes,
@@ -56,15 +56,15 @@ export function checkRenderState(
 ): void {
   const { baseLayer, layers } = wishes;
   if (wishes.inlineVerticalFieldOfView != null && mode !== 'inline') {
-    throw new DOMException('inlineVerticalFieldOfView is for sessions on the page: an immersive one has its own.', 'InvalidStateError');
+    throw new DOMException('inlineVerticalFieldOfView applies to inline sessions only.', 'InvalidStateError');
   }
   if (baseLayer && layers) throw new DOMException('Either baseLayer or layers can be set, not both.', 'NotSupportedError');
   for (const layer of baseLayer ? [baseLayer] : (layers ?? [])) {
     if (!isOwn(layer)) throw new DOMException('The layer was made for another session.', 'InvalidStateError');
   }
   if (!layers) return;
-  if (new Set(layers).size !== layers.length) throw new TypeError('A layer can be in the list once.');
+  if (new Set(layers).size !== layers.length) throw new TypeError('A layer is in the list twice.');
   if (layers.length > 1 && !features.includes('layers')) {
-    throw new DOMException('The session was not granted "layers": it can show one.', 'NotSupportedError');
+    throw new DOMException('The session was not granted "layers", so it has at most one layer.', 'NotSupportedError');
   }
 }

@@ -9,8 +9,8 @@ import { type Presentation, presentationOf } from './presentation.ts';
 import { projectEye } from './projection.ts';
 
 /**
- * One frame of the device: WebXR Device API §4.2, "run the animation frames", with the poses taken first and everything else from
- * them. Returns false when there was nothing to draw into.
+ * Runs one frame of the device (“run the animation frames”, WebXR Device API §4.2). All data is computed from poses taken at the start.
+ * Returns false if there is no layer.
  */
 export function runFrame(session: EmulatedSession, timeS: number): boolean {
   const state = session[P_SESSION];
@@ -24,13 +24,13 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   if (canvas.width !== shown.widthPx || canvas.height !== shown.heightPx) roomServices.view.resize(shown.widthPx, shown.heightPx);
   device.updateViews();
   const frame = new EmulatedFrame(session, state.frameHandle, timeS * 1000);
-  // Inputs, visibility and resets, with their events; it also applies the poses that a recording plays.
+  // Updates input, visibility and resets and dispatches their events; also applies recorded poses.
   device.onFrameStart(frame);
   session[P_EMULATED].eyes = aimEyes(world, shown, state.renderState.depthNear, state.renderState.depthFar);
   world.screenInput.aim(session[P_EMULATED].eyes[0]?.clipFromView ?? new Float32Array(16));
   world.screenInput.fire(frame, session, state.updateActiveInputSources);
   state.updateActiveInputSources();
-  // An event's listener may have ended it.
+  // An event listener may have ended the session.
   if (state.ended || device.visibilityState === 'hidden') {
     frame[P_FRAME].active = false;
     return !state.ended;
@@ -50,13 +50,13 @@ export function runFrame(session: EmulatedSession, timeS: number): boolean {
   return true;
 }
 
-/** Lays what the page drew over the room on the device's screen. */
+/** Composites the page's layers over the room on the device's screen. */
 export function showPresentation(session: EmulatedSession, shown: Presentation): void {
   const { roomServices, world } = session[P_EMULATED];
   roomServices.view.drawLayer(shown.read(), session[P_SESSION].mode === 'immersive-ar' ? world.profile.blend : 'opaque');
 }
 
-/** "Apply the pending render state"; something else to show turns the screen on. */
+/** “Apply the pending render state”: shows the screen if the layers changed. */
 function applyRenderState(session: EmulatedSession): void {
   const state = session[P_SESSION];
   if (!state.pendingRenderState) return;

@@ -7,8 +7,8 @@ import { projectEye } from './projection.ts';
 import { runCallbacks } from './run-frame.ts';
 
 /**
- * One frame of a session on the page (WebXR Device API §4.2): one view from where the viewer is, into the page's own canvas. The
- * device neither shows it nor hears of it. Returns false when there was nothing to draw into.
+ * Runs one frame of an inline session (WebXR Device API §4.2): one view from the viewer, drawn to the page's canvas. The device does not
+ * present it. Returns false if there is no layer.
  */
 export function runInlineFrame(session: EmulatedSession, timeS: number): boolean {
   const state = session[P_SESSION];

@@ -1,8 +1,8 @@
-/** Dynamic viewport scaling of one eye (WebXR Device API §7.2): what the page asked for, and what holds in this frame. */
+/** Dynamic viewport scaling of one eye (WebXR Device API §7.2): the requested and the current scale. */
 export interface ViewportScale {
   requested: number;
   current: number;
-  /** The frame whose viewport was asked for; until the next one it stays as it is. */
+  /** The frame that read the viewport last; the scale is fixed until the next frame. */
   settledIn: object | null;
 }
 
@@ -17,12 +17,12 @@ export function createViewportScale(): ViewportScale {
   return { requested: 1, current: 1, settledIn: null };
 }
 
-/** Numbers that are no scale say nothing; more than all of the viewport is all of it. */
+/** Clamps the requested scale to 1 and ignores invalid numbers. */
 export function requestScale(scale: ViewportScale, wish: number | null | undefined): void {
   if (typeof wish === 'number' && wish > 0) scale.requested = Math.min(wish, 1);
 }
 
-/** The part of `full` that the page draws into in this frame: the first question of a frame settles it. */
+/** The part of `full` that the page draws into. The first call in a frame fixes the scale. */
 export function scaledViewport(scale: ViewportScale, full: ViewportPx, frame: object): ViewportPx {
   if (scale.settledIn !== frame) {
     scale.current = scale.requested;
@@ -35,11 +35,11 @@ function partOf({ current }: ViewportScale, { x, y, widthPx, heightPx }: Viewpor
   return { x, y, widthPx: Math.max(1, Math.floor(widthPx * current)), heightPx: Math.max(1, Math.floor(heightPx * current)) };
 }
 
-/** What a device does with a scaled viewport: it fills the whole of it, in place. RGBA, rows from the bottom, `widthPx` wide. */
+/** Stretches the drawn part of a scaled viewport to the whole viewport, in place. `rgba` is RGBA, rows from the bottom, `widthPx` wide. */
 export function stretchViewport(rgba: Uint8Array, widthPx: number, full: ViewportPx, scale: ViewportScale): void {
   const part = partOf(scale, full);
   if (part.widthPx === full.widthPx && part.heightPx === full.heightPx) return;
-  // From the far corner, so that no pixel is overwritten before it is read.
+  // Runs from the far corner, so that no pixel is overwritten before it is read.
   for (let row = full.heightPx - 1; row >= 0; row--) {
     const fromRow = full.y + Math.floor((row * part.heightPx) / full.heightPx);
     for (let column = full.widthPx - 1; column >= 0; column--) {

@@ -1,13 +1,13 @@
 export interface CanvasFitter {
-  /** To be called between frames: setting a canvas's size clears it. */
+  /** Applies a changed size. Call it between frames, because setting the size of a canvas clears it. */
   update(): void;
   dispose(): void;
 }
 
-/** Sharper than two device pixels per CSS pixel shows on no phone, and costs the square. */
+/** More than two device pixels per CSS pixel is not visible on phones. */
 const MAX_PIXEL_RATIO = 2;
 
-/** Keeps the drawing buffer as large as the canvas is shown, in device pixels. */
+/** Keeps the drawing buffer at the size of the canvas on the page, in device pixels. */
 export function createCanvasFitter(canvas: HTMLCanvasElement, maxPixelRatio = MAX_PIXEL_RATIO): CanvasFitter {
   const window = canvas.ownerDocument.defaultView;
   let changed = true;
@@ -18,7 +18,7 @@ export function createCanvasFitter(canvas: HTMLCanvasElement, maxPixelRatio = MA
   let pixelRatio = 0;
   return {
     update: () => {
-      // Moving a window to another screen changes the ratio and no size, so nothing is observed.
+      // Moving a window to another screen changes the ratio without a resize event, so it is read every frame.
       const ratio = Math.min(window?.devicePixelRatio ?? 1, maxPixelRatio);
       if (!changed && ratio === pixelRatio) return;
       changed = false;

@@ -1,6 +1,6 @@
-/** Column-major 4×4 matrices, written into arrays that the caller owns. */
+/** Functions for column-major 4×4 matrices that write to arrays of the caller. */
 
-/** Distances between which sessions that choose for themselves let things be drawn, meters. */
+/** Near and far plane of sessions without a device, meters. */
 export const NEAR_M = 0.05;
 export const FAR_M = 100;
 
@@ -8,7 +8,7 @@ export function createMatrix(): Float32Array {
   return new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 }
 
-/** Projection whose sides pass through these points of the plane at distance 1 m; looking down -z, as `glFrustum` has it. */
+/** Perspective projection along −z whose frustum passes through the given bounds of the plane at 1 m, as `glFrustum` defines it. */
 export function setFrustum(out: Float32Array, left: number, right: number, bottom: number, top: number, nearM: number, farM: number): void {
   out.fill(0);
   out[0] = 2 / (right - left);
@@ -20,7 +20,7 @@ export function setFrustum(out: Float32Array, left: number, right: number, botto
   out[14] = (2 * farM * nearM) / (nearM - farM);
 }
 
-/** Inverse of a rotation and a translation: no scale. */
+/** Inverse of a rigid transform. */
 export function setRigidInverse(out: Float32Array, m: ArrayLike<number>): void {
   const at = (i: number): number => m[i] ?? 0;
   for (let row = 0; row < 3; row++) {

@@ -1,9 +1,9 @@
 /**
- * The file `session.json` of a recorded session; `docs/SESSION-FORMAT.md` tells it in words. A session folder holds it, color
- * pictures (JPEG or PNG) and, where there is depth, 16-bit PNG of one channel.
+ * The file `session.json` of a recorded session, which `docs/SESSION-FORMAT.md` describes. The session folder contains it, color images
+ * (JPEG or PNG) and optional depth (16-bit PNG with one channel).
  *
- * World space is right-handed, y up against gravity, meters, floor at y = 0 where one was seen. Camera space looks down -z
- * with y up, as WebXR has it. Matrices are column-major, 16 numbers.
+ * World space is right-handed with y up (gravity-aligned), in meters, with the floor at y = 0 if it was detected. Camera space looks along
+ * −z with y up, as in WebXR. Matrices are column-major, 16 numbers.
  */
 export interface SessionFile {
   readonly format: 'scrim-session';
@@ -27,12 +27,12 @@ export interface SessionFile {
   };
   readonly frameRateHz: number;
   readonly frames: readonly SessionFileFrame[];
-  /** For all frames that bring none of their own. */
+  /** Light of all frames without `light`. */
   readonly light?: SessionFileLight;
   readonly surfaces?: readonly SessionFileSurface[];
 }
 
-/** Pixels; (0, 0) is the outer corner of the top left pixel, whose center is (0.5, 0.5); y down, as pictures have it. */
+/** Pixels, y down; (0, 0) is the outer corner of the top left pixel, whose center is (0.5, 0.5). */
 export interface Intrinsics {
   readonly fxPx: number;
   readonly fyPx: number;
@@ -42,21 +42,21 @@ export interface Intrinsics {
 
 export interface SessionFileFrame {
   readonly timeS: number;
-  /** Relative to the folder. */
+  /** Path relative to the folder. */
   readonly color: string;
   readonly depth?: string;
   readonly worldFromCamera: readonly number[];
   readonly light?: SessionFileLight;
 }
 
-/** As `LightEstimate` in `nodes/kit/session.ts`: 27 numbers, coefficient by coefficient, RGB within. */
+/** As `LightEstimate` in `nodes/kit/session.ts`: 27 numbers, coefficient by coefficient, RGB within each. */
 export interface SessionFileLight {
   readonly sphericalHarmonics: readonly number[];
   readonly primaryDirectionWorld: readonly [number, number, number];
   readonly primaryIntensity: readonly [number, number, number];
 }
 
-/** A plane: its y axis is the normal; the polygon lies in its x–z plane. */
+/** A plane whose y axis is the normal; the polygon is in its x–z plane. */
 export interface SessionFileSurface {
   readonly id: string;
   readonly kind: 'plane';

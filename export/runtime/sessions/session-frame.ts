@@ -23,7 +23,7 @@ export type MutableRoomDepth = Mutable<RoomDepth>;
 export type MutableLight = Mutable<LightEstimate>;
 export type MutableReflection = Mutable<ReflectionCube>;
 
-/** The frame object that a session fills in place, every frame. */
+/** Creates the frame object that a session overwrites in every frame. */
 export function createSessionFrame(): MutableFrame {
   return {
     index: 0,
@@ -54,7 +54,7 @@ function createView(): MutableView {
   };
 }
 
-/** A session of one view that covers the whole canvas. */
+/** Sets the frame to one view that covers the canvas, and returns the view. */
 export function coverCanvas(frame: MutableFrame, gl: WebGL2RenderingContext): MutableView {
   const [view] = frame.views;
   if (!view) throw new Error('A frame has at least one view.');

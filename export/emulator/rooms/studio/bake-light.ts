@@ -1,11 +1,11 @@
 import { cosineDirections, createSolidScene, type Meeting, type Solid, type SolidScene, type Triple } from './solid.ts';
 
-/** Light from outside: a bright rectangle in a wall, and the sun through it. */
+/** Light from outside: a bright rectangle in a wall, and sunlight through it. */
 export interface Daylight {
   readonly window: { readonly center: Triple; readonly heightM: number; readonly widthM: number; readonly normal: Triple };
   /** Linear-sRGB radiance of the window. */
   readonly sky: Triple;
-  /** Towards the sun, and the irradiance on what faces it. */
+  /** Direction towards the sun, and irradiance on a surface that faces it. */
   readonly sunDirection: Triple;
   readonly sun: Triple;
 }
@@ -22,13 +22,13 @@ const PATCH_RAYS = 48;
 const VERTEX_RAYS = 36;
 const BOUNCES = 4;
 const PATCH_M = 0.45;
-/** Off the surface, so that a point does not shade itself. */
+/** Offset from the surface, in meters, so that a point does not shade itself. */
 const LIFT_M = 0.012;
 
 /**
- * Light that arrives by way of the sky and of other surfaces, per point: radiosity over the faces of boxes that stand for the
- * furniture, then one gathering per vertex (Cohen and Wallace, "Radiosity and Realistic Image Synthesis", ch. 4 and 10.3). The
- * sun's own light is left out: it has hard edges, which a shadow map does better. Some 0.3 s for 10,000 points.
+ * Indirect light per point: radiosity over the faces of boxes that approximate the furniture, then one final gather per vertex (Cohen and
+ * Wallace, “Radiosity and Realistic Image Synthesis”, ch. 4 and 10.3). Direct sunlight is excluded: a shadow map renders its hard edges
+ * better. About 0.3 s for 10,000 points.
  */
 export function createLightBaker(solids: readonly Solid[], daylight: Daylight): LightBaker {
   const scene = createSolidScene(solids);
@@ -59,9 +59,9 @@ function bake(
   return out;
 }
 
-/** Pieces of the solids' faces with the light that leaves them. */
+/** Patches of the solids' faces with their radiosity. */
 interface Patches {
-  /** Index of the patch at a place on a face of a solid. */
+  /** Index of the patch at a point of a solid's face. */
   at(solid: number, face: number, x: number, y: number, z: number): number;
   readonly count: number;
   /** Three numbers per patch. */
@@ -69,9 +69,9 @@ interface Patches {
   readonly normals: number[];
   readonly albedo: number[];
   readonly areas: number[];
-  /** Radiosity divided by π: what is seen of it, without what the sun's own light makes. */
+  /** Radiosity divided by π, without the first reflection of sunlight, which `sunlit` contributes. */
   radiance: Float64Array;
-  /** Patches in the sun. They are few and bright: rays that meet them by chance would leave spots. */
+  /** Patches in sunlight. They are few and bright, so random rays that hit them would leave spots. */
   sunlit: readonly SunlitPatch[];
 }
 
@@ -131,7 +131,7 @@ function findSunlit({ centers, normals, areas, count }: Patches, radiance: Float
   }));
 }
 
-/** Light from the patches in the sun, each taken for a point in its middle. */
+/** Adds light from sunlit patches, each treated as a point light at its center. */
 function addSunlit(
   scene: SolidScene,
   sunlit: readonly SunlitPatch[],
@@ -166,7 +166,7 @@ function pointOf({ centers, normals }: Patches, i: number): readonly [number, nu
   return [(centers[i] ?? 0) + nx * LIFT_M, (centers[i + 1] ?? 0) + ny * LIFT_M, (centers[i + 2] ?? 0) + nz * LIFT_M, nx, ny, nz];
 }
 
-/** Which patch each ray of each patch meets: the same in every bounce. */
+/** The patch that each ray of each patch hits; it is the same in every bounce. */
 function meetings(scene: SolidScene, patches: Patches): Uint16Array {
   const directions = cosineDirections(PATCH_RAYS);
   const out = new Uint16Array(patches.count * PATCH_RAYS);
@@ -198,7 +198,7 @@ function createGather(scene: SolidScene, patches: Patches, directions: readonly 
   };
 }
 
-/** Area light, sampled at fixed points of the window. */
+/** Adds area light of the window, sampled at fixed points. */
 function addSky(
   scene: SolidScene,
   { window, sky }: Daylight,
@@ -215,14 +215,14 @@ function addSky(
   for (let i = 0; i < columns * rows; i++) {
     const s = ((i % columns) + 0.5) / columns - 0.5;
     const t = (Math.floor(i / columns) + 0.5) / rows - 0.5;
-    // The window stands in the y–z plane.
+    // The window is in the y–z plane.
     const [vx, vy, vz] = [window.center[0] - x, window.center[1] + t * window.heightM - y, window.center[2] + s * window.widthM - z];
     const distance = Math.hypot(vx, vy, vz);
     const [dx, dy, dz] = [vx / distance, vy / distance, vz / distance];
     const here = nx * dx + ny * dy + nz * dz;
     const there = -(window.normal[0] * dx + window.normal[1] * dy + window.normal[2] * dz);
     if (here <= 0 || there <= 0 || scene.blocked(x, y, z, dx, dy, dz, distance - 0.12)) continue;
-    // The distance is kept off zero beside the window, where so few samples would show as spots.
+    // The lower limit of the squared distance avoids spots beside the window, which the few samples would cause.
     const weight = (here * there * area) / Math.max(distance * distance, 0.08);
     for (let c = 0; c < 3; c++) sum[c] = (sum[c] ?? 0) + (sky[c] ?? 0) * weight;
   }
@@ -264,7 +264,7 @@ function cutPatches(solids: readonly Solid[]): Patches {
   const normals: number[] = [];
   const albedo: number[] = [];
   const areas: number[] = [];
-  /** Per face: first patch, columns, rows. */
+  /** First patch, columns and rows per face. */
   const faces: (readonly [number, number, number])[] = [];
   solids.forEach((solid, index) => {
     for (let face = 0; face < 6; face++) {

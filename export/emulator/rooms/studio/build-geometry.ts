@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Euler, Matrix4, Vector3 } from 'three'
 import type { Part } from './furniture.ts';
 import { SURFACES, type SurfaceName } from './surfaces.ts';
 
-/** All parts of one surface as one mesh, in world space, without light yet. */
+/** All parts with one surface, merged to a mesh in world space, without light. */
 export interface SurfaceGeometry {
   readonly surface: SurfaceName;
   readonly positions: Float32Array;
@@ -55,7 +55,7 @@ function mergeParts(surface: SurfaceName, parts: readonly Part[]): SurfaceGeomet
   };
 }
 
-/** @param irradiance Three numbers per vertex, as `bakeLight` gives them. */
+/** @param irradiance Three numbers per vertex, as a `LightBaker` returns them. */
 export function toBufferGeometry({ positions, normals, uvs, tints, indices }: SurfaceGeometry, irradiance: Float32Array): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));

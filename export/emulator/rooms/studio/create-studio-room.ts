@@ -10,7 +10,7 @@ import { SURFACES, type SurfaceName } from './surfaces.ts';
 import { type PaintedTexture, paintTexture } from './textures.ts';
 
 const SUN_MAP_PX = 1024;
-/** Half the width of what the sun's map covers: the room from corner to corner. */
+/** Half the size of the sun's shadow map, in meters: it covers the room from corner to corner. */
 const SUN_REACH_M = 3.9;
 const SHELL = new Set<SurfaceName>(['oak', 'ceiling', 'plaster', 'wallpaper', 'outdoors']);
 const HALF: Triple = [ROOM.widthM / 2, ROOM.heightM / 2, ROOM.depthM / 2];
@@ -21,13 +21,15 @@ const DAYLIGHT: Daylight = {
   sunDirection: unit([-0.78, 0.56, 0.2]),
   sun: [9.5, 8.2, 6.3],
 };
-/** What a device would say of the room as a whole: most of it lies out of the sun, and white in full light is white. */
+/**
+ * Estimated irradiance of the sun for the whole room. It is below the real value because most of the room is in shadow and devices
+ * normalize white.
+ */
 const ESTIMATED_SUN: Triple = [3.3, 2.9, 2.3];
 
 /**
- * A living room of our own: textured, lit softly through a window with a patch of sun on the rug, and known to the millimeter.
- * Everything in it is worked out in code from fixed seeds. Takes about a second to make. The light that a moved sun would throw back from
- * surfaces is not worked out anew.
+ * Creates a textured living room of exactly known geometry, lit through a window, with sunlight on the rug. Code generates all of it from
+ * fixed seeds, in about a second. Moving the sun does not update indirect light.
  */
 export function createStudioRoom(): Room {
   const parts = furnish();
@@ -51,13 +53,13 @@ export function createStudioRoom(): Room {
     const material = createStudioMaterial(SURFACES[surface], painted.texture, SUN_MAP_PX, shared);
     const mesh = new Mesh(toBufferGeometry(geometry, bake(positions, normals)), material);
     mesh.name = surface;
-    // What stands in the room before the shell behind it: hidden pixels are not shaded.
+    // Furniture is drawn before the shell, so hidden pixels of the shell are not shaded.
     mesh.renderOrder = SHELL.has(surface) ? 1 : 0;
     return mesh;
   });
   const solids = new Group();
   solids.add(...meshes);
-  /** Null: as the room has it. */
+  /** Null: the original direction. */
   let moved: Triple | null = null;
   const moveLight = (directionWorld: Triple | null) => {
     moved = directionWorld;
@@ -78,7 +80,7 @@ export function createStudioRoom(): Room {
     moveLight,
     probeWorld: [0, 1, 0.2],
     prepare: (renderer, scene) => {
-      // The view from the window stands where the sun comes in; a light that was moved comes in by walls and ceiling, too.
+      // The outdoor image is behind the window, where the sun comes in. A moved light passes through walls and ceiling.
       for (const mesh of meshes) mesh.visible = moved ? !SHELL.has(mesh.name as SurfaceName) : mesh.name !== 'outdoors';
       sunMap.draw(renderer, scene);
       for (const mesh of meshes) mesh.visible = true;
@@ -98,7 +100,7 @@ function namesOf(parts: readonly Part[]): SurfaceName[] {
   return [...new Set(parts.map(({ surface }) => surface))];
 }
 
-/** The shell, then what stands in it. */
+/** The shell first, then the furniture. */
 function toSolids(parts: readonly Part[], textures: ReadonlyMap<SurfaceName, PaintedTexture>): Solid[] {
   const shell: Solid = { center: [0, HALF[1], 0], half: HALF, yawRad: 0, albedo: [0.6, 0.57, 0.5] };
   const blockers = parts.flatMap(({ blocker, yawRad = 0, surface, tint = [1, 1, 1] }): Solid[] => {

@@ -2,21 +2,21 @@ import { hash } from './noise.ts';
 import { curtain, lathe, leafBlade, panel, roundedBox, type Shape } from './shapes.ts';
 import type { SurfaceName } from './surfaces.ts';
 
-/** A thing in the room: its shape stands at `at`, turned about the y axis. */
+/** An object in the room: its shape at `at`, rotated about the y axis. */
 export interface Part {
   readonly surface: SurfaceName;
   readonly shape: Shape;
   readonly at: readonly [number, number, number];
   readonly yawRad?: number;
-  /** Tilt about the x axis, before the yaw. */
+  /** Rotation about the x axis, before the yaw. */
   readonly pitchRad?: number;
   /** Multiplies the surface's color; linear-sRGB. */
   readonly tint?: readonly [number, number, number];
-  /** The box that stands for it while light is baked; none for what hardly shades. */
+  /** The box that approximates the part while light is baked; none for parts that hardly cast shadows. */
   readonly blocker?: Blocker;
 }
 
-/** Turned as its part is. */
+/** Rotated with its part. */
 export interface Blocker {
   readonly center: readonly [number, number, number];
   readonly size: readonly [number, number, number];
@@ -25,10 +25,10 @@ export interface Blocker {
 type Triple = readonly [number, number, number];
 
 export const ROOM = { widthM: 5.2, heightM: 2.6, depthM: 4.6 } as const;
-/** In the left wall. */
+/** Opening in the left wall, meters. */
 export const WINDOW = { centerY: 1.5, centerZ: -0.35, heightM: 1.4, widthM: 1.9 } as const;
 
-/** Too thin to shade. */
+/** A part too thin to cast shadows. */
 function trim(surface: SurfaceName, at: Triple, size: Triple, radiusM = 0, more: Partial<Part> = {}): Part {
   return { surface, at, shape: roundedBox(size, radiusM), ...more };
 }
@@ -53,7 +53,7 @@ export function furnish(): readonly Part[] {
 
 const HALF_W = ROOM.widthM / 2;
 const HALF_D = ROOM.depthM / 2;
-/** Thick enough to stop light, thin enough to stay out of the way. */
+/** Thickness of the walls, in meters: enough to block light. */
 const WALL_M = 0.1;
 
 function walls(): Part[] {
@@ -210,7 +210,7 @@ const CLOTHS: readonly Triple[] = [
   [0.7, 0.66, 0.58],
 ];
 
-/** A row of standing books of seeded sizes and colors, with a gap at its end. */
+/** A row of standing books with sizes and colors from a seed, and a gap at the end. */
 function books(x0: number, y: number, z: number, row: number): Part[] {
   const out: Part[] = [];
   let x = x0;
@@ -223,7 +223,7 @@ function books(x0: number, y: number, z: number, row: number): Part[] {
     x += thick;
   }
   const length = x - x0;
-  // One block of shade for the whole row.
+  // One box approximates the whole row.
   const blocker: Blocker = { center: [x0 + length / 2, y + 0.14, z], size: [length, 0.28, 0.19] };
   return out.map((part, i) => (i === 0 ? { ...part, blocker } : part));
 }

@@ -1,4 +1,4 @@
-/** Hash of lattice points to [0, 1): integer arithmetic, so that every machine paints the same room. */
+/** Hashes lattice points to [0, 1) with integer arithmetic, so every machine gives the same textures. */
 export function hash(x: number, y: number, seed: number): number {
   let h = Math.imul(x, 0x27d4eb2d) ^ Math.imul(y, 0x165667b1) ^ Math.imul(seed, 0x9e3779b1);
   h = Math.imul(h ^ (h >>> 15), 0x85ebca6b);

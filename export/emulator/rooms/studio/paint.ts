@@ -3,7 +3,7 @@ import { fractal, hash, noise } from './noise.ts';
 /** Display-referred sRGB in [0, 1]. */
 export type Color = readonly [number, number, number];
 
-/** Color at a place in the picture; `u` to the right and `v` up, both in [0, 1). */
+/** Color of a texture at (u, v) in [0, 1), u to the right and v up. */
 export type Painter = (u: number, v: number) => Color;
 
 export function mix(a: Color, b: Color, t: number): Color {
@@ -19,7 +19,7 @@ export function step(edge0: number, edge1: number, x: number): number {
   return t * t * (3 - 2 * t);
 }
 
-/** Boards along v, of random tone, offset and grain, with dark joints. */
+/** Boards along v with random tone, offset and grain, and dark joints. */
 export const oakBoards: Painter = (u, v) => {
   const boards = 8;
   const board = Math.floor(u * boards);
@@ -126,7 +126,7 @@ export const pictureOfDiscs: Painter = (u, v) => {
   return [0.88, 0.85, 0.78];
 };
 
-/** Through the window: sky, far trees, a lawn; bright and out of focus. */
+/** The view through the window: sky, trees and a lawn, bright and blurred. */
 export const outdoors: Painter = (u, v) => {
   const trees = 0.34 + 0.16 * fractal(u * 5, 3, 5, 64, 71);
   const sky = mix([0.93, 0.96, 1], [0.78, 0.88, 1], step(0.4, 1, v));

@@ -1,8 +1,8 @@
-/** Triangles with what shading needs; three numbers per vertex, two for `uvM`. */
+/** Triangles with vertex data: three numbers per vertex, two for `uvM`. */
 export interface Shape {
   readonly positions: number[];
   readonly normals: number[];
-  /** Meters along the surface; turned into texture coordinates by the material. */
+  /** Distance along the surface in meters; the material converts it to texture coordinates. */
   readonly uvM: number[];
   readonly indices: number[];
 }
@@ -10,9 +10,9 @@ export interface Shape {
 type Triple = readonly [number, number, number];
 type Axis = 0 | 1 | 2;
 
-/** Light is baked per vertex: no edge of a flat surface is longer. */
+/** Longest edge of a flat surface, in meters, because light is baked per vertex. */
 const STEP_M = 0.2;
-/** Below it a chamfer looks as round. */
+/** Below this radius, in meters, a chamfer replaces the rounding. */
 const SMALL_RADIUS_M = 0.03;
 
 /** A box around the origin, its edges rounded; radius 0 keeps them sharp. */
@@ -31,7 +31,7 @@ export function roundedBox(size: Triple, radiusM = 0): Shape {
   return shape;
 }
 
-/** One face of a box, through the origin: `size` across the other two axes counts. */
+/** One face of a box through the origin. Only the components of `size` on the other two axes matter. */
 export function panel(size: Triple, normalAxis: Axis, side: 1 | -1): Shape {
   const shape: Shape = { positions: [], normals: [], uvM: [], indices: [] };
   const half = size.map((s, axis) => (axis === normalAxis ? 0 : s / 2)) as unknown as Triple;
@@ -62,7 +62,7 @@ function addFace(shape: Shape, half: Triple, inner: Triple, radiusM: number, nor
       shape.uvM.push(...boxUv(flat, normalAxis));
     }
   }
-  // (a, b, normal) is a right-handed frame, so this order faces outward when the sign is positive.
+  // (a, b, normal) is right-handed, so this order faces outward if the sign is positive.
   addGrid(shape.indices, first, along.length, across.length, sign > 0);
 }
 
@@ -91,7 +91,7 @@ function addGrid(indices: number[], first: number, columns: number, rows: number
   }
 }
 
-/** A profile of [radius, height] turned about the y axis, from the bottom up; closed where the radius is 0. */
+/** Surface of revolution of a profile of [radius, height] about the y axis, from the bottom up; closed where the radius is 0. */
 export function lathe(profile: readonly (readonly [number, number])[], segments = 20): Shape {
   const shape: Shape = { positions: [], normals: [], uvM: [], indices: [] };
   profile.forEach(([radius, height], i) => {

@@ -1,6 +1,6 @@
 import { hash } from './noise.ts';
 
-/** What light meets while it is baked: the room's shell from inside, and boxes turned about the y axis. */
+/** Geometry for light baking: the shell of the room, seen from inside, and boxes rotated about the y axis. */
 export interface Solid {
   readonly center: Triple;
   readonly half: Triple;
@@ -11,30 +11,30 @@ export interface Solid {
 
 export type Triple = readonly [number, number, number];
 
-/** Where a ray went. */
+/** A ray hit. */
 export interface Meeting {
   distanceM: number;
-  /** Index of the solid met. */
+  /** Index of the solid. */
   solid: number;
-  /** Axis and side of the face met, in the solid's own frame: 0 to 5 for −x, +x, −y, +y, −z, +z. */
+  /** Axis and side of the face in the solid's local space: 0 to 5 for −x, +x, −y, +y, −z, +z. */
   face: number;
 }
 
 export interface SolidScene {
   readonly solids: readonly Solid[];
-  /** The first meeting; solids that hold the origin are passed through. */
+  /** Finds the first hit; solids that contain the origin are ignored. */
   cast(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, out: Meeting): void;
-  /** Whether anything stands within `maxM`. */
+  /** Whether a solid is within `maxM` along the ray. */
   blocked(ox: number, oy: number, oz: number, dx: number, dy: number, dz: number, maxM: number): boolean;
 }
 
-/** Numbers per box in the flat table: center, half, sine and cosine of the yaw. Flat, because millions of rays read it. */
+/** Numbers per box in the table: center, half size, sine and cosine of the yaw. The table is flat because millions of rays read it. */
 const STRIDE = 8;
 
-/** @param solids The first is the shell, a box met from inside and not turned. */
+/** @param solids The first is the shell, a box that is hit from inside and is not rotated. */
 export function createSolidScene(solids: readonly Solid[]): SolidScene {
   const shell = solids[0];
-  if (!shell) throw new Error('A scene needs its shell.');
+  if (!shell) throw new Error('The scene has no shell.');
   const table = new Float64Array((solids.length - 1) * STRIDE);
   solids.slice(1).forEach(({ center, half, yawRad }, i) => {
     table.set([...center, ...half, Math.sin(yawRad), Math.cos(yawRad)], i * STRIDE);
@@ -50,7 +50,7 @@ export function createSolidScene(solids: readonly Solid[]): SolidScene {
       const cos = read(table, at + 7);
       const lx = px * cos - pz * sin;
       const lz = px * sin + pz * cos;
-      // Division by zero gives infinities, which compare as they should.
+      // Division by zero gives infinities, which the comparisons handle.
       const ix = 1 / (dx * cos - dz * sin);
       const iy = 1 / dy;
       const iz = 1 / (dx * sin + dz * cos);
@@ -91,7 +91,7 @@ function meetShell({ center, half }: Solid, ox: number, oy: number, oz: number, 
   const farX = (center[0] + Math.sign(dx) * half[0] - ox) / dx;
   const farY = (center[1] + Math.sign(dy) * half[1] - oy) / dy;
   const farZ = (center[2] + Math.sign(dz) * half[2] - oz) / dz;
-  // NaN where the ray runs along the wall.
+  // NaN if the ray is parallel to the wall.
   const [x, y, z] = [farX, farY, farZ].map((far) => (Number.isNaN(far) ? Number.POSITIVE_INFINITY : far)) as [number, number, number];
   out.distanceM = Math.min(x, y, z);
   out.solid = 0;
@@ -100,7 +100,7 @@ function meetShell({ center, half }: Solid, ox: number, oy: number, oz: number, 
   else out.face = dz > 0 ? 5 : 4;
 }
 
-/** Directions around +z, denser towards it as the cosine asks; the same for every point, so that light changes smoothly. */
+/** Cosine-weighted directions around +z. They are the same for every point, so light changes smoothly. */
 export function cosineDirections(count: number): readonly Triple[] {
   return Array.from({ length: count }, (_, i) => {
     const u = (i + 0.5) / count;

@@ -7,7 +7,7 @@ export interface StudioUniforms {
   readonly sunDirection: IUniform<Vector3>;
   /** Irradiance divided by π. */
   readonly sun: IUniform<Vector3>;
-  /** 1: it comes in by the window alone, 0: from anywhere, as if the walls let it through. */
+  /** 1: sunlight enters through the window only; 0: it ignores the walls. */
   readonly throughWindow: IUniform<number>;
   readonly sky: IUniform<Vector3>;
   readonly windowX: IUniform<number>;
@@ -52,13 +52,13 @@ varying vec3 normalWorld;
 varying vec3 positionWorld;
 varying vec3 inSunMap;
 
-// Where a line from here meets the window's plane, from its middle, in units of its half size.
+// Where a ray hits the plane of the window, relative to its center, in half sizes.
 vec2 inWindow(vec3 direction) {
   float distanceM = (windowX - positionWorld.x) / direction.x;
   return ((positionWorld + direction * distanceM).yz - WINDOW_CENTER) / WINDOW_HALF;
 }
 
-// Four taps of the hardware's 2 × 2 comparison, a texel apart: a soft edge of some 3 cm. Few places see the sun at all.
+// Four samples of the hardware's 2 × 2 comparison, a texel apart, soften the edge to about 3 cm.
 float sunlight() {
   vec2 through = abs(inWindow(sunDirection)) * throughWindow;
   if (max(through.x, through.y) > 1.05) return 0.0;
@@ -70,7 +70,7 @@ float sunlight() {
   return lit * 0.25;
 }
 
-// The window seen in a dull mirror: its rectangle, blurred by how far away it is.
+// Blurred reflection of the window's rectangle; the blur increases with distance.
 float windowMirrored(vec3 direction) {
   if (direction.x > -0.02) return 0.0;
   float blur = 0.08 + 0.2 * (windowX - positionWorld.x) / direction.x;
@@ -87,7 +87,7 @@ void main() {
     vec3 towardsEye = normalize(cameraPosition - positionWorld);
     float facing = max(dot(normal, sunDirection), 0.0);
     vec3 light = baked + (facing > 0.0 ? sun * facing * sunlight() : vec3(0.0));
-    // Schlick's approximation for a surface of index 1.5.
+    // Schlick's approximation for an index of refraction of 1.5.
     float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(normal, towardsEye), 0.0), 5.0);
     vec3 mirrored = gloss > 0.0 ? gloss * sky * windowMirrored(reflect(-towardsEye, normal)) : vec3(0.0);
     gl_FragColor = vec4(albedo * light + fresnel * mirrored, 1.0);

@@ -14,12 +14,12 @@ import {
 import { aimCamera, createEyeCamera } from '../../display/eye.ts';
 import type { Triple } from './solid.ts';
 
-/** Depth of the room as the sun sees it. */
+/** Shadow map of the sun. */
 export interface SunMap {
   readonly texture: DepthTexture;
-  /** To device coordinates of the map; the same object wherever the sun is. */
+  /** World space to clip space of the map. The object stays the same if the sun moves. */
   readonly mapFromWorld: Matrix4;
-  /** Sets the direction, a unit vector. Call `draw` afterwards. */
+  /** Sets the unit vector towards the sun. Call `draw` afterwards. */
   aim(towardsSun: Triple): void;
   draw(renderer: WebGLRenderer, scene: Scene): void;
   dispose(): void;
@@ -47,7 +47,7 @@ export function createSunMap(sizePx: number, reachM: number): SunMap {
     mapFromWorld,
     aim: (towardsSun) => {
       const eye = new Vector3(...towardsSun).multiplyScalar(reachM * 2).add(center);
-      // Straight above, the sun has no side that is up.
+      // For a vertical direction, +y cannot be the up vector.
       up.set(0, Math.abs(towardsSun[1]) > 0.99 ? 0 : 1, Math.abs(towardsSun[1]) > 0.99 ? -1 : 0);
       const worldFromSun = new Matrix4().lookAt(eye, center, up).setPosition(eye);
       mapFromWorld.copy(worldFromSun).invert().premultiply(clipFromSun);

@@ -15,16 +15,16 @@ import {
   weave,
 } from './paint.ts';
 
-/** How a kind of surface looks. */
+/** Appearance of a surface. */
 export interface SurfaceStyle {
   readonly paint: Painter;
-  /** Of the texture. */
+  /** Size of the texture. */
   readonly sizePx: readonly [width: number, height: number];
-  /** What one texture covers. Pictures cover their object exactly; everything else repeats. */
+  /** Area that one texture covers. `pictureOf…` textures cover their object exactly; the others repeat. */
   readonly tileM: readonly [width: number, height: number];
   /** Strength of the window's reflection at grazing angles. */
   readonly gloss?: number;
-  /** Linear-sRGB radiance per unit of color: shines of itself instead of being lit. */
+  /** Linear-sRGB radiance per unit of color, for surfaces that emit light. */
   readonly glow?: number;
 }
 

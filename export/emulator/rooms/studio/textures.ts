@@ -3,11 +3,11 @@ import type { SurfaceStyle } from './surfaces.ts';
 
 export interface PaintedTexture {
   readonly texture: DataTexture;
-  /** Linear-sRGB, for the light that the surface hands on. */
+  /** Linear-sRGB, for light that the surface reflects. */
   readonly meanAlbedo: readonly [number, number, number];
 }
 
-/** Paints a surface's texture on the CPU. */
+/** Generates the texture of a surface on the CPU. */
 export function paintTexture({ paint, sizePx: [width, height] }: SurfaceStyle): PaintedTexture {
   const rgba = new Uint8Array(width * height * 4);
   const mean: [number, number, number] = [0, 0, 0];
@@ -18,7 +18,7 @@ export function paintTexture({ paint, sizePx: [width, height] }: SurfaceStyle): 
       for (let c = 0; c < 3; c++) {
         const value = Math.min(Math.max(color[c] ?? 0, 0), 1);
         rgba[at + c] = Math.round(value * 255);
-        // Close enough to sRGB's curve for a mean.
+        // A gamma of 2.2 approximates the sRGB curve well enough for a mean.
         mean[c] = (mean[c] ?? 0) + value ** 2.2 / (width * height);
       }
       rgba[at + 3] = 255;

@@ -6,38 +6,38 @@ import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { setRigidInverse } from '../matrix.ts';
 import { listenForOrbit } from '../orbit/orbit-input.ts';
 import { coverCanvas, createSessionFrame } from '../session-frame.ts';
-import { createCameraStand } from './camera-stand.ts';
 import type { CameraStream } from './camera-stream.ts';
 import { createCameraView, LONG_SIDE_FOV_RAD } from './camera-view.ts';
+import { createCameraViewer } from './camera-viewer.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 
 export interface CameraSessionParts {
   readonly gl: WebGL2RenderingContext;
-  /** That of `gl`. Its drawing buffer follows its size on the page. */
+  /** The canvas of `gl`. Its drawing buffer follows its size on the page. */
   readonly canvas: HTMLCanvasElement;
   readonly clock: FrameClock;
-  /** Started. */
+  /** A started stream. */
   readonly stream: CameraStream;
   readonly sensor: OrientationSensor;
 }
 
-/** After so long without a reading there is no sensor, seconds. */
-const SENSOR_PATIENCE_S = 1.5;
+/** Time without a reading after which the device is assumed to have no sensor, seconds. */
+const SENSOR_TIMEOUT_S = 1.5;
 
 export interface CameraSession extends Session {
-  /** The camera is gone, by no doing of the page. */
+  /** To be called when the camera stops by itself. */
   lost(): void;
 }
 
 /**
- * The camera's picture with things in front of it that stay in their direction as the device turns. It knows nothing of how the
- * device moves, of the room's depth, surfaces or light. The camera is off while the page is hidden, and from `end` on.
- * `tracking` says whether the device tells how it is turned.
+ * A session that shows the camera image behind objects that keep their direction as the device rotates. It has no device position, depth,
+ * surfaces or light estimation. The camera is off while the page is hidden and after `end`. `tracking` reports whether the orientation
+ * sensor works.
  */
 export function createCameraSession({ gl, canvas, clock, stream, sensor }: CameraSessionParts): CameraSession {
   const frame = createSessionFrame();
   const time = createFrameTime();
-  const stand = createCameraStand(sensor);
+  const viewer = createCameraViewer(sensor);
   const page = canvas.ownerDocument;
   const { video } = stream;
   let picture = createCameraView(gl);
@@ -72,7 +72,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
     else stream.stop();
     onEvent?.({ kind: 'visibility', visible });
   };
-  /** The context is back, and empty. */
+  /** Recreates the camera view after the WebGL context was restored. */
   const restored = (): void => {
     picture = createCameraView(gl);
     fresh = true;
@@ -86,14 +86,14 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
     fitter?.update();
     if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return;
     time.write(frame, nowS);
-    setTracked(sensor.present || frame.timeS < SENSOR_PATIENCE_S);
+    setTracked(sensor.present || frame.timeS < SENSOR_TIMEOUT_S);
     if (fresh && video.readyState >= video.HAVE_CURRENT_DATA) {
       picture.upload(video);
-      fresh = !knowsFrames(video);
+      fresh = !hasFrameCallback(video);
     }
     const view = coverCanvas(frame, gl);
     picture.fill(view);
-    stand.writeWorldFromView(view.worldFromView);
+    viewer.writeWorldFromView(view.worldFromView);
     setRigidInverse(view.viewFromWorld, view.worldFromView);
     input?.fill(frame);
     onFrame?.(frame);
@@ -101,10 +101,10 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
   const begin = (): void => {
     fitter = createCanvasFitter(canvas);
     input = createPageInput(canvas);
-    const unlisten = listenForOrbit(canvas, stand, () => Math.tan(LONG_SIDE_FOV_RAD / 2));
+    const unlisten = listenForOrbit(canvas, viewer, () => Math.tan(LONG_SIDE_FOV_RAD / 2));
     page.addEventListener('visibilitychange', visibility);
     canvas.addEventListener('webglcontextrestored', restored);
-    if (knowsFrames(video)) video.requestVideoFrameCallback(watchVideo);
+    if (hasFrameCallback(video)) video.requestVideoFrameCallback(watchVideo);
     handle = clock.requestFrame(tick);
     stop = () => {
       clock.cancelFrame(handle);
@@ -131,7 +131,7 @@ export function createCameraSession({ gl, canvas, clock, stream, sensor }: Camer
   };
 }
 
-/** Firefox before 132 does not say when a new picture is there: then every frame takes one. */
-function knowsFrames(video: HTMLVideoElement): boolean {
+/** Firefox before 132 lacks `requestVideoFrameCallback`; there the image is uploaded in every frame. */
+function hasFrameCallback(video: HTMLVideoElement): boolean {
   return 'requestVideoFrameCallback' in video;
 }

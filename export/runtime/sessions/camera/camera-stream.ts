@@ -1,32 +1,32 @@
-/** The camera on the device's back where it has several, in a size that phones and computers give without effort. */
+/** The rear camera if there are several, in a size that phones and computers deliver easily. */
 const WISHES: MediaStreamConstraints = {
   audio: false,
   video: { facingMode: { ideal: 'environment' }, width: { ideal: 1280 }, height: { ideal: 720 }, frameRate: { ideal: 30 } },
 };
 
-/** The camera's pictures. Its light is on from `start` to `stop`. */
+/** The video stream of the camera, which is on from `start` to `stop`. */
 export interface CameraStream {
   readonly video: HTMLVideoElement;
-  /** Resolves when the first picture is there; rejects as `getUserMedia` does. */
+  /** Resolves with the first image; rejects as `getUserMedia` does. */
   start(): Promise<void>;
   stop(): void;
 }
 
-/** `onLost`: the camera was unplugged, or taken away by the system or the visitor. */
+/** `onLost` is called if the camera is unplugged or the system or visitor stops it. */
 export function createCameraStream(document: Document, media: MediaDevices, onLost: () => void): CameraStream {
   const video = document.createElement('video');
   video.muted = true;
-  // Else iOS shows it in a player of its own.
+  // Without it, iOS plays the video in its own full-screen player.
   video.playsInline = true;
   let stream: MediaStream | null = null;
-  /** Counts starts and stops: what was asked for before the last of them is wanted no more. */
-  let turn = 0;
+  /** Counts calls of `start` and `stop`; a request that an earlier call made is dropped. */
+  let generation = 0;
 
   const lost = (): void => {
     if (stream) onLost();
   };
   const stop = (): void => {
-    turn++;
+    generation++;
     for (const track of stream?.getTracks() ?? []) {
       track.removeEventListener('ended', lost);
       track.stop();
@@ -38,9 +38,9 @@ export function createCameraStream(document: Document, media: MediaDevices, onLo
     video,
     start: async () => {
       stop();
-      const mine = turn;
+      const started = generation;
       const granted = await media.getUserMedia(WISHES);
-      if (mine !== turn) {
+      if (started !== generation) {
         for (const track of granted.getTracks()) track.stop();
         return;
       }
@@ -50,8 +50,8 @@ export function createCameraStream(document: Document, media: MediaDevices, onLo
       try {
         await video.play();
       } catch (error) {
-        // Stopped meanwhile, which is no failure.
-        if (mine !== turn) return;
+        // Stopped meanwhile, which is not an error.
+        if (started !== generation) return;
         stop();
         throw error;
       }

@@ -4,16 +4,16 @@ import { setFrustum } from '../matrix.ts';
 import type { MutableCameraImage, MutableView } from '../session-frame.ts';
 
 /**
- * No browser tells a camera's field of view. Assumed: 65° along the picture's longer side, between the 60° to 70° that phones'
- * main cameras have in video and what most computers' have. Off by five degrees, things drift by a tenth of how far the device turns.
+ * Assumed field of view of the longer side, because browsers do not report it: phones' main cameras have 60° to 70° in video, most
+ * computers' a similar one. With an error of 5°, objects drift by a tenth of the device's rotation.
  */
 export const LONG_SIDE_FOV_RAD = (65 * Math.PI) / 180;
 
-/** The camera's picture on the GPU, and the view that goes with it. */
+/** Texture and view of the camera image. */
 export interface CameraView {
-  /** Takes the video's present picture. */
+  /** Uploads the current image of the video. */
   upload(video: HTMLVideoElement): void;
-  /** Projection and picture of a view that is already as large as it will be drawn; the picture covers it, cut about its center. */
+  /** Sets projection and camera image of a view whose viewport is set. The image covers the view, cropped around its center. */
   fill(view: MutableView): void;
   dispose(): void;
 }
@@ -28,7 +28,7 @@ export function createCameraView(gl: WebGL2RenderingContext): CameraView {
     upload: (video) => {
       const { videoWidth: widthPx, videoHeight: heightPx } = video;
       if (widthPx === 0 || heightPx === 0) return;
-      // Phones turn the picture's sides around when they are turned.
+      // Phones swap width and height when they rotate.
       if (image?.widthPx !== widthPx || image.heightPx !== heightPx) {
         free();
         const texture = allocateTexture(gl, gl.createTexture(), gl.RGBA8, gl.LINEAR, widthPx, heightPx);
@@ -41,7 +41,7 @@ export function createCameraView(gl: WebGL2RenderingContext): CameraView {
     },
     fill: (view) => {
       const { widthPx: viewWidth, heightPx: viewHeight } = view.viewport;
-      // Without a picture, what a picture of the view's own shape would show.
+      // Without an image, the projection of an image with the aspect ratio of the view.
       const width = image?.widthPx ?? viewWidth;
       const height = image?.heightPx ?? viewHeight;
       const scale = Math.min(width / viewWidth, height / viewHeight);
@@ -53,7 +53,7 @@ export function createCameraView(gl: WebGL2RenderingContext): CameraView {
       setFrustum(view.clipFromView, -x, x, -y, y, view.nearM, view.farM);
       view.cameraImage = image;
       if (!image) return;
-      // The texture's first row is the picture's top one.
+      // The first row of the texture is the top row of the image.
       const uv = image.uvFromViewUv;
       uv.fill(0);
       uv[0] = partX;

@@ -1,16 +1,16 @@
 /**
- * How a device is turned, as `deviceorientation` tells it: rotations about its z, x and y axes, in this order, from lying flat with
- * its top to the north (W3C Device Orientation §4.1). Radians.
+ * Orientation of a device from `deviceorientation`: rotations about its z, x and y axes in this order, starting flat with its top to the
+ * north (W3C Device Orientation §4.1). Radians.
  */
 export interface DeviceAngles {
   alphaRad: number;
   betaRad: number;
   gammaRad: number;
-  /** How far the page is turned against the device: `screen.orientation.angle`. */
+  /** Rotation of the page relative to the device: `screen.orientation.angle`. */
   screenRad: number;
 }
 
-/** Held upright, the screen towards the viewer: looks level along -z. */
+/** Orientation of a device held upright with the screen towards the viewer: it looks horizontally along −z. */
 export function setUpright(out: DeviceAngles): void {
   out.alphaRad = 0;
   out.betaRad = Math.PI / 2;
@@ -19,8 +19,8 @@ export function setUpright(out: DeviceAngles): void {
 }
 
 /**
- * Rotation of a camera that looks out of the device's back, column-major 4×4 without a position. The world is y up; the device's
- * earth is z up with y to the north, so that north is -z here.
+ * Writes the rotation of a camera that looks out of the device's back, column-major 4×4 without translation. World space is y up with north
+ * at −z; the sensor's earth coordinates are z up with y to the north.
  */
 export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaRad, screenRad }: DeviceAngles): void {
   const sa = Math.sin(alphaRad);
@@ -31,7 +31,7 @@ export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaR
   const cg = Math.cos(gammaRad);
   const ss = Math.sin(screenRad);
   const cs = Math.cos(screenRad);
-  // The device's axes in earth coordinates: the columns of Rz(alpha) Rx(beta) Ry(gamma).
+  // Axes of the device in earth coordinates: the columns of Rz(alpha) Rx(beta) Ry(gamma).
   const xEast = ca * cg - sa * sb * sg;
   const xNorth = sa * cg + ca * sb * sg;
   const xUp = -cb * sg;
@@ -54,7 +54,7 @@ export function setDeviceRotation(out: Float32Array, { alphaRad, betaRad, gammaR
   out[15] = 1;
 }
 
-/** Turns a rotation about the world's vertical. */
+/** Rotates about the vertical axis of the world. */
 export function turnAboutVertical(m: Float32Array, yawRad: number): void {
   const s = Math.sin(yawRad);
   const c = Math.cos(yawRad);
@@ -66,7 +66,7 @@ export function turnAboutVertical(m: Float32Array, yawRad: number): void {
   }
 }
 
-/** The turn about the vertical that makes a rotation look along -z; looking straight down or up, the way its top points. */
+/** Yaw that makes a rotation look along −z. If it looks straight up or down, the direction of its top counts. */
 export function yawToFront(m: Float32Array): number {
   let x = -(m[8] ?? 0);
   let z = -(m[10] ?? 0);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from '@jest/globals';
-import { askForOrientation, listenForOrientation, type OrientationWindow } from './orientation-sensor.ts';
+import { listenForOrientation, type OrientationWindow, requestOrientationPermission } from './orientation-sensor.ts';
 
 type Listener = (event: { alpha: number | null; beta: number | null; gamma: number | null }) => void;
 
@@ -64,10 +64,10 @@ describe('the orientation sensor', () => {
     ['not asked in a click', () => Promise.reject(new Error('NotAllowedError')), 'denied'],
     ['free to read', undefined, 'granted'],
   ])('leave to read it: %s', async (_name, requestPermission, expected) => {
-    expect(await askForOrientation(asking(requestPermission))).toBe(expected);
+    expect(await requestOrientationPermission(asking(requestPermission))).toBe(expected);
   });
 
   test('leave to read what is not there', async () => {
-    expect(await askForOrientation(fakeWindow().window)).toBe('absent');
+    expect(await requestOrientationPermission(fakeWindow().window)).toBe('absent');
   });
 });

@@ -1,27 +1,29 @@
 import { type DeviceAngles, setUpright } from './device-pose.ts';
 
-/** What a window offers to tell how its device is turned; a test brings its own. */
+/** The members of `Window` that the sensor uses, so that tests can supply them. */
 export type OrientationWindow = Pick<Window, 'addEventListener' | 'removeEventListener' | 'screen'> & {
   readonly DeviceOrientationEvent?: unknown;
 };
 
 export interface OrientationSensor {
-  /** The newest reading; upright until there is one. */
+  /** The newest reading; upright before the first. */
   readonly angles: Readonly<DeviceAngles>;
-  /** Whether there was a reading: computers without the sensor give one of nulls, or none. */
+  /** Whether there was a reading. Computers without a sensor report nulls or nothing. */
   readonly present: boolean;
   dispose(): void;
 }
 
 /**
- * Asks for leave to read the sensor where that is necessary (Safari on iOS), which has to happen in a click. `absent` where the
- * browser knows nothing of it. Never rejects.
+ * Requests permission for the orientation sensor where the browser requires it (Safari on iOS). Call it from a click handler. Never
+ * rejects.
+ *
+ * @returns `absent` if the browser has no sensor API; `granted` also if it requires no permission.
  */
-export async function askForOrientation(window: OrientationWindow): Promise<'granted' | 'denied' | 'absent'> {
+export async function requestOrientationPermission(window: OrientationWindow): Promise<'granted' | 'denied' | 'absent'> {
   const events = window.DeviceOrientationEvent as { requestPermission?: () => Promise<string> } | undefined;
   if (!events) return 'absent';
   if (typeof events.requestPermission !== 'function') return 'granted';
-  // It rejects where it was not called from a click.
+  // Rejects if it was not called from a click handler.
   const answer = await events.requestPermission().catch(() => 'denied');
   return answer === 'granted' ? 'granted' : 'denied';
 }
@@ -38,7 +40,7 @@ export function listenForOrientation(window: OrientationWindow): OrientationSens
     angles.gammaRad = radians(event.gamma);
     angles.screenRad = radians(screenAngle(window));
   };
-  // Held still, a device says nothing more; its page may be turned all the same.
+  // A device at rest sends no readings, but the page may rotate.
   const pageTurned = (): void => {
     if (present) angles.screenRad = radians(screenAngle(window));
   };
@@ -56,7 +58,7 @@ export function listenForOrientation(window: OrientationWindow): OrientationSens
   };
 }
 
-/** Safari before 16.4 has the older name alone, counting a turn to the right as negative, too. */
+/** Safari before 16.4 has only `window.orientation`, whose sign for clockwise rotations is negative, too. */
 function screenAngle(window: OrientationWindow): number {
   return window.screen.orientation?.angle ?? (window as { readonly orientation?: number }).orientation ?? 0;
 }

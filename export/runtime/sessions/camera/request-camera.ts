@@ -3,11 +3,11 @@ import type { Session } from '../../../../nodes/kit/session.ts';
 import type { FrameClock } from '../../clock.ts';
 import { type CameraSession, createCameraSession } from './camera-session.ts';
 import { createCameraStream } from './camera-stream.ts';
-import { askForOrientation, listenForOrientation, type OrientationWindow } from './orientation-sensor.ts';
+import { listenForOrientation, type OrientationWindow, requestOrientationPermission } from './orientation-sensor.ts';
 
 export interface CameraRequest {
   readonly window: OrientationWindow;
-  /** `navigator.mediaDevices`, which insecure pages do not have. */
+  /** `navigator.mediaDevices`; undefined in insecure pages. */
   readonly media: MediaDevices | undefined;
   readonly gl: WebGL2RenderingContext;
   readonly canvas: HTMLCanvasElement;
@@ -15,16 +15,17 @@ export interface CameraRequest {
 }
 
 /**
- * Asks for the camera, and for leave to follow how the device turns. To be called from a click or tap, before anything is awaited.
- * Never rejects: without a session the diagnostics say why (SCR051); with one they say what it lacks (SCR055).
+ * Requests the camera and permission for the orientation sensor. Call it from a click or tap handler, before any `await`.
+ *
+ * @returns Never rejects. Without a session the diagnostics give the reason (SCR051); with one, what is missing (SCR055).
  */
 export async function requestCameraSession({ window, media, gl, canvas, clock }: CameraRequest): Promise<Result<Session>> {
   if (!media?.getUserMedia) return { output: null, diagnostics: [NO_CAMERA] };
   let session: CameraSession | null = null;
   const stream = createCameraStream(canvas.ownerDocument, media, () => session?.lost());
-  // Both within the click: Safari forgets it at the first wait.
+  // Both requests start within the click, because Safari's permission ends with the first `await`.
   const [orientation, refused] = await Promise.all([
-    askForOrientation(window),
+    requestOrientationPermission(window),
     stream.start().then(
       () => null,
       (error: unknown) => explain(error),
@@ -35,15 +36,15 @@ export async function requestCameraSession({ window, media, gl, canvas, clock }:
   return { output: session, diagnostics: orientation === 'denied' ? [NO_MOTION] : [] };
 }
 
-const NO_CAMERA = refusal('The camera cannot be used here.', 'Open the page over https, in a browser that allows it.');
+const NO_CAMERA = refusal('The camera cannot be used here.', 'Open the page over https, in a browser that supports cameras.');
 
 const NO_MOTION: Diagnostic = {
   code: 'SCR055',
   severity: 'warning',
-  message: 'Following how the device turns was not allowed: drag to look around. To allow it, close this tab and open the page again.',
+  message: 'The motion sensor was not allowed. Drag to look around. To allow it, close this tab and open the page again.',
 };
 
-/** What the names of the exceptions mean: Media Capture and Streams §10.2, `getUserMedia`. */
+/** Translates the exceptions of `getUserMedia` (Media Capture and Streams §10.2). */
 function explain(error: unknown): Diagnostic {
   switch (error instanceof Error ? error.name : '') {
     case 'NotAllowedError':
@@ -54,7 +55,7 @@ function explain(error: unknown): Diagnostic {
       return refusal('No camera was found.', 'Connect one, or open the page on a phone.');
     case 'NotReadableError':
     case 'AbortError':
-      return refusal('The camera is busy or does not answer.', 'Close other apps that use it, then try again.');
+      return refusal('The camera is in use or does not respond.', 'Close other apps that use it, then try again.');
     default:
       return refusal(`The camera could not be started: ${reason(error)}.`, 'Try again.');
   }

@@ -1,12 +1,12 @@
 import { type MutableController, type MutableInput, rest } from './session-input.ts';
 
-/** Places in the standard mapping (Gamepad §Remapping): axes of the stick, and buttons. */
+/** Axes and buttons of each half in the standard mapping (Gamepad §Remapping). */
 const HALVES = {
   left: { axis: 0, trigger: 6, squeeze: 4, primary: 2, secondary: 3 },
   right: { axis: 2, trigger: 7, squeeze: 5, primary: 0, secondary: 1 },
 } as const;
 
-/** The first gamepad of the standard mapping, as two controllers; at rest where there is none. */
+/** Reads the first gamepad with standard mapping as two controllers. Without one the controllers are at rest. */
 export function readGamepad(input: MutableInput, gamepads: readonly (Gamepad | null)[]): void {
   const gamepad = gamepads.find((candidate) => candidate?.connected === true && candidate.mapping === 'standard');
   if (!gamepad) {
@@ -21,7 +21,7 @@ export function readGamepad(input: MutableInput, gamepads: readonly (Gamepad | n
 function readHalf(controller: MutableController, { axes, buttons }: Gamepad, half: (typeof HALVES)['left' | 'right']): void {
   controller.connected = true;
   controller.stick[0] = axes[half.axis] ?? 0;
-  // Down is positive there; + 0, because -0 is no rest.
+  // Down is positive in the Gamepad API; + 0 turns −0 into 0.
   controller.stick[1] = -(axes[half.axis + 1] ?? 0) + 0;
   controller.trigger = buttons[half.trigger]?.value ?? 0;
   controller.squeeze = buttons[half.squeeze]?.value ?? 0;

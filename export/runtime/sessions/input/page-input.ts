@@ -4,15 +4,15 @@ import { listenForTaps } from './page-taps.ts';
 import { MAX_TAPS, nextTap } from './session-input.ts';
 import { writeViewRay } from './view-ray.ts';
 
-/** What a visitor does at a canvas that shows one view: taps on it, and the page's gamepads. */
+/** Input on a canvas with one view: taps and gamepads. */
 export interface PageInput {
-  /** Once a frame, when its view is known: taps go through the picture that the visitor sees. */
+  /** Fills the input of a frame. Call it once per frame, when the view is set, because taps become rays of the view. */
   fill(frame: MutableFrame): void;
   dispose(): void;
 }
 
 export function createPageInput(canvas: HTMLCanvasElement): PageInput {
-  /** UV pairs since the last frame. */
+  /** Taps since the last frame, as pairs of UV. */
   const waiting = new Float64Array(2 * MAX_TAPS);
   let count = 0;
   const unlisten = listenForTaps(canvas, (u, v) => {
@@ -26,7 +26,7 @@ export function createPageInput(canvas: HTMLCanvasElement): PageInput {
   const gamepadCame = (): void => {
     hasGamepads = true;
   };
-  // A browser hides gamepads until one is used, and asking every frame costs those who have none.
+  // Browsers hide gamepads until one is used, so gamepads are not polled before.
   window?.addEventListener('gamepadconnected', gamepadCame);
   return {
     fill: (frame) => {

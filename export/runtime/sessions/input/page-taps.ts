@@ -1,10 +1,12 @@
-/** Farther than this it is a drag, CSS pixels. */
+/** Movement beyond which a press is a drag, CSS pixels. */
 const STILL_PX = 10;
 
 /**
- * Tells of taps and clicks on an element, and of Enter and the space bar while it has the focus, which tap its middle. Drags and
- * what several fingers do are none; how long one holds does not matter, as in WebXR. Coordinates are UV: origin at the bottom
- * left. Returns what takes the listeners off again.
+ * Listens for taps and clicks on an element, and for Enter and Space while it has focus, which tap its center. Drags and gestures with
+ * several fingers are not taps; the duration does not matter, as in WebXR.
+ *
+ * @param onTap Receives UV with the origin at the bottom left.
+ * @returns A function that removes the listeners.
  */
 export function listenForTaps(element: HTMLElement, onTap: (u: number, v: number) => void): () => void {
   const listeners = new AbortController();

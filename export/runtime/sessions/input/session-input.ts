@@ -6,7 +6,7 @@ type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 export type MutableTap = Mutable<Tap>;
 export type MutableController = Mutable<Controller>;
 
-/** Input that a session fills in place, every frame. */
+/** Input that a session overwrites in every frame. */
 export interface MutableInput extends SessionInput {
   readonly taps: readonly MutableTap[];
   tapCount: number;
@@ -14,7 +14,7 @@ export interface MutableInput extends SessionInput {
   readonly right: MutableController;
 }
 
-/** More taps than anybody has fingers between two frames; those beyond are dropped. */
+/** Maximum taps per frame; further ones are dropped. */
 export const MAX_TAPS = 8;
 
 export function createSessionInput(): MutableInput {
@@ -26,7 +26,7 @@ export function createSessionInput(): MutableInput {
   };
 }
 
-/** A controller that is not there, and at rest. */
+/** Resets a controller to absent. */
 export function rest(controller: MutableController): void {
   controller.connected = false;
   controller.stick.fill(0);
@@ -37,7 +37,7 @@ export function rest(controller: MutableController): void {
   controller.worldFromRay = null;
 }
 
-/** Null where there are as many as there may be. */
+/** Returns an unused tap, or null if there are already `MAX_TAPS`. */
 export function nextTap(input: MutableInput): MutableTap | null {
   const tap = input.taps[input.tapCount] ?? null;
   if (tap) input.tapCount++;

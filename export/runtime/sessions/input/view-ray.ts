@@ -1,8 +1,8 @@
 import type { ViewFrame } from '../../../../nodes/kit/session.ts';
 
 /**
- * The ray from the eye through a point of its picture, as a rigid column-major 4×4 whose -z axis points along it. View UV: origin
- * at the bottom left.
+ * Writes the ray from the eye through a point of the view as a rigid column-major 4×4 matrix whose −z axis points along the ray. `u` and
+ * `v` are view UV with the origin at the bottom left.
  */
 export function writeViewRay(out: Float32Array, view: Pick<ViewFrame, 'clipFromView' | 'worldFromView'>, u: number, v: number): void {
   const p = view.clipFromView;
@@ -10,7 +10,7 @@ export function writeViewRay(out: Float32Array, view: Pick<ViewFrame, 'clipFromV
   const x = (2 * u - 1 + (p[8] ?? 0)) / (p[0] ?? 1);
   const y = (2 * v - 1 + (p[9] ?? 0)) / (p[5] ?? 1);
   const length = Math.hypot(x, y, 1);
-  // Back along the ray, then level with the view, then up.
+  // Axes: back along the ray, then right (horizontal in the view), then up.
   const back = [-x / length, -y / length, 1 / length] as const;
   const level = Math.hypot(back[0], back[2]);
   const right = [back[2] / level, 0, -back[0] / level] as const;

@@ -1,14 +1,14 @@
 import type { Orbit } from './orbit-pose.ts';
 
-/** A drag across the canvas's height is half a turn. */
+/** Rotation of a drag over the height of the canvas. */
 const DRAG_RAD = Math.PI;
 const KEY_RAD = 0.1;
 const KEY_ZOOM = 1.1;
-/** One notch of a wheel, 100 px, is a tenth of the way. */
+/** Zoom per wheel pixel; one notch (100 px) changes the distance by a tenth. */
 const WHEEL_ZOOM_PER_PX = 0.001;
 
-/** What gestures steer: an orbit, or a viewer who stands somewhere. */
-export type Steered = Pick<Orbit, 'rotate' | 'zoom' | 'pan' | 'reset' | 'distanceM'>;
+/** What gestures control: an orbit or a viewer with a position. */
+export type GestureTarget = Pick<Orbit, 'rotate' | 'zoom' | 'pan' | 'reset' | 'distanceM'>;
 
 interface Pointer {
   readonly id: number;
@@ -17,15 +17,15 @@ interface Pointer {
 }
 
 /**
- * Turns the orbit by mouse, touch and keys: drag or arrows turn, wheel, pinch, + and − go nearer, a drag with the right button,
- * Shift or two fingers moves the point looked at, Home goes back. Returns what takes the listeners off again.
+ * Controls the orbit by mouse, touch and keys. Drag and arrow keys rotate; wheel, pinch, + and − zoom; a drag with the right button, Shift
+ * or two fingers pans; Home resets. Returns a function that removes the listeners.
  */
-export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Steered, tanHalfFovY: () => number): () => void {
+export function listenForOrbit(canvas: HTMLCanvasElement, orbit: GestureTarget, tanHalfFovY: () => number): () => void {
   const listeners = new AbortController();
   const { signal } = listeners;
   const pointers: Pointer[] = [];
   const touchAction = canvas.style.touchAction;
-  // Else the browser takes touches for scrolling.
+  // Prevents the browser from scrolling on touch.
   canvas.style.touchAction = 'none';
   const tabIndex = canvas.getAttribute('tabindex');
   if (tabIndex === null) canvas.tabIndex = 0;
@@ -61,7 +61,7 @@ export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Steered, tanHal
       if (other) {
         const after = Math.hypot(moved.x - other.x, moved.y - other.y);
         if (before > 0 && after > 0) orbit.zoom(after / before);
-        // Each finger does its half of what both do.
+        // Each of the two fingers contributes half of the movement.
         pan(dx / 2, dy / 2);
       } else if (event.shiftKey || (event.buttons & 2) !== 0) {
         pan(dx, dy);
@@ -104,7 +104,7 @@ export function listenForOrbit(canvas: HTMLCanvasElement, orbit: Steered, tanHal
   };
 }
 
-function keyAction(key: string, orbit: Steered): (() => void) | null {
+function keyAction(key: string, orbit: GestureTarget): (() => void) | null {
   switch (key) {
     case 'ArrowLeft':
       return () => orbit.rotate(-KEY_RAD, 0);

@@ -1,14 +1,14 @@
-/** Where the viewer stands: on a sphere about a point, looking at it. */
+/** Pose of the viewer: on a sphere around a target, looking at it. */
 export interface OrbitPose {
   readonly targetWorld: readonly [number, number, number];
   readonly distanceM: number;
-  /** About the vertical; 0 looks along -z. */
+  /** About the vertical axis; 0 looks along −z. */
   readonly azimuthRad: number;
-  /** Above the horizon. */
+  /** Angle above the horizon. */
   readonly elevationRad: number;
 }
 
-/** Three quarters of a meter above the floor is where placed things tend to be. */
+/** The target is 0.75 m above the floor, near where objects usually are. */
 export const ORBIT_DEFAULTS: OrbitPose = { targetWorld: [0, 0.75, 0], distanceM: 2.5, azimuthRad: 0, elevationRad: 0.25 };
 
 const MAX_ELEVATION_RAD = 1.5;
@@ -17,9 +17,9 @@ const MAX_DISTANCE_M = 30;
 
 export interface Orbit {
   rotate(azimuthRad: number, elevationRad: number): void;
-  /** A factor above 1 goes nearer. */
+  /** Divides the distance by `factor`. */
   zoom(factor: number): void;
-  /** Moves the point along the view's axes, meters. */
+  /** Moves the target along the axes of the view, meters. */
   pan(rightM: number, upM: number): void;
   reset(): void;
   readonly distanceM: number;

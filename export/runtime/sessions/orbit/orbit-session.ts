@@ -10,16 +10,19 @@ import { createOrbit, ORBIT_DEFAULTS, type OrbitPose } from './orbit-pose.ts';
 
 export interface OrbitSessionOptions {
   readonly gl: WebGL2RenderingContext;
-  /** That of `gl`. Its drawing buffer follows its size on the page. */
+  /** The canvas of `gl`. Its drawing buffer follows its size on the page. */
   readonly canvas: HTMLCanvasElement;
   readonly clock: FrameClock;
   readonly start?: Partial<OrbitPose>;
 }
 
-/** Half of 50°, of the shorter side, so that a phone held upright sees as much as one held across. */
+/** The field of view is 50° along the shorter side, so that portrait and landscape show equally much. */
 const TAN_HALF_FOV = Math.tan((25 * Math.PI) / 180);
 
-/** The objects alone, looked at from all sides: what a page shows where there is no AR, and an editor by default. */
+/**
+ * Creates a session that shows the objects without a background, from all sides: the fallback of pages without AR and the default of the
+ * preview.
+ */
 export function createOrbitSession(options: OrbitSessionOptions): Session {
   const { gl, canvas, clock } = options;
   const orbit = createOrbit({ ...ORBIT_DEFAULTS, ...options.start });

@@ -1,7 +1,7 @@
 import { setFrustum } from '../matrix.ts';
 import type { Intrinsics } from '../session-format.ts';
 
-/** Part of a picture, pixels of the picture, y down. */
+/** Part of an image in pixels, y down. */
 export interface Crop {
   x0: number;
   y0: number;
@@ -9,7 +9,7 @@ export interface Crop {
   y1: number;
 }
 
-/** The largest part of the picture, about its center, that has the view's shape. */
+/** The largest centered part of the image with the aspect ratio of the view. */
 export function setCoverCrop(out: Crop, widthPx: number, heightPx: number, viewWidthPx: number, viewHeightPx: number): void {
   const viewAspect = viewWidthPx / viewHeightPx;
   const width = Math.min(widthPx, heightPx * viewAspect);
@@ -20,15 +20,15 @@ export function setCoverCrop(out: Crop, widthPx: number, heightPx: number, viewW
   out.y1 = (heightPx + height) / 2;
 }
 
-/** What the camera saw within the crop; off-axis, because a cut changes the shape of the frustum and not the camera. */
+/** Projection of the crop. It is off-axis, because cropping changes the frustum but not the camera. */
 export function setCropProjection(out: Float32Array, crop: Crop, camera: Intrinsics, nearM: number, farM: number): void {
   const { fxPx, fyPx, cxPx, cyPx } = camera;
   setFrustum(out, (crop.x0 - cxPx) / fxPx, (crop.x1 - cxPx) / fxPx, (cyPx - crop.y1) / fyPx, (cyPx - crop.y0) / fyPx, nearM, farM);
 }
 
 /**
- * Column-major 3×3: UV from view UV, of a texture whose first row is the top one of a picture taken by `other` from where
- * `camera` stands. View UV points at a pixel of `camera`'s crop, that at a ray, and the ray at a pixel of `other`.
+ * Writes the map from view UV to UV of an image that `other` took from the pose of `camera`, for a texture whose first row is the top row.
+ * View UV → pixel of the crop → ray → pixel of `other`. Column-major 3×3.
  */
 export function setUvFromViewUv(
   out: Float32Array,

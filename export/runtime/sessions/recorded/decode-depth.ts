@@ -4,8 +4,10 @@ import type { SessionFile } from '../session-format.ts';
 type DepthFormat = NonNullable<SessionFile['depth']>;
 
 /**
- * Meters along the camera's axis, row-major from the top, 0 where unknown. Throws with a reason where the file is no 16-bit
- * PNG of one channel and of the size that the session promises. Browsers decode PNG to 8 bits, hence a decoder of our own.
+ * Decodes a depth image to meters along the camera's axis, row-major from the top, 0 where unknown. Browsers decode PNG to 8 bits, so a
+ * separate decoder is used.
+ *
+ * @throws Error if the file is not a 16-bit PNG with one channel and the size of `format`.
  */
 export function decodeDepth(bytes: ArrayBuffer, format: DepthFormat): Float32Array<ArrayBuffer> {
   const { width, height, depth, channels, data } = decode(bytes);

@@ -2,32 +2,31 @@ import type { AssetSource } from '../../assets/asset-source.ts';
 import type { SessionFile, SessionFileFrame } from '../session-format.ts';
 import { decodeDepth } from './decode-depth.ts';
 
-/** A frame of the recording in memory. */
+/** A decoded frame of the recording. */
 export interface DecodedFrame {
   readonly index: number;
-  /** First row on top. */
+  /** First row is the top row. */
   readonly color: ImageBitmap;
-  /** As `decodeDepth` gives it; null where the frame has none or it is broken. */
+  /** Depth in meters, as `decodeDepth` returns it; null if the frame has none or the file is invalid. */
   readonly meters: Float32Array<ArrayBuffer> | null;
 }
 
 export interface FrameCache {
-  /** Frames that the budget holds. */
+  /** Number of frames that fit into the budget. */
   readonly capacity: number;
-  /** It is being decoded. */
-  isComing(index: number): boolean;
-  /** The frame if it is decoded; using it keeps it from being forgotten. */
+  /** Whether the frame is being decoded. */
+  isPending(index: number): boolean;
+  /** The frame if it is decoded. Marks it as recently used. */
   get(index: number): DecodedFrame | null;
-  /** Decodes it if need be. Null where its color is broken. */
+  /** Returns the frame, decoding it if necessary; null if its color image is invalid. */
   request(index: number): Promise<DecodedFrame | null>;
-  /** Begins to decode it, if that has not begun. */
+  /** Starts decoding the frame if it is neither decoded nor pending. */
   prefetch(index: number): void;
   dispose(): void;
 }
 
 /**
- * Decodes frames and keeps those used last, up to `budgetBytes` (one frame at least). `onProblem` is told about each broken
- * file once.
+ * Decodes frames and keeps the most recently used ones, up to `budgetBytes` but at least one. `onProblem` is called once per invalid file.
  */
 export function createFrameCache(
   files: AssetSource,
@@ -38,7 +37,7 @@ export function createFrameCache(
   const bytesPerFrame =
     4 * (session.color.widthPx * session.color.heightPx + (session.depth ? session.depth.widthPx * session.depth.heightPx : 0));
   const capacity = Math.max(1, Math.floor(budgetBytes / bytesPerFrame));
-  /** In the order of their last use. */
+  /** In the order of last use. */
   const decoded = new Map<number, DecodedFrame>();
   const pending = new Map<number, Promise<DecodedFrame | null>>();
   const broken = new Set<number>();
@@ -80,7 +79,7 @@ export function createFrameCache(
   };
   return {
     capacity,
-    isComing: (index) => pending.has(index),
+    isPending: (index) => pending.has(index),
     get: (index) => {
       const frame = decoded.get(index);
       if (frame) touch(frame);
@@ -105,7 +104,7 @@ async function decodeColor(bytes: ArrayBuffer, session: SessionFile): Promise<Im
   const { width, height } = bitmap;
   if (width === widthPx && height === heightPx) return bitmap;
   bitmap.close();
-  throw new Error(`it has ${width} × ${height} pixels, and session.json says ${widthPx} × ${heightPx}`);
+  throw new Error(`it has ${width} × ${height} pixels, but session.json specifies ${widthPx} × ${heightPx}`);
 }
 
 async function part<T>(
@@ -117,7 +116,7 @@ async function part<T>(
   try {
     return await decode(await files.load(path));
   } catch (error) {
-    onProblem(`The picture "${path}" cannot be used: ${error instanceof Error ? error.message : String(error)}.`);
+    onProblem(`The image "${path}" cannot be used: ${error instanceof Error ? error.message : String(error)}.`);
     return null;
   }
 }

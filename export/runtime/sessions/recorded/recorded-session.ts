@@ -7,7 +7,7 @@ import type { FrameClock } from '../../clock.ts';
 import { createPageInput, type PageInput } from '../input/page-input.ts';
 import { createSessionFrame } from '../session-frame.ts';
 import { createFrameCache, type DecodedFrame, type FrameCache } from './frame-cache.ts';
-import { createPictureTextures, type PictureTextures } from './picture-textures.ts';
+import { createFrameTextures, type FrameTextures } from './frame-textures.ts';
 import { brokenSession } from './read-session-file.ts';
 import { createRecordedView, type RecordedView } from './recorded-view.ts';
 import { openRecording, type Recording } from './recording.ts';
@@ -17,13 +17,13 @@ export interface RecordedSessionOptions {
   readonly gl: WebGL2RenderingContext;
   /** The session folder. */
   readonly files: AssetSource;
-  /** `clock`: plays in time, from the start again at the end. `manual`: a frame for each `step`. */
+  /** `clock` plays in real time and repeats. `manual` draws a frame for each `step`. */
   readonly mode: { readonly kind: 'clock'; readonly clock: FrameClock } | { readonly kind: 'manual' };
-  /** Decoded frames kept in memory; 60 frames of 640 × 480 with depth take 147 MB. */
+  /** Memory for decoded frames; 60 frames of 640 × 480 with depth take 147 MB. */
   readonly budgetBytes?: number;
-  /** `clock` only: a range has been played that does not loop, and its last frame stays as long as the clock stands. */
+  /** `clock` only: called at the end of a range that does not loop. The last frame stays visible. */
   readonly onEnd?: () => void;
-  /** `clock` only: a frame was not decoded in its turn, and now is. */
+  /** `clock` only: called when a frame that was late is decoded. */
   readonly onArrival?: () => void;
 }
 
@@ -32,43 +32,51 @@ export interface RecordingInfo {
   readonly frames: FrameTimes;
 }
 
-/** Plays a recorded session folder on the whole canvas, cutting the pictures to its shape. */
+/**
+ * Plays a recorded session folder on the whole canvas, cropping images to the canvas's aspect ratio. Times are seconds since the first
+ * frame and continue over repeats.
+ */
 export interface RecordedSession extends Session {
   /**
-   * When the folder has been read and its first frame decoded; `capabilities` are complete then. Never rejects: a broken folder
+   * Resolves when the folder is read and the first frame is decoded; `capabilities` are complete then. Never rejects: an invalid folder
    * gives SCR054 and no output.
    */
   readonly ready: Promise<Result<RecordingInfo>>;
-  /** Manual only, once ready and started: delivers frame `index`. False where its picture is broken, which an event says. */
+  /**
+   * `manual` only, after `ready` and `start`: draws frame `index`. Resolves to false if its image is invalid, which a `problem` event
+   * reports.
+   *
+   * @throws RangeError if there is no such frame, Error if the session is not manual, ready and started.
+   */
   step(index: number): Promise<boolean>;
-  /** The same for a moment, seconds since the first frame, later rounds included: shows the frame that it falls into. */
+  /** As `step`, for the frame at a time. */
   stepTo(timeS: number): Promise<boolean>;
-  /** Of `clock`: what is shown, or comes next, in seconds since the first frame, later rounds included. */
+  /** `clock` only: time of the current frame, or of the next after a seek. */
   readonly playheadS: number;
-  /** Of `clock`: the picture that was shown last is an earlier frame's, because its own is not decoded yet. */
+  /** `clock` only: whether an earlier frame is shown because the current one is not decoded yet. */
   readonly isLate: boolean;
-  /** Goes on from frame `index`, and says so with a `reset`. */
+  /** Continues at frame `index` and dispatches `reset`. */
   seek(index: number): void;
-  /** Goes on from a moment, seconds since its first frame, later rounds included; says so with a `reset`. */
+  /** Continues at a time and dispatches `reset`. */
   seekTime(timeS: number): void;
-  /** To the next frame, counted over all rounds, with the time until then; one for each call. */
-  stepOn(): void;
+  /** Advances to the next frame as if the time until then had passed. */
+  nextFrame(): void;
   setRange(range: PlayRange | null): void;
-  /** Goes to the start of the range where the playhead is outside, and says so with a `reset`. */
+  /** Continues at the start of the range and dispatches `reset` if the playhead is outside the range. */
   enterRange(): void;
-  /** Decodes all frames that the budget holds. */
+  /** Decodes as many frames as the budget holds. */
   preload(): Promise<void>;
 }
 
 const DEFAULT_BUDGET_BYTES = 512 * 1024 * 1024;
 
-/** Frames decoded ahead of the one shown, so that playing rarely waits. */
+/** Frames decoded ahead of the current one. */
 const LOOK_AHEAD = 4;
 
-/** An open recording. */
-interface Reel extends Recording {
+/** An open recording with its GPU resources. */
+interface OpenRecording extends Recording {
   readonly cache: FrameCache;
-  textures: PictureTextures;
+  textures: FrameTextures;
   view: RecordedView;
 }
 
@@ -76,23 +84,23 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
   const { gl, files, mode } = options;
   const capabilities = new Set<Capability>();
   const frame = createSessionFrame();
-  let reel: Reel | null = null;
+  let opened: OpenRecording | null = null;
   let onFrame: ((frame: SessionFrame) => void) | null = null;
   let onEvent: ((event: SessionEvent) => void) | null = null;
   let ended = false;
-  /** What the textures hold. */
+  /** Content of the textures. */
   let shown: DecodedFrame | null = null;
   let isLate = false;
-  /** Null after a jump: no time has passed since. */
+  /** Null after a seek, so that the time step is 0. */
   let deliveredS: number | null = null;
   const problems: string[] = [];
   let input: PageInput | null = null;
 
-  const say = (message: string): void => {
+  const reportProblem = (message: string): void => {
     if (onEvent) onEvent({ kind: 'problem', message });
     else problems.push(message);
   };
-  const deliver = (current: Reel, decoded: DecodedFrame, index: number, timeS: number): boolean => {
+  const deliver = (current: OpenRecording, decoded: DecodedFrame, index: number, timeS: number): boolean => {
     if (gl.drawingBufferWidth === 0 || gl.drawingBufferHeight === 0) return false;
     if (decoded !== shown) current.textures.upload(decoded);
     shown = decoded;
@@ -108,29 +116,29 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     return true;
   };
   const show = (playheadS: number): boolean => {
-    if (!reel) return false;
-    const { file, cache, frames } = reel;
+    if (!opened) return false;
+    const { file, cache, frames } = opened;
     const number = frameAtTime(frames, playheadS);
     const index = number % file.frames.length;
     for (let ahead = 0; ahead <= LOOK_AHEAD; ahead++) cache.prefetch((index + ahead) % file.frames.length);
-    // A frame that is not decoded yet delays nothing: the previous frame stays.
-    const mine = cache.get(index);
-    if (!mine && options.onArrival) void cache.request(index).then((arrived) => arrived && options.onArrival?.());
-    isLate = cache.isComing(index);
-    const decoded = mine ?? shown ?? cache.get(0);
-    return decoded !== null && deliver(reel, decoded, number, playheadS);
+    // Playback does not wait for decoding: the previous frame stays visible.
+    const current = cache.get(index);
+    if (!current && options.onArrival) void cache.request(index).then((arrived) => arrived && options.onArrival?.());
+    isLate = cache.isPending(index);
+    const decoded = current ?? shown ?? cache.get(0);
+    return decoded !== null && deliver(opened, decoded, number, playheadS);
   };
-  const jumped = (): void => {
+  const resetTime = (): void => {
     deliveredS = null;
     onEvent?.({ kind: 'reset' });
   };
   const playback =
     mode.kind === 'clock'
       ? createPlayback(mode.clock, {
-          durationS: () => reel?.frames.durationS ?? null,
+          durationS: () => opened?.frames.durationS ?? null,
           show,
           onRepeat: () => onEvent?.({ kind: 'reset' }),
-          onLoop: jumped,
+          onLoop: resetTime,
           onEnd: () => options.onEnd?.(),
         })
       : null;
@@ -138,14 +146,14 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     const { output: recording, diagnostics } = await openRecording(files);
     if (!recording) return { output: null, diagnostics };
     const { file } = recording;
-    const cache = createFrameCache(files, file, options.budgetBytes ?? DEFAULT_BUDGET_BYTES, say);
+    const cache = createFrameCache(files, file, options.budgetBytes ?? DEFAULT_BUDGET_BYTES, reportProblem);
     const first = await cache.request(0);
     if (!first || ended) {
       cache.dispose();
       return { output: null, diagnostics: [...diagnostics, brokenSession(problems[0] ?? 'The session ended before it was read.')] };
     }
-    const textures = createPictureTextures(gl, file);
-    reel = { ...recording, cache, textures, view: createRecordedView(gl, file, textures) };
+    const textures = createFrameTextures(gl, file);
+    opened = { ...recording, cache, textures, view: createRecordedView(gl, file, textures) };
     capabilities.add('camera-image');
     if (file.depth) capabilities.add('depth');
     if (recording.lights.some((light) => light !== null)) capabilities.add('light-estimation');
@@ -153,19 +161,19 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     if (onFrame) playback?.start();
     return { output: { title: file.title, frames: recording.frames }, diagnostics };
   };
-  /** The context is back, and empty. */
+  /** Recreates the textures after the WebGL context was restored. */
   const restore = (): void => {
-    if (!reel) return;
-    reel.textures = createPictureTextures(gl, reel.file);
-    reel.view = createRecordedView(gl, reel.file, reel.textures);
+    if (!opened) return;
+    opened.textures = createFrameTextures(gl, opened.file);
+    opened.view = createRecordedView(gl, opened.file, opened.textures);
     shown = null;
   };
   const seekTime = (timeS: number): void => {
     playback?.seek(Math.max(0, timeS));
-    jumped();
+    resetTime();
   };
   const stepTo = async (timeS: number): Promise<boolean> => {
-    const current = reel;
+    const current = opened;
     if (mode.kind !== 'manual' || !current || !onFrame) throw new Error('Only a manual session that is ready and started can be stepped.');
     const number = frameAtTime(current.frames, timeS);
     const decoded = await current.cache.request(number % current.file.frames.length);
@@ -181,14 +189,14 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
     start: (frameHandler, eventHandler) => {
       onFrame = frameHandler;
       onEvent = eventHandler;
-      // A canvas on no page, as renders have, is tapped by nobody.
+      // A canvas outside a page, as for renders, receives no taps.
       if (mode.kind === 'clock' && 'ownerDocument' in gl.canvas) input ??= createPageInput(gl.canvas);
-      for (const message of problems.splice(0)) say(message);
-      if (reel) playback?.start();
+      for (const message of problems.splice(0)) reportProblem(message);
+      if (opened) playback?.start();
     },
     step: async (index) => {
-      if (reel && !reel.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
-      return stepTo(reel ? timeOfFrame(reel.frames, index) : 0);
+      if (opened && !opened.file.frames[index]) throw new RangeError(`The session has no frame ${index}.`);
+      return stepTo(opened ? timeOfFrame(opened.frames, index) : 0);
     },
     stepTo,
     get playheadS() {
@@ -198,19 +206,19 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       return isLate;
     },
     seek: (index) => {
-      if (reel) seekTime(timeOfFrame(reel.frames, index));
+      if (opened) seekTime(timeOfFrame(opened.frames, index));
     },
     seekTime,
-    stepOn: () => {
-      if (reel && playback) playback.advanceTo(timeOfFrame(reel.frames, frameAtTime(reel.frames, playback.playheadS) + 1));
+    nextFrame: () => {
+      if (opened && playback) playback.advanceTo(timeOfFrame(opened.frames, frameAtTime(opened.frames, playback.playheadS) + 1));
     },
     setRange: (range) => playback?.setRange(range),
     enterRange: () => {
-      if (playback?.enterRange()) jumped();
+      if (playback?.enterRange()) resetTime();
     },
     preload: async () => {
-      const count = reel ? Math.min(reel.file.frames.length, reel.cache.capacity) : 0;
-      for (let i = 0; i < count; i++) await reel?.cache.request(i);
+      const count = opened ? Math.min(opened.file.frames.length, opened.cache.capacity) : 0;
+      for (let i = 0; i < count; i++) await opened?.cache.request(i);
     },
     end: async () => {
       if (ended) return;
@@ -218,9 +226,9 @@ export function createRecordedSession(options: RecordedSessionOptions): Recorded
       playback?.stop();
       input?.dispose();
       gl.canvas.removeEventListener('webglcontextrestored', restore);
-      reel?.cache.dispose();
-      reel?.textures.dispose();
-      reel = null;
+      opened?.cache.dispose();
+      opened?.textures.dispose();
+      opened = null;
       shown = null;
       onEvent?.({ kind: 'ended', by: 'page' });
     },

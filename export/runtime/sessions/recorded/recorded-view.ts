@@ -3,17 +3,17 @@ import type { SessionFile } from '../session-format.ts';
 import { coverCanvas, type MutableCameraImage, type MutableFrame, type MutableRoomDepth } from '../session-frame.ts';
 import { type Crop, setCoverCrop, setCropProjection, setUvFromViewUv } from './camera-crop.ts';
 import type { DecodedFrame } from './frame-cache.ts';
-import type { PictureTextures } from './picture-textures.ts';
+import type { FrameTextures } from './frame-textures.ts';
 
-/** Filled and read within one call. */
+/** Valid within one call only. */
 const scratchCrop: Crop = { x0: 0, y0: 0, x1: 0, y1: 0 };
 
-/** Fills a frame with what the recording's camera saw, cut to the canvas. */
+/** Sets the view of a frame to the recording's camera, cropped to the canvas. */
 export interface RecordedView {
   fill(frame: MutableFrame, decoded: DecodedFrame): void;
 }
 
-export function createRecordedView(gl: WebGL2RenderingContext, file: SessionFile, textures: PictureTextures): RecordedView {
+export function createRecordedView(gl: WebGL2RenderingContext, file: SessionFile, textures: FrameTextures): RecordedView {
   const { color, depth } = file;
   const image: MutableCameraImage = {
     texture: textures.color,

@@ -5,13 +5,13 @@ import type { AssetSource } from '../../assets/asset-source.ts';
 import type { SessionFile, SessionFileLight, SessionFileSurface } from '../session-format.ts';
 import { brokenSession, readSessionFile, SESSION_FILE } from './read-session-file.ts';
 
-/** A session folder that has been read, its pictures not yet. */
+/** A validated session folder, without its images. */
 export interface Recording {
   readonly file: SessionFile;
   readonly frames: FrameTimes;
-  /** Light of each frame. */
+  /** Light estimate of each frame. */
   readonly lights: readonly (LightEstimate | null)[];
-  /** Of all frames; null where none were found. */
+  /** Surfaces of all frames; null if there are none. */
   readonly surfaces: DetectedSurfaces | null;
 }
 

@@ -1,57 +1,59 @@
 import type { FrameClock } from '../../clock.ts';
 
-/** The part of a recording that is played. Seconds since its start, later rounds included. */
+/** The part of a recording to play. Seconds since the first frame; they continue over repeats. */
 export interface PlayRange {
   readonly fromS: number;
-  /** Where the last frame begins, and where it ends. */
+  /** Start of the last frame and end of the range. */
   readonly lastS: number;
   readonly endS: number;
-  /** From the end back to `fromS`; else the last frame stays. */
+  /** Whether playback repeats from `fromS`; otherwise the last frame stays. */
   readonly loop: boolean;
 }
 
-/** What is played, and where it goes. */
+/** The recording that a playback controls. */
 export interface PlaybackHost {
-  /** Null while it is not open. */
+  /** Null before the recording is open. */
   readonly durationS: () => number | null;
-  /** Shows the recording as it is at `timeS` since its start, where it can be shown yet. */
+  /** Shows the recording at `timeS`, if that frame is decoded. */
   readonly show: (timeS: number) => void;
-  /** The recording starts over, and its time goes on. */
+  /** The recording repeats; its time continues. */
   readonly onRepeat: () => void;
-  /** Time leapt back to the start of the range. */
+  /** Playback jumped back to the start of the range. */
   readonly onLoop: () => void;
-  /** The range has been played. Its last frame stays for as long as time stands. */
+  /** The range ended without loop. Its last frame stays. */
   readonly onEnd: () => void;
 }
 
-/** Plays a recording in time, from the start again at the end: a frame for each repaint. */
+/** Plays a recording in real time, with one frame per display frame, and repeats it. */
 export interface Playback {
-  /** Of the frame that was shown last, or that comes next after a jump. */
+  /** Time of the frame shown last, or of the next one after a seek. */
   readonly playheadS: number;
   start(): void;
   stop(): void;
-  /** The next frame shows this moment, however long ago the last one was. */
+  /** Makes the next frame show `timeS`, independent of elapsed time. */
   seek(timeS: number): void;
-  /** The next frame shows this later moment; the time until then has passed. */
+  /** Makes the next frame show a later time, with the time step up to it. */
   advanceTo(timeS: number): void;
   setRange(range: PlayRange | null): void;
-  /** To its start, where the playhead is outside the range, or at an end that is not gone beyond. True where it jumped. */
+  /**
+   * Seeks to the start of the range if the playhead is outside, or at its last frame if the range does not loop. Returns whether it did.
+   */
   enterRange(): boolean;
 }
 
-/** Sums of frame times are off by less. */
+/** Tolerance for rounding errors of summed frame times. */
 const ROUNDING_S = 1e-6;
 
 export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback {
-  /** Runs on over the repeats, so that time runs backwards only where it was told to. */
+  /** Continues over repeats, so it decreases only on seeks and loops. */
   let playheadS = 0;
   let aheadS: number | null = null;
   let lastS: number | null = null;
   let handle = 0;
   let range: PlayRange | null = null;
-  /** False where it came to the end of the range, which says what comes next. */
+  /** Handles the end of the range. Returns false if the playhead reached it. */
   const staysInRange = (beforeS: number): boolean => {
-    // What was put behind the end plays on there.
+    // A playhead that was set beyond the end continues there.
     if (range === null || playheadS < range.endS - ROUNDING_S || beforeS >= range.endS - ROUNDING_S) return true;
     if (range.loop) {
       playheadS = range.fromS + (Math.max(0, playheadS - range.endS) % (range.endS - range.fromS));
@@ -101,7 +103,7 @@ export function createPlayback(clock: FrameClock, host: PlaybackHost): Playback 
       if (range === null) return false;
       const beyondS = range.loop ? range.endS : range.lastS;
       if (playheadS >= range.fromS - ROUNDING_S && playheadS < beyondS - ROUNDING_S) return false;
-      // A range of one frame is there already.
+      // The playhead is at the only frame of the range.
       if (range.lastS === range.fromS && Math.abs(playheadS - range.fromS) < ROUNDING_S) return false;
       seek(range.fromS);
       return true;

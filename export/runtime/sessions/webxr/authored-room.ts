@@ -6,21 +6,20 @@ import type { MutableCameraImage, MutableView } from '../session-frame.ts';
 import { linkPass } from './link-pass.ts';
 
 /**
- * What stands in for the visitor's room where a device shows none: a floor with a line every meter, a bright horizon and a
- * softer sky, so that nothing hangs in a void and the size of things can be seen. It is handed on as each view's camera image:
- * what filters the camera's picture filters this.
+ * Replaces the visitor's room in VR: a floor with a line per meter, a bright horizon and a softer sky, which show scale and orientation. It
+ * is the camera image of each view, so filters apply to it.
  */
 export interface AuthoredRoom {
-  /** Drawn for the view's pose and projection, as they are by now. */
+  /** Draws the room for the current pose and projection of the view. */
   image(view: MutableView, index: number): CameraImage;
   dispose(): void;
 }
 
-/** Nothing in it is sharp but the lines near by; half of the pixels each way show the same. */
+/** Resolution relative to the view: only the nearby lines are sharp. */
 const SCALE = 0.5;
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
-/** Its floor is the world's, at y = 0. */
+/** Creates a room whose floor is at y = 0 in world space. */
 export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
   const program = linkPass(gl, FRAGMENT);
   const lens = gl.getUniformLocation(program, 'lens');
@@ -61,8 +60,8 @@ export function createAuthoredRoom(gl: WebGL2RenderingContext): AuthoredRoom {
 }
 
 /**
- * `lens`: what the projection scales x and y by, and how far it shifts them, for views whose middle is not straight ahead. Colors
- * are display-referred sRGB; a line is 16 mm wide, and never thinner than a pixel.
+ * `lens`: scale and shift of x and y in the projection, which may be off-axis. Colors are display-referred sRGB. Lines are 16 mm wide and
+ * at least one pixel.
  */
 const FRAGMENT = `#version 300 es
 precision highp float;

@@ -3,7 +3,7 @@ import { prepareUpload } from '../../gl/upload.ts';
 import type { MutableRoomDepth } from '../session-frame.ts';
 import { setDepthUv } from './depth-uv.ts';
 
-/** Depth that the browser hands over as an array, for one view. */
+/** Room depth of one view from an array of the browser. */
 export interface CpuDepth {
   update(info: XRCPUDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth;
   dispose(): void;
@@ -26,7 +26,7 @@ export function createCpuDepth(gl: WebGL2RenderingContext): CpuDepth {
       const raw = format === 'float32' ? new Float32Array(data) : new Uint16Array(data);
       for (let i = 0; i < meters.length; i++) {
         const m = (raw[i] ?? 0) * rawValueToMeters;
-        // Some runtimes store an endless distance, or none, where they know nothing.
+        // Some runtimes store infinity or NaN where depth is unknown.
         meters[i] = m > 0 && m < Number.POSITIVE_INFINITY ? m : 0;
       }
       prepareUpload(gl, 4);

@@ -1,14 +1,14 @@
 import { linkPass } from './link-pass.ts';
 import type { XrGpuDepthInformation } from './webxr-types.ts';
 
-/** How the texture holds depth: one of WebXR's formats, or a depth buffer's values. */
+/** Content of the texture: one of WebXR's formats, or window-space depth. */
 export type DepthSource = XRDepthDataFormat | 'window';
 
-/** Draws meters of a depth texture, texel by texel, 0 where unknown. */
+/** Decodes a depth texture to meters, texel by texel, 0 where unknown. */
 export interface DepthDecoder {
   readonly source: DepthSource;
   readonly array: boolean;
-  /** Binds program, texture (unit 0) and uniforms. `viewIndex`: the layer of an array where the browser does not say which. */
+  /** Binds program, texture (unit 0) and uniforms. `viewIndex` is the array layer to use if the browser does not report one. */
   use(info: XrGpuDepthInformation, viewIndex: number): void;
   dispose(): void;
 }
@@ -26,7 +26,7 @@ export function createDecoder(gl: WebGL2RenderingContext, source: DepthSource, a
       gl.useProgram(program);
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(target, info.texture);
-      // meters = near far / (far - d (far - near)), written so that it holds for an endless far plane too.
+      // meters = near far / (far − d (far − near)), in a form that also holds for an infinite far plane.
       const near = info.depthNear ?? 0;
       const nearByFar = near / (info.depthFar ?? Number.POSITIVE_INFINITY);
       scratch[0] = source === 'window' ? near : info.rawValueToMeters;

@@ -1,15 +1,15 @@
 /**
- * Texture UV from view UV, column-major 3×3, from WebXR's `normDepthBufferFromNormView`: a 4×4 between coordinates that both
- * begin at the top left (Depth Sensing §1.1). `firstRow` is the buffer's first row in the texture at v = 0.
+ * Writes texture UV from view UV, column-major 3×3, from WebXR's 4×4 `normDepthBufferFromNormView`, whose coordinates both start at the top
+ * left (Depth Sensing §1.1). `firstRow` is the row of the buffer that the texture has at v = 0.
  */
 export function setDepthUv(out: Float32Array, bufferFromView: Float32Array, firstRow: 'top' | 'bottom'): void {
   for (let row = 0; row < 3; row++) {
-    // z plays no part: rows and columns x, y, w of the 4×4.
+    // z is not used: rows and columns x, y, w of the 4×4.
     const from = row === 2 ? 3 : row;
     const x = bufferFromView[from] ?? 0;
     const y = bufferFromView[4 + from] ?? 0;
     const w = bufferFromView[12 + from] ?? 0;
-    // View UV begins at the bottom left: y is 1 - v.
+    // View UV starts at the bottom left: y is 1 − v.
     out[row] = x;
     out[row + 3] = -y;
     out[row + 6] = y + w;

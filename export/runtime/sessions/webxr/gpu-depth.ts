@@ -5,16 +5,16 @@ import { createDecoder, type DepthDecoder, type DepthSource } from './depth-deco
 import { setDepthUv } from './depth-uv.ts';
 import type { XrGpuDepthInformation } from './webxr-types.ts';
 
-/** Depth that stays on the GPU, for one view: decoded to meters once a frame, so that all who read it find one format. */
+/** GPU depth of one view, decoded to meters once per frame, so that all readers get the same format. */
 export interface GpuDepth {
-  /** Null while the browser has no valid depth. */
+  /** Null if the browser has no valid depth. */
   update(info: XrGpuDepthInformation, format: XRDepthDataFormat, worldFromView: Float32Array): MutableRoomDepth | null;
   dispose(): void;
 }
 
-/** `viewIndex`: which view of the device it is for. Null where the GPU can draw no floats at all. */
+/** Creates the depth of the device's view `viewIndex`. Returns null if the GPU cannot render to float textures. */
 export function createGpuDepth(gl: WebGL2RenderingContext, viewIndex: number): GpuDepth | null {
-  // Half floats keep a millimeter at 1 m and four at 4 m, about what the sensors do.
+  // Half floats resolve 1 mm at 1 m and 4 mm at 4 m, about the precision of the sensors.
   const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
   if (format === null) return null;
   const framebuffer = gl.createFramebuffer();
@@ -37,7 +37,7 @@ export function createGpuDepth(gl: WebGL2RenderingContext, viewIndex: number): G
       const { width, height } = info;
       if (depth?.widthPx !== width || depth.heightPx !== height) depth = resize(width, height);
       const source = sourceOf(info, dataFormat);
-      // Browsers that do not say give an array with a layer per view, as Quest Browser does.
+      // Browsers that do not report the type use an array with a layer per view, as Quest Browser does.
       const array = info.textureType !== 'texture';
       if (decoder?.source !== source || decoder.array !== array) {
         decoder?.dispose();

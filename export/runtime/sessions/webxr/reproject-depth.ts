@@ -4,35 +4,33 @@ import { setPassState } from '../../../../nodes/kit/pass-state.ts';
 import { allocateTexture } from '../../gl/allocate-texture.ts';
 import type { MutableRoomDepth } from '../session-frame.ts';
 
-/** Where depth was measured from: pose and projection of the depth camera, column-major 4×4. */
+/** Pose and projection of the depth camera, column-major 4×4. */
 export interface DepthGeometry {
   readonly worldFromDepth: Float32Array;
   readonly clipFromDepth: Float32Array;
 }
 
-/** The view that depth is wanted for. */
-export interface WantedView {
+/** The view to reproject depth to. */
+export interface TargetView {
   readonly clipFromView: Float32Array;
   readonly worldFromView: Float32Array;
   readonly viewFromWorld: Float32Array;
 }
 
-/** Depth as the view sees it, from a camera that stands elsewhere or sees otherwise (Depth Sensing, `matchDepthView: false`). */
+/** Reprojects depth from a depth camera with another pose or lens to the view (Depth Sensing, `matchDepthView: false`). */
 export interface DepthReprojector {
-  /** `depth`: by UV of the depth camera's view. The same object every time, aligned with the view. */
-  reproject(depth: MutableRoomDepth, from: DepthGeometry, view: WantedView): MutableRoomDepth;
+  /** `depth` is indexed by UV of the depth camera's view. Returns the same object in each call, aligned with the view. */
+  reproject(depth: MutableRoomDepth, from: DepthGeometry, view: TargetView): MutableRoomDepth;
   dispose(): void;
 }
 
-/** Finer sensors are read at every so many-th sample: a net of this many meshes a side is 393,216 vertices. */
-const MOST_MESHES = 256;
+/** Maximum quads per side. Larger depth images are sampled at a lower resolution; a grid of this size has 393,216 vertices. */
+const MAX_QUADS = 256;
 
 /**
- * The samples are a net that is drawn from the view, nearest first. Meshes with an unknown corner are left out. One that hangs from
- * a near thing to what is behind it would be a wall that is not there: it counts as far as its farthest corner, so that what the
- * depth camera could not see is as what is behind.
- *
- * Null where the GPU can draw no floats.
+ * Draws the depth samples as a grid of quads from the view, with a depth test. Quads with an unknown corner are left out. A quad that spans
+ * a foreground and a background surface would be a wall that does not exist, so it takes the depth of its farthest corner: areas hidden
+ * from the depth camera count as background. Returns null if the GPU cannot render to float textures.
  */
 export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReprojector | null {
   const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
@@ -80,7 +78,7 @@ export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReproje
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, depth.texture);
       gl.bindSampler(0, null);
-      const step = Math.ceil(Math.max(widthPx, heightPx) / MOST_MESHES);
+      const step = Math.ceil(Math.max(widthPx, heightPx) / MAX_QUADS);
       const p = from.clipFromDepth;
       gl.uniform1i(uniforms.step, step);
       gl.uniformMatrix3fv(uniforms.depthFromUv, false, depthFromUv);
@@ -103,18 +101,18 @@ export function createDepthReprojector(gl: WebGL2RenderingContext): DepthReproje
   };
 }
 
-/** Whether two matrices say the same, as far as browsers keep to their digits: to a tenth of a millimeter or its like. */
+/** Whether two matrices are equal up to rounding of the browser, about a tenth of a millimeter. */
 export function isSameMatrix(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   for (let i = 0; i < 16; i++) if (Math.abs((a[i] ?? 0) - (b[i] ?? 0)) > 1e-4) return false;
   return true;
 }
 
-/** Whether two projections see the same at every place: planes, between which they keep things, move nothing. */
+/** Whether two projections have the same scale and shift. Near and far planes do not matter. */
 export function isSameLens(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
   return LENS.every((i) => Math.abs((a[i] ?? 0) - (b[i] ?? 0)) <= 1e-4);
 }
 
-/** Of a column-major projection: how x and y are scaled, and how far they are shifted. */
+/** Indices of scale and shift of x and y in a column-major projection. */
 const LENS: readonly number[] = [0, 5, 8, 9];
 
 /**

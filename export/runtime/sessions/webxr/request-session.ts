@@ -26,7 +26,7 @@ export async function supportsWebXr(xr: XRSystem | undefined, mode: WebXrMode = 
 }
 
 /** Height of the eyes of a standing person, meters: for devices that do not know the floor. */
-const EYES_ABOVE_FLOOR_M = 1.6;
+const EYE_HEIGHT_M = 1.6;
 
 /**
  * Requests a session with the features that the program needs. Call it from a click or tap handler, before any `await`.
@@ -56,7 +56,7 @@ export async function requestWebXrSession(request: WebXrRequest): Promise<Result
     return { output, diagnostics: needs.filter((need) => !capabilities.has(need.capability)).map(missing) };
   } catch (error) {
     await session.end().catch(() => {});
-    return refused(refusal(`${name} began and could not be shown: ${reason(error)}.`, 'Close other tabs and try again.'));
+    return refused(refusal(`${name} could not be shown: ${reason(error)}.`, 'Close other tabs and try again.'));
   }
 }
 
@@ -68,7 +68,7 @@ async function requestReferenceSpaces(
   if (floor) return { origin: floor, referenceSpace: floor };
   const eyes = await session.requestReferenceSpace('local');
   // All three coordinates are given, because iwer computes NaN from missing ones.
-  return { origin: eyes, referenceSpace: eyes.getOffsetReferenceSpace(new XRRigidTransform({ x: 0, y: -EYES_ABOVE_FLOOR_M, z: 0 })) };
+  return { origin: eyes, referenceSpace: eyes.getOffsetReferenceSpace(new XRRigidTransform({ x: 0, y: -EYE_HEIGHT_M, z: 0 })) };
 }
 
 const NO_WEBXR: Diagnostic = {
@@ -114,14 +114,14 @@ function missing(need: ProgramNeed): Diagnostic {
 
 /** Names of the features for visitors. */
 const WORDS: Readonly<Record<Capability, string>> = {
-  'camera-image': 'the camera picture',
-  depth: 'depth of the room',
-  'light-estimation': 'light of the room',
-  'hit-test': 'finding surfaces',
-  anchors: 'holding places',
-  planes: 'detected planes',
-  meshes: 'detected shapes',
-  hands: 'hand tracking',
+  'camera-image': 'the camera feed',
+  depth: 'the depth of the room',
+  'light-estimation': 'the light in the room',
+  'hit-test': 'surfaces you point at',
+  anchors: 'fixed places in the room',
+  planes: 'floors, walls and tables',
+  meshes: 'the shape of the room',
+  hands: 'your hands',
   microphone: 'the microphone',
 };
 

@@ -1,5 +1,5 @@
 import { expect, test } from '@jest/globals';
-import { createSensorWatch, FIRST_WITHIN_S, SILENT_AFTER_S } from './sensor-watch.ts';
+import { createSensorWatch, FIRST_REPORT_AFTER_S, REPORT_AFTER_S } from './sensor-watch.ts';
 
 /** Reports on a sensor that measures at these times of a minute, at 60 fps. */
 function told(measures: (timeS: number) => boolean): (readonly [working: boolean, atS: number])[] {
@@ -20,12 +20,12 @@ test('a sensor that works, and one that leaves out frames, are not worth a word'
 
 test('one that falls silent is reported after a while, and at once when it is back', () => {
   expect(told((s) => s < 10 || s > 30)).toEqual([
-    [false, 10 + SILENT_AFTER_S],
+    [false, 10 + REPORT_AFTER_S],
     [true, 30],
   ]);
 });
 
 test('the first measurement may take longer', () => {
-  expect(told((s) => s > FIRST_WITHIN_S - 1)).toEqual([]);
-  expect(told(() => false)).toEqual([[false, FIRST_WITHIN_S]]);
+  expect(told((s) => s > FIRST_REPORT_AFTER_S - 1)).toEqual([]);
+  expect(told(() => false)).toEqual([[false, FIRST_REPORT_AFTER_S]]);
 });

@@ -1,18 +1,18 @@
-/** Tells when what a sensor measures fails to come, and when it comes again. */
+/** Reports when a sensor stops measuring and when it starts again. */
 export interface SensorWatch {
-  /** Once a frame, with the time of the frame, seconds. */
+  /** To be called once per frame with its time in seconds. */
   update(timeS: number, measured: boolean): void;
 }
 
-/** Devices leave out a few frames now and then, and nobody sees it. */
-export const SILENT_AFTER_S = 2;
-/** Phones measure no depth before they have been moved a little. */
-export const FIRST_WITHIN_S = 6;
+/** Delay of the report, because devices skip single frames. */
+export const REPORT_AFTER_S = 2;
+/** Delay before the first measurement, because phones must be moved before they measure depth. */
+export const FIRST_REPORT_AFTER_S = 6;
 
 export function createSensorWatch(onChange: (working: boolean) => void): SensorWatch {
-  /** When it measured last, or the first frame came. */
+  /** Time of the last measurement, or of the first frame. */
   let lastS: number | null = null;
-  let patienceS = FIRST_WITHIN_S;
+  let patienceS = FIRST_REPORT_AFTER_S;
   let told = true;
   const tell = (working: boolean): void => {
     if (told === working) return;
@@ -24,7 +24,7 @@ export function createSensorWatch(onChange: (working: boolean) => void): SensorW
       lastS ??= timeS;
       if (measured) {
         lastS = timeS;
-        patienceS = SILENT_AFTER_S;
+        patienceS = REPORT_AFTER_S;
         tell(true);
       } else if (timeS - lastS > patienceS) {
         tell(false);

@@ -3,8 +3,8 @@ import type { ProgramNeed } from '../../../program/program.ts';
 import { WEBXR_FEATURES, webXrFeatures } from '../../../program/webxr-features.ts';
 
 /**
- * CPU first: phones give 160 × 90 samples, which are quick to copy. Headsets that have GPU depth alone take the second preference.
- * Smooth first, because noise shows as a flickering border. `matchDepthView` keeps its default: depth as the view sees it.
+ * CPU first: phones give 160 × 90 samples, which are fast to copy. Headsets that only have GPU depth use the second preference. Smooth
+ * first, because noise causes flickering borders. `matchDepthView` keeps its default, depth aligned with the view.
  */
 const DEPTH_PREFERENCES: XRDepthStateInit = {
   usagePreference: ['cpu-optimized', 'gpu-optimized'],

@@ -3,13 +3,13 @@ import { MAX_VIEWS } from '../../targets/target.ts';
 import type { MutableCameraImage, MutableRoomDepth } from '../session-frame.ts';
 import { type CpuDepth, createCpuDepth } from './cpu-depth.ts';
 import { createGpuDepth, type GpuDepth } from './gpu-depth.ts';
-import { createDepthReprojector, type DepthReprojector, isSameLens, isSameMatrix, type WantedView } from './reproject-depth.ts';
+import { createDepthReprojector, type DepthReprojector, isSameLens, isSameMatrix, type TargetView } from './reproject-depth.ts';
 import type { XrBinding, XrViewWithCamera } from './webxr-types.ts';
 
-/** What the device sees of the world, view by view. Asked only for what was granted. */
+/** Depth and camera image of each view, for the features that were granted. */
 export interface ViewSources {
-  /** `seen`: the view as the frame has it by now. */
-  depth(frame: XRFrame, view: XRView, index: number, seen: WantedView): RoomDepth | null;
+  /** `seen` is the view with its current matrices. */
+  depth(frame: XRFrame, view: XRView, index: number, seen: TargetView): RoomDepth | null;
   cameraImage(view: XrViewWithCamera, index: number): CameraImage | null;
   dispose(): void;
 }
@@ -31,9 +31,9 @@ export function createViewSources(
     depth: MutableRoomDepth,
     info: Pick<XRDepthInformation, 'projectionMatrix'>,
     index: number,
-    seen: WantedView,
+    seen: TargetView,
   ): RoomDepth => {
-    // Browsers before 2025 leave it out: their depth is always the view's.
+    // Browsers before 2025 do not report it; their depth is aligned with the view.
     const clipFromDepth = info.projectionMatrix ?? seen.clipFromView;
     const { worldFromDepth } = depth;
     if (isSameMatrix(worldFromDepth, seen.worldFromView) && isSameLens(clipFromDepth, seen.clipFromView)) return depth;
@@ -70,10 +70,10 @@ export function createViewSources(
   };
 }
 
-/** Raw Camera Access §5.1: the picture is aligned with its view. */
+/** Raw Camera Access §5.1: the image is aligned with its view. */
 const UPRIGHT = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);
 
-/** Reading it where depth was not granted throws. */
+/** Reading `depthUsage` throws if depth was not granted. */
 function depthUsage(session: XRSession): XRDepthUsage | null {
   try {
     return session.depthUsage ?? null;

@@ -9,7 +9,7 @@ export interface SurfaceReader {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** What the browser keeps being the same object for (Plane Detection §2.1, Mesh Detection §2.1). */
+/** The browser keeps the same object for the same surface (Plane Detection §2.1, Mesh Detection §2.1). */
 interface XrSurface {
   readonly lastChangedTime: number;
 }
@@ -18,11 +18,11 @@ interface Tracked<X, S> {
   readonly xr: X;
   readonly surface: Mutable<S>;
   changedMs: number;
-  /** Of the last frame that had it. */
+  /** The last frame that contained it. */
   frame: number;
 }
 
-/** Null where neither was granted. */
+/** Creates a reader, or null if neither planes nor meshes were granted. */
 export function createSurfaceReader(capabilities: ReadonlySet<Capability>): SurfaceReader | null {
   if (!capabilities.has('planes') && !capabilities.has('meshes')) return null;
   const planes = createTracker<XrPlane, DetectedPlane>('plane', createPlane, fillPlane, (plane) => plane.planeSpace);
@@ -64,7 +64,7 @@ function createTracker<X extends XrSurface, S extends { version: number; readonl
     return entry;
   }
 
-  // Made once: the set is walked in every frame.
+  // Defined once, because the set is visited in every frame.
   function see(xr: X): void {
     const entry = tracked.get(xr) ?? add(xr);
     entry.frame = frameCount;
@@ -73,7 +73,7 @@ function createTracker<X extends XrSurface, S extends { version: number; readonl
       fill(entry.surface, xr);
       entry.surface.version++;
     }
-    // Not tracked in this frame, it stays where it was.
+    // A surface without a pose in this frame keeps its last one.
     const pose = worldSpace && xrFrame?.getPose(spaceOf(xr), worldSpace);
     if (pose) entry.surface.worldFromSurface.set(pose.transform.matrix);
   }
@@ -111,7 +111,7 @@ function createMesh(id: string): Mutable<DetectedMesh> {
   return { id, version: 0, label: '', worldFromSurface: new Float32Array(16), positions: new Float32Array(0), indices: new Uint32Array(0) };
 }
 
-/** Copied: the browser may use its arrays again. */
+/** Copies the arrays, because the browser may reuse them. */
 function fillMesh(mesh: Mutable<DetectedMesh>, xr: XrMesh): void {
   mesh.label = xr.semanticLabel ?? '';
   mesh.positions = Float32Array.from(xr.vertices);

@@ -1,7 +1,7 @@
 import { createSessionInput, type MutableController, type MutableInput, nextTap, rest } from '../input/session-input.ts';
 import { createMatrix } from '../matrix.ts';
 
-/** Places of the `xr-standard` mapping (WebXR Gamepads §3.3), then of what controllers with a thumbstick add (registry of profiles). */
+/** Indices of the `xr-standard` mapping (WebXR Gamepads §3.3), then those that controllers with a thumbstick add (profiles registry). */
 const TRIGGER = 0;
 const SQUEEZE = 1;
 const PRIMARY = 4;
@@ -9,14 +9,14 @@ const SECONDARY = 5;
 const TOUCHPAD_AXIS = 0;
 const THUMBSTICK_AXIS = 2;
 
-/** Selections by tap, controller or hand, and the controllers themselves. */
+/** Select events of taps, controllers and hands, and the state of the controllers. */
 export interface WebXrInput {
-  /** Once a frame. */
+  /** Fills the input of a frame. Call it once per frame. */
   fill(input: MutableInput, frame: XRFrame): void;
 }
 
 export function createWebXrInput(session: XRSession, referenceSpace: XRReferenceSpace): WebXrInput {
-  /** Selections come between frames. */
+  /** Collects select events between frames. */
   const waiting = createSessionInput();
   const rays = { left: createMatrix(), right: createMatrix() };
   session.addEventListener('select', ({ frame, inputSource }) => {
@@ -58,7 +58,7 @@ function readController(controller: MutableController, { axes, buttons }: Gamepa
   const axis = axes.length > THUMBSTICK_AXIS ? THUMBSTICK_AXIS : TOUCHPAD_AXIS;
   controller.connected = true;
   controller.stick[0] = axes[axis] ?? 0;
-  // Towards the visitor is positive there; + 0, because -0 is no rest.
+  // Towards the visitor is positive; + 0 turns −0 into 0.
   controller.stick[1] = -(axes[axis + 1] ?? 0) + 0;
   controller.trigger = buttons[TRIGGER]?.value ?? 0;
   controller.squeeze = buttons[SQUEEZE]?.value ?? 0;

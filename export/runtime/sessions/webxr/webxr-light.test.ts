@@ -1,6 +1,6 @@
 import { expect, test } from '@jest/globals';
 import { Matrix4, Quaternion, Vector3 } from 'three';
-import { turnHarmonics } from './turn-harmonics.ts';
+import { rotateHarmonics } from './rotate-harmonics.ts';
 import { createWebXrLight } from './webxr-light.ts';
 import type { XrBinding, XrSessionWithLight } from './webxr-types.ts';
 
@@ -32,7 +32,7 @@ function radiance(l: ArrayLike<number>, channel: number, { x, y, z }: Vector3): 
 test('turned harmonics say of every direction what they said of it before it was turned', () => {
   for (const pose of [poseOf(0.4, 0.3, -0.6), poseOf(2.8, 0, 0.7), new Matrix4().makeRotationY(Math.PI / 2), new Matrix4()]) {
     const turned = new Float32Array(27);
-    turnHarmonics(turned, COEFFICIENTS, Float32Array.from(pose.elements));
+    rotateHarmonics(turned, COEFFICIENTS, Float32Array.from(pose.elements));
     for (let i = 0; i < 60; i++) {
       const inProbe = new Vector3(Math.sin(i * 2.1), Math.cos(i * 1.3), Math.sin(i * 0.7 + 1)).normalize();
       const inWorld = inProbe.clone().transformDirection(pose);

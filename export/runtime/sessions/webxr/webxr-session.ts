@@ -15,7 +15,7 @@ export interface WebXrSessionParts {
   readonly session: XRSession;
   /** The space that the browser resets. */
   readonly origin: XRReferenceSpace;
-  /** Its floor is at y = 0. */
+  /** A space with its floor at y = 0. */
   readonly referenceSpace: XRReferenceSpace;
   readonly target: XrRenderTarget;
   /** Creates the target again for a restored context. Rejects where the device refuses. */

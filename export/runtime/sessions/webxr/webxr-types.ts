@@ -1,4 +1,4 @@
-/** Parts of WebXR that @types/webxr does not know yet. */
+/** Types of WebXR that @types/webxr does not have yet. */
 
 /** WebXR Raw Camera Access §4. */
 export interface XrCamera {
@@ -13,22 +13,22 @@ export interface XrViewWithCamera extends XRView {
 /** WebXR Raw Camera Access §4 and Depth Sensing §3.3. */
 export interface XrBinding {
   getCameraImage?(camera: XrCamera): WebGLTexture | null;
-  /** WebXR Lighting Estimation §5.1. The texture stays the browser's. */
+  /** WebXR Lighting Estimation §5.1. The browser owns the texture. */
   getReflectionCubeMap?(probe: XrLightProbe): WebGLTexture | null;
   getDepthInformation?(view: XRView): XrGpuDepthInformation | null | undefined;
 }
 
 export interface XrGpuDepthInformation extends Omit<XRWebGLDepthInformation, 'textureType' | 'imageIndex'> {
-  /** Not every browser has these two. */
+  /** Not every browser reports these two. */
   readonly textureType?: XRTextureType;
   readonly imageIndex?: number | null;
   /**
-   * Quest Browser and iwer have these, which no specification does: the texture then holds window depth between them, its
-   * first row at the bottom.
+   * Quest Browser and iwer have these non-standard attributes: the texture then contains window-space depth between them, its first row at
+   * the bottom.
    */
   readonly depthNear?: number;
   readonly depthFar?: number;
-  /** Quest Browser: false while the texture holds nothing of use. */
+  /** Quest Browser: false while the texture has no valid content. */
   readonly isValid?: boolean;
 }
 
@@ -56,7 +56,7 @@ export interface XrFrameWithLight extends XRFrame {
 export interface XrPlane {
   readonly planeSpace: XRSpace;
   readonly polygon: readonly DOMPointReadOnly[];
-  /** Absent where it is neither. */
+  /** Absent if the plane is neither. */
   readonly orientation?: 'horizontal' | 'vertical' | null;
   readonly semanticLabel?: string;
   readonly lastChangedTime: number;

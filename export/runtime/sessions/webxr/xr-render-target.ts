@@ -3,11 +3,11 @@ import { type AuthoredRoom, createAuthoredRoom } from './authored-room.ts';
 import { createViewSources, type ViewSources } from './view-sources.ts';
 import type { XrBinding } from './webxr-types.ts';
 
-/** What joins a session to the page's graphics context: the layer that views are drawn into, and the device's images. */
+/** Connects a session to the page's WebGL context: the layer that views are drawn into, and the device's images. */
 export interface XrRenderTarget {
   readonly layer: XRWebGLLayer;
   readonly sources: ViewSources;
-  /** Null where the browser has none. */
+  /** Null if the browser has no XRWebGLBinding. */
   readonly binding: XrBinding | null;
   readonly room: AuthoredRoom | null;
   dispose(): void;

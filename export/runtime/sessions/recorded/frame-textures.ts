@@ -3,16 +3,16 @@ import { prepareUpload } from '../../gl/upload.ts';
 import type { SessionFile } from '../session-format.ts';
 import type { DecodedFrame } from './frame-cache.ts';
 
-/** The recording's current frame on the GPU; first rows on top, so the UV matrices turn them over. */
-export interface PictureTextures {
+/** Textures of the current frame. First rows are top rows, so the UV matrices flip them. */
+export interface FrameTextures {
   readonly color: WebGLTexture;
-  /** R32F, meters; null for a recording without depth. */
+  /** R32F, meters; null if the recording has no depth. */
   readonly depth: WebGLTexture | null;
   upload(frame: DecodedFrame): void;
   dispose(): void;
 }
 
-export function createPictureTextures(gl: WebGL2RenderingContext, session: SessionFile): PictureTextures {
+export function createFrameTextures(gl: WebGL2RenderingContext, session: SessionFile): FrameTextures {
   const color = allocateTexture(gl, gl.createTexture(), gl.RGBA8, gl.LINEAR, session.color.widthPx, session.color.heightPx);
   const depth = session.depth
     ? allocateTexture(gl, gl.createTexture(), gl.R32F, gl.NEAREST, session.depth.widthPx, session.depth.heightPx)

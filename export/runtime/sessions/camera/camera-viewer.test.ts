@@ -1,22 +1,22 @@
 import { describe, expect, test } from '@jest/globals';
 import { Matrix4, Vector3 } from 'three';
 import { createMatrix } from '../matrix.ts';
-import { createCameraStand } from './camera-stand.ts';
+import { createCameraViewer } from './camera-viewer.ts';
 import { type DeviceAngles, setUpright } from './device-pose.ts';
 
 function start(given: Partial<DeviceAngles> | null) {
   const angles: DeviceAngles = { alphaRad: 0, betaRad: 0, gammaRad: 0, screenRad: 0 };
   setUpright(angles);
   Object.assign(angles, given);
-  const stand = createCameraStand({ angles, present: given !== null });
+  const viewer = createCameraViewer({ angles, present: given !== null });
   const look = () => {
     const m = createMatrix();
-    stand.writeWorldFromView(m);
+    viewer.writeWorldFromView(m);
     const pose = new Matrix4().fromArray(m);
     const round = (v: Vector3) => v.toArray().map((x) => Number(x.toFixed(4)) + 0);
     return { ahead: round(new Vector3(0, 0, -1).transformDirection(pose)), at: round(new Vector3().setFromMatrixPosition(pose)) };
   };
-  return { stand, angles, look };
+  return { viewer, angles, look };
 }
 
 describe('where a viewer with a camera stands', () => {
@@ -32,38 +32,38 @@ describe('where a viewer with a camera stands', () => {
   });
 
   test('going back to the start makes the present direction ahead', () => {
-    const { stand, angles, look } = start({});
+    const { viewer, angles, look } = start({});
     look();
     angles.alphaRad = 1;
-    stand.zoom(2);
-    stand.reset();
+    viewer.zoom(2);
+    viewer.reset();
     expect(look()).toEqual({ ahead: [0, 0, -1], at: [0, 1.5, 2] });
   });
 
   test('steps go the way one looks, along the floor, and not out of sight', () => {
-    const { stand, look } = start(null);
+    const { viewer, look } = start(null);
     look();
-    stand.zoom(Math.E);
+    viewer.zoom(Math.E);
     expect(look().at).toEqual([0, 1.5, 1]);
-    stand.rotate(-Math.PI / 2, 0);
+    viewer.rotate(-Math.PI / 2, 0);
     expect(look().ahead[0]).toBeLessThan(-0.8);
-    stand.zoom(Math.E);
+    viewer.zoom(Math.E);
     expect(look().at).toEqual([-1, 1.5, 1]);
-    stand.pan(0.5, 0);
+    viewer.pan(0.5, 0);
     expect(look().at).toEqual([-1, 1.5, 0.5]);
-    for (let i = 0; i < 100; i++) stand.zoom(2);
+    for (let i = 0; i < 100; i++) viewer.zoom(2);
     expect(look().at).toEqual([-5, 1.5, 0.5]);
   });
 
   test('without a sensor, dragging looks up and down, too; with one, the device alone does', () => {
     const without = start(null);
     expect(without.look().ahead[1]).toBeCloseTo(-Math.sin(0.35), 4);
-    without.stand.rotate(0, 0.5);
+    without.viewer.rotate(0, 0.5);
     expect(without.look().ahead[1]).toBeCloseTo(Math.sin(0.15), 4);
-    without.stand.rotate(0, 10);
+    without.viewer.rotate(0, 10);
     expect(without.look().ahead[1]).toBeLessThan(1);
     const withOne = start({});
-    withOne.stand.rotate(0, 0.5);
+    withOne.viewer.rotate(0, 0.5);
     expect(withOne.look().ahead[1]).toBeCloseTo(0, 4);
   });
 });

@@ -1,38 +1,38 @@
-import type { Steered } from '../orbit/orbit-input.ts';
+import type { GestureTarget } from '../orbit/orbit-input.ts';
 import { setDeviceRotation, turnAboutVertical, yawToFront } from './device-pose.ts';
 import type { OrientationSensor } from './orientation-sensor.ts';
 
-/** Where one stands at first: two steps back from the origin, where things tend to be, at the height of eyes. Meters. */
+/** Initial position of the viewer, meters: two meters behind the origin, at eye height. */
 const START = [0, 1.5, 2] as const;
-/** Without a sensor one looks down a little, to where such things stand. */
+/** Initial pitch without a sensor: slightly down, towards objects near the origin. */
 const START_PITCH_RAD = -0.35;
-/** How far one may go from there, meters. */
+/** Maximum distance from the initial position, meters. */
 const REACH_M = 5;
-/** What counts as near: a pinch to half of it moves on by half a meter. */
+/** Distance that zoom factors refer to, meters: a pinch by 2 moves the viewer by half of it. */
 const STEP_SCALE_M = 1;
 const MAX_PITCH_RAD = 1.5;
 
 /**
- * A viewer who turns with the device and stays where they are: no sensor tells how a device moves. Fingers, wheel and keys turn
- * about the vertical, and step forth and back instead.
+ * A viewer who rotates with the device but has a fixed position, because no sensor measures it. Drags, wheel and keys rotate about the
+ * vertical axis and move the viewer.
  */
-export interface CameraStand extends Steered {
-  /** The way the device points now becomes ahead, and one stands where one stood at first. */
+export interface CameraViewer extends GestureTarget {
+  /** Restores the initial position and makes the current direction of the device point along −z. */
   reset(): void;
   writeWorldFromView(out: Float32Array): void;
 }
 
-export function createCameraStand(sensor: Pick<OrientationSensor, 'angles' | 'present'>): CameraStand {
+export function createCameraViewer(sensor: Pick<OrientationSensor, 'angles' | 'present'>): CameraViewer {
   let yawRad = 0;
-  /** Only where no sensor tells. */
+  /** Used without a sensor only. */
   let pitchRad = START_PITCH_RAD;
   let [x, , z] = START as readonly [number, number, number];
   let centered = false;
-  /** Of the view written last, about the vertical; 0 looks along -z. */
+  /** Heading of the view written last, about the vertical axis; 0 is −z. */
   let heading = 0;
   const scratchUpright = { alphaRad: 0, betaRad: Math.PI / 2, gammaRad: 0, screenRad: 0 };
 
-  /** On the floor, along the way one looks and across it. */
+  /** Moves the viewer on the floor, relative to the heading. */
   const step = (rightM: number, aheadM: number): void => {
     const c = Math.cos(heading);
     const s = Math.sin(heading);

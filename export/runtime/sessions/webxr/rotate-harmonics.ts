@@ -1,24 +1,23 @@
 /**
- * Spherical harmonics of a light whose axes are turned against those of the world: of a direction in the world they say afterwards
- * what they said of the same direction in the light's own axes.
+ * Rotates spherical harmonics from the axes of a light probe to those of the world. Band 1 is a linear form v · n, and v rotates as a
+ * vector. Band 2 is a quadratic form n · M n without trace, and M becomes R M Rᵀ.
  *
- * The second band is a linear form, v · n, and v turns as a vector does. The third is a quadratic form without trace, n · M n, and
- * becomes R M Rᵀ. `out` and `from`: 9 coefficients × RGB in the order of WebXR Lighting Estimation §3.2; they may be the same.
- * `worldFromLight`: pose, column-major 4×4, of which the rotation counts.
+ * @param out 9 coefficients × RGB in the order of WebXR Lighting Estimation §3.2; may be `from`.
+ * @param worldFromLight Pose, column-major 4×4; only its rotation is used.
  */
-export function turnHarmonics(out: Float32Array, from: Float32Array, worldFromLight: Float32Array): void {
-  for (let i = 0; i < 9; i++) scratchTurn[i] = worldFromLight[Math.floor(i / 3) + (i % 3) * 4] ?? 0;
+export function rotateHarmonics(out: Float32Array, from: Float32Array, worldFromLight: Float32Array): void {
+  for (let i = 0; i < 9; i++) scratchRotation[i] = worldFromLight[Math.floor(i / 3) + (i % 3) * 4] ?? 0;
   for (let channel = 0; channel < 3; channel++) {
     const x = at(from, 9 + channel);
     const y = at(from, 3 + channel);
     const z = at(from, 6 + channel);
     for (let row = 0; row < 3; row++) {
-      const turned = at(scratchTurn, row * 3) * x + at(scratchTurn, row * 3 + 1) * y + at(scratchTurn, row * 3 + 2) * z;
+      const turned = at(scratchRotation, row * 3) * x + at(scratchRotation, row * 3 + 1) * y + at(scratchRotation, row * 3 + 2) * z;
       out[(VECTOR_AT[row] ?? 0) + channel] = turned;
     }
     setForm(scratchForm, from, channel);
-    setTimes(scratchHalf, scratchTurn, scratchForm);
-    setTimesTransposed(scratchForm, scratchHalf, scratchTurn);
+    setTimes(scratchHalf, scratchRotation, scratchForm);
+    setTimesTransposed(scratchForm, scratchHalf, scratchRotation);
     out[12 + channel] = at(scratchForm, 1);
     out[15 + channel] = at(scratchForm, 5);
     out[18 + channel] = at(scratchForm, 8) * HALF_ROOT_3;
@@ -29,11 +28,11 @@ export function turnHarmonics(out: Float32Array, from: Float32Array, worldFromLi
 }
 
 const HALF_ROOT_3 = Math.sqrt(3) / 2;
-/** Where the coefficients of x, y and z begin. */
+/** Indices of the coefficients of x, y and z. */
 const VECTOR_AT: readonly number[] = [9, 3, 6];
 
-/** Row by row, 3×3. */
-const scratchTurn = new Float64Array(9);
+/** Row-major 3×3. */
+const scratchRotation = new Float64Array(9);
 const scratchForm = new Float64Array(9);
 const scratchHalf = new Float64Array(9);
 
@@ -41,7 +40,10 @@ function at(numbers: Float32Array | Float64Array, i: number): number {
   return numbers[i] ?? 0;
 }
 
-/** In units of the basis's factor on x² - y²: that on products is twice it, and they come twice; that on 3 z² - 1 is 1/√3 of it. */
+/**
+ * Reads band 2 as a symmetric matrix, in units of the factor of the basis function x² − y². The factor of products is twice that, and each
+ * product is in two entries; the factor of 3z² − 1 is 1/√3 of it.
+ */
 function setForm(out: Float64Array, from: Float32Array, channel: number): void {
   const third = at(from, 18 + channel) / Math.sqrt(3);
   const difference = at(from, 24 + channel);
