@@ -62,7 +62,7 @@ describe('a session folder', () => {
     ['no JSON', '{"format":', 'not valid JSON'],
     ['another file', '{}', 'not a Scrim session'],
     ['null', 'null', 'not a Scrim session'],
-    ['a newer version', changed(['version'], 2), 'version 2'],
+    ['a newer version', changed(['version'], 2), 'Version 2 of the session is not supported'],
     ['no size', changed(['color', 'widthPx'], 0), 'color.widthPx'],
     ['broken intrinsics', changed(['depth', 'intrinsics'], { fxPx: 1 }), 'depth.intrinsics'],
     ['no unit', changed(['depth', 'metresPerUnit'], -1), 'depth.metresPerUnit'],
