@@ -17,8 +17,34 @@ const cache = join(root, 'node_modules', '.cache', 'scrim', 'tools');
  */
 export async function runTool(entry) {
   process.setSourceMapsEnabled(true);
+  if (process.env.npm_lifecycle_event !== undefined) endWithParent();
+  endWithReader();
   const { main, version } = await loadTool(entry);
   process.exitCode = await main(process.argv.slice(2), { root, version });
+}
+
+/**
+ * npm passes a signal on to the shell that runs a script. A shell that waits for its last command does not pass it on, so the tool
+ * ends when the shell has gone.
+ */
+function endWithParent() {
+  const parent = process.ppid;
+  const watch = setInterval(() => {
+    if (process.ppid === parent) return;
+    clearInterval(watch);
+    process.kill(process.pid, 'SIGTERM');
+  }, 500);
+  watch.unref();
+}
+
+/** Ends the tool when the reader of its output closes the pipe, as in `npm run bench | head`; `console` ignores that. */
+function endWithReader() {
+  for (const stream of [process.stdout, process.stderr]) {
+    stream.on('error', (error) => {
+      if (error.code !== 'EPIPE') throw error;
+      process.kill(process.pid, 'SIGTERM');
+    });
+  }
 }
 
 async function loadTool(entry) {

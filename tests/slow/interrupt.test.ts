@@ -1,4 +1,5 @@
 import { type ChildProcess, spawn } from 'node:child_process';
+import { randomUUID } from 'node:crypto';
 import { once } from 'node:events';
 import { cp, mkdtemp, readdir, readFile, rm } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
@@ -114,6 +115,76 @@ async function isAlive(pid: number): Promise<boolean> {
     await rm(out, { recursive: true, force: true });
   });
 });
+
+/** Ids of the living processes that have this in their environment: children inherit it, also where their parent ends. */
+async function marked(mark: string): Promise<readonly number[]> {
+  const ids = (await readdir('/proc')).map(Number).filter(Number.isInteger);
+  const has = await Promise.all(ids.map(async (id) => (await readFile(`/proc/${id}/environ`, 'latin1').catch(() => '')).includes(mark)));
+  return ids.filter((_, index) => has[index]);
+}
+
+/** An npm script with a mark of its own, in a process group of its own, as a shell starts it. */
+function npmRun(...args: string[]) {
+  const mark = `SCRIM_INTERRUPT_MARK=${randomUUID()}`;
+  const [name = '', value] = mark.split('=');
+  const { NODE_OPTIONS: _, SCRIM_ENDS_WITH: __, ...env } = process.env;
+  const child = spawn('npm', ['run', '--silent', ...args], {
+    cwd: ROOT,
+    env: { ...env, [name]: value },
+    stdio: ['ignore', 'pipe', 'pipe'],
+    detached: true,
+  });
+  const said: string[] = [];
+  for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => said.push(String(chunk)));
+  return { child, said, mark };
+}
+
+async function hasBrowser(mark: string): Promise<boolean> {
+  const lines = await Promise.all((await marked(mark)).map((id) => readFile(`/proc/${id}/cmdline`, 'utf8').catch(() => '')));
+  return lines.some((line) => /headless/.test(line));
+}
+
+const BENCH = ['bench', 'canvas'] as const;
+const ONE_TEST = ['test:one', 'slow', 'slow/live-glsl'] as const;
+/** What each says at its end. */
+const ITS_END = { bench: /median/, 'test:one': /Ran all test suites/ };
+
+(process.platform === 'linux' ? describe : describe.skip)('an npm script with a browser, ended from outside', () => {
+  const started = new Set<string>();
+  afterAll(async () => {
+    for (const mark of started) for (const id of await marked(mark)) process.kill(id, 'SIGKILL');
+  });
+
+  test.each([
+    // Ctrl-C in a terminal reaches the whole group; other programs end npm alone.
+    ['SIGINT', BENCH],
+    ['SIGTERM', BENCH],
+    ['SIGINT', ONE_TEST],
+    ['SIGTERM', ONE_TEST],
+  ] as const)('by %s, leaves no process: npm run %j', async (signal, script) => {
+    const { child, said, mark } = npmRun(...script);
+    started.add(mark);
+    while (child.exitCode === null && !(await hasBrowser(mark))) await new Promise((done) => setTimeout(done, 50));
+    expect(child.exitCode).toBeNull();
+    process.kill(signal === 'SIGINT' ? -(child.pid ?? 0) : (child.pid ?? 0), signal);
+    await gone(mark);
+    expect(said.join('')).not.toMatch(ITS_END[script[0]]);
+  });
+
+  test('whose output has no reader any more, ends at its first line, before there is a browser: npm run bench 2>&1 | true', async () => {
+    const { child, mark } = npmRun(...BENCH);
+    started.add(mark);
+    for (const stream of [child.stdout, child.stderr]) stream.destroy();
+    let browser = false;
+    while (!browser && (await marked(mark)).length > 0) browser = await hasBrowser(mark);
+    expect(browser).toBe(false);
+  });
+});
+
+/** As soon as all that was started with this mark has ended. */
+async function gone(mark: string): Promise<void> {
+  while ((await marked(mark)).length > 0) await new Promise((done) => setTimeout(done, 50));
+}
 
 describe('a reader who has read enough', () => {
   test('ends the words, and is no error', async () => {

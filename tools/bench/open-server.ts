@@ -9,6 +9,9 @@ export async function openServer(root: string, project: string): Promise<{ serve
     env: { ...process.env, DISPLAY: '', BROWSER: 'none' },
     stdio: ['ignore', 'pipe', 'ignore'],
   });
+  const end = () => server.kill();
+  process.once('exit', end);
+  server.once('exit', () => process.off('exit', end));
   for await (const line of createInterface(server.stdout)) {
     const url = /http:\/\/127\S+/.exec(line)?.[0];
     if (url !== undefined) return { server, url };
