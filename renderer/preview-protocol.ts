@@ -1,5 +1,5 @@
 import type { Program } from '../export/program/program.ts';
-import type { Handle } from '../nodes/kit/definition.ts';
+import type { Handle, ParamValue } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
 
@@ -15,7 +15,7 @@ export type ToPreview =
   /** Play this program; the last good one runs on until the new one has linked. */
   | { readonly kind: 'program'; readonly revision: number; readonly program: Program }
   /** Set a uniform param without a compile. */
-  | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: number | boolean | string | readonly number[] }
+  | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: ParamValue }
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
   /** The part of a recording that is played; null: all of it, over and over, while time goes on. */
   | { readonly kind: 'range'; readonly range: PreviewRange | null }
@@ -78,7 +78,7 @@ export interface FrameRenderRequest {
   readonly values: readonly {
     readonly node: string;
     readonly param: string;
-    readonly value: number | boolean | string | readonly number[];
+    readonly value: ParamValue;
   }[];
   readonly source: FrameRenderSource;
   readonly assetBaseUrl: string;

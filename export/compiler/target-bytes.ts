@@ -1,5 +1,5 @@
+import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
 import type { Program, Resource, SizeExpression } from '../program/program.ts';
-import { runSize, SIZE_STACK_BOTTOM } from '../program/size-operation.ts';
 
 /** At which sizes are given in pixels and bytes, per view. */
 export interface ReferenceSize {
@@ -21,7 +21,7 @@ export function targetSize(target: Target, { slots }: Program, { widthPx, height
   if (target.size.base !== 'view') return null;
   const pixels = (expression: SizeExpression) => {
     const stack = new Float64Array(SIZE_STACK_BOTTOM + expression.length);
-    const isSize = runSize(expression, widthPx, heightPx, putStart, slots, stack);
+    const isSize = playSize(expression, widthPx, heightPx, putStart, slots, stack);
     return isSize ? Math.max(1, Math.floor(stack[SIZE_STACK_BOTTOM] ?? 1) || 1) : 1;
   };
   return { widthPx: pixels(target.size.width), heightPx: pixels(target.size.height) };

@@ -1,3 +1,4 @@
+import type { ParamValue } from '../../nodes/kit/definition.ts';
 import type { Easing } from '../../nodes/kit/ease.ts';
 
 /**
@@ -63,8 +64,6 @@ export type Binding =
   | { readonly track: Track }
   | { readonly expression: string }
   | { readonly port: ParamValue };
-
-export type ParamValue = number | boolean | string | readonly number[];
 
 /** In the order of time. Before its first key a track has that key's value. */
 export interface Track {

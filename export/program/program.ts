@@ -1,5 +1,5 @@
-import type { Capability } from '../../nodes/kit/definition.ts';
-import type { SizeOperation } from './size-operation.ts';
+import type { ArithmeticOperation } from '../../nodes/kit/arithmetic.ts';
+import type { Capability, ParamValue } from '../../nodes/kit/definition.ts';
 
 /**
  * The program: what the compiler prints and the only thing the runtime plays. Plain JSON, versioned, and free of everything
@@ -161,10 +161,10 @@ export interface TargetSize {
 
 /**
  * Postfix over the base's `$WIDTH` and `$HEIGHT`, constants and slots, so that no parser is needed at run time;
- * `size-operation.ts` says what each operation does.
+ * `nodes/kit/arithmetic.ts` says what each operation does.
  */
 export type SizeExpression = readonly (number | SizeToken)[];
-export type SizeToken = { readonly slot: number } | { readonly op: 'width' | 'height' | SizeOperation };
+export type SizeToken = { readonly slot: number } | { readonly op: 'width' | 'height' | ArithmeticOperation };
 
 /** A layer is a color resource and, where it has one, a depth resource: two ids, because filters keep the depth they get. */
 export interface LayerRef {
@@ -211,7 +211,7 @@ export interface NodeOperation extends OperationBase {
   /** Uniform params → slot. */
   readonly params: Readonly<Record<string, number>>;
   /** Structure params → value. Of a text that is an expression, its postfix. */
-  readonly config: Readonly<Record<string, string | number | boolean | readonly number[]>>;
+  readonly config: Readonly<Record<string, ParamValue>>;
   /** Asset params → asset id, or null where none is chosen. */
   readonly assets: Readonly<Record<string, string | null>>;
 }

@@ -1,4 +1,5 @@
 import type { PlayedModule } from '../../nodes/kit/cpu-filter.ts';
+import type { ParamValue } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { Program } from '../program/program.ts';
@@ -17,7 +18,6 @@ import { disposeNodeInstances } from './program-instance/node-instances.ts';
 import type { OperationTimer } from './program-instance/operation-timer.ts';
 import { createProgramInstance, type ProgramInstance, type RetainedState } from './program-instance/program-instance.ts';
 import type { CreateSceneBackend } from './scene-backend.ts';
-import type { SlotValue } from './values/slots.ts';
 
 export interface PlayerOptions {
   readonly gl: WebGL2RenderingContext;
@@ -85,7 +85,7 @@ export interface Player {
    * @param value In the param's stored unit, as the node's definition names it.
    * @returns False where the running program has no such param, or the value does not fit its type.
    */
-  setParam(node: string, param: string, value: SlotValue): boolean;
+  setParam(node: string, param: string, value: ParamValue): boolean;
   /**
    * Links a new program while the current one runs, and swaps them between two frames. What both have in common is kept: GL
    * programs, targets, assets, and nodes with their state.
@@ -144,9 +144,9 @@ export function createPlayer(options: PlayerOptions): Player {
   /** What to set up again when the context comes back: the newest program that is not known to be broken. */
   let wanted = options.program;
   /** Values set since the newest program came, which may have been made before them. */
-  const values = new Map<string, SlotValue>();
+  const values = new Map<string, ParamValue>();
 
-  const setValue = (target: ProgramInstance, name: string, value: SlotValue): boolean => {
+  const setValue = (target: ProgramInstance, name: string, value: ParamValue): boolean => {
     const slot = target.slots.find(name);
     return slot !== undefined && target.slots.set(slot, value);
   };

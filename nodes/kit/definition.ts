@@ -174,6 +174,12 @@ export type AssetKind = 'image' | 'model' | 'video' | 'audio' | 'environment';
 export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | CurveParam | AssetParam;
 
 /**
+ * The value of a param while it is bound to nothing else. Numbers in stored units; a vector, a color or a curve is a list of numbers; a
+ * choice is the value of its option, an asset its id.
+ */
+export type ParamValue = number | boolean | string | readonly number[];
+
+/**
  * What an image operation reads of its inputs, from the cheapest: `pointwise` the pixel itself; `displaced` one other pixel;
  * `neighborhood` several; `persistent` its own earlier output; `resize` inputs or targets of another size.
  */

@@ -1,4 +1,5 @@
-import { type ClockWord, EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS, type ExpressionWord } from './expression.ts';
+import { ARITHMETIC, type ArithmeticOperation, calculate } from './arithmetic.ts';
+import { type ClockWord, EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, type ExpressionWord } from './expression.ts';
 
 /** What `time` and `frame` stand for; the runtime's clock is one. */
 export interface ExpressionClock {
@@ -13,18 +14,15 @@ export interface PlayedExpression {
   update(clock: ExpressionClock): void;
 }
 
-type Operation = Exclude<ExpressionWord, ClockWord>;
+type Operation = Exclude<ExpressionWord, ClockWord> | ArithmeticOperation;
 
 /** How many numbers each operation takes; it leaves one. */
-const TAKES: Readonly<Record<string, number>> = {
-  ...Object.fromEntries(EXPRESSION_OPERATORS.map((operator) => [operator, 2])),
-  ...Object.fromEntries(Object.entries(EXPRESSION_FUNCTIONS).map(([name, takes]) => [name, takes.length])),
-  negate: 1,
-  '!': 1,
-  '?:': 3,
+const OPERANDS: Readonly<Record<string, number>> = {
+  ...Object.fromEntries(Object.entries(EXPRESSION_FUNCTIONS).map(([name, operands]) => [name, operands.length])),
+  ...ARITHMETIC,
 };
 
-const MOST_TAKEN = 3;
+const MOST_OPERANDS = 3;
 
 /**
  * Reads postfix (`nodes/kit/expression.ts`); `numbers` are the node's own, by name. Throws where the text is no postfix that the
@@ -42,8 +40,8 @@ export function playExpression(postfix: string, numbers: Readonly<Record<string,
   const isKnown = words.map((word, i) => !Number.isNaN(known[i]) || EXPRESSION_CLOCK.some((name) => name === word));
   const takes = words.map((word, i) => {
     if (views[i] || isKnown[i]) return 0;
-    if (!Object.hasOwn(TAKES, word)) throw new Error(`"${word}" is no word of an expression: ${postfix}`);
-    return TAKES[word] ?? 0;
+    if (!Object.hasOwn(OPERANDS, word)) throw new Error(`"${word}" is no word of an expression: ${postfix}`);
+    return OPERANDS[word] ?? 0;
   });
   let depth = 0;
   let deepest = 0;
@@ -53,7 +51,7 @@ export function playExpression(postfix: string, numbers: Readonly<Record<string,
     deepest = Math.max(deepest, depth);
   }
   // Above it, room for the numbers that an operation looks at before it leaves one.
-  const stack = new Float64Array(deepest + MOST_TAKEN);
+  const stack = new Float64Array(deepest + MOST_OPERANDS);
   return {
     results: stack.subarray(0, depth),
     update: (clock) => {
@@ -72,18 +70,12 @@ export function playExpression(postfix: string, numbers: Readonly<Record<string,
   };
 }
 
-/** Does one operation with the numbers from `at` on, and leaves what comes out there. */
-function operate(word: Operation, stack: Float64Array, at: number): void {
+/** Applies an operation to the numbers from `at` on, and writes the result to `at`. */
+function operate(operation: Operation, stack: Float64Array, at: number): void {
   const a = stack[at] ?? 0;
   const b = stack[at + 1] ?? 0;
   const c = stack[at + 2] ?? 0;
-  switch (word) {
-    case 'negate':
-      stack[at] = -a;
-      break;
-    case '!':
-      stack[at] = a ? 0 : 1;
-      break;
+  switch (operation) {
     case 'sin':
       stack[at] = Math.sin(a);
       break;
@@ -102,89 +94,23 @@ function operate(word: Operation, stack: Float64Array, at: number): void {
     case 'atan':
       stack[at] = Math.atan(a);
       break;
-    case 'sqrt':
-      stack[at] = Math.sqrt(a);
-      break;
     case 'exp':
       stack[at] = Math.exp(a);
       break;
     case 'log':
       stack[at] = Math.log(a);
       break;
-    case 'abs':
-      stack[at] = Math.abs(a);
-      break;
     case 'sign':
       stack[at] = Math.sign(a);
-      break;
-    case 'floor':
-      stack[at] = Math.floor(a);
-      break;
-    case 'ceil':
-      stack[at] = Math.ceil(a);
-      break;
-    case 'round':
-      stack[at] = Math.round(a);
       break;
     case 'fract':
       stack[at] = a - Math.floor(a);
       break;
-    case '+':
-      stack[at] = a + b;
-      break;
-    case '-':
-      stack[at] = a - b;
-      break;
-    case '*':
-      stack[at] = a * b;
-      break;
-    case '/':
-      stack[at] = a / b;
-      break;
-    case '%':
-      stack[at] = a - b * Math.floor(a / b);
-      break;
-    case '^':
-      stack[at] = a ** b;
-      break;
-    case '<':
-      stack[at] = a < b ? 1 : 0;
-      break;
-    case '<=':
-      stack[at] = a <= b ? 1 : 0;
-      break;
-    case '>':
-      stack[at] = a > b ? 1 : 0;
-      break;
-    case '>=':
-      stack[at] = a >= b ? 1 : 0;
-      break;
-    case '==':
-      stack[at] = a === b ? 1 : 0;
-      break;
-    case '!=':
-      stack[at] = a !== b ? 1 : 0;
-      break;
-    case '&&':
-      stack[at] = a && b ? 1 : 0;
-      break;
-    case '||':
-      stack[at] = a || b ? 1 : 0;
-      break;
     case 'atan2':
       stack[at] = Math.atan2(a, b);
       break;
-    case 'min':
-      stack[at] = Math.min(a, b);
-      break;
-    case 'max':
-      stack[at] = Math.max(a, b);
-      break;
     case 'step':
       stack[at] = b < a ? 0 : 1;
-      break;
-    case '?:':
-      stack[at] = a ? b : c;
       break;
     case 'clamp':
       stack[at] = Math.min(Math.max(a, b), c);
@@ -198,10 +124,6 @@ function operate(word: Operation, stack: Float64Array, at: number): void {
       break;
     }
     default:
-      exhaustive(word);
+      calculate(operation, stack, at);
   }
-}
-
-function exhaustive(word: never): never {
-  throw new Error(`Unknown word ${String(word)}.`);
 }

@@ -1,4 +1,3 @@
-import type { ParamValue } from '../../export/graph/project.ts';
 import { type Curve, curveMisfit } from '../../nodes/kit/curve.ts';
 import type {
   AssetParam,
@@ -7,6 +6,7 @@ import type {
   CurveParam,
   NumberParam,
   ParamDefinition,
+  ParamValue,
   TextParam,
   ToggleParam,
   VectorParam,

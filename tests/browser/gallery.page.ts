@@ -4,14 +4,14 @@ import type { Player } from '../../export/runtime/player.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { createSessionInput, nextTap } from '../../export/runtime/sessions/input/session-input.ts';
 import { setFrustum, setRigidInverse } from '../../export/runtime/sessions/matrix.ts';
-import type { SlotValue } from '../../export/runtime/values/slots.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
+import type { ParamValue } from '../../nodes/kit/definition.ts';
 import { MIDDLE_M, moved, type Place, RAIL_M } from '../../tools/examples/gallery-place.ts';
 import { frame, stand, view } from './runtime-kit.ts';
 
 /** What is done before a frame. */
 export interface Deed {
-  readonly params?: readonly (readonly [node: string, param: string, value: SlotValue])[];
+  readonly params?: readonly (readonly [node: string, param: string, value: ParamValue])[];
   readonly taps?: number;
   readonly stick?: readonly [number, number];
   /** How many frames are drawn at the end; 1 unless given. */

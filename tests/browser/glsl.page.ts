@@ -10,8 +10,8 @@ import {
   readProbe,
 } from '../../export/program/loop-budget.ts';
 import type { LinkedShader } from '../../export/program/program.ts';
-import { runSize, SIZE_STACK_BOTTOM } from '../../export/program/size-operation.ts';
 import { sampleCurve } from '../../nodes/kit/curve.ts';
+import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
 
 /**
  * Plays linked passes as `export/program/program.ts` says, in a few lines of plain WebGL 2 and without the runtime: what the
@@ -352,6 +352,6 @@ function evaluateSize(size: NamedSize | null, whole: number, job: DrawJob): numb
   const put = ({ param }: { readonly param: string }, { params }: DrawJob, into: Float64Array, at: number) => {
     into[at] = Number(params?.[param]);
   };
-  runSize(size, job.width, job.height, put, job, stack);
+  playSize(size, job.width, job.height, put, job, stack);
   return Math.max(1, Math.round(stack[SIZE_STACK_BOTTOM] ?? whole));
 }

@@ -10,7 +10,7 @@ import depthViewSource from '../../nodes/layer/depth-view/depth-view.fs';
 import { definition } from '../../nodes/world/depth/definition.ts';
 import { create } from '../../nodes/world/depth/runtime.ts';
 import { trackGl } from '../support/gl-leaks.ts';
-import { fakeContext, type PlainValue } from '../support/node-context.ts';
+import { type FakeContextOptions, fakeContext } from '../support/node-context.ts';
 import { frame, MEASURED_DEPTH, pass, pixel, stand as playerFor, program, sourceOperation, texture, upset, view } from './runtime-kit.ts';
 import { createGl, room } from './scenes-kit.ts';
 
@@ -21,7 +21,7 @@ const VIEW_W = 128;
 const VIEW_H = 72;
 const UPRIGHT = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 
-type Params = Readonly<Partial<Record<keyof typeof definition.params, PlainValue>>>;
+type Params = NonNullable<FakeContextOptions<typeof definition>['params']>;
 
 interface Stand {
   readonly gl: WebGL2RenderingContext;

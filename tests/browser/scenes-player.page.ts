@@ -3,7 +3,7 @@ import { linkIsf } from '../../export/glsl/link/link-isf.ts';
 import type { DrawOperation, NodeOperation, Program, ShadowMapOperation, Slot } from '../../export/program/program.ts';
 import { createScenes } from '../../export/runtime/scenes/create-scenes.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
-import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
+import type { NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES } from '../../nodes/kit/wire-types.ts';
 import { definition as occlusionDefinition } from '../../nodes/layer/depth-occlusion/definition.ts';
@@ -39,15 +39,13 @@ const MODULES = {
   'world/depth': roomDepth,
 } satisfies Record<string, NodeModule>;
 
-type Value = number | boolean | string | readonly number[];
-
 /** Lays out slots and writes node operations from definitions, as the compiler does. */
 function createBuilder() {
   const numbers: number[] = [];
   const texts: string[] = [];
   const slots: Slot[] = [];
   const params: Record<string, number> = {};
-  const slot = (node: string, name: string, { type }: ParamDefinition, value: Value): number => {
+  const slot = (node: string, name: string, { type }: ParamDefinition, value: ParamValue): number => {
     const kind = type === 'choice' || type === 'asset' || type === 'curve' ? 'number' : type;
     if (kind === 'text') {
       slots.push({ type: 'text', offset: texts.push(String(value)) - 1 });
@@ -64,9 +62,9 @@ function createBuilder() {
     id: string,
     definition: NodeDefinition,
     wires: Readonly<Record<string, readonly string[]>> = {},
-    values: Readonly<Record<string, Value>> = {},
+    values: Readonly<Record<string, ParamValue>> = {},
   ): NodeOperation => {
-    const ofStage = <T>(stage: string, make: (name: string, param: ParamDefinition, value: Value) => T): Record<string, T> =>
+    const ofStage = <T>(stage: string, make: (name: string, param: ParamDefinition, value: ParamValue) => T): Record<string, T> =>
       Object.fromEntries(
         Object.entries(definition.params)
           .filter(([, param]) => param.stage === stage)
@@ -224,7 +222,11 @@ export async function brokenModel() {
 const FACING = lookingAt([0, 0, 2], [0, 0, 0]);
 
 /** Overlapping, self-overlapping and intersecting opaque things, hidden while they are drawn or after. */
-function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>, roomParams: Readonly<Record<string, Value>>): Program {
+function hidden(
+  form: 'early' | 'late',
+  params: Readonly<Record<string, number>>,
+  roomParams: Readonly<Record<string, ParamValue>>,
+): Program {
   const { node, table } = createBuilder();
   const thing = (id: string, shape: string, positionM: readonly number[], color: readonly number[], size: number): NodeOperation[] => [
     node(`${id}-shape`, primitiveDefinition, {}, { shape, sizeM: [size, size, size], color }),
@@ -284,7 +286,7 @@ function hidden(form: 'early' | 'late', params: Readonly<Record<string, number>>
 }
 
 /** The occlusion's shader over a finished layer, and the same params sunk into the draw, through a slanted room with holes. */
-export async function equalForms(params: Readonly<Record<string, number>>, roomParams: Readonly<Record<string, Value>> = {}) {
+export async function equalForms(params: Readonly<Record<string, number>>, roomParams: Readonly<Record<string, ParamValue>> = {}) {
   const pictures: Uint8Array[] = [];
   const errors: number[] = [];
   for (const form of ['early', 'late'] as const) {

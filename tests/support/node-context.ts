@@ -1,15 +1,12 @@
 import { createPulseQueue, type PulseQueue } from '../../export/runtime/values/pulses.ts';
-import type { InputPort, NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
+import type { InputPort, NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { NodeContext, PulseList } from '../../nodes/kit/runtime.ts';
 import { VALUE_SIZES, type WireType } from '../../nodes/kit/wire-types.ts';
 
-/** A param as the inspector would set it. */
-export type PlainValue = number | boolean | string | readonly number[];
-
 export interface FakeContextOptions<D extends NodeDefinition> {
   /** Of any stage; what is left out has the definition's default. */
-  readonly params?: { readonly [K in keyof D['params']]?: PlainValue };
+  readonly params?: { readonly [K in keyof D['params']]?: ParamValue };
   /** What stands on the wires; what is left out is not wired. */
   readonly inputs?: Partial<NodeContext<D>['inputs']>;
   /** Services that the node uses (`gl`, `scenes`, `assets`, `session`); touching any other throws. */
@@ -21,17 +18,17 @@ export interface FakeContext<D extends NodeDefinition> {
   /** Everything the node reported. */
   readonly reports: readonly Omit<Diagnostic, 'nodeId'>[];
   /** Changes a uniform param, as a wire or the inspector would between two frames. */
-  set(param: keyof D['params'] & string, value: PlainValue): void;
+  set(param: keyof D['params'] & string, value: ParamValue): void;
   /** Moves the clock to the next frame, and empties the outputs of pulses. */
   tick(deltaS: number): void;
 }
 
 /** A context for a node's runtime outside the player: params from the definition, outputs to read, a clock to move. */
 export function fakeContext<const D extends NodeDefinition>(definition: D, options: FakeContextOptions<D> = {}): FakeContext<D> {
-  const given: Readonly<Record<string, PlainValue | undefined>> = options.params ?? {};
+  const given: Readonly<Record<string, ParamValue | undefined>> = options.params ?? {};
   const unknown = Object.keys(given).filter((name) => !Object.hasOwn(definition.params, name));
   if (unknown.length > 0) throw new Error(`${definition.type} has no param ${unknown.join(', ')}.`);
-  const ofStage = <T>(stage: ParamDefinition['stage'], make: (value: PlainValue, param: ParamDefinition) => T): Record<string, T> =>
+  const ofStage = <T>(stage: ParamDefinition['stage'], make: (value: ParamValue, param: ParamDefinition) => T): Record<string, T> =>
     Object.fromEntries(
       Object.entries(definition.params)
         .filter(([, param]) => param.stage === stage)
@@ -77,7 +74,7 @@ export function fakeContext<const D extends NodeDefinition>(definition: D, optio
 }
 
 /** As the player's value slots hold it: vectors and colors in a `Float64Array`. */
-function live(value: PlainValue, param: ParamDefinition): unknown {
+function live(value: ParamValue, param: ParamDefinition): unknown {
   return Array.isArray(value) && param.type !== 'choice' ? Float64Array.from(value as readonly number[]) : value;
 }
 

@@ -11,12 +11,12 @@ import { emptyHistory, type History, record, redo, undo } from '../../export/gra
 import { type ProjectLibrary, projectLibrary, type ReadShader } from '../../export/graph/library/project-library.ts';
 import { loadProject, type ProjectTexts } from '../../export/graph/load.ts';
 import { newProject } from '../../export/graph/new-project.ts';
-import { type Asset, type Binding, MAIN_GRAPH, type ParamValue, type Project } from '../../export/graph/project.ts';
+import { type Asset, type Binding, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import { saveProject } from '../../export/graph/save.ts';
 import { validateProject } from '../../export/graph/validate/validate.ts';
 import { parseWire } from '../../export/graph/wires.ts';
 import type { Program } from '../../export/program/program.ts';
-import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { NodeLibrary, ParamValue } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, formatDiagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
 
 export interface StudioOptions {

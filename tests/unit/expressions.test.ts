@@ -1,8 +1,10 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
+import { isSizeProblem, parseSizeExpression } from '../../export/glsl/isf/size-expression.ts';
 import { parseExpression } from '../../export/graph/expression/expression-parser.ts';
 import { EXPRESSION_FUNCTIONS, EXPRESSION_OPERATORS } from '../../nodes/kit/expression.ts';
 import { playExpression } from '../../nodes/kit/play-expression.ts';
+import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
 
 /** Expressions as Scrim reads and plays them, beside what JavaScript makes of the same text. */
 
@@ -139,6 +141,33 @@ describe('an expression gives what JavaScript gives', () => {
     }
   });
 });
+
+describe('a param and a size of a shader give the same number', () => {
+  test.each([
+    ['-7 % 3', 2],
+    ['7 % -3', -2],
+    ['-7 % -3', -1],
+    ['-7.5 % 2', 0.5],
+    ['mod(-1, 16)', 15],
+    ['-2 ^ 2', -4],
+    ['2 ^ -1', 0.5],
+    ['floor(-2.5) + ceil(-2.5)', -5],
+    ['round(-2.5)', -2],
+    ['-1 < 0 ? -10 : 10', -10],
+    ['!-1 || -1', 1],
+  ])('%s', (text, expected) => {
+    expect(played(text, { numbers: [], timeS: 0, frame: 0 })).toBe(expected);
+    expect(playedAsSize(text)).toBe(expected);
+  });
+});
+
+function playedAsSize(text: string): number {
+  const size = parseSizeExpression(text, () => false);
+  if (isSizeProblem(size)) throw new Error(`${text}: ${size.message}`);
+  const stack = new Float64Array(SIZE_STACK_BOTTOM + size.length);
+  expect(playSize(size, 640, 360, () => {}, null, stack)).toBe(true);
+  return stack[SIZE_STACK_BOTTOM] ?? Number.NaN;
+}
 
 test('postfix that no compiler prints is a fault', () => {
   expect(() => playExpression('1 +')).toThrow('lacks a number');

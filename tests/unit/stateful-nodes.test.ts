@@ -3,12 +3,12 @@ import { AnimationClip, BoxGeometry, Group, Matrix4, Mesh, MeshStandardMaterial,
 import { createRandom } from '../../export/runtime/random.ts';
 import type { PulseQueue } from '../../export/runtime/values/pulses.ts';
 import { RUNTIMES } from '../../nodes/generated/runtimes.gen.ts';
-import type { NodeDefinition, ParamDefinition } from '../../nodes/kit/definition.ts';
+import type { NodeDefinition, ParamDefinition, ParamValue } from '../../nodes/kit/definition.ts';
 import type { NodeModule } from '../../nodes/kit/runtime.ts';
 import type { ObjectList } from '../../nodes/kit/scene-lists.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import { LIBRARY } from '../support/library.ts';
-import { fakeContext, type PlainValue, pulseNumbers } from '../support/node-context.ts';
+import { fakeContext, pulseNumbers } from '../support/node-context.ts';
 
 /**
  * Every node type is played twice, once from frame 0 and once from frame 14, with inputs that change in every frame, and compared at
@@ -26,13 +26,13 @@ const GPU_ALONE: Readonly<Record<string, string>> = {
 };
 
 /** Params that keep a node off the GPU. */
-const FIXED: Readonly<Record<string, Readonly<Record<string, PlainValue>>>> = {
+const FIXED: Readonly<Record<string, Readonly<Record<string, ParamValue>>>> = {
   'world/depth': { source: 'device', filter: 'nearest', fillHoles: false, smoothingS: 0 },
   'source/camera-video': { withoutImage: 'transparent' },
 };
 
 /** Values, kept in all frames, at which what a node keeps is seen. */
-const SHOWING: Readonly<Record<string, Readonly<Record<string, PlainValue>>>> = {
+const SHOWING: Readonly<Record<string, Readonly<Record<string, ParamValue>>>> = {
   'pulse/every': { periodS: 0.25 },
   'pulse/on-start': { delayS: 0.05 },
   'pulse/on-change': { least: 1 },
@@ -55,7 +55,7 @@ function chance(frame: number, salt: number): number {
   return wave - Math.floor(wave);
 }
 
-function valueAt(param: ParamDefinition, frame: number, salt: number): PlainValue {
+function valueAt(param: ParamDefinition, frame: number, salt: number): ParamValue {
   const between = (min: number, max: number, more = 0) => min + (max - min) * chance(frame, salt + more);
   switch (param.type) {
     case 'number':
@@ -74,7 +74,7 @@ function valueAt(param: ParamDefinition, frame: number, salt: number): PlainValu
       return param.options[Math.floor(chance(frame, salt) * param.options.length)]?.value ?? param.default;
     case 'curve':
     case 'asset':
-      return param.default as PlainValue;
+      return param.default as ParamValue;
   }
 }
 
@@ -184,7 +184,7 @@ function giveAt(
   type: string,
   first: number,
   last: number,
-  start: Readonly<Record<string, PlainValue>>,
+  start: Readonly<Record<string, ParamValue>>,
   steady: readonly string[],
   played = 0,
 ): string {
@@ -265,7 +265,7 @@ function giveAt(
 }
 
 /** The node's own config, and each other word of each of its choices. */
-function configs({ params }: NodeDefinition): readonly Readonly<Record<string, PlainValue>>[] {
+function configs({ params }: NodeDefinition): readonly Readonly<Record<string, ParamValue>>[] {
   return [
     {},
     ...Object.entries(params).flatMap(([name, param]) =>
@@ -277,7 +277,7 @@ function configs({ params }: NodeDefinition): readonly Readonly<Record<string, P
 }
 
 /** What has to be left alone for the node to be stateless, with its values; null where it never is. */
-function stateless({ stateful }: NodeDefinition): Readonly<Record<string, PlainValue>> | null {
+function stateless({ stateful }: NodeDefinition): Readonly<Record<string, ParamValue>> | null {
   if (stateful === undefined) return {};
   if (stateful === true) return null;
   return 'moves' in stateful ? {} : { [stateful.param]: stateful.above };

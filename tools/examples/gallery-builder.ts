@@ -3,9 +3,9 @@ import { addNode } from '../../export/graph/commands/node-commands.ts';
 import { addGraph, exposePort } from '../../export/graph/commands/subgraph-commands.ts';
 import { connect } from '../../export/graph/commands/wire-commands.ts';
 import { newProject } from '../../export/graph/new-project.ts';
-import { type Asset, type Frame, MAIN_GRAPH, type ParamValue, type Project } from '../../export/graph/project.ts';
+import { type Asset, type Frame, MAIN_GRAPH, type Project } from '../../export/graph/project.ts';
 import { parseWire } from '../../export/graph/wires.ts';
-import type { NodeLibrary } from '../../nodes/kit/definition.ts';
+import type { NodeLibrary, ParamValue } from '../../nodes/kit/definition.ts';
 import { formatDiagnostic, hasErrors } from '../../nodes/kit/diagnostics.ts';
 
 /** Builds a project, graph by graph, with the editor's commands. Throws if a command rejects a change. */

@@ -1,4 +1,4 @@
-import type { ParamValue } from '../../export/graph/project.ts';
+import type { ParamValue } from '../../nodes/kit/definition.ts';
 
 type Params = Readonly<Record<string, ParamValue>>;
 

@@ -47,7 +47,7 @@ export const LAYERS: readonly Layer[] = [
   {
     name: 'kit',
     files: [
-      'nodes/kit/{asset-words,categories,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,surface-params,track-time,wire-types}.ts',
+      'nodes/kit/{arithmetic,asset-words,categories,choice-options,curve,definition,diagnostics,ease,expression,facts,frame-times,light-params,play-expression,play-size,surface-params,track-time,wire-types}.ts',
     ],
   },
   { name: 'kit runtime', files: ['nodes/kit/**'], imports: ['kit'], types: ['three'] },

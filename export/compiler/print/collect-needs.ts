@@ -1,5 +1,4 @@
-import type { Capability, Need } from '../../../nodes/kit/definition.ts';
-import type { ParamValue } from '../../graph/project.ts';
+import type { Capability, Need, ParamValue } from '../../../nodes/kit/definition.ts';
 import type { ProgramNeed } from '../../program/program.ts';
 import type { FlatNode } from '../flat-graph.ts';
 import { startValue } from '../schedule/slot-allocator.ts';

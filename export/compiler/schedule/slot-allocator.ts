@@ -1,8 +1,8 @@
 import { paddedCurve } from '../../../nodes/kit/curve.ts';
-import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
+import { type ParamDefinition, type ParamValue, paramWireType } from '../../../nodes/kit/definition.ts';
 import { VALUE_SIZES, type ValueType } from '../../../nodes/kit/wire-types.ts';
 import { boundValue, clampToRange } from '../../graph/library/param-value.ts';
-import type { Binding, ParamValue } from '../../graph/project.ts';
+import type { Binding } from '../../graph/project.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import fc from 'fast-check';
-import { runSize, SIZE_STACK_BOTTOM } from '../../program/size-operation.ts';
+import { playSize, SIZE_STACK_BOTTOM } from '../../../nodes/kit/play-size.ts';
 import type { NamedSize } from './isf-shader.ts';
 import { isSizeProblem, parseSizeExpression } from './size-expression.ts';
 
@@ -17,7 +17,7 @@ function run(size: NamedSize, width: number, height: number): number {
   const put = ({ param }: { readonly param: string }, values: typeof PARAMS, into: Float64Array, at: number) => {
     into[at] = values.get(param) ?? Number.NaN;
   };
-  expect(runSize(size, width, height, put, PARAMS, stack)).toBe(true);
+  expect(playSize(size, width, height, put, PARAMS, stack)).toBe(true);
   return stack[SIZE_STACK_BOTTOM] ?? Number.NaN;
 }
 
@@ -37,6 +37,9 @@ describe('size expressions', () => {
     ['-2 ^ 2 + 2 * 3 ^ 2', 14],
     ['log2($WIDTH / 10)', 6],
     ['mod($WIDTH, 7)', 3],
+    ['-7 % 3', 2],
+    ['mod(7, -3)', -2],
+    ['-7 % -3', -1],
     ['$WIDTH > $HEIGHT ? $WIDTH : $HEIGHT', 640],
     ['$radius == 1 ? 1 : $radius == 3 ? 30 : 5', 30],
     ['(1 < 2) + (2 <= 2) + (3 >= 3) + (4 > 3) + (1 != 2) + (1 == 1)', 6],

@@ -1,8 +1,8 @@
 import { castDraft } from 'immer';
-import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import type { NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
 import { isNodeId, subgraphName, subgraphType } from '../document-names.ts';
 import { createInterfaceLookup } from '../library/node-interface.ts';
-import { MAIN_GRAPH, type ParamValue, type Project } from '../project.ts';
+import { MAIN_GRAPH, type Project } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, setWires } from './change.ts';
 import { setParam } from './param-commands.ts';

@@ -1,9 +1,9 @@
 import { castDraft } from 'immer';
-import type { NodeLibrary, ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { NodeLibrary, ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import { bindingMisfit } from '../library/binding-misfit.ts';
 import { createInterfaceLookup } from '../library/node-interface.ts';
 import { boundValue, outOfRange, sameValue, withoutNegativeZero } from '../library/param-value.ts';
-import type { Binding, ParamValue, Project } from '../project.ts';
+import type { Binding, Project } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { type Change, change, draftGraph, graphOf, type Place, refuse, setWires, unchanged } from './change.ts';
 

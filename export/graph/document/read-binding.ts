@@ -1,7 +1,8 @@
+import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import { NAMED_EASINGS } from '../../../nodes/kit/ease.ts';
 import type { JsonPath } from '../json/positions.ts';
 import { isObject, type ShapeReader } from '../json/shape-reader.ts';
-import type { Binding, Keyframe, ParamValue, Track } from '../project.ts';
+import type { Binding, Keyframe, Track } from '../project.ts';
 import { getOwn } from '../record.ts';
 
 const REPEATS = ['once', 'loop', 'mirror'] as const satisfies readonly Track['repeat'][];

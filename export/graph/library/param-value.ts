@@ -1,8 +1,8 @@
 import { curveMisfit } from '../../../nodes/kit/curve.ts';
-import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
 import { MAX_NUMBER } from '../json/shape-reader.ts';
-import type { Binding, ParamValue } from '../project.ts';
+import type { Binding } from '../project.ts';
 
 /** The value that a binding holds, or undefined for a track or an expression. */
 export function boundValue(binding: Binding): ParamValue | undefined {

@@ -1,5 +1,5 @@
+import { playSize, SIZE_STACK_BOTTOM } from '../../../nodes/kit/play-size.ts';
 import type { SizeExpression, SizeToken } from '../../program/program.ts';
-import { runSize, SIZE_STACK_BOTTOM } from '../../program/size-operation.ts';
 import type { Slots } from '../values/slots.ts';
 
 /** More than an expression of the 500 characters that the compiler takes can need. */
@@ -10,7 +10,7 @@ const scratchStack = new Float64Array(STACK);
 
 /** Whole pixels, at least one, at most `maxPx`; a size that is not a number is one pixel. */
 export function evaluateSize(expression: SizeExpression, baseWidthPx: number, baseHeightPx: number, slots: Slots, maxPx: number): number {
-  const isSize = runSize(expression, baseWidthPx, baseHeightPx, putSlot, slots, scratchStack);
+  const isSize = playSize(expression, baseWidthPx, baseHeightPx, putSlot, slots, scratchStack);
   const value = isSize ? (scratchStack[SIZE_STACK_BOTTOM] ?? 1) : 1;
   if (Number.isNaN(value)) return 1;
   // The margin takes back what 0.57 * 100 loses in binary before the fraction is cut off.

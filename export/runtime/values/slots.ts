@@ -1,8 +1,7 @@
 import { CURVE_NUMBERS, paddedCurve } from '../../../nodes/kit/curve.ts';
+import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
-
-export type SlotValue = number | boolean | string | readonly number[];
 
 /** The running values of a program: one flat array of numbers and one of texts. */
 export interface Slots {
@@ -14,7 +13,7 @@ export interface Slots {
   /** Where a slot's numbers begin, or its text's place. */
   offset(slot: number): number;
   /** False where the value does not fit the slot's type or is not finite; the slot then keeps what it had. */
-  set(slot: number, value: SlotValue): boolean;
+  set(slot: number, value: ParamValue): boolean;
 }
 
 export function createSlots(table: SlotTable): Slots {

@@ -1,10 +1,11 @@
 import { describe, expect, test } from '@jest/globals';
-import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import type { PointLightItem } from '../../kit/scene-lists.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-function make(params: Record<string, PlainValue>) {
+function make(params: Record<string, ParamValue>) {
   const { ctx, set } = fakeContext(definition, { params });
   const node = create(ctx);
   node.update({} as never);

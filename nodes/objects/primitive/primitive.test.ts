@@ -1,12 +1,13 @@
 import { describe, expect, test } from '@jest/globals';
 import { Box3, type Mesh, type MeshStandardMaterial, Vector3 } from 'three';
 import { fakeContext } from '../../../tests/support/node-context.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
 const SHAPES = definition.params.shape.options.map(({ value }) => value);
 
-function make(params: Record<string, number | boolean | string | readonly number[]>) {
+function make(params: Record<string, ParamValue>) {
   const { ctx, set } = fakeContext(definition, { params });
   const node = create(ctx);
   node.update({} as never);

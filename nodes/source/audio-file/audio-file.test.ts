@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
-import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
 import type { AssetHandle, AssetService } from '../../kit/assets.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import type { AudioAsset } from '../../kit/sound.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -14,7 +15,7 @@ const RAMP: AudioAsset = {
   channels: [1, -1].map((sign) => Float32Array.from({ length: RATE_HZ }, (_, i) => (sign * i) / RATE_HZ)),
 };
 
-function make(params: Record<string, PlainValue> = {}, sound: AudioAsset | null = RAMP) {
+function make(params: Record<string, ParamValue> = {}, sound: AudioAsset | null = RAMP) {
   const log: string[] = [];
   const handle: AssetHandle<AudioAsset> = { kind: 'audio', value: sound, settled: Promise.resolve(), release: () => log.push('release') };
   const assets = { audio: () => handle } as Partial<AssetService> as AssetService;

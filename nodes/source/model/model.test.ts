@@ -11,8 +11,9 @@ import {
   SkinnedMesh,
   VectorKeyframeTrack,
 } from 'three';
-import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
 import type { AssetService, ModelAsset } from '../../kit/assets.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
@@ -37,7 +38,7 @@ interface LateModel {
   released: number;
 }
 
-function make(params: Record<string, PlainValue>, asset: LateModel = { value: model(), released: 0 }) {
+function make(params: Record<string, ParamValue>, asset: LateModel = { value: model(), released: 0 }) {
   const handle = {
     kind: 'model' as const,
     get value() {

@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
-import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
 import type { AssetHandle, AssetService, ImageAsset, VideoAsset } from '../../kit/assets.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import type { LayerTexture } from '../../kit/runtime.ts';
 import type { Writable } from '../../kit/value-views.ts';
 import { definition } from './definition.ts';
@@ -9,7 +10,7 @@ import { create } from './runtime.ts';
 const PICTURE: ImageAsset = { texture: {} as WebGLTexture, widthPx: 64, heightPx: 48 };
 
 /** A video of 4 s; `followed` is what was asked of its playback: time, rate, loop. */
-function make(params: Record<string, PlainValue> = {}) {
+function make(params: Record<string, ParamValue> = {}) {
   const followed: [number, number, boolean][] = [];
   const log: string[] = [];
   let picture: ImageAsset | null = null;

@@ -1,8 +1,9 @@
 import { describe, expect, test } from '@jest/globals';
 import { LIBRARY } from '../../../tests/support/library.ts';
-import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
 import { readShader } from '../../../tests/support/test-library.ts';
 import { TestStudio } from '../../../tests/support/test-studio.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import type { DirectionalLightItem, ProbeLightItem } from '../../kit/scene-lists.ts';
 import type { LightEstimate } from '../../kit/session.ts';
 import { definition } from './definition.ts';
@@ -23,7 +24,7 @@ function estimate(value: number, direction: readonly [number, number, number] = 
   };
 }
 
-function make(seen: Seen, params: Record<string, PlainValue> = {}) {
+function make(seen: Seen, params: Record<string, ParamValue> = {}) {
   const { ctx, set, tick } = fakeContext(definition, { params, services: { session: seen as never } });
   const node = create(ctx);
   const [primary, around] = ctx.outputs.lights.items as [DirectionalLightItem, ProbeLightItem];

@@ -1,6 +1,7 @@
 import { describe, expect, test } from '@jest/globals';
 import { BufferGeometry, DoubleSide, type Material, Mesh, Vector3 } from 'three';
-import { fakeContext, type PlainValue } from '../../../tests/support/node-context.ts';
+import { fakeContext } from '../../../tests/support/node-context.ts';
+import type { ParamValue } from '../../kit/definition.ts';
 import type { DetectedPlane, SessionFrame } from '../../kit/session.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -25,7 +26,7 @@ function plane(id: string, outlineXZ: readonly number[], more: Partial<Plane> = 
 
 const SQUARE = [-1, -1, 1, -1, 1, 1, -1, 1];
 
-function make(params: Record<string, PlainValue> = {}) {
+function make(params: Record<string, ParamValue> = {}) {
   const { ctx, set } = fakeContext(definition, { params });
   const node = create(ctx);
   const { objects } = ctx.outputs;

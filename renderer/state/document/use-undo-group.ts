@@ -1,5 +1,5 @@
 import { useRef } from 'react';
-import type { ParamValue } from '../../../export/graph/project.ts';
+import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { EditHandlers } from '../../ui/number-field.tsx';
 import { useEditor } from '../editor/editor-context.ts';
 import { endGesture, takeBack } from './apply.ts';

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
-import type { ParamValue } from '../../../export/graph/project.ts';
 import type { Program } from '../../../export/program/program.ts';
+import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 
 /** A param of the program that was set after the program was compiled; `node` is `outer/inner` within subgraphs. */

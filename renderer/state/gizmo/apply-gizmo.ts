@@ -1,6 +1,5 @@
-import type { ParamValue } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
-import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import type { FromPreview, GizmoMode, ToPreview } from '../../preview-protocol.ts';
 import { appCommand, appCommandIds, runCommand } from '../commands/app-commands.ts';
 import { commandOfKeybinding, keybindingsOf } from '../commands/keybindings.ts';

@@ -2,9 +2,16 @@ import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
-import type { ParamValue, PortAddress, Project } from '../../../export/graph/project.ts';
+import type { PortAddress, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
-import { defineNode, type InputPort, type NodeDefinition, type NodeLibrary, type OutputPort } from '../../../nodes/kit/definition.ts';
+import {
+  defineNode,
+  type InputPort,
+  type NodeDefinition,
+  type NodeLibrary,
+  type OutputPort,
+  type ParamValue,
+} from '../../../nodes/kit/definition.ts';
 import type { Place } from '../editor/canvas-state.ts';
 
 /** Nodes that are nearly always wanted together, as one entry of the palette. Once added they are nodes like any others. */

@@ -1,8 +1,8 @@
 import { parseBinding } from '../../../export/graph/expression/param-expression.ts';
 import { bindingMisfit } from '../../../export/graph/library/binding-misfit.ts';
 import { outOfRange } from '../../../export/graph/library/param-value.ts';
-import type { Binding, ParamValue } from '../../../export/graph/project.ts';
-import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { Binding } from '../../../export/graph/project.ts';
+import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import type { Editor } from '../editor/editor.ts';
 import { addToast } from '../editor/ui.ts';
 import { bind, findParam } from './bound-param.ts';

@@ -1,8 +1,9 @@
 import { inTurn, unchanged } from '../../../export/graph/commands/change.ts';
 import { bindParam, setParam } from '../../../export/graph/commands/param-commands.ts';
 import { disconnect } from '../../../export/graph/commands/wire-commands.ts';
-import type { ParamValue, Project } from '../../../export/graph/project.ts';
+import type { Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
+import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import { apply } from '../document/apply.ts';
 import { graphOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';

@@ -1,6 +1,6 @@
 import { clampToRange } from '../../../export/graph/library/param-value.ts';
-import type { Binding, Keyframe, ParamValue, Track } from '../../../export/graph/project.ts';
-import { type ParamDefinition, paramWireType } from '../../../nodes/kit/definition.ts';
+import type { Binding, Keyframe, Track } from '../../../export/graph/project.ts';
+import { type ParamDefinition, type ParamValue, paramWireType } from '../../../nodes/kit/definition.ts';
 import { type Easing, ease } from '../../../nodes/kit/ease.ts';
 import { timeInTrack } from '../../../nodes/kit/track-time.ts';
 import { type DocumentState, graphOf, titleOf } from '../editor/document.ts';

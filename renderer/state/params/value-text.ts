@@ -1,5 +1,5 @@
-import type { Binding, ParamValue } from '../../../export/graph/project.ts';
-import type { ParamDefinition } from '../../../nodes/kit/definition.ts';
+import type { Binding } from '../../../export/graph/project.ts';
+import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import { formatNumber, shownUnit } from './units.ts';
 
 /** The value that a binding holds itself; a track or an expression holds none. */

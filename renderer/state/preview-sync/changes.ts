@@ -1,6 +1,6 @@
-import type { Binding, Graph, GraphNode, ParamValue, Project } from '../../../export/graph/project.ts';
+import type { Binding, Graph, GraphNode, Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
-import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import type { NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
 
 /** A value of the running program that another one took the place of. */
 export interface ParamEdit {

@@ -1,4 +1,5 @@
-import type { Binding, ParamValue } from '../../../export/graph/project.ts';
+import type { Binding } from '../../../export/graph/project.ts';
+import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { Recipe } from './recipe.ts';
 import { HANDS } from './room.ts';
 

@@ -5,9 +5,9 @@ import { bindParam } from '../../../export/graph/commands/param-commands.ts';
 import { setPage } from '../../../export/graph/commands/project-info.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { newProject } from '../../../export/graph/new-project.ts';
-import { type Asset, type Binding, MAIN_GRAPH, type ParamValue, type Project } from '../../../export/graph/project.ts';
+import { type Asset, type Binding, MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
 import { parseWire } from '../../../export/graph/wires.ts';
-import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
+import type { NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
 import { formatDiagnostic, hasErrors } from '../../../nodes/kit/diagnostics.ts';
 
 /** One node: its type, its column and row on the canvas, and its params. */

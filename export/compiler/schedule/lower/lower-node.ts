@@ -1,7 +1,6 @@
-import type { ParamDefinition, Stateful } from '../../../../nodes/kit/definition.ts';
+import type { ParamDefinition, ParamValue, Stateful } from '../../../../nodes/kit/definition.ts';
 import { isValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
 import { parseValue } from '../../../graph/expression/param-expression.ts';
-import type { ParamValue } from '../../../graph/project.ts';
 import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
 import { isDraw, layerOutput } from '../layers.ts';
