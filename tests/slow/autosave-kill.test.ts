@@ -19,11 +19,11 @@ const EDITOR = `
   import { setTitle } from './export/graph/commands/project-info.ts';
   import { HostError } from './app/contract/host-error.ts';
   import { pageClock } from './renderer/clock.ts';
-  import { apply } from './renderer/state/apply.ts';
-  import { createEditor } from './renderer/state/editor.ts';
-  import { openPath } from './renderer/state/files.ts';
+  import { apply } from './renderer/state/document/apply.ts';
+  import { createEditor } from './renderer/state/editor/editor.ts';
+  import { openPath } from './renderer/state/files/files.ts';
   import { autosave } from './renderer/state/start.ts';
-  import { DEFAULT_SIZES } from './renderer/state/ui.ts';
+  import { DEFAULT_SIZES } from './renderer/state/editor/ui.ts';
   const real = {
     call: async (method, input) => {
       const { output, diagnostic } = await host.dispatch(method, input, 'window');
