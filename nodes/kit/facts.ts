@@ -13,12 +13,12 @@ import { WIRE_TYPES } from './wire-types.ts';
 /** What is known of ports, params and needs, in a few words each: for the help beside the graph and for `docs/nodes.md`. */
 
 export function inputFacts(port: InputPort): readonly string[] {
-  const several = port.multiple ? ['takes several'] : [];
+  const several = port.multiple ? ['several wires'] : [];
   return [WIRE_TYPES[port.type].label.toLowerCase(), port.required ? 'required' : 'optional', ...several];
 }
 
 export function outputFacts({ type, depth }: OutputPort): readonly string[] {
-  const words = depth === true ? ['with depth'] : depth === 'same' ? ['depth as the first input'] : [];
+  const words = depth === true ? ['with depth'] : depth === 'same' ? ['depth of the first input'] : [];
   return [WIRE_TYPES[type].label.toLowerCase(), ...(type === 'layer' ? words : [])];
 }
 
@@ -49,7 +49,7 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
         `default "${param.options.find((option) => option.value === param.default)?.label ?? param.default}"`,
       ];
     case 'curve':
-      return ['curve', param.default.join() === DIAGONAL.join() ? 'default the diagonal' : `default through ${points(param.default)}`];
+      return ['curve', param.default.join() === DIAGONAL.join() ? 'default a diagonal line' : `default through ${points(param.default)}`];
     case 'asset':
       return [`${param.accept} file`];
   }
@@ -58,8 +58,8 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
 /** Whether it is required, and with which choices. */
 export function needFacts(definition: NodeDefinition, { required, when, where }: Need): readonly string[] {
   return [
-    required === 'alone' ? 'required where nothing else is shown' : required ? 'required' : 'optional',
-    ...(when === 'sampled' ? ['only when the picture is read by a node'] : []),
+    required === 'alone' ? 'required if nothing else is shown' : required ? 'required' : 'optional',
+    ...(when === 'sampled' ? ['only if a node reads the image'] : []),
     ...(where ? [`only with ${choiceWords(definition, where)}`] : []),
   ];
 }

@@ -5,7 +5,7 @@ export const LOCAL_LIGHT_RANGE_M = {
   type: 'number',
   stage: 'uniform',
   label: 'Range',
-  doc: 'Where its light ends; it fades out on the way there. 0: it has no end, as real light.',
+  doc: 'Distance at which the light has faded to nothing. 0 means unlimited, as real light.',
   default: 0,
   min: 0,
   max: 100,
@@ -18,7 +18,7 @@ export const LOCAL_LIGHT_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
   label: 'Cast shadows',
-  doc: 'Whether objects in this light throw shadows. At most six lights of a layer do.',
+  doc: 'Whether objects in this light cast shadows. At most six lights of a layer cast shadows.',
   default: true,
 } as const;
 
@@ -27,7 +27,7 @@ export const SHADOW_BIAS_PX = {
   type: 'number',
   stage: 'uniform',
   label: 'Shadow offset',
-  doc: 'How far the shadow is held off its surface, in pixels of the shadow map. Raise it where lit surfaces show stripes; lower it where a shadow comes loose from its object.',
+  doc: 'Offset along the surface normal, in pixels of the shadow map. Raise it where lit surfaces show stripes (shadow acne); lower it where a shadow is detached from its object.',
   default: 2.5,
   min: 0,
   max: 10,
@@ -40,7 +40,7 @@ const SHADOW_AREA_M = {
   type: 'number',
   stage: 'uniform',
   label: 'Shadow area',
-  doc: 'Side of the square around the objects in which they throw shadows, in meters. Smaller is sharper.',
+  doc: 'Side of the square around the objects in which they cast shadows, in meters. A smaller area gives sharper shadows.',
   default: 5,
   min: 0.1,
   max: 50,
@@ -63,7 +63,7 @@ const MAP_SIZES = {
 } as const;
 
 const MAP_SIZE_DOC =
-  'Side of the shadow map in pixels. Finer takes more memory and time: 2048 needs 20 MB, with variance edges 170 MB, and each step up four times as much. A device that cannot make it so large takes the largest it can; with variance edges, that is at most 4096.';
+  'Side of the shadow map in pixels. A larger map takes more memory and time: 2048 needs 20 MB, or 170 MB with “Variance”; each step up needs four times as much. A device that does not support the size uses the largest that it supports. With “Variance” the maximum is 4096.';
 
 /** Of parallel light. */
 const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;
@@ -71,7 +71,7 @@ const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as 
 /** Of a light in a cone. */
 export const CONE_MAP_SIZE = {
   ...MAP_SIZES,
-  doc: `${MAP_SIZE_DOC} The map covers the whole cone, so a narrow one is sharper.`,
+  doc: `${MAP_SIZE_DOC} The map covers the whole cone, so a narrow cone gives sharper shadows.`,
   default: '1024',
 } as const;
 
@@ -82,14 +82,14 @@ const FILTERS = [
 ] as const;
 
 const FILTER_DOC =
-  'How the edges of shadows on real things look. Hard: the pixels of the map show. Filtered: these are smoothed. Soft: a little wider. On virtual things they are always as filtered ones; a Shadow layer on “Everything”, with “Shadows” of the Scene off, gives virtual things these edges too.';
+  'How the edges of shadows on real objects are filtered. “Hard” shows the pixels of the map. “Filtered” smooths them. “Soft” smooths over a wider area. Shadows on virtual objects always look as with “Filtered”. To give them these edges too, set “Receive on” of a Shadow node to “Everything” and turn off “Shadows” of the Scene node.';
 
 const FILTER = { type: 'choice', stage: 'structure', label: 'Shadow edges', default: 'soft' } as const;
 
 /** Of lights with one map: on virtual things, shadows are always a little soft. */
 export const SHADOW_FILTER = {
   ...FILTER,
-  doc: `${FILTER_DOC} Variance: blurred evenly, the dearest. Contact-hardening: sharp where a thing touches what its shadow falls on, and the wider, the farther away it is, as real shadows are.`,
+  doc: `${FILTER_DOC} “Variance” blurs evenly and is the slowest. “Contact-hardening” is sharp where the object touches the receiver and softer with distance, as real shadows are.`,
   options: [...FILTERS, { value: 'vsm', label: 'Variance' }, { value: 'pcss', label: 'Contact-hardening' }],
 } as const;
 
@@ -100,8 +100,8 @@ export const POINT_SHADOW_FILTER = { ...FILTER, doc: FILTER_DOC, options: FILTER
 const SHADOW_SOURCE_RAD = {
   type: 'number',
   stage: 'uniform',
-  label: 'Size of the light',
-  doc: 'The angle that the light fills, for contact-hardening shadows: the sun half a degree, a ceiling lamp five, a window thirty.',
+  label: 'Angular size',
+  doc: 'Apparent size of the light as an angle, for contact-hardening shadows: about 0.5° for the sun, 5° for a ceiling light, 30° for a window.',
   default: 0.1,
   min: 0,
   max: 1.5,
@@ -113,8 +113,8 @@ const SHADOW_SOURCE_RAD = {
 export const SHADOW_SOURCE_M = {
   type: 'number',
   stage: 'uniform',
-  label: 'Size of the lamp',
-  doc: 'How wide the lamp is, for contact-hardening shadows: a bulb 6 cm, a shade 30 cm.',
+  label: 'Light size',
+  doc: 'Diameter of the light, for contact-hardening shadows: about 0.06 m for a bulb, 0.3 m for a lampshade.',
   default: 0.1,
   min: 0,
   max: 2,
@@ -127,7 +127,7 @@ const CONTACT_SHADOW = {
   type: 'number',
   stage: 'uniform',
   label: 'Contact shadow',
-  doc: 'Light from all sides, as a part of this light, and the dark that it leaves where things touch real ones. It lightens the other shadow a little, as a bright room does. It is cast from straight above, whichever way surfaces face: walls and the undersides of things get none. 0: none.',
+  doc: 'Strength of a soft shadow where objects touch real surfaces, as a fraction of this light. It stands for ambient light, so it also lightens the main shadow a little. It is cast from straight above: walls and undersides get none. 0 turns it off.',
   default: 0,
   min: 0,
   max: 1,

@@ -4,7 +4,7 @@ export const SURFACE_CATCHES_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
   label: 'Receive shadows',
-  doc: 'Whether virtual objects throw their shadow on them, drawn by a Shadow layer.',
+  doc: 'Whether the surfaces receive shadows of virtual objects. A Shadow node draws them.',
   default: true,
 } as const;
 
@@ -12,6 +12,6 @@ export const SURFACE_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
   label: 'Cast shadows',
-  doc: 'Whether they throw shadows themselves, as on virtual objects behind them. Best left off for floors and ceilings, over which the shadow map would have to stretch.',
+  doc: 'Whether the surfaces cast shadows, for example on virtual objects behind them. Leave it off for floors and ceilings: the shadow map would have to cover them and lose resolution.',
   default: false,
 } as const;

@@ -54,7 +54,7 @@ function NodeHelp({ definition }: { readonly definition: NodeDefinition }) {
         entries={Object.entries(params).map(([name, param]) => ({
           name,
           label: param.label,
-          facts: [...paramFacts(param), ...(canBeWired(param) ? ['can be wired'] : [])],
+          facts: [...paramFacts(param), ...(canBeWired(param) ? ['can be connected'] : [])],
           doc: param.doc,
         }))}
       />

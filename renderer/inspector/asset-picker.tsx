@@ -1,5 +1,5 @@
 import { useRef } from 'react';
-import { ASSET_WORDS } from '../../nodes/kit/asset-words.ts';
+import { oneAsset } from '../../nodes/kit/asset-words.ts';
 import type { AssetKind } from '../../nodes/kit/definition.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { acceptedNames, importAsset } from '../state/files/add-files.ts';
@@ -32,7 +32,7 @@ export function AssetPicker({ id, label, kind, value, onChoose }: AssetPickerPro
           </option>
         ))}
       </select>
-      <IconButton icon="folder" label={`Import a ${ASSET_WORDS[kind]}`} onPress={() => input.current?.click()} />
+      <IconButton icon="folder" label={`Import ${oneAsset(kind)}`} onPress={() => input.current?.click()} />
       <input
         ref={input}
         type="file"

@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Paints the picture with strokes that follow its shapes: along hair and edges they are long and thin, elsewhere round.",
+  "DESCRIPTION": "Makes an image look painted, with strokes that follow its shapes: long and thin along hair and edges, round elsewhere.",
   "CREDIT": "Scrim. J. E. Kyprianidis, H. Kang and J. Döllner 2009, Computer Graphics Forum 28, 1955; weights: J. E. Kyprianidis et al. 2010, GPU Pro, 247",
   "CATEGORIES": ["Style", "Painterly", "Oil", "Brush", "Kuwahara", "Watercolor"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to filter." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Brush size", "DOC": "Radius of a round stroke, in pixels of the layer. The cost grows with its square.", "MIN": 2.0, "MAX": 8.0, "DEFAULT": 6.0, "UNIT": "px" },
-    { "NAME": "stretch", "TYPE": "float", "LABEL": "Stretch", "DOC": "How long and thin strokes become along edges: at most four times as long as wide. 0 keeps them round.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" },
-    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How clearly the calmest part of a stroke wins: low is soft, high gives hard brush edges.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 8.0 }
+    { "NAME": "stretch", "TYPE": "float", "LABEL": "Stretch", "DOC": "How elongated strokes are along edges, up to four times as long as wide. 0 keeps them round.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" },
+    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "Contrast between strokes: low values give soft strokes, high values hard edges.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 8.0 }
   ],
   "PASSES": [
     { "TARGET": "tensor", "FLOAT": true, "SCRIM_HALF": true },

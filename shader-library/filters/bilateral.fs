@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Smooths areas and keeps edges: neighbors count less the further away they are and the more their color differs.",
+  "DESCRIPTION": "Smooths areas and keeps edges. Neighboring pixels count less with distance and with color difference. Use it to remove noise or to simplify an image.",
   "CREDIT": "Scrim. C. Tomasi and R. Manduchi 1998, Bilateral Filtering for Gray and Color Images, with the color distance of OpenCV",
   "CATEGORIES": ["Blur", "Smooth", "Denoise", "Edge-preserving", "Skin"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to smooth." },
-    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "How far it reaches, in whole pixels of the layer: twice the standard deviation. The cost grows with its square.", "MIN": 0.0, "MAX": 10.0, "DEFAULT": 6.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },
-    { "NAME": "colorRange", "TYPE": "float", "LABEL": "Color range", "DOC": "Differences of red, green and blue together, up to which colors are taken for one area; 0.1 smooths noise, 1 begins to blur edges.", "MIN": 0.01, "MAX": 2.0, "DEFAULT": 0.2, "UNIT": "ratio" }
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Radius of the filter, in whole pixels of the layer: twice the standard deviation. The cost grows with its square.", "MIN": 0.0, "MAX": 10.0, "DEFAULT": 6.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },
+    { "NAME": "colorRange", "TYPE": "float", "LABEL": "Color range", "DOC": "Color difference up to which pixels count as one area, summed over red, green and blue: 0.1 smooths noise, 1 begins to blur edges.", "MIN": 0.01, "MAX": 2.0, "DEFAULT": 0.2, "UNIT": "ratio" }
   ]
 }*/
 

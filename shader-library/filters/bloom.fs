@@ -1,17 +1,17 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Lets bright parts glow into their surroundings, as light does in a lens. Added as light, so that it looks as a camera would show it.",
+  "DESCRIPTION": "Adds a glow around bright areas, as a camera lens does. The glow is added in linear light.",
   "CREDIT": "Scrim. Transfer function: IEC 61966-2-1. Luma weights: Rec. ITU-R BT.709",
   "CATEGORIES": ["Light", "Glow", "Blur", "Lens", "Shine"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer that glows." },
-    { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "What is brighter than this, from 0 to 1 as luminance in linear light, glows.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
-    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Standard deviation of the glow, in pixels of the layer; it reaches three times as far.", "MIN": 1.0, "MAX": 60.0, "DEFAULT": 12.0, "UNIT": "px" },
-    { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "How much glow is added. 0 changes nothing.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Areas brighter than this glow: luminance in linear light, from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Standard deviation of the glow, in pixels of the layer; the glow extends to three times this distance.", "MIN": 1.0, "MAX": 60.0, "DEFAULT": 12.0, "UNIT": "px" },
+    { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "Strength of the glow. 0 changes nothing.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ],
   "PASSES": [
-    { "TARGET": "bright", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Light above the level, at half the size." },
+    { "TARGET": "bright", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Extracts the light above the level, at half size." },
     { "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Blurs along x." },
     { "TARGET": "glow", "FLOAT": true, "SCRIM_HALF": true, "WIDTH": "ceil($WIDTH / 2)", "HEIGHT": "ceil($HEIGHT / 2)", "DESCRIPTION": "Blurs along y." },
     { "DESCRIPTION": "Adds the glow." }

@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Makes one color transparent, such as a green screen, whatever its brightness, and takes its reflection out of the rest.",
+  "DESCRIPTION": "Makes one color transparent at any brightness, such as a green screen, and removes its color spill from the rest.",
   "CREDIT": "Scrim. Color differences: Rec. ITU-R BT.709",
   "CATEGORIES": ["Key", "Green screen", "Greenscreen", "Blue screen", "Matte", "Cut out"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to cut out of its background." },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer whose background becomes transparent." },
     { "NAME": "keyColor", "TYPE": "color", "LABEL": "Key color", "DOC": "Color of the background.", "DEFAULT": [0.0, 0.7, 0.2, 1.0] },
-    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a color may differ from the key and still be fully transparent. 0.5 is as far as full blue is from gray.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.15, "UNIT": "ratio" },
-    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How much further it is to fully opaque: smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.1, "UNIT": "ratio" },
-    { "NAME": "spill", "TYPE": "float", "LABEL": "Spill removal", "DOC": "How much of the key color is taken out of what stays.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" }
+    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a color may differ from the key color and still be fully transparent. 0.5 is the difference between pure blue and gray.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.15, "UNIT": "ratio" },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "Color difference beyond the tolerance over which the layer becomes opaque. Smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.1, "UNIT": "ratio" },
+    { "NAME": "spill", "TYPE": "float", "LABEL": "Spill removal", "DOC": "How much of the key color is removed from the remaining pixels.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" }
   ]
 }*/
 

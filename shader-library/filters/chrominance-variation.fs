@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Hue/saturation",
-  "DESCRIPTION": "Changes the colors of the picture and leaves its brightness alone: stronger or weaker, turned around the color circle, or shifted towards one color.",
+  "DESCRIPTION": "Changes saturation and hue, or shifts colors along two axes; the brightness stays the same.",
   "CREDIT": "Scrim. Color differences: Rec. ITU-R BT.709. Effect named in the mixed-reality rendering framework with osgART, figure 14",
   "CATEGORIES": ["Color", "Chrominance variation", "Saturation", "Hue", "Tint"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolor." },
-    { "NAME": "saturation", "TYPE": "float", "LABEL": "Saturation", "DOC": "Strength of the colors: 0 gives gray, 2 doubles them.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.0, "IDENTITY": 1.0, "UNIT": "ratio" },
-    { "NAME": "rotation", "TYPE": "float", "LABEL": "Hue", "DOC": "Turns all colors around the circle, from blue towards red.", "MIN": -3.14159265, "MAX": 3.14159265, "DEFAULT": 1.0471976, "IDENTITY": 0.0, "UNIT": "rad" },
+    { "NAME": "saturation", "TYPE": "float", "LABEL": "Saturation", "DOC": "Factor on the saturation: 0 gives gray, 2 doubles it.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.0, "IDENTITY": 1.0, "UNIT": "ratio" },
+    { "NAME": "rotation", "TYPE": "float", "LABEL": "Hue", "DOC": "Rotates all hues around the color wheel, from blue towards red.", "MIN": -3.14159265, "MAX": 3.14159265, "DEFAULT": 1.0471976, "IDENTITY": 0.0, "UNIT": "rad" },
     { "NAME": "blueYellow", "TYPE": "float", "LABEL": "Yellow to blue", "DOC": "Shifts every color towards blue, or towards yellow below 0.", "MIN": -0.5, "MAX": 0.5, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "redCyan", "TYPE": "float", "LABEL": "Cyan to red", "DOC": "Shifts every color towards red, or towards cyan below 0.", "MIN": -0.5, "MAX": 0.5, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]

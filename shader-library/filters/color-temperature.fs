@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Color temperature",
-  "DESCRIPTION": "Shows the picture as if its light had another color: warm like a candle or cool like the sky in the shade. The picture's own light is taken to be 6500 K, so 6500 K changes nothing; lower is warmer. White keeps its brightness.",
+  "DESCRIPTION": "Changes the color temperature of an image: warm as candlelight or cool as shade. The image is assumed to be lit with 6500 K, so 6500 K changes nothing; a lower temperature is warmer. White keeps its brightness.",
   "CREDIT": "Scrim. Planckian locus: Kang et al. 2002, J. Korean Physical Society 41, 865. Adaptation: Bradford, as in ICC.1:2022 annex E",
   "CATEGORIES": ["Color", "White balance", "Warm", "Cool", "Color correction"],
   "INPUTS": [

@@ -1,16 +1,16 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Draws tones anew by curves: a place across is a tone of the layer, the height there is what becomes of it. An S makes contrast, a bow brightens or darkens without touching black and white.",
+  "DESCRIPTION": "Maps tones with curves: the horizontal axis is the input, the vertical axis the output. An S-shaped curve adds contrast; an arched curve brightens or darkens and keeps black and white.",
   "CREDIT": "Scrim. Order of the curves: Blender's RGB Curves. Between points: F. N. Fritsch, R. E. Carlson 1980, SIAM J. Numer. Anal. 17, 238",
   "CATEGORIES": ["Color", "Tone", "Levels", "Contrast", "Grading", "Gradation", "RGB curves"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to grade." },
-    { "NAME": "all", "TYPE": "curve", "LABEL": "All channels", "DOC": "For red, green and blue alike, before the curves below." },
-    { "NAME": "red", "TYPE": "curve", "LABEL": "Red", "DOC": "For red alone." },
-    { "NAME": "green", "TYPE": "curve", "LABEL": "Green", "DOC": "For green alone." },
-    { "NAME": "blue", "TYPE": "curve", "LABEL": "Blue", "DOC": "For blue alone." },
-    { "NAME": "luma", "TYPE": "curve", "LABEL": "Brightness", "DOC": "For how bright colors are, which keep their hue; after the curves above." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the picture as it is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "all", "TYPE": "curve", "LABEL": "All channels", "DOC": "Curve for red, green and blue. Applied before the curves below." },
+    { "NAME": "red", "TYPE": "curve", "LABEL": "Red", "DOC": "Curve for red." },
+    { "NAME": "green", "TYPE": "curve", "LABEL": "Green", "DOC": "Curve for green." },
+    { "NAME": "blue", "TYPE": "curve", "LABEL": "Blue", "DOC": "Curve for blue." },
+    { "NAME": "luma", "TYPE": "curve", "LABEL": "Brightness", "DOC": "Curve for brightness, which keeps the hue. Applied after the curves above." },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Strength of the effect: 0 leaves the image unchanged.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

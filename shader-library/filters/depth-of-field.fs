@@ -1,18 +1,18 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Blurs what is nearer or farther than the focus, as a lens does, by the depth of the layer, or of the room where the layer has none. Lens and sensor are set in real units.",
+  "DESCRIPTION": "Blurs what is nearer or farther than the focus, as a camera lens does. It uses the depth of the layer, or of the room where the layer has none.",
   "CREDIT": "Scrim. Circle of confusion: thin lens, as in M. Potmesil and I. Chakravarty 1981, SIGGRAPH 15, 297. Gathering after D. Gustafsson 2018, Bokeh depth of field in a single pass",
   "CATEGORIES": ["Depth", "Blur", "Lens", "Bokeh", "Focus", "Defocus", "DoF"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to focus, with depth." },
-    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth, such as the camera video.", "OPTIONAL": true },
-    { "NAME": "focus", "TYPE": "float", "LABEL": "Focus", "DOC": "Distance of what is sharp.", "MIN": 0.1, "MAX": 50.0, "DEFAULT": 1.5, "UNIT": "m" },
-    { "NAME": "fStop", "TYPE": "float", "LABEL": "F-stop", "DOC": "Focal length over the width of the opening: low numbers blur more.", "MIN": 0.7, "MAX": 32.0, "DEFAULT": 1.8 },
-    { "NAME": "focalLength", "TYPE": "float", "LABEL": "Focal length", "DOC": "Of the lens: 0.05 m is a 50 mm lens.", "MIN": 0.001, "MAX": 0.3, "DEFAULT": 0.05, "STEP": 0.001, "UNIT": "m" },
-    { "NAME": "sensor", "TYPE": "float", "LABEL": "Sensor height", "DOC": "0.024 m is full frame; those of phones are about 0.006 m.", "MIN": 0.002, "MAX": 0.06, "DEFAULT": 0.024, "STEP": 0.001, "UNIT": "m" },
-    { "NAME": "most", "TYPE": "float", "LABEL": "Largest blur", "DOC": "No circle gets wider than twice this, in pixels of the layer.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 16.0, "IDENTITY": 0.0, "UNIT": "px" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur, with depth." },
+    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces, for layers without depth, such as the camera video.", "OPTIONAL": true },
+    { "NAME": "focus", "TYPE": "float", "LABEL": "Focus", "DOC": "Distance at which the image is sharp.", "MIN": 0.1, "MAX": 50.0, "DEFAULT": 1.5, "UNIT": "m" },
+    { "NAME": "fStop", "TYPE": "float", "LABEL": "F-stop", "DOC": "Focal length divided by the aperture diameter: a lower number blurs more.", "MIN": 0.7, "MAX": 32.0, "DEFAULT": 1.8 },
+    { "NAME": "focalLength", "TYPE": "float", "LABEL": "Focal length", "DOC": "Focal length of the lens: 0.05 m is a 50 mm lens.", "MIN": 0.001, "MAX": 0.3, "DEFAULT": 0.05, "STEP": 0.001, "UNIT": "m" },
+    { "NAME": "sensor", "TYPE": "float", "LABEL": "Sensor height", "DOC": "Height of the sensor: 0.024 m for full frame, about 0.006 m for phones.", "MIN": 0.002, "MAX": 0.06, "DEFAULT": 0.024, "STEP": 0.001, "UNIT": "m" },
+    { "NAME": "most", "TYPE": "float", "LABEL": "Maximum blur", "DOC": "Largest radius of the blur circle, in pixels of the layer.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 16.0, "IDENTITY": 0.0, "UNIT": "px" }
   ]
 }*/
 

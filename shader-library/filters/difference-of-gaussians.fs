@@ -1,19 +1,19 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Difference of Gaussians",
-  "DESCRIPTION": "Draws the picture's lines as an inking pen would, and solid black where it is dark: the difference of two blurs, with a soft threshold.",
+  "DESCRIPTION": "Draws an image as ink lines, with solid black in dark areas: the difference of two Gaussian blurs with a soft threshold (XDoG).",
   "CREDIT": "Scrim. H. Winnemöller et al. 2012, XDoG: An eXtended Difference-of-Gaussians Compendium, Computers & Graphics 36, 740, equations 5 and 7",
   "CATEGORIES": ["Edges", "Lines", "Style", "Ink", "Comic", "Drawing", "XDoG"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw. Where it is transparent it counts as white." },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw. Transparent areas count as white." },
     { "NAME": "radius", "TYPE": "float", "LABEL": "Line width", "DOC": "Standard deviation of the narrower blur, in pixels of the layer: about half the width of the lines.", "MIN": 0.4, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "px" },
-    { "NAME": "strength", "TYPE": "float", "LABEL": "Line strength", "DOC": "How much edges are exaggerated before the threshold: 0 is a threshold alone, 20 draws fine lines.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 20.0 },
-    { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "What is lighter than this, from 0 to 1, stays paper.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.6, "UNIT": "ratio" },
-    { "NAME": "hardness", "TYPE": "float", "LABEL": "Hardness", "DOC": "How quickly paper turns to ink below the level: 1 gives shades as a pencil, 20 the black and white of ink.", "MIN": 0.2, "MAX": 40.0, "DEFAULT": 4.0 },
+    { "NAME": "strength", "TYPE": "float", "LABEL": "Line strength", "DOC": "How much edges are emphasized before the threshold: 0 applies only the threshold, 20 draws fine lines.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 20.0 },
+    { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Areas lighter than this stay paper: brightness from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.6, "UNIT": "ratio" },
+    { "NAME": "hardness", "TYPE": "float", "LABEL": "Hardness", "DOC": "How hard the transition from paper to ink is below the level: 1 gives shades, as a pencil does; 20 gives black and white, as ink does.", "MIN": 0.2, "MAX": 40.0, "DEFAULT": 4.0 },
     { "NAME": "lineColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the lines.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
     { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the lines.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
-    { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the picture", "DOC": "Draw the lines over the picture instead of over the paper.", "DEFAULT": false }
+    { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the image", "DOC": "Draw the lines over the image instead of over the paper.", "DEFAULT": false }
   ],
   "PASSES": [{ "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "DESCRIPTION": "Blurs along x, twice." }, { "DESCRIPTION": "Blurs along y, twice, and draws." }]
 }*/

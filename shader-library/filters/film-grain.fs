@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Adds grain, as film and camera sensors do, so that drawn layers sit in the camera's picture. It changes several times a second.",
+  "DESCRIPTION": "Adds film grain or sensor noise. Use it on rendered layers so that they match the camera image.",
   "CREDIT": "Scrim. Idea: J. Fischer et al. 2006, Enhanced Visual Realism by Incorporating Camera Image Effects, ISMAR. Random numbers: I. McEwan et al. 2012, J. Graphics Tools 16, 85",
   "CATEGORIES": ["Style", "Noise", "Film", "Camera", "Vintage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to add grain to." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Standard deviation of the grain, where full brightness is 1. Phone cameras in a room have about 0.02.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "size", "TYPE": "float", "LABEL": "Grain size", "DOC": "Side of a grain, in pixels of the layer.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 1.0, "STEP": 1.0, "UNIT": "px" },
-    { "NAME": "color", "TYPE": "float", "LABEL": "Color", "DOC": "0 is gray grain, as film has; 1 is grain of all colors, as sensors have.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "midtones", "TYPE": "float", "LABEL": "Only midtones", "DOC": "0 gives the same grain everywhere, 1 none in black and white.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
-    { "NAME": "rate", "TYPE": "float", "LABEL": "Rate", "DOC": "How often the grain changes. 0 keeps it still.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 24.0, "UNIT": "Hz" }
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Standard deviation of the grain; full brightness is 1. Phone cameras indoors have about 0.02.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "size", "TYPE": "float", "LABEL": "Grain size", "DOC": "Size of a grain, in pixels of the layer.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 1.0, "STEP": 1.0, "UNIT": "px" },
+    { "NAME": "color", "TYPE": "float", "LABEL": "Color", "DOC": "0 gives gray grain, as film has; 1 gives colored grain, as sensors have.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "midtones", "TYPE": "float", "LABEL": "Only midtones", "DOC": "0 adds the same grain everywhere, 1 adds none to black and white.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "rate", "TYPE": "float", "LABEL": "Rate", "DOC": "How often the grain changes, in hertz. 0 keeps it still.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 24.0, "UNIT": "Hz" }
   ]
 }*/
 

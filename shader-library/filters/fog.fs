@@ -1,17 +1,17 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Lets things fade into fog with their distance in meters, by the depth of the layer, or of the room where the layer has none.",
+  "DESCRIPTION": "Fades the image into fog with distance. It uses the depth of the layer, or of the room where the layer has none.",
   "CREDIT": "Scrim. Formulas: those of OpenGL 1.0 §3.10, set by the distance at which 95 % is hidden",
   "CATEGORIES": ["Depth", "Fog", "Mist", "Haze", "Atmosphere"],
   "SCRIM_DEPTH": "same",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to lay fog over, with depth." },
-    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far the real world is, for layers without depth, such as the camera video.", "OPTIONAL": true },
-    { "NAME": "color", "TYPE": "color", "LABEL": "Color", "DOC": "Color of the fog; its opacity is that of the thickest fog.", "DEFAULT": [0.75, 0.79, 0.84, 1.0] },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to add fog to, with depth." },
+    { "NAME": "room", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces, for layers without depth, such as the camera video.", "OPTIONAL": true },
+    { "NAME": "color", "TYPE": "color", "LABEL": "Color", "DOC": "Color of the fog; its alpha is the opacity of the densest fog.", "DEFAULT": [0.75, 0.79, 0.84, 1.0] },
     { "NAME": "near", "TYPE": "float", "LABEL": "From", "DOC": "Distance at which the fog begins.", "MIN": 0.0, "MAX": 50.0, "DEFAULT": 0.5, "UNIT": "m" },
-    { "NAME": "far", "TYPE": "float", "LABEL": "Hidden at", "DOC": "Distance at which the fog hides 95 % of what is there; all of it, where it grows evenly.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 6.0, "UNIT": "m" },
-    { "NAME": "falloff", "TYPE": "long", "LABEL": "Growth", "DOC": "Exponential is as real fog; squared is clear up close and dense behind; even is a plain ramp.", "VALUES": [0, 1, 2], "LABELS": ["Exponential", "Exponential squared", "Even"], "DEFAULT": 0 },
-    { "NAME": "empty", "TYPE": "float", "LABEL": "Fog on nothing", "DOC": "How much fog lies where no distance is known, such as the sky.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" }
+    { "NAME": "far", "TYPE": "float", "LABEL": "Hidden at", "DOC": "Distance at which the fog hides 95 %, or everything with “Even”.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 6.0, "UNIT": "m" },
+    { "NAME": "falloff", "TYPE": "long", "LABEL": "Growth", "DOC": "How the fog increases with distance: exponential as real fog, squared for a clear foreground and a dense background, even for a linear ramp.", "VALUES": [0, 1, 2], "LABELS": ["Exponential", "Exponential squared", "Even"], "DEFAULT": 0 },
+    { "NAME": "empty", "TYPE": "float", "LABEL": "Fog on unknown depth", "DOC": "Amount of fog where the depth is unknown, such as the sky.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

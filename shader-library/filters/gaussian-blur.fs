@@ -1,6 +1,6 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Softens the picture with a Gaussian blur, in two passes: across, then down. The radius is the standard deviation, as in CSS blur(); the kernel reaches three times as far.",
+  "DESCRIPTION": "Blurs an image with a Gaussian kernel, in two passes. The radius is the standard deviation, as in CSS blur(); the kernel extends to three times this distance.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Blur", "Soften", "Smooth"],
   "SCRIM_ALPHA": "premultiplied",

@@ -1,12 +1,12 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Grayscale",
-  "DESCRIPTION": "Takes the color out of the picture and leaves its brightness: shades of gray.",
+  "DESCRIPTION": "Converts an image to shades of gray of the same brightness.",
   "CREDIT": "Scrim. Luma: Rec. ITU-R BT.709",
   "CATEGORIES": ["Color", "Black and white", "Gray", "Grey", "Desaturate", "Monochrome", "BW"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to turn gray." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the colors as they are, 1 leaves none.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to convert." },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the colors unchanged, 1 removes them.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

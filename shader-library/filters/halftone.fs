@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Prints the picture with dots, as newspapers do: small ones where it is light, large ones that grow together where it is dark.",
+  "DESCRIPTION": "Draws an image as halftone dots, as in a newspaper: small dots in light areas, large merging dots in dark areas.",
   "CREDIT": "Scrim. Dots: cosine spot function of PostScript (PLRM 3, section 7.4.3). Luma: Rec. ITU-R BT.709",
   "CATEGORIES": ["Style", "Dots", "Print", "Newspaper", "Comic"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to print." },
-    { "NAME": "size", "TYPE": "float", "LABEL": "Dot distance", "DOC": "From one dot to the next, in pixels of the layer.", "MIN": 3.0, "MAX": 64.0, "DEFAULT": 8.0, "UNIT": "px" },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw." },
+    { "NAME": "size", "TYPE": "float", "LABEL": "Dot distance", "DOC": "Distance from one dot to the next, in pixels of the layer.", "MIN": 3.0, "MAX": 64.0, "DEFAULT": 8.0, "UNIT": "px" },
     { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Rotation of the rows of dots, counter-clockwise.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.78539816, "UNIT": "rad" },
     { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the dots.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
     { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the dots.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
-    { "NAME": "pictureColors", "TYPE": "bool", "LABEL": "Colors of the picture", "DOC": "Print the dots in the picture's own colors instead of the ink.", "DEFAULT": false }
+    { "NAME": "pictureColors", "TYPE": "bool", "LABEL": "Colors of the image", "DOC": "Draw the dots in the colors of the image instead of the ink color.", "DEFAULT": false }
   ]
 }*/
 

@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Exposure",
-  "DESCRIPTION": "Shows the picture as if it had been exposed for longer or shorter: light doubles with every stop. Short exposures darken, long ones burn out, or keep their highlights as HDR pictures do.",
+  "DESCRIPTION": "Changes the exposure of an image: each stop doubles or halves the light. Use “Keep highlights” to compress bright areas instead of clipping them.",
   "CREDIT": "Scrim. Highlights: E. Reinhard et al. 2002, Photographic Tone Reproduction for Digital Images, equation 4. Transfer function: IEC 61966-2-1",
   "CATEGORIES": ["Light", "HDR exposure", "HDR", "Brightness", "Photograph"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to expose again." },
-    { "NAME": "stops", "TYPE": "float", "LABEL": "Exposure", "DOC": "In stops: 1 doubles the light, -1 halves it. Below 0 is a short exposure, above a long one.", "MIN": -5.0, "MAX": 5.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.1 },
-    { "NAME": "highlights", "TYPE": "float", "LABEL": "Keep highlights", "DOC": "0 burns out to white, as a sensor does. 1 compresses bright parts so that all of them keep their details.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to expose." },
+    { "NAME": "stops", "TYPE": "float", "LABEL": "Exposure", "DOC": "Exposure in stops: 1 doubles the light, -1 halves it.", "MIN": -5.0, "MAX": 5.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.1 },
+    { "NAME": "highlights", "TYPE": "float", "LABEL": "Keep highlights", "DOC": "0 clips bright areas to white, as a sensor does; 1 compresses them so that they keep their detail.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

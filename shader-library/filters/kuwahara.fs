@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Paints the picture: areas become flat strokes and edges stay sharp. Every pixel takes the mean color of that side of it which varies least.",
+  "DESCRIPTION": "Makes an image look painted: areas become flat strokes and edges stay sharp. Each pixel takes the mean color of the neighboring region with the least variance.",
   "CREDIT": "Scrim. M. Kuwahara et al. 1976. Weights: G. Papari et al. 2007, IEEE Trans. Image Processing 16, 2449, in the form of J. E. Kyprianidis et al. 2009",
   "CATEGORIES": ["Style", "Painterly", "Oil", "Smooth", "Watercolor"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to paint." },
-    { "NAME": "radius", "TYPE": "float", "LABEL": "Brush size", "DOC": "How far each side reaches, in whole pixels of the layer. The cost grows with its square.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 5.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },
-    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How clearly the calmest side wins: low is soft, high gives hard brush edges.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 8.0 }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to filter." },
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Brush size", "DOC": "Size of the regions, in whole pixels of the layer. The cost grows with its square.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 5.0, "IDENTITY": 0.0, "STEP": 1.0, "UNIT": "px" },
+    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "Contrast between strokes: low values give soft strokes, high values hard edges.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 8.0 }
   ]
 }*/
 

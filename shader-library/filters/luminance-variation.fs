@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Brightness/contrast",
-  "DESCRIPTION": "Changes how bright the picture is and how much dark and light differ, and leaves its color differences alone.",
+  "DESCRIPTION": "Changes brightness, contrast and midtones; the color differences stay the same.",
   "CREDIT": "Scrim. Luma: Rec. ITU-R BT.709. Effect named in the mixed-reality rendering framework with osgART, figure 14",
   "CATEGORIES": ["Color", "Light", "Luminance variation", "Brightness", "Contrast", "Gamma", "Color correction"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to change." },
-    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Added to the luma: -1 makes everything black, 1 makes it white.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "contrast", "TYPE": "float", "LABEL": "Contrast", "DOC": "Distance of dark and light from middle gray: 0 gives one luma everywhere, 2 doubles the distance.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.4, "IDENTITY": 1.0, "UNIT": "ratio" },
-    { "NAME": "gamma", "TYPE": "float", "LABEL": "Midtones", "DOC": "Above 1 the midtones become lighter, below 1 darker. Black and white stay.", "MIN": 0.2, "MAX": 5.0, "DEFAULT": 1.0, "IDENTITY": 1.0, "UNIT": "ratio" }
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Added to the luma: -1 gives black, 1 gives white.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "contrast", "TYPE": "float", "LABEL": "Contrast", "DOC": "Factor on the difference from middle gray: 0 gives the same luma everywhere, 2 doubles the contrast.", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.4, "IDENTITY": 1.0, "UNIT": "ratio" },
+    { "NAME": "gamma", "TYPE": "float", "LABEL": "Midtones", "DOC": "Above 1 the midtones become lighter, below 1 darker. Black and white do not change.", "MIN": 0.2, "MAX": 5.0, "DEFAULT": 1.0, "IDENTITY": 1.0, "UNIT": "ratio" }
   ]
 }*/
 

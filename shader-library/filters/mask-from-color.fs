@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Makes a mask of what has one color: white there, black elsewhere. Shadow and light on a thing change its brightness more than its color, so brightness may count less.",
+  "DESCRIPTION": "Makes a mask from one color: white where the layer has this color, black elsewhere. Light and shadow change the brightness of an object more than its color, so brightness can count less.",
   "CREDIT": "Scrim. Color differences: Rec. ITU-R BT.709",
   "CATEGORIES": ["Mask", "Key", "Color range", "Matte", "Select"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to read, such as the camera video." },
     { "NAME": "keyColor", "TYPE": "color", "LABEL": "Color", "DOC": "The color to find.", "DEFAULT": [0.8, 0.15, 0.1, 1.0] },
-    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a color may differ and still be white in the mask. 0.5 is as far as full blue is from gray.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.12, "UNIT": "ratio" },
-    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How much further it is to black: smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "UNIT": "ratio" },
-    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness counts", "DOC": "How much a difference in brightness counts: 0 not at all, 1 as much as one in color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swaps black and white.", "DEFAULT": false }
+    { "NAME": "tolerance", "TYPE": "float", "LABEL": "Tolerance", "DOC": "How much a color may differ from “Color” and still be white in the mask. 0.5 is the difference between pure blue and gray.", "MIN": 0.0, "MAX": 0.7, "DEFAULT": 0.12, "UNIT": "ratio" },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "Color difference beyond the tolerance over which the mask becomes black. Smooths the edge.", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.08, "UNIT": "ratio" },
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness weight", "DOC": "Weight of brightness differences: 0 ignores them, 1 counts them as much as color differences.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swap black and white.", "DEFAULT": false }
   ]
 }*/
 

@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Makes a mask of any layer: white where it is bright, opaque or strong in one channel, black elsewhere. Blur it to feather its edge.",
+  "DESCRIPTION": "Makes a mask from the brightness, the alpha or one channel of a layer: white where the value is high, black where it is low. Blur the mask to feather its edge.",
   "CREDIT": "Scrim. Luma: Rec. ITU-R BT.709",
   "CATEGORIES": ["Mask", "Matte", "Luma key", "Alpha", "Channel", "Levels", "Invert"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to make a mask of: a picture, a shadow, another effect." },
-    { "NAME": "source", "TYPE": "long", "LABEL": "By", "DOC": "What of the layer counts. Brightness and the colors count times alpha, so that transparent is black.", "VALUES": [0, 1, 2, 3, 4], "LABELS": ["Brightness", "Alpha", "Red", "Green", "Blue"], "DEFAULT": 0 },
-    { "NAME": "low", "TYPE": "float", "LABEL": "Black from", "DOC": "Up to here the mask is black.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "high", "TYPE": "float", "LABEL": "White from", "DOC": "From here on the mask is white. At or below the other number the mask has a hard edge there.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swaps black and white.", "DEFAULT": false }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to make a mask from, such as an image, a shadow or an effect." },
+    { "NAME": "source", "TYPE": "long", "LABEL": "By", "DOC": "Which value of the layer to use. Brightness and colors are multiplied by alpha, so transparent areas are black.", "VALUES": [0, 1, 2, 3, 4], "LABELS": ["Brightness", "Alpha", "Red", "Green", "Blue"], "DEFAULT": 0 },
+    { "NAME": "low", "TYPE": "float", "LABEL": "Black from", "DOC": "Values up to this are black in the mask.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "high", "TYPE": "float", "LABEL": "White from", "DOC": "Values from this on are white in the mask. If it is not above “Black from”, the mask has a hard edge at this value.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swap black and white.", "DEFAULT": false }
   ]
 }*/
 

@@ -1,16 +1,16 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Draws the picture in large square blocks. Each has the mean color of what it covers, so that moving pictures do not flicker.",
+  "DESCRIPTION": "Shows an image as large square blocks. Each block has the mean color of its pixels, so moving images do not flicker.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Style", "Mosaic", "Blocks", "Censor"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to draw in blocks." },
-    { "NAME": "size", "TYPE": "float", "LABEL": "Block size", "DOC": "Side of a block, in whole pixels of the layer. 1 changes nothing.", "MIN": 1.0, "MAX": 128.0, "DEFAULT": 12.0, "IDENTITY": 1.0, "STEP": 1.0, "UNIT": "px" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to pixelate." },
+    { "NAME": "size", "TYPE": "float", "LABEL": "Block size", "DOC": "Size of a block, in whole pixels of the layer. 1 changes nothing.", "MIN": 1.0, "MAX": 128.0, "DEFAULT": 12.0, "IDENTITY": 1.0, "STEP": 1.0, "UNIT": "px" }
   ],
   "PASSES": [
-    { "TARGET": "columns", "WIDTH": "ceil($WIDTH / max(round($size), 1))", "DESCRIPTION": "Mean of every block's rows." },
-    { "TARGET": "blocks", "WIDTH": "ceil($WIDTH / max(round($size), 1))", "HEIGHT": "ceil($HEIGHT / max(round($size), 1))", "DESCRIPTION": "Mean of every block." },
+    { "TARGET": "columns", "WIDTH": "ceil($WIDTH / max(round($size), 1))", "DESCRIPTION": "Computes the means of the rows of each block." },
+    { "TARGET": "blocks", "WIDTH": "ceil($WIDTH / max(round($size), 1))", "HEIGHT": "ceil($HEIGHT / max(round($size), 1))", "DESCRIPTION": "Computes the mean of each block." },
     { "DESCRIPTION": "Draws the blocks." }
   ]
 }*/

@@ -1,12 +1,12 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Leaves only a few levels of red, green and blue, as a screen print has: flat areas with hard borders.",
+  "DESCRIPTION": "Reduces red, green and blue to a few levels: flat areas with hard edges, as in a screen print.",
   "CREDIT": "Scrim. Levels: discrete transfer function of W3C Filter Effects Module Level 1",
   "CATEGORIES": ["Color", "Style", "Comic", "Levels"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to simplify." },
-    { "NAME": "levels", "TYPE": "float", "LABEL": "Levels", "DOC": "How many levels each of red, green and blue has, with black and full color among them.", "MIN": 2.0, "MAX": 32.0, "DEFAULT": 4.0, "STEP": 1.0 },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the picture as it is, 1 shows the levels only.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to posterize." },
+    { "NAME": "levels", "TYPE": "float", "LABEL": "Levels", "DOC": "Number of levels per channel, including 0 and full intensity.", "MIN": 2.0, "MAX": 32.0, "DEFAULT": 4.0, "STEP": 1.0 },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the image unchanged, 1 shows only the levels.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

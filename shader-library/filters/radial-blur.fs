@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Zoom blur",
-  "DESCRIPTION": "Blurs the picture away from a point, as if the camera had zoomed while the picture was taken.",
+  "DESCRIPTION": "Blurs an image away from a point, as if the camera had zoomed during the exposure.",
   "CREDIT": "Scrim. Effect named in the mixed-reality rendering framework with osgART, figure 12",
   "CATEGORIES": ["Blur", "Radial blur", "Speed", "Motion"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much the picture was zoomed: with 0.2, every pixel is smeared over the fifth of its way to the center.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.2, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Strength of the zoom: with 0.2, each pixel is blurred over a fifth of its distance to the center.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.2, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

@@ -1,11 +1,11 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Gives the picture the brown tint of old photographs. Full strength is the sepia of CSS and SVG filters.",
+  "DESCRIPTION": "Tints an image brown, like an old photograph. Full strength equals the sepia filter of CSS and SVG.",
   "CREDIT": "Scrim. Matrix: W3C Filter Effects Module Level 1, sepia()",
   "CATEGORIES": ["Color", "Style", "Vintage"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to tint." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the picture as it is, 1 is full sepia.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the image unchanged, 1 is full sepia.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Finds what has the color of skin, of any shade, and makes a mask of it: white where there is skin. Wood, sand and orange cloth may look like skin to it.",
+  "DESCRIPTION": "Makes a mask of skin of any shade: white on skin, black elsewhere. Wood, sand and orange cloth can be mistaken for skin.",
   "CREDIT": "Scrim. Rule: D. Chai and K. N. Ngan 1999, IEEE Trans. Circuits and Systems for Video Technology 9, 551. YCbCr: Rec. ITU-R BT.601",
   "CATEGORIES": ["Mask", "Key", "Skin", "Face", "Hand"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to read, such as the camera video." },
-    { "NAME": "show", "TYPE": "long", "LABEL": "Show", "DOC": "Mask: white skin on black, for the Mask node. Cut out: the picture, transparent where there is no skin.", "VALUES": [0, 1], "LABELS": ["Mask", "Cut out"], "DEFAULT": 0 },
-    { "NAME": "widen", "TYPE": "float", "LABEL": "Widen", "DOC": "Takes in more colors around those of the rule, or fewer below 0; in steps of 8 bits of Cb and Cr.", "MIN": -15.0, "MAX": 30.0, "DEFAULT": 0.0 },
-    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How far a color may be outside and still be skin a little, in the same steps. 0 is the published rule.", "MIN": 0.0, "MAX": 30.0, "DEFAULT": 4.0 }
+    { "NAME": "show", "TYPE": "long", "LABEL": "Show", "DOC": "Mask: white skin on black, for a Mask node. Cut out: the image, transparent where there is no skin.", "VALUES": [0, 1], "LABELS": ["Mask", "Cut out"], "DEFAULT": 0 },
+    { "NAME": "widen", "TYPE": "float", "LABEL": "Widen", "DOC": "Accepts more colors, or fewer below 0, in 8-bit steps of Cb and Cr.", "MIN": -15.0, "MAX": 30.0, "DEFAULT": 0.0 },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "Range outside the accepted colors over which the mask fades out, in the same steps. 0 is the published rule.", "MIN": 0.0, "MAX": 30.0, "DEFAULT": 4.0 }
   ]
 }*/
 

@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Draws the edges in the picture as lines: the strength of the brightness gradient, found with 3 × 3 Sobel kernels.",
+  "DESCRIPTION": "Draws the edges of an image as lines: the magnitude of the brightness gradient from 3 × 3 Sobel kernels.",
   "CREDIT": "Scrim. Kernels: I. Sobel and G. Feldman, 1968. Luma: Rec. ITU-R BT.709",
   "CATEGORIES": ["Edges", "Outline", "Style", "Lines"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to find edges in. Where it is transparent it counts as black." },
-    { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "With 1, a straight edge between black and white is drawn at full strength.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "ratio" },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to find edges in. Transparent areas count as black." },
+    { "NAME": "strength", "TYPE": "float", "LABEL": "Strength", "DOC": "Factor on the gradient: with 1, a straight edge between black and white has full strength.", "MIN": 0.0, "MAX": 8.0, "DEFAULT": 1.0, "UNIT": "ratio" },
     { "NAME": "lineColor", "TYPE": "color", "LABEL": "Lines", "DOC": "Color of the edges.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
     { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the edges.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
-    { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the picture", "DOC": "Draw the edges over the picture instead of over the paper.", "DEFAULT": false }
+    { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the image", "DOC": "Draw the edges over the image instead of over the paper.", "DEFAULT": false }
   ]
 }*/
 

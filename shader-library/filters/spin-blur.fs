@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Blurs the picture around a point, as if the camera had been turned while the picture was taken.",
+  "DESCRIPTION": "Blurs an image around a point, as if the camera had rotated during the exposure.",
   "CREDIT": "Scrim. Effect named in the mixed-reality rendering framework with osgART, figure 12",
   "CATEGORIES": ["Blur", "Radial blur", "Rotation", "Motion"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to blur." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
-    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "How far the picture was turned, half of it in each direction.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.17453293, "IDENTITY": 0.0, "UNIT": "rad" }
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point that stays sharp: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
+    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Angle of the rotation, half of it in each direction.", "MIN": 0.0, "MAX": 1.5707963, "DEFAULT": 0.17453293, "IDENTITY": 0.0, "UNIT": "rad" }
   ]
 }*/
 

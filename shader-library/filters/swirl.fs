@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Turns the picture around a point like water in a drain: most at the point, less and less further out.",
+  "DESCRIPTION": "Twists an image around a point: most at the center, less with distance.",
   "CREDIT": "Scrim. Falloff: as swirl() in scikit-image",
   "CATEGORIES": ["Distort", "Twirl", "Twist", "Warp"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to turn." },
-    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Point to turn around: (0, 0) is the bottom left of the picture, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
-    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "How far the picture is turned at the center. Above 0 it is turned counter-clockwise.", "MIN": -18.849556, "MAX": 18.849556, "DEFAULT": 4.712389, "IDENTITY": 0.0, "UNIT": "rad" },
-    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Distance from the center, in pixels of the layer, at which almost nothing is turned: a thousandth of the angle.", "MIN": 1.0, "MAX": 2000.0, "DEFAULT": 400.0, "UNIT": "px" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to twist." },
+    { "NAME": "center", "TYPE": "point2D", "LABEL": "Center", "DOC": "Center of the twist: (0, 0) is the bottom left of the image, (1, 1) the top right.", "MIN": [0.0, 0.0], "MAX": [1.0, 1.0], "DEFAULT": [0.5, 0.5] },
+    { "NAME": "angle", "TYPE": "float", "LABEL": "Angle", "DOC": "Rotation at the center. Positive is counter-clockwise.", "MIN": -18.849556, "MAX": 18.849556, "DEFAULT": 4.712389, "IDENTITY": 0.0, "UNIT": "rad" },
+    { "NAME": "radius", "TYPE": "float", "LABEL": "Radius", "DOC": "Distance from the center, in pixels of the layer, at which the rotation has dropped to a thousandth of the angle.", "MIN": 1.0, "MAX": 2000.0, "DEFAULT": 400.0, "UNIT": "px" }
   ]
 }*/
 

@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Turns the picture into two colors: one for what is darker than the level, one for what is lighter.",
+  "DESCRIPTION": "Reduces an image to two colors: one for areas darker than the level, one for lighter areas.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Color", "Style", "Black and white", "Binary", "BW"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to divide." },
-    { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Brightness at which dark becomes light, as Rec. 709 luma from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
-    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "Width of the step from dark to light, around the level. 0 is a hard edge.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "darkColor", "TYPE": "color", "LABEL": "Dark", "DOC": "Color of what is darker.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
-    { "NAME": "lightColor", "TYPE": "color", "LABEL": "Light", "DOC": "Color of what is lighter, or just as light as the level.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to threshold." },
+    { "NAME": "level", "TYPE": "float", "LABEL": "Level", "DOC": "Brightness that separates dark from light: Rec. 709 luma, from 0 to 1.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "Width of the transition around the level. 0 gives a hard edge.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "darkColor", "TYPE": "color", "LABEL": "Dark", "DOC": "Color of the darker areas.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] },
+    { "NAME": "lightColor", "TYPE": "color", "LABEL": "Light", "DOC": "Color of the areas that are as light as the level or lighter.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] }
   ]
 }*/
 

@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Repeats the picture in columns and rows, each copy the whole picture made smaller, as the tiles of a wall.",
+  "DESCRIPTION": "Repeats an image in columns and rows; each copy is the whole image, scaled down.",
   "CREDIT": "Scrim. Effect named in the mixed-reality rendering framework with osgART, figure 10",
   "CATEGORIES": ["Distort", "Repeat", "Kaleidoscope", "Mirror", "Grid"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to repeat." },
-    { "NAME": "columns", "TYPE": "float", "LABEL": "Columns", "DOC": "How many copies stand side by side.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 1.0, "STEP": 1.0 },
-    { "NAME": "rows", "TYPE": "float", "LABEL": "Rows", "DOC": "How many copies stand above each other.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 1.0, "STEP": 1.0 },
+    { "NAME": "columns", "TYPE": "float", "LABEL": "Columns", "DOC": "Number of copies side by side.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 1.0, "STEP": 1.0 },
+    { "NAME": "rows", "TYPE": "float", "LABEL": "Rows", "DOC": "Number of copies above each other.", "MIN": 1.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 1.0, "STEP": 1.0 },
     { "NAME": "mirror", "TYPE": "bool", "LABEL": "Mirror", "DOC": "Mirror every second copy, so that their edges meet.", "DEFAULT": false }
   ]
 }*/

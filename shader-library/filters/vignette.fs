@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Darkens the picture towards its corners, as old lenses do, or tints them with another color.",
+  "DESCRIPTION": "Darkens an image towards its corners, as old lenses do, or tints the corners with another color.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Style", "Light", "Lens", "Corners"],
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to darken." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much of the color lies over the corners. 0 changes nothing.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "start", "TYPE": "float", "LABEL": "Start", "DOC": "Where it begins: 0 is the middle of the picture, 1 its corners.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },
-    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "How far it takes to reach its full strength, on the same scale.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.65, "UNIT": "ratio" },
-    { "NAME": "roundness", "TYPE": "float", "LABEL": "Roundness", "DOC": "0 follows the shape of the picture with an ellipse, 1 is a circle.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "tint", "TYPE": "color", "LABEL": "Color", "DOC": "Color of the corners; its opacity counts too.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] }
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Strength of the color at the corners. 0 changes nothing.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "start", "TYPE": "float", "LABEL": "Start", "DOC": "Where the vignette begins: 0 is the center of the image, 1 its corners.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },
+    { "NAME": "softness", "TYPE": "float", "LABEL": "Softness", "DOC": "Distance from the start to full strength, on the same scale.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.65, "UNIT": "ratio" },
+    { "NAME": "roundness", "TYPE": "float", "LABEL": "Roundness", "DOC": "0 is an ellipse with the aspect ratio of the image, 1 is a circle.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "tint", "TYPE": "color", "LABEL": "Color", "DOC": "Color of the corners, with alpha.", "DEFAULT": [0.0, 0.0, 0.0, 1.0] }
   ]
 }*/
 

@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Goes from one color of light to another, such as from warm lamplight to a cold morning: by hand, or back and forth by itself. In between, the color changes evenly to the eye (in steps of one over the temperature).",
+  "DESCRIPTION": "Blends between two color temperatures, such as warm lamplight and cold morning light, by hand or automatically back and forth. The blend is linear in mired (the inverse of the temperature), which looks even.",
   "CREDIT": "Scrim. Planckian locus: Kang et al. 2002, J. Korean Physical Society 41, 865. Adaptation: Bradford, as in ICC.1:2022 annex E. Even steps: D. B. Judd 1933, J. Optical Society of America 23, 7",
   "CATEGORIES": ["Color", "White balance", "Warm", "Cold", "Cool", "Temperature", "Animation"],
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolor; its own light is taken to be 6500 K." },
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to recolor. It is assumed to be lit with 6500 K." },
     { "NAME": "warm", "TYPE": "float", "LABEL": "Warm", "DOC": "Color temperature of the warm light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 3200.0, "STEP": 50.0, "UNIT": "K" },
     { "NAME": "cold", "TYPE": "float", "LABEL": "Cold", "DOC": "Color temperature of the cold light.", "MIN": 1700.0, "MAX": 15000.0, "DEFAULT": 9500.0, "STEP": 50.0, "UNIT": "K" },
-    { "NAME": "balance", "TYPE": "float", "LABEL": "Balance", "DOC": "0 is warm, 1 is cold. A track or a slider of the page can move it.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
-    { "NAME": "swing", "TYPE": "float", "LABEL": "Swing", "DOC": "How long it takes to the other light and back, by itself, beginning at the balance; 0 stays there.", "MIN": 0.0, "MAX": 120.0, "DEFAULT": 0.0, "UNIT": "s" }
+    { "NAME": "balance", "TYPE": "float", "LABEL": "Balance", "DOC": "0 is warm, 1 is cold.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "ratio" },
+    { "NAME": "swing", "TYPE": "float", "LABEL": "Swing", "DOC": "Period of the automatic movement to the other light and back, in seconds. It starts at “Balance”. 0 turns it off.", "MIN": 0.0, "MAX": 120.0, "DEFAULT": 0.0, "UNIT": "s" }
   ]
 }*/
 

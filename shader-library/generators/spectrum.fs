@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Spectrum",
-  "DESCRIPTION": "Draws how loud each pitch of a sound is as a row of bars, low pitches to the left; transparent above them. Bars stand for equal musical intervals, and their height for decibels.",
+  "DESCRIPTION": "Draws the spectrum of a sound as bars, low frequencies on the left, on a transparent background. The frequency scale is logarithmic; the height of a bar is its level in decibels.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Audio", "Sound", "Equalizer", "Visualizer", "FFT"],
   "INPUTS": [
-    { "NAME": "sound", "TYPE": "audioFFT", "MAX": 1024, "LABEL": "Sound", "DOC": "What to draw; nothing where no wire is." },
-    { "NAME": "bars", "TYPE": "long", "DEFAULT": 32, "MIN": 1, "MAX": 64, "LABEL": "Bars", "DOC": "How many bars there are." },
+    { "NAME": "sound", "TYPE": "audioFFT", "MAX": 1024, "LABEL": "Sound", "DOC": "The sound to draw. Not connected: nothing is drawn." },
+    { "NAME": "bars", "TYPE": "long", "DEFAULT": 32, "MIN": 1, "MAX": 64, "LABEL": "Bars", "DOC": "Number of bars." },
     { "NAME": "barColor", "TYPE": "color", "DEFAULT": [0.2, 0.8, 1.0, 1.0], "LABEL": "Bars' color", "DOC": "Color of the bars." },
-    { "NAME": "gap", "TYPE": "float", "DEFAULT": 0.2, "MIN": 0.0, "MAX": 0.9, "UNIT": "ratio", "LABEL": "Gap", "DOC": "Empty part between two bars." },
-    { "NAME": "quietest", "TYPE": "float", "DEFAULT": -60.0, "MIN": -96.0, "MAX": -12.0, "LABEL": "Quietest", "DOC": "Decibels below the loudest sound at which a bar has no height." }
+    { "NAME": "gap", "TYPE": "float", "DEFAULT": 0.2, "MIN": 0.0, "MAX": 0.9, "UNIT": "ratio", "LABEL": "Gap", "DOC": "Fraction of a bar's width that is left empty." },
+    { "NAME": "quietest", "TYPE": "float", "DEFAULT": -60.0, "MIN": -96.0, "MAX": -12.0, "LABEL": "Minimum level", "DOC": "Level in decibels at which a bar has no height; 0 is full level." }
   ]
 }*/
 

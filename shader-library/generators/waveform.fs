@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Waveform",
-  "DESCRIPTION": "Draws a sound as the line of an oscilloscope, the first channel alone; transparent beside it.",
+  "DESCRIPTION": "Draws the waveform of a sound as a line, as an oscilloscope does, on a transparent background. It shows the first channel.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Audio", "Sound", "Oscilloscope", "Visualizer"],
   "INPUTS": [
-    { "NAME": "sound", "TYPE": "audio", "MAX": 1024, "LABEL": "Sound", "DOC": "What to draw; a flat line where no wire is." },
+    { "NAME": "sound", "TYPE": "audio", "MAX": 1024, "LABEL": "Sound", "DOC": "The sound to draw. Not connected: a flat line." },
     { "NAME": "lineColor", "TYPE": "color", "DEFAULT": [1.0, 1.0, 1.0, 1.0], "LABEL": "Line", "DOC": "Color of the line." },
-    { "NAME": "thickness", "TYPE": "float", "DEFAULT": 0.01, "MIN": 0.001, "MAX": 0.1, "UNIT": "ratio", "LABEL": "Thickness", "DOC": "Half the width of the line, as part of the view's height." },
-    { "NAME": "height", "TYPE": "float", "DEFAULT": 0.8, "MIN": 0.0, "MAX": 4.0, "UNIT": "ratio", "LABEL": "Height", "DOC": "How far the loudest sound reaches, as part of the view's height." }
+    { "NAME": "thickness", "TYPE": "float", "DEFAULT": 0.01, "MIN": 0.001, "MAX": 0.1, "UNIT": "ratio", "LABEL": "Thickness", "DOC": "Half the width of the line, as a fraction of the view height." },
+    { "NAME": "height", "TYPE": "float", "DEFAULT": 0.8, "MIN": 0.0, "MAX": 4.0, "UNIT": "ratio", "LABEL": "Height", "DOC": "Amplitude of the loudest sound, as a fraction of the view height." }
   ]
 }*/
 

@@ -1,6 +1,6 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Mixes the colors of one layer into those of another, by the mode chosen. Where either is transparent, the other one shows as it is.",
+  "DESCRIPTION": "Blends one layer with another by a blend mode. Where one of them is transparent, the other shows unchanged.",
   "CREDIT": "Scrim. Modes: W3C Compositing and Blending Level 1, sections 9.1.13 and 10",
   "CATEGORIES": ["Composite", "Mix", "Blend mode", "Layer", "Multiply", "Screen", "Overlay", "Add"],
   "SCRIM_ALPHA": "premultiplied",
@@ -8,8 +8,8 @@
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front: the source." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind: the backdrop." },
-    { "NAME": "mode", "TYPE": "long", "LABEL": "Mode", "DOC": "What the top does to the colors below it. Multiply and the burns darken, screen and the dodges lighten, overlay and the lights do both, difference and exclusion invert, the last four take hue, saturation and luminosity apart. Plus lighter adds.", "VALUES": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16], "LABELS": ["Normal", "Multiply", "Screen", "Overlay", "Darken", "Lighten", "Color dodge", "Color burn", "Hard light", "Soft light", "Difference", "Exclusion", "Hue", "Saturation", "Color", "Luminosity", "Plus lighter"], "DEFAULT": 1 },
-    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "How much of the top layer counts: 0 is none of it, 1 is all.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "mode", "TYPE": "long", "LABEL": "Mode", "DOC": "How the top layer changes the colors below it. Multiply and the burn modes darken, screen and the dodge modes lighten, overlay and the light modes do both, difference and exclusion invert, plus lighter adds. Hue, saturation, color and luminosity take only that property from the top layer.", "VALUES": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16], "LABELS": ["Normal", "Multiply", "Screen", "Overlay", "Darken", "Lighten", "Color dodge", "Color burn", "Hard light", "Soft light", "Difference", "Exclusion", "Hue", "Saturation", "Color", "Luminosity", "Plus lighter"], "DEFAULT": 1 },
+    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "Opacity of the top layer: 0 hides it, 1 applies it fully.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

@@ -1,17 +1,17 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Matte",
-  "DESCRIPTION": "Shows one layer where a mask is bright and another one in the rest: black and white in this region, charcoal around it.",
+  "DESCRIPTION": "Mixes two layers by a mask: one where the mask is bright, the other one elsewhere. Use it to apply an effect to a region only.",
   "CREDIT": "Scrim. Mask values: W3C CSS Masking Module Level 1, section 6.10",
   "CATEGORIES": ["Composite", "Choose by mask", "Mask", "Local", "Region", "Switch", "Select"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "INPUTS": [
-    { "NAME": "inside", "TYPE": "image", "LABEL": "Inside", "DOC": "The layer to show where the mask is bright. Depth is taken from here." },
-    { "NAME": "outside", "TYPE": "image", "LABEL": "Outside", "DOC": "The layer to show in the rest." },
-    { "NAME": "mask", "TYPE": "image", "LABEL": "Mask", "DOC": "Which of them shows where: any layer, such as an Object mask, a picture, a key or a shadow." },
-    { "NAME": "source", "TYPE": "long", "LABEL": "Mask by", "DOC": "Brightness: white is inside and black outside, as Rec. 709 luma times alpha. Alpha: opaque is inside and transparent outside.", "VALUES": [0, 1], "LABELS": ["Brightness", "Alpha"], "DEFAULT": 0 },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swaps inside and outside.", "DEFAULT": false }
+    { "NAME": "inside", "TYPE": "image", "LABEL": "Inside", "DOC": "The layer to show where the mask is bright. The depth of the result is from this layer." },
+    { "NAME": "outside", "TYPE": "image", "LABEL": "Outside", "DOC": "The layer to show elsewhere." },
+    { "NAME": "mask", "TYPE": "image", "LABEL": "Mask", "DOC": "The mask: any layer, such as an Object mask, an image, a color key or a shadow." },
+    { "NAME": "source", "TYPE": "long", "LABEL": "Mask by", "DOC": "Brightness: white shows “Inside” and black shows “Outside” (Rec. 709 luma times alpha). Alpha: opaque shows “Inside” and transparent shows “Outside”.", "VALUES": [0, 1], "LABELS": ["Brightness", "Alpha"], "DEFAULT": 0 },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swap “Inside” and “Outside”.", "DEFAULT": false }
   ]
 }*/
 

@@ -1,17 +1,17 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "LUT",
-  "DESCRIPTION": "Grades a layer by a color table (LUT). Drop a .cube file on the canvas to get its table as a picture; pictures of tables from other programs fit too: one row of squares, or eight rows of eight.",
+  "DESCRIPTION": "Grades a layer with a color lookup table (LUT). Drop a .cube file on the canvas to import its table as an image. Table images of other programs work too: one row of squares, or eight rows of eight.",
   "CREDIT": "Scrim. Tables: Adobe, Cube LUT Specification 1.0",
   "CATEGORIES": ["Color", "Grading", "Color correction", "Color table", "Look", "Film", "Cube"],
   "SCRIM_FIT": "stretch",
   "SCRIM_DEPTH": "same",
   "INPUTS": [
     { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to grade." },
-    { "NAME": "table", "TYPE": "image", "LABEL": "Table", "DOC": "The table as a picture: squares of red to the right and green downwards, blue from square to square." },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "0 leaves the layer as it is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "size", "TYPE": "float", "LABEL": "Steps", "DOC": "Pixels along the side of a square.", "MIN": 2.0, "MAX": 64.0, "DEFAULT": 33.0, "STEP": 1.0 },
-    { "NAME": "columns", "TYPE": "float", "LABEL": "Squares in a row", "DOC": "As many as steps for a table in one row; 8 for one of 512 × 512 pixels.", "MIN": 1.0, "MAX": 64.0, "DEFAULT": 33.0, "STEP": 1.0 }
+    { "NAME": "table", "TYPE": "image", "LABEL": "Table", "DOC": "The table as an image of squares: red to the right, green downwards, blue from square to square." },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Strength of the effect: 0 leaves the layer unchanged.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "size", "TYPE": "float", "LABEL": "Steps", "DOC": "Side of a square, in pixels.", "MIN": 2.0, "MAX": 64.0, "DEFAULT": 33.0, "STEP": 1.0 },
+    { "NAME": "columns", "TYPE": "float", "LABEL": "Squares in a row", "DOC": "Number of squares per row: the same as “Steps” for a table in one row; 8 for a table of 512 × 512 pixels.", "MIN": 1.0, "MAX": 64.0, "DEFAULT": 33.0, "STEP": 1.0 }
   ]
 }*/
 

@@ -1,15 +1,15 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Shows a layer only where a mask is bright, or only where it is opaque.",
+  "DESCRIPTION": "Shows a layer only where a mask is bright or opaque; the rest becomes transparent.",
   "CREDIT": "Scrim. Mask values: W3C CSS Masking Module Level 1, section 6.10",
   "CATEGORIES": ["Composite", "Matte", "Cut out", "Stencil"],
   "SCRIM_ALPHA": "premultiplied",
   "INPUTS": [
-    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to show a part of." },
-    { "NAME": "mask", "TYPE": "image", "LABEL": "Mask", "DOC": "Where and how much of the layer shows." },
-    { "NAME": "source", "TYPE": "long", "LABEL": "Mask by", "DOC": "Brightness: white shows and black hides, as Rec. 709 luma times alpha. Alpha: opaque shows and transparent hides.", "VALUES": [0, 1], "LABELS": ["Brightness", "Alpha"], "DEFAULT": 0 },
-    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Show what would be hidden, and hide what would be shown.", "DEFAULT": false },
-    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "How much the mask counts: 0 shows the whole layer.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "inputImage", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to mask." },
+    { "NAME": "mask", "TYPE": "image", "LABEL": "Mask", "DOC": "The mask: where the layer is visible, and how much." },
+    { "NAME": "source", "TYPE": "long", "LABEL": "Mask by", "DOC": "Brightness: white shows and black hides the layer (Rec. 709 luma times alpha). Alpha: opaque shows and transparent hides it.", "VALUES": [0, 1], "LABELS": ["Brightness", "Alpha"], "DEFAULT": 0 },
+    { "NAME": "invert", "TYPE": "bool", "LABEL": "Invert", "DOC": "Swap the visible and the hidden parts.", "DEFAULT": false },
+    { "NAME": "amount", "TYPE": "float", "LABEL": "Amount", "DOC": "Strength of the mask: 0 shows the whole layer.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 

@@ -1,22 +1,22 @@
 /*{
   "ISFVSN": "2",
-  "DESCRIPTION": "Gives a drawn layer the grain and the blur of the camera's picture, both measured in that picture as it plays, so that drawn things do not look cut out. Lay the result over the camera.",
+  "DESCRIPTION": "Adds the grain and the blur of the camera image to a rendered layer, so that virtual objects look like a part of it. Both are measured in the camera image while it plays. Put the result over the camera video.",
   "CREDIT": "Scrim. Idea: J. Fischer et al. 2006, Enhanced Visual Realism by Incorporating Camera Image Effects, ISMAR. Noise: J. Immerkaer 1996, Computer Vision and Image Understanding 64, 300. Blur: S. Zhuo and T. Sim 2011, Pattern Recognition 44, 1852. Random numbers: I. McEwan et al. 2012, J. Graphics Tools 16, 85",
   "CATEGORIES": ["Composite", "Noise", "Grain", "Blur", "Camera", "Realism", "Match"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "INPUTS": [
-    { "NAME": "drawn", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to change, such as a scene. Depth is taken from here." },
-    { "NAME": "camera", "TYPE": "image", "LABEL": "Camera", "DOC": "The picture to measure." },
-    { "NAME": "grain", "TYPE": "float", "LABEL": "Grain", "DOC": "Part of the camera's grain to add: 1 is as much as was measured.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "UNIT": "ratio" },
-    { "NAME": "blur", "TYPE": "float", "LABEL": "Blur", "DOC": "Part of the camera's blur to add: 1 makes edges as soft as those that were found.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "UNIT": "ratio" },
-    { "NAME": "follow", "TYPE": "float", "LABEL": "Follow", "DOC": "How much of a new measurement counts in each frame: little keeps the grain calm, 1 follows at once.", "MIN": 0.02, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
-    { "NAME": "rate", "TYPE": "float", "LABEL": "Rate", "DOC": "How often the grain changes. 0 keeps it still.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 30.0, "UNIT": "Hz" }
+    { "NAME": "drawn", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to change, such as a scene. The depth of the result is from this layer." },
+    { "NAME": "camera", "TYPE": "image", "LABEL": "Camera", "DOC": "The camera image to measure." },
+    { "NAME": "grain", "TYPE": "float", "LABEL": "Grain", "DOC": "Fraction of the measured grain to add: 1 adds all of it.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "UNIT": "ratio" },
+    { "NAME": "blur", "TYPE": "float", "LABEL": "Blur", "DOC": "Fraction of the measured blur to add: 1 makes edges as soft as in the camera image.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "UNIT": "ratio" },
+    { "NAME": "follow", "TYPE": "float", "LABEL": "Follow", "DOC": "Weight of a new measurement in each frame: a small value keeps the grain steady, 1 follows at once.", "MIN": 0.02, "MAX": 1.0, "DEFAULT": 0.1, "UNIT": "ratio" },
+    { "NAME": "rate", "TYPE": "float", "LABEL": "Rate", "DOC": "How often the grain changes, in hertz. 0 keeps it still.", "MIN": 0.0, "MAX": 60.0, "DEFAULT": 30.0, "UNIT": "Hz" }
   ],
   "PASSES": [
-    { "TARGET": "noises", "WIDTH": "16", "HEIGHT": "9", "FLOAT": true, "DESCRIPTION": "Noise at 16 by 9 places of the camera's picture: standard deviation per channel." },
-    { "TARGET": "edges", "WIDTH": "16", "HEIGHT": "9", "FLOAT": true, "DESCRIPTION": "The steepest edge there: how much brighter per pixel, and the standard deviation of its blur in pixels." },
-    { "TARGET": "found", "WIDTH": "1", "HEIGHT": "1", "FLOAT": true, "PERSISTENT": true, "DESCRIPTION": "Noise per channel and blur of the whole, that plus 1: 0 is not measured yet." },
+    { "TARGET": "noises", "WIDTH": "16", "HEIGHT": "9", "FLOAT": true, "DESCRIPTION": "Measures the noise at 16 by 9 places of the camera image: standard deviation per channel." },
+    { "TARGET": "edges", "WIDTH": "16", "HEIGHT": "9", "FLOAT": true, "DESCRIPTION": "Measures the steepest edge at each place: its gradient per pixel, and the standard deviation of its blur in pixels." },
+    { "TARGET": "found", "WIDTH": "1", "HEIGHT": "1", "FLOAT": true, "PERSISTENT": true, "DESCRIPTION": "Combines them to the noise per channel and the blur of the whole image, stored plus 1: 0 means not measured yet." },
     { "TARGET": "across", "DESCRIPTION": "Blurs along x." },
     { "DESCRIPTION": "Blurs along y, and adds the grain." }
   ]

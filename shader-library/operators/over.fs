@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Alpha over",
-  "DESCRIPTION": "Lays one layer over another. Where the upper one is transparent, the lower one shows.",
+  "DESCRIPTION": "Puts one layer over another. Where the top layer is transparent, the bottom layer shows.",
   "CREDIT": "Scrim. Source-over: W3C Compositing and Blending Level 1, section 9.1.4",
   "CATEGORIES": ["Composite", "Merge", "Blend", "Layer"],
   "SCRIM_ALPHA": "premultiplied",
@@ -9,7 +9,7 @@
   "INPUTS": [
     { "NAME": "top", "TYPE": "image", "LABEL": "Top", "DOC": "The layer in front." },
     { "NAME": "bottom", "TYPE": "image", "LABEL": "Bottom", "DOC": "The layer behind." },
-    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "How much of the top layer shows: 0 is none of it, 1 is all.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" }
+    { "NAME": "opacity", "TYPE": "float", "LABEL": "Opacity", "DOC": "Opacity of the top layer: 0 hides it, 1 shows it fully.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 1.0, "UNIT": "ratio" }
   ]
 }*/
 

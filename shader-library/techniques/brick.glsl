@@ -1,15 +1,15 @@
 /*{
-  "DESCRIPTION": "Builds objects of bricks: rows in half bond with mortar between them, laid along the object's own axes, so that they stay on it as it moves. Edges of the bricks are rounded and catch the light.",
+  "DESCRIPTION": "Draws objects as brick walls: rows of bricks in half bond with mortar joints and rounded edges. The bricks follow the local axes of the object and stay in place as it moves.",
   "CREDIT": "Scrim. After the brick shader of Rost, OpenGL Shading Language, 2004, chapter 6; bump: Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU, 2010",
   "CATEGORIES": ["Wall", "Stone", "Masonry", "Mortar", "Procedural", "Texture", "Building"],
   "INPUTS": [
-    { "NAME": "brickM", "TYPE": "point2D", "LABEL": "Brick", "DOC": "Length and height of a brick with its share of mortar, in the room.", "MIN": [0.002, 0.002], "MAX": [2.0, 1.0], "DEFAULT": [0.064, 0.024], "UNIT": "m" },
-    { "NAME": "mortarM", "TYPE": "float", "LABEL": "Mortar", "DOC": "How wide the joints between bricks are.", "MIN": 0.0, "MAX": 0.1, "DEFAULT": 0.004, "STEP": 0.001, "UNIT": "m" },
+    { "NAME": "brickM", "TYPE": "point2D", "LABEL": "Brick", "DOC": "Length and height of a brick including its mortar, in meters.", "MIN": [0.002, 0.002], "MAX": [2.0, 1.0], "DEFAULT": [0.064, 0.024], "UNIT": "m" },
+    { "NAME": "mortarM", "TYPE": "float", "LABEL": "Mortar", "DOC": "Width of the joints between bricks.", "MIN": 0.0, "MAX": 0.1, "DEFAULT": 0.004, "STEP": 0.001, "UNIT": "m" },
     { "NAME": "brickColor", "TYPE": "color", "LABEL": "Brick color", "DOC": "Color of the bricks.", "DEFAULT": [0.58, 0.28, 0.21, 1.0] },
     { "NAME": "mortarColor", "TYPE": "color", "LABEL": "Mortar color", "DOC": "Color of the joints.", "DEFAULT": [0.78, 0.74, 0.68, 1.0] },
-    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much of the object's own color the bricks take.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "variation", "TYPE": "float", "LABEL": "Variation", "DOC": "How much bricks differ from each other, and how rough they are.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "bump", "TYPE": "float", "LABEL": "Depth", "DOC": "How far bricks stand out of the mortar, as a part of its width.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much of the object's own color the bricks have.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "variation", "TYPE": "float", "LABEL": "Variation", "DOC": "How much the bricks differ from each other, and how rough they are.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "bump", "TYPE": "float", "LABEL": "Depth", "DOC": "How far the bricks stand out from the mortar, as a fraction of its width.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 #include <light/diffuse>

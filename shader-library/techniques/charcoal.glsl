@@ -1,18 +1,18 @@
 /*{
-  "DESCRIPTION": "Draws objects with charcoal on rough paper: soft dark masses that a finger has smudged, the grain of the paper in the half-tones, and thick crumbling lines around shapes. The grain stays on the object and is as fine from near as from afar.",
+  "DESCRIPTION": "Draws objects as a charcoal drawing: smudged dark areas, paper grain in the halftones, and thick rough outlines. The grain stays on the object and keeps its size on screen at any distance.",
   "CREDIT": "Scrim. After Majumder and Gopi, Hardware Accelerated Real Time Charcoal Rendering, NPAR 2002: contrast, smudging and grain; grain of constant size: Bénard, Bousseau, Thollot, Dynamic Solid Textures for Real-Time Coherent Stylization, I3D 2009",
   "CATEGORIES": ["Charcoal", "Drawing", "Sketch", "Paper", "Pencil", "NPR", "Smudge"],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
-    { "NAME": "contrast", "TYPE": "float", "LABEL": "Contrast", "DOC": "How hard dark and bright are set apart.", "MIN": 0.5, "MAX": 4.0, "DEFAULT": 1.3 },
-    { "NAME": "darkness", "TYPE": "float", "LABEL": "Pressure", "DOC": "How much charcoal there is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
-    { "NAME": "grain", "TYPE": "float", "LABEL": "Grain", "DOC": "How rough the paper is.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "grainPx", "TYPE": "float", "LABEL": "Grain size", "DOC": "How large the grain is on screen.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 2.5, "UNIT": "px" },
-    { "NAME": "smudge", "TYPE": "float", "LABEL": "Smudge", "DOC": "How much the charcoal is rubbed into the paper, in uneven strokes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "contrast", "TYPE": "float", "LABEL": "Contrast", "DOC": "Contrast between dark and bright areas.", "MIN": 0.5, "MAX": 4.0, "DEFAULT": 1.3 },
+    { "NAME": "darkness", "TYPE": "float", "LABEL": "Pressure", "DOC": "Amount of charcoal.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "grain", "TYPE": "float", "LABEL": "Grain", "DOC": "Roughness of the paper.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "grainPx", "TYPE": "float", "LABEL": "Grain size", "DOC": "Size of the grain on screen.", "MIN": 1.0, "MAX": 12.0, "DEFAULT": 2.5, "UNIT": "px" },
+    { "NAME": "smudge", "TYPE": "float", "LABEL": "Smudge", "DOC": "How much the charcoal is smudged, in uneven strokes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "charcoalColor", "TYPE": "color", "LABEL": "Charcoal", "DOC": "Color of the charcoal.", "DEFAULT": [0.1, 0.09, 0.09, 1.0] },
-    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color of the paper. With less opacity what is behind the object shows through.", "DEFAULT": [0.95, 0.93, 0.88, 1.0] },
-    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colors of the object are drawn darker.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
+    { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color of the paper. With alpha below 1, what is behind the object shows through.", "DEFAULT": [0.95, 0.93, 0.88, 1.0] },
+    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much darker the dark colors of the object are drawn.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "Width of the outline on screen. 0 turns it off.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
   ]
 }*/
 #include <light/received>

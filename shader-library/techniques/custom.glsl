@@ -1,12 +1,12 @@
 /*{
-  "DESCRIPTION": "A technique to make your own of: it bands the object's color with light, and shows what a technique can use. Open its code and change it; the project then has a copy of its own.",
+  "DESCRIPTION": "A template for your own material: it shades the object's color in bands of light and shows what a custom material can use. Open its code and edit it; the project then gets its own copy.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Custom", "Template", "Own", "New", "Shader", "GLSL", "Code"],
   "INPUTS": [
     { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "Color of the rim.", "DEFAULT": [0.3, 0.75, 1.0, 1.0] },
-    { "NAME": "rim", "TYPE": "float", "LABEL": "Rim", "DOC": "How much of the object the rim takes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },
-    { "NAME": "wave", "TYPE": "float", "LABEL": "Wave", "DOC": "How far the object breathes.", "MIN": 0.0, "MAX": 0.05, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "m" },
-    { "NAME": "picture", "TYPE": "image", "LABEL": "Picture", "DOC": "A layer that lies on the object, as seen from the eye.", "OPTIONAL": true }
+    { "NAME": "rim", "TYPE": "float", "LABEL": "Rim", "DOC": "Width of the rim.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.35, "UNIT": "ratio" },
+    { "NAME": "wave", "TYPE": "float", "LABEL": "Wave", "DOC": "Amplitude of the movement of the surface.", "MIN": 0.0, "MAX": 0.05, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "m" },
+    { "NAME": "picture", "TYPE": "image", "LABEL": "Image", "DOC": "A layer that is projected onto the object from the view.", "OPTIONAL": true }
   ]
 }*/
 #include <light/diffuse>

@@ -1,19 +1,19 @@
 /*{
-  "DESCRIPTION": "Makes objects of clear glass: what is behind them is seen bent by both of their surfaces, edges mirror more than the middle, and lights shine on them. Wire the layer that is behind them, such as the camera's video; where that cannot be had, the glass is see-through and bends nothing.",
+  "DESCRIPTION": "Draws objects as clear glass: it refracts the layer behind the objects at both surfaces, reflects the environment, most at the edges, and shows highlights of the lights. Connect the layer behind the objects, such as the camera video; without it the glass is transparent and does not refract.",
   "CREDIT": "Scrim. Refraction: Snell's law at the near and the far side, taking the object for a ball or a pane; Fresnel's equations for glass; color: Beer's law",
   "CATEGORIES": ["Glass", "Refraction", "Fresnel", "Lens", "Crystal", "Water", "Transparent", "Ice"],
   "PASSES": [{ "SIDE": "front" }],
   "INPUTS": [
-    { "NAME": "behind", "TYPE": "image", "LABEL": "Behind", "DOC": "The layer that is seen through the glass. Without a wire the glass bends nothing.", "OPTIONAL": true },
+    { "NAME": "behind", "TYPE": "image", "LABEL": "Behind", "DOC": "The layer that is visible through the glass. Not connected: the glass does not refract.", "OPTIONAL": true },
     { "NAME": "ior", "TYPE": "float", "LABEL": "Index", "DOC": "Index of refraction: 1 is air, 1.33 water, 1.5 glass, 2.4 diamond.", "MIN": 1.0, "MAX": 2.5, "DEFAULT": 1.5, "IDENTITY": 1.0 },
-    { "NAME": "shape", "TYPE": "long", "LABEL": "Shape", "DOC": "What the inside is like: a ball turns what is behind upside down, a pane moves it aside.", "VALUES": [0, 1], "LABELS": ["Ball", "Pane"], "DEFAULT": 0 },
-    { "NAME": "thicknessM", "TYPE": "float", "LABEL": "Thickness", "DOC": "From the near to the far side where the object is thickest.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.1, "UNIT": "m" },
-    { "NAME": "behindM", "TYPE": "float", "LABEL": "Distance behind", "DOC": "How far from the eye that is which is seen through the glass.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 2.5, "UNIT": "m" },
-    { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "What white looks like through the whole thickness.", "DEFAULT": [0.93, 0.985, 0.97, 1.0] },
-    { "NAME": "dispersion", "TYPE": "float", "LABEL": "Dispersion", "DOC": "How far the index differs between red and blue: colors at edges.", "MIN": 0.0, "MAX": 0.2, "DEFAULT": 0.01, "IDENTITY": 0.0 },
+    { "NAME": "shape", "TYPE": "long", "LABEL": "Shape", "DOC": "Assumed shape of the object: a ball shows the background upside down, a pane shifts it.", "VALUES": [0, 1], "LABELS": ["Ball", "Pane"], "DEFAULT": 0 },
+    { "NAME": "thicknessM", "TYPE": "float", "LABEL": "Thickness", "DOC": "Distance from the front to the back surface where the object is thickest.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.1, "UNIT": "m" },
+    { "NAME": "behindM", "TYPE": "float", "LABEL": "Distance behind", "DOC": "Distance from the camera to what is visible through the glass.", "MIN": 0.1, "MAX": 100.0, "DEFAULT": 2.5, "UNIT": "m" },
+    { "NAME": "tint", "TYPE": "color", "LABEL": "Tint", "DOC": "Color of white light after it has passed through the full thickness.", "DEFAULT": [0.93, 0.985, 0.97, 1.0] },
+    { "NAME": "dispersion", "TYPE": "float", "LABEL": "Dispersion", "DOC": "Difference of the index between red and blue. It adds color fringes at edges.", "MIN": 0.0, "MAX": 0.2, "DEFAULT": 0.01, "IDENTITY": 0.0 },
     { "NAME": "shine", "TYPE": "float", "LABEL": "Shine", "DOC": "Brightness of the lights' reflections.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "mirror", "TYPE": "float", "LABEL": "Mirror", "DOC": "Brightness of the surroundings in the glass, bright above and dark below.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "haze", "TYPE": "float", "LABEL": "Haze", "DOC": "How milky the glass is. Shadows fall on it.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.03, "IDENTITY": 0.0, "UNIT": "ratio" }
+    { "NAME": "mirror", "TYPE": "float", "LABEL": "Mirror", "DOC": "Brightness of the reflected environment, which is bright above and dark below.", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 1.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "haze", "TYPE": "float", "LABEL": "Haze", "DOC": "How milky the glass is. Milky glass receives shadows.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.03, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/
 #include <light/diffuse>

@@ -1,17 +1,17 @@
 /*{
-  "DESCRIPTION": "Shades objects from a cool to a warm tone, as technical illustrations do: what faces the light is warm, what faces away is cool, and nothing is black, so that shape reads everywhere. Black lines follow the silhouettes. The strongest light counts; without lights it comes from the eye.",
+  "DESCRIPTION": "Shades objects from cool to warm tones, as technical illustrations do: surfaces that face the light are warm, others are cool, and none is black, so the shape is visible everywhere. Outlines follow the silhouettes. Only the strongest light counts; without lights, the light comes from the camera.",
   "CREDIT": "Scrim. Gooch, Gooch, Shirley, Cohen: A Non-Photorealistic Lighting Model for Automatic Technical Illustration, SIGGRAPH 1998, sections 4.1 and 4.2",
   "CATEGORIES": ["Illustration", "Technical", "NPR", "Cool", "Warm", "Tone", "CAD", "Silhouette"],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
-    { "NAME": "coolColor", "TYPE": "color", "LABEL": "Cool", "DOC": "Tone of what faces away from the light.", "DEFAULT": [0.1, 0.2, 0.75, 1.0] },
-    { "NAME": "warmColor", "TYPE": "color", "LABEL": "Warm", "DOC": "Tone of what faces the light.", "DEFAULT": [0.85, 0.7, 0.15, 1.0] },
+    { "NAME": "coolColor", "TYPE": "color", "LABEL": "Cool", "DOC": "Color of surfaces that face away from the light.", "DEFAULT": [0.1, 0.2, 0.75, 1.0] },
+    { "NAME": "warmColor", "TYPE": "color", "LABEL": "Warm", "DOC": "Color of surfaces that face the light.", "DEFAULT": [0.85, 0.7, 0.15, 1.0] },
     { "NAME": "coolShare", "TYPE": "float", "LABEL": "Own color, cool", "DOC": "How much of the object's own color is added to the cool tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
-    { "NAME": "warmShare", "TYPE": "float", "LABEL": "Own color, warm", "DOC": "How much of it is added to the warm tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
+    { "NAME": "warmShare", "TYPE": "float", "LABEL": "Own color, warm", "DOC": "How much of the object's own color is added to the warm tone.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "UNIT": "ratio" },
     { "NAME": "highlight", "TYPE": "float", "LABEL": "Highlight", "DOC": "Strength of the white highlight.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.7, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "How small the highlight is: Phong's exponent.", "MIN": 1.0, "MAX": 200.0, "DEFAULT": 40.0 },
-    { "NAME": "linePx", "TYPE": "float", "LABEL": "Silhouette", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 2.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
-    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Silhouette color", "DOC": "Color of the lines around shapes.", "DEFAULT": [0.02, 0.02, 0.04, 1.0] }
+    { "NAME": "sharpness", "TYPE": "float", "LABEL": "Sharpness", "DOC": "Phong exponent: a higher value gives a smaller highlight.", "MIN": 1.0, "MAX": 200.0, "DEFAULT": 40.0 },
+    { "NAME": "linePx", "TYPE": "float", "LABEL": "Silhouette", "DOC": "Width of the outline on screen. 0 turns it off.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 2.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
+    { "NAME": "lineColor", "TYPE": "color", "LABEL": "Silhouette color", "DOC": "Color of the outline.", "DEFAULT": [0.02, 0.02, 0.04, 1.0] }
   ]
 }*/
 #include <light/strongest>

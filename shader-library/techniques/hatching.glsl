@@ -1,19 +1,19 @@
 /*{
-  "DESCRIPTION": "Draws objects with pen strokes: the less light a surface gets, the more strokes lie on it, and darker tones keep the strokes of lighter ones. The strokes stay on the object and keep their width from near and far.",
+  "DESCRIPTION": "Draws objects as pen hatching: darker areas get more strokes. The strokes stay on the object and keep their width on screen at any distance.",
   "CREDIT": "Scrim. Praun, Hoppe, Webb, Finkelstein: Real-Time Hatching, SIGGRAPH 2001",
   "CATEGORIES": ["Hatch", "Pen", "Ink", "Drawing", "Sketch", "Engraving", "NPR", "Tonal art map"],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "IMPORTED": { "lightTones": { "PATH": "pictures/hatching-light.png" }, "darkTones": { "PATH": "pictures/hatching-dark.png" } },
   "INPUTS": [
-    { "NAME": "sizeM", "TYPE": "float", "LABEL": "Size", "DOC": "How far the drawing goes on the object before it repeats: larger gives longer, wider strokes from near.", "MIN": 0.005, "MAX": 2.0, "DEFAULT": 0.16, "UNIT": "m" },
-    { "NAME": "turn", "TYPE": "float", "LABEL": "Direction", "DOC": "How the first strokes are turned on the object.", "MIN": -3.14159, "MAX": 3.14159, "DEFAULT": 0.6, "UNIT": "rad" },
-    { "NAME": "mapping", "TYPE": "long", "LABEL": "Laid by", "DOC": "Whether strokes follow the object's axes, or the coordinates of its pictures, for models that have good ones.", "VALUES": [0, 1], "LABELS": ["Axes", "Picture coordinates"], "DEFAULT": 0 },
-    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Lightens or darkens the drawing: how much of the tone is left out.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.05, "UNIT": "ratio" },
-    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colors of the object are hatched as well.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "sizeM", "TYPE": "float", "LABEL": "Size", "DOC": "Size of the stroke pattern on the object before it repeats. A larger pattern has longer, wider strokes close up.", "MIN": 0.005, "MAX": 2.0, "DEFAULT": 0.16, "UNIT": "m" },
+    { "NAME": "turn", "TYPE": "float", "LABEL": "Direction", "DOC": "Angle of the first strokes on the object.", "MIN": -3.14159, "MAX": 3.14159, "DEFAULT": 0.6, "UNIT": "rad" },
+    { "NAME": "mapping", "TYPE": "long", "LABEL": "Mapping", "DOC": "Whether strokes follow the local axes of the object or its texture coordinates (UV). Use UV for models with good texture coordinates.", "VALUES": [0, 1], "LABELS": ["Axes", "Picture coordinates"], "DEFAULT": 0 },
+    { "NAME": "brightness", "TYPE": "float", "LABEL": "Brightness", "DOC": "Lightens or darkens the drawing.", "MIN": -1.0, "MAX": 1.0, "DEFAULT": 0.05, "UNIT": "ratio" },
+    { "NAME": "ownTone", "TYPE": "float", "LABEL": "Own tone", "DOC": "How much dark colors of the object add strokes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "IDENTITY": 0.0, "UNIT": "ratio" },
     { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the strokes.", "DEFAULT": [0.09, 0.08, 0.12, 1.0] },
     { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the strokes. With less opacity what is behind the object shows through.", "DEFAULT": [0.97, 0.95, 0.9, 1.0] },
-    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much the ink takes the object's own color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
-    { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the lines around shapes are on screen. 0 is none.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much of the object's own color the ink has.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "IDENTITY": 0.0, "UNIT": "ratio" },
+    { "NAME": "linePx", "TYPE": "float", "LABEL": "Outline", "DOC": "Width of the outline on screen. 0 turns it off.", "MIN": 0.0, "MAX": 12.0, "DEFAULT": 1.5, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" }
   ]
 }*/
 #include <light/received>

@@ -1,17 +1,17 @@
 /*{
-  "DESCRIPTION": "Draws objects as a quick sketch: three loose strokes follow each silhouette, miss it by a little and miss each other, and are redrawn a few times a second, so that the drawing lives. Between the lines lies a thin wash of the object's color.",
+  "DESCRIPTION": "Draws objects as a quick sketch: three loose strokes follow each silhouette and are redrawn a few times a second. Between the lines is a thin wash of the object's color.",
   "CREDIT": "Scrim. After Curtis, Loose and Sketchy Animation, SIGGRAPH 1998; strokes by hulls around the object instead of particles",
   "CATEGORIES": ["Sketch", "Sketchy", "Lines", "Pencil", "Drawing", "Jitter", "Boil", "Wobble", "NPR"],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }, { "SIDE": "back" }, { "SIDE": "back" }, { "SIDE": "back" }, { "SIDE": "back" }, { "SIDE": "back" }],
   "INPUTS": [
-    { "NAME": "strokePx", "TYPE": "float", "LABEL": "Stroke", "DOC": "How wide a stroke is on screen.", "MIN": 0.5, "MAX": 8.0, "DEFAULT": 2.0, "STEP": 0.5, "UNIT": "px" },
-    { "NAME": "loosePx", "TYPE": "float", "LABEL": "Looseness", "DOC": "How far strokes miss the shape.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 5.0, "UNIT": "px" },
-    { "NAME": "waveM", "TYPE": "float", "LABEL": "Wave", "DOC": "How long a stroke goes one way before it turns.", "MIN": 0.005, "MAX": 1.0, "DEFAULT": 0.06, "UNIT": "m" },
-    { "NAME": "rate", "TYPE": "float", "LABEL": "Redrawn", "DOC": "How many times a second the strokes are redrawn. 0 leaves them as they are.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "UNIT": "Hz" },
-    { "NAME": "seed", "TYPE": "float", "LABEL": "Seed", "DOC": "Another number is another hand.", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 1.0, "STEP": 1.0 },
+    { "NAME": "strokePx", "TYPE": "float", "LABEL": "Stroke", "DOC": "Width of a stroke on screen.", "MIN": 0.5, "MAX": 8.0, "DEFAULT": 2.0, "STEP": 0.5, "UNIT": "px" },
+    { "NAME": "loosePx", "TYPE": "float", "LABEL": "Looseness", "DOC": "How far strokes deviate from the silhouette.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 5.0, "UNIT": "px" },
+    { "NAME": "waveM", "TYPE": "float", "LABEL": "Wave", "DOC": "Length of the waves of a stroke.", "MIN": 0.005, "MAX": 1.0, "DEFAULT": 0.06, "UNIT": "m" },
+    { "NAME": "rate", "TYPE": "float", "LABEL": "Redraw rate", "DOC": "How many times a second the strokes are redrawn. 0 leaves them as they are.", "MIN": 0.0, "MAX": 24.0, "DEFAULT": 4.0, "IDENTITY": 0.0, "UNIT": "Hz" },
+    { "NAME": "seed", "TYPE": "float", "LABEL": "Seed", "DOC": "Another seed gives other strokes.", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 1.0, "STEP": 1.0 },
     { "NAME": "inkColor", "TYPE": "color", "LABEL": "Ink", "DOC": "Color of the strokes.", "DEFAULT": [0.12, 0.1, 0.14, 1.0] },
-    { "NAME": "washColor", "TYPE": "color", "LABEL": "Wash", "DOC": "Tint of what lies between the lines. With less opacity what is behind the object shows through.", "DEFAULT": [1.0, 0.98, 0.94, 1.0] },
-    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much of the object's own color the wash takes.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.45, "UNIT": "ratio" },
+    { "NAME": "washColor", "TYPE": "color", "LABEL": "Wash", "DOC": "Color between the lines. With alpha below 1, what is behind the object shows through.", "DEFAULT": [1.0, 0.98, 0.94, 1.0] },
+    { "NAME": "ownColor", "TYPE": "float", "LABEL": "Own color", "DOC": "How much of the object's own color the wash has.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.45, "UNIT": "ratio" },
     { "NAME": "shade", "TYPE": "float", "LABEL": "Shade", "DOC": "How much darker the wash is where there is little light.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.4, "IDENTITY": 0.0, "UNIT": "ratio" }
   ]
 }*/

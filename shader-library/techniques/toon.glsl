@@ -1,14 +1,14 @@
 /*{
-  "DESCRIPTION": "Draws objects like a cartoon: flat steps of light and an outline. The steps darken the object's own color, or are the colors of a picture, from its left, dark, to its right, bright.",
+  "DESCRIPTION": "Draws objects as a cartoon: flat steps of light and an outline. The steps darken the object's own color, or take their colors from a ramp image, from dark at its left to bright at its right.",
   "CREDIT": "Scrim. Steps: Lake, Marshall, Harris, Blackstein, Stylized Rendering Techniques for Scalable Real-Time 3D Animation, NPAR 2000; outline by inverted hull",
   "CATEGORIES": ["Cartoon", "Cel", "Comic", "Anime", "Outline", "Ramp", "NPR"],
   "SCRIM_RENAMED": [{ "outlineM": { "TO": "outlinePx", "TIMES": 750 } }],
   "PASSES": [{ "SIDE": "object" }, { "SIDE": "back" }],
   "INPUTS": [
-    { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Picture whose middle row tints the steps, dark to bright from left to right. Without a wire the steps go by “Darkest”.", "OPTIONAL": true, "SPACE": "picture" },
-    { "NAME": "levels", "TYPE": "long", "LABEL": "Levels", "DOC": "How many steps of light there are.", "VALUES": [1, 2, 3, 4, 5, 6], "LABELS": ["1", "2", "3", "4", "5", "6"], "DEFAULT": 3 },
+    { "NAME": "ramp", "TYPE": "image", "LABEL": "Ramp", "DOC": "Image whose middle row colors the steps, dark to bright from left to right. Not connected: “Darkest” sets the steps.", "OPTIONAL": true, "SPACE": "picture" },
+    { "NAME": "levels", "TYPE": "long", "LABEL": "Levels", "DOC": "Number of steps of light.", "VALUES": [1, 2, 3, 4, 5, 6], "LABELS": ["1", "2", "3", "4", "5", "6"], "DEFAULT": 3 },
     { "NAME": "darkest", "TYPE": "float", "LABEL": "Darkest", "DOC": "Brightness of the darkest step; the brightest shows the object's own color.", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25, "UNIT": "ratio" },
-    { "NAME": "outlinePx", "TYPE": "float", "LABEL": "Outline", "DOC": "How wide the outline is on screen. 0 is none.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
+    { "NAME": "outlinePx", "TYPE": "float", "LABEL": "Outline", "DOC": "Width of the outline on screen. 0 turns it off.", "MIN": 0.0, "MAX": 16.0, "DEFAULT": 3.0, "IDENTITY": 0.0, "STEP": 0.5, "UNIT": "px" },
     { "NAME": "outlineColor", "TYPE": "color", "LABEL": "Outline color", "DOC": "Color of the outline.", "DEFAULT": [0.05, 0.04, 0.08, 1.0] }
   ]
 }*/

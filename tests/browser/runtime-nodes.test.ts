@@ -38,9 +38,9 @@ describe('a picture from a file', () => {
   test('that cannot be had is told at the node, with what to do', async () => {
     const told = await page.call<{ code: string; nodeId: string; message: string; fix: string }[]>('brokenAssets');
     expect(told.map(({ code, nodeId, message }) => `${code} ${nodeId}: ${message}`)).toEqual([
-      expect.stringMatching(/^SCR032 source\/image-file: The picture "assets\/torn.png" cannot be decoded: /),
-      'SCR030 source/image-file: The picture "assets/gone.png" cannot be read: there is no such file.',
-      'SCR033 source/image-file: "assets/robot.glb" is a model, and the node needs a picture.',
+      expect.stringMatching(/^SCR032 source\/image-file: The image "assets\/torn.png" cannot be decoded: /),
+      'SCR030 source/image-file: The image "assets/gone.png" cannot be read: there is no such file.',
+      'SCR033 source/image-file: "assets/robot.glb" is a model, but the node needs an image.',
       'SCR030 source/image-file: The asset "nowhere" is not in the project.',
     ]);
     expect(told.every((diagnostic) => diagnostic.fix.length > 0)).toBe(true);

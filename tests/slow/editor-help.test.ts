@@ -25,7 +25,7 @@ test('help beside the graph says what the selected node takes, gives and can be 
   await help.getByRole('heading', { name: 'Gaussian blur', level: 2 }).waitFor();
   expect(await part('Inputs').textContent()).toContain('layer · required');
   // The unit, the default and both ends of the range are the definition's.
-  expect(await part('Parameters').textContent()).toMatch(/Radius.*px.*to.*px.*can be wired/);
+  expect(await part('Parameters').textContent()).toMatch(/Radius.*px.*to.*px.*can be connected/);
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     expect(await axeFindings(page)).toEqual([]);

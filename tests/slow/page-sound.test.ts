@@ -117,7 +117,7 @@ describe('an exported page that listens', () => {
   test('goes on in silence for who refuses, and says what to do', async () => {
     const { page } = await open(refusing.browser, listening.url);
     await page.mouse.click(300, 20);
-    await page.getByText('The microphone was refused.').waitFor();
+    await page.getByText('The microphone was not allowed.').waitFor();
     expect((await corner(page)).slice(0, 3)).toEqual([0, 0, 255]);
     await page.close();
   });

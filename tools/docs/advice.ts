@@ -15,7 +15,7 @@ export const ADVICE: Readonly<Record<DiagnosticCode, string>> = {
   SCR013: 'Connect ports of the same color and shape, or put a node between them that converts one type to the other.',
   SCR014: 'Remove one of the wires named; a cycle must pass through a node that delays by one frame.',
   SCR015: 'Connect the port that the message names.',
-  SCR016: 'Keep one of the wires and delete the others, or merge them first with a node that takes several.',
+  SCR016: 'Keep one of the wires and delete the others, or combine them first with a node that accepts several.',
   SCR017: 'Add one Output node (`output/screen`) and connect the finished layer to it; delete any others.',
   SCR018: 'Choose a value in the inspector. The file may have been edited by hand or saved by another version.',
   SCR019: 'Bind the parameter to a value, or choose a parameter that can change while the program plays: those have a port.',

@@ -14,7 +14,7 @@ export function nodesPage(definitions: readonly NodeDefinition[]): string {
 
 <!-- Made by \`npm run docs\` from the node definitions and the headers of the ISF files; change those instead. -->
 
-Everything that can be placed in a graph. Lengths are in meters, times in seconds; angles are shown in degrees, as in the inspector. A param marked _can be wired_ has a port, and changes while the picture runs.
+The node types that a graph can contain. Lengths are in meters and times in seconds; angles are shown in degrees, as in the inspector. A parameter marked _can be connected_ has a port, and its value can change while the project plays.
 
 ${contents.join('')}
 ${sorted.map(nodeSection).join('\n')}`;
@@ -27,9 +27,9 @@ function nodeSection(definition: NodeDefinition): string {
   ];
   return [
     `## ${heading(definition)}\n\n${definition.doc}\n`,
-    lines.length > 0 ? `\nIn:\n\n${lines.join('')}` : '',
+    lines.length > 0 ? `\nInputs and parameters:\n\n${lines.join('')}` : '',
     Object.keys(definition.outputs).length > 0
-      ? `\nOut:\n\n${Object.entries(definition.outputs)
+      ? `\nOutputs:\n\n${Object.entries(definition.outputs)
           .map(([name, port]) => outputLine(name, port))
           .join('')}`
       : '',
@@ -47,7 +47,7 @@ function outputLine(name: string, port: OutputPort): string {
 }
 
 function paramLine(name: string, param: ParamDefinition): string {
-  return item(param.label, name, [...paramFacts(param), ...(canBeWired(param) ? ['_can be wired_'] : [])], param.doc);
+  return item(param.label, name, [...paramFacts(param), ...(canBeWired(param) ? ['_can be connected_'] : [])], param.doc);
 }
 
 function needs(definition: NodeDefinition): string {
@@ -55,7 +55,7 @@ function needs(definition: NodeDefinition): string {
     (need) =>
       `- **${need.capability.replaceAll('-', ' ')}** (${needFacts(definition, need).join(', ')}): ${need.why}. Without it: ${need.without}\n`,
   );
-  return lines.length === 0 ? '' : `\nNeeds:\n\n${lines.join('')}`;
+  return lines.length === 0 ? '' : `\nRequired features:\n\n${lines.join('')}`;
 }
 
 function item(label: string, name: string, facts: readonly string[], doc: string): string {

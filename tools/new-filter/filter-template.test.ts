@@ -13,7 +13,7 @@ test.each([
   else expect(said).toContain(refusal);
 });
 
-test('its test is beside those of the other filters, and imports what is there', () => {
+test('its test is beside those of the other filters, and its imports exist', () => {
   const path = 'tests/browser/dark-corners.test.ts';
   const { [path]: text = '' } = filterFiles('dark-corners');
   const imports = [...text.matchAll(/from '(\.[^']+)'/g)].map(([, from = '']) => join(dirname(path), from));

@@ -55,27 +55,27 @@ function wires(project: Project): string[] {
 }
 
 describe('the smallest project around a node', () => {
-  test.each(NODES.map(({ type }) => type))('%s stands in a project without mistakes', (type) => {
+  test.each(NODES.map(({ type }) => type))('the project around %s has no problems', (type) => {
     expect(validateProject(surround(LIBRARY, type, 'Try'), LIBRARY)).toEqual([]);
   });
 
-  test('a filter gets the source that needs nothing, and goes to the screen', () => {
+  test('a filter is connected to the cheapest source and to the output', () => {
     expect(wires(surround(LIBRARY, 'filter/tint', 'Try'))).toEqual([
       'tint-x1.layer -> screen-x1.layer',
       'file-x1.layer -> tint-x1.inputImage',
     ]);
   });
 
-  test('a number moves a param of something that is seen', () => {
+  test('a number is connected to a param of a visible node', () => {
     expect(wires(surround(LIBRARY, 'value/time', 'Try'))).toContain('time-x1.time -> tint-x1.amount');
   });
 
-  test('optional ports stay empty', () => {
+  test('optional inputs are not connected', () => {
     const { graphs } = surround(LIBRARY, 'objects/turn', 'Try');
     expect(Object.keys(graphs.main?.nodes ?? {})).toEqual(['turn-x1', 'box-x1', 'scene-x1', 'screen-x1']);
   });
 
-  test('without a way to the screen the node stands alone', () => {
+  test('without a chain to the output the node is alone', () => {
     const alone = libraryOf(
       NODES.filter(({ type }) => type === 'objects/box'),
       {},

@@ -8,13 +8,16 @@ import { hasErrors } from '../../nodes/kit/diagnostics.ts';
 import { conversion, type WireType } from '../../nodes/kit/wire-types.ts';
 
 /**
- * The smallest project that shows a node: what its required ports ask for, and a way from its outputs to the screen, made of
- * whatever the library offers. The same library gives the same project. Where there is no way, the node stands alone.
+ * The smallest project that shows a node: suppliers for its required inputs, and the shortest chain of nodes from its outputs to the
+ * Output node. The result depends only on the library. If there is no such chain, the node is alone.
+ *
+ * @param type A type of the library.
+ * @throws If the library does not have the type.
  */
 export function surround(library: NodeLibrary, type: string, title: string): Project {
   const definitions = [...library.types()].sort().flatMap((name) => library.definition(name) ?? []);
   const own = definitions.find((definition) => definition.type === type);
-  if (!own) throw new Error(`There is no node type ${type}.`);
+  if (!own) throw new Error(`The node type ${type} does not exist.`);
   const builder = createBuilder(library, title);
   const suppliers = cheapestSuppliers(definitions);
   const supply = (id: string, definition: NodeDefinition, taken: string | null): void => {
@@ -29,7 +32,7 @@ export function surround(library: NodeLibrary, type: string, title: string): Pro
   };
   let last = builder.place(own);
   supply(last, own, null);
-  for (const step of wayToScreen(own, definitions)) {
+  for (const step of chainToOutput(own, definitions)) {
     const id = builder.place(step.definition);
     builder.wire({ node: last, port: step.fromPort }, { node: id, port: step.toPort });
     supply(id, step.definition, step.toPort);
@@ -38,7 +41,7 @@ export function surround(library: NodeLibrary, type: string, title: string): Pro
   return builder.finish();
 }
 
-/** Ids count up within a stem: `sepia-x1`, `sepia-x2`. */
+/** Ids are a stem and a number: `sepia-x1`, `sepia-x2`. */
 function createBuilder(library: NodeLibrary, title: string) {
   let project = newProject(title);
   const apply = (next: ReturnType<typeof addNode>): void => {
@@ -67,24 +70,24 @@ function createBuilder(library: NodeLibrary, title: string) {
 interface Supplier {
   readonly definition: NodeDefinition;
   readonly port: string;
-  /** Nodes it takes, those it needs itself included, and what `priceOf` adds. */
+  /** The sum of `priceOf` over the node and the suppliers of its required inputs. */
   readonly nodes: number;
 }
 
-/** A node alone; dearer with needs, and dearest where it shows nothing before somebody has chosen a file. */
+/** The cost of one node: higher if it requests device features, highest if it shows nothing until a file is chosen. */
 function priceOf({ needs, params }: NodeDefinition): number {
   if (Object.values(params).some(({ stage }) => stage === 'asset')) return 3;
   return needs?.length ? 1.5 : 1;
 }
 
-/** Per wire type the output that takes the fewest nodes; of equals, the cheapest, then the first by name. */
+/** For each wire type the output with the lowest cost; of equal ones the first by name. */
 function cheapestSuppliers(definitions: readonly NodeDefinition[]): ReadonlyMap<WireType, Supplier> {
   const suppliers = new Map<WireType, Supplier>();
   const cost = (definition: NodeDefinition): number =>
     Object.values(definition.inputs)
       .filter((port) => port.required)
       .reduce((sum, port) => sum + (suppliers.get(port.type)?.nodes ?? Number.POSITIVE_INFINITY), priceOf(definition));
-  // A supplier may become cheaper once those of its own inputs are known; each round settles at least one type.
+  // The cost of a supplier can drop when suppliers of its inputs are found; each iteration settles at least one type.
   for (let changed = true; changed; ) {
     changed = false;
     for (const definition of definitions) {
@@ -105,8 +108,8 @@ interface Step {
   readonly toPort: string;
 }
 
-/** The shortest chain of nodes that ends at a screen; empty for a screen itself and where there is none. */
-function wayToScreen(start: NodeDefinition, definitions: readonly NodeDefinition[]): readonly Step[] {
+/** The shortest chain of nodes that ends at an Output node; empty for an Output node, and if there is no chain. */
+function chainToOutput(start: NodeDefinition, definitions: readonly NodeDefinition[]): readonly Step[] {
   const seen = new Set([start.type]);
   const queue: { readonly definition: NodeDefinition; readonly steps: readonly Step[] }[] = [{ definition: start, steps: [] }];
   for (const { definition, steps } of queue) {

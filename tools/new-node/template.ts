@@ -1,8 +1,8 @@
 import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 
-/** What a new folder starts as; green at once, and meant to be changed. */
+/** The start of a new node folder: it passes every check as it is, and is then edited. */
 export interface Template {
   definition(type: string, title: string): NodeDefinition;
-  readonly runtime: string;
-  test(type: string): string;
+  /** The files beside `definition.ts`: name in the folder → text, unformatted. */
+  files(type: string, name: string): Readonly<Record<string, string>>;
 }

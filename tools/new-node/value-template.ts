@@ -9,14 +9,15 @@ export const VALUE_TEMPLATE: Template = {
     doc: 'Multiplies a number by a factor.',
     keywords: ['multiply'],
     inputs: {},
-    outputs: { result: { type: 'number', label: 'Result', doc: 'The number times the factor.' } },
+    outputs: { result: { type: 'number', label: 'Result', doc: 'The product.' } },
     params: {
-      number: { type: 'number', stage: 'uniform', label: 'Number', doc: 'What to multiply.', default: 1 },
-      factor: { type: 'number', stage: 'uniform', label: 'Factor', doc: 'By how much.', default: 2, min: 0, max: 10 },
+      number: { type: 'number', stage: 'uniform', label: 'Number', doc: 'The number to multiply.', default: 1 },
+      factor: { type: 'number', stage: 'uniform', label: 'Factor', doc: 'The factor.', default: 2, min: 0, max: 10 },
     },
     lowering: { kind: 'value' },
   }),
-  runtime: `import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+  files: (type, name) => ({
+    'runtime.ts': `import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -29,7 +30,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
 }
 `,
-  test: (type) => `import { expect, test } from '@jest/globals';
+    [`${name}.test.ts`]: `import { expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
@@ -44,4 +45,5 @@ test('${type} multiplies, and follows its params', () => {
   expect(ctx.outputs.result.value).toBe(1.5);
 });
 `,
+  }),
 };

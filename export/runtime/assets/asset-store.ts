@@ -1,4 +1,4 @@
-import { ASSET_WORDS } from '../../../nodes/kit/asset-words.ts';
+import { ASSET_WORDS, oneAsset } from '../../../nodes/kit/asset-words.ts';
 import type { AssetHandle, AssetService, EnvironmentAsset, ImageAsset, ModelAsset, VideoAsset } from '../../../nodes/kit/assets.ts';
 import type { AssetKind } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
@@ -168,7 +168,7 @@ function missing(id: string): Omit<Diagnostic, 'nodeId'> {
 }
 
 function wrongKind(asset: ProgramAsset, wanted: AssetKind): Omit<Diagnostic, 'nodeId'> {
-  const message = `"${asset.path}" is a ${ASSET_WORDS[asset.kind]}, and the node needs a ${ASSET_WORDS[wanted]}.`;
+  const message = `"${asset.path}" is ${oneAsset(asset.kind)}, but the node needs ${oneAsset(wanted)}.`;
   return { code: 'SCR033', severity: 'error', message, fix: 'Choose another asset.' };
 }
 

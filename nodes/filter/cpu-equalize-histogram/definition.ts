@@ -4,10 +4,10 @@ export const definition = defineNode({
   type: 'filter/cpu-equalize-histogram',
   version: 1,
   title: 'Equalize histogram',
-  doc: 'Evens out how often each brightness occurs, which makes what is dim, foggy or flat easier to see, and noise too. It is computed beside the picture by the processor: one frame late and without depth.',
+  doc: 'Equalizes the histogram of a layer: dim, foggy and flat areas gain contrast, and noise becomes more visible. It is computed on the CPU, so its output is one frame late and has no depth.',
   keywords: ['contrast', 'histogram', 'equalize', 'equalize', 'levels', 'auto', 'cpu', 'worker', 'fog', 'night'],
   inputs: {
-    inputImage: { type: 'layer', label: 'Layer', doc: 'The picture to spread. What is transparent does not count.', required: true },
+    inputImage: { type: 'layer', label: 'Layer', doc: 'The layer to equalize. Transparent pixels do not count.', required: true },
   },
   outputs: {
     layer: {
@@ -23,7 +23,7 @@ export const definition = defineNode({
       type: 'number',
       stage: 'uniform',
       label: 'Amount',
-      doc: '0 leaves the picture as it is, 1 spreads it wholly.',
+      doc: '0 leaves the image unchanged; 1 equalizes it fully.',
       default: 1,
       min: 0,
       max: 1,
@@ -34,7 +34,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'uniform',
       label: 'Spread',
-      doc: 'Brightness alone keeps the hues; each channel by itself takes a tint of the light away as well.',
+      doc: '“Brightness” keeps the hues. “Each channel” equalizes red, green and blue separately, which also removes a color cast.',
       default: 0,
       options: [
         { value: 0, label: 'Brightness' },

@@ -1,13 +1,13 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Depth mask",
-  "DESCRIPTION": "White where what is seen lies within a range of distances.",
+  "DESCRIPTION": "Makes a mask: white where the distance is within a range.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Mask", "Depth"],
   "SCRIM_DEPTH": "none",
   "INPUTS": [
-    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "Whose depth counts.", "OPTIONAL": true },
-    { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far away the real room is.", "OPTIONAL": true },
+    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer whose depth is read.", "OPTIONAL": true },
+    { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces.", "OPTIONAL": true },
     { "NAME": "nearM", "TYPE": "float", "MIN": 0.0, "MAX": 20.0, "DEFAULT": 0.5, "UNIT": "m" },
     { "NAME": "farM", "TYPE": "float", "MIN": 0.0, "MAX": 20.0, "DEFAULT": 1.5, "UNIT": "m" },
     { "NAME": "softnessM", "TYPE": "float", "MIN": 0.0, "MAX": 5.0, "DEFAULT": 0.1, "UNIT": "m" },

@@ -1,14 +1,14 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Depth occlusion",
-  "DESCRIPTION": "Hides what of a layer lies behind the real room.",
+  "DESCRIPTION": "Hides the parts of a layer that are behind real surfaces.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Composite", "Depth"],
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "same",
   "INPUTS": [
-    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to hide parts of." },
-    { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "How far away the real room is." },
+    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to occlude." },
+    { "NAME": "depth", "TYPE": "depth", "LABEL": "Room depth", "DOC": "Distance to real surfaces." },
     { "NAME": "biasM", "TYPE": "float", "MIN": 0.0, "MAX": 0.5, "DEFAULT": 0.0, "UNIT": "m" },
     { "NAME": "softnessM", "TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.0, "UNIT": "m" },
     { "NAME": "borderPx", "TYPE": "float", "MIN": 0.0, "MAX": 32.0, "DEFAULT": 0.0, "UNIT": "px" }

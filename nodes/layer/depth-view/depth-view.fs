@@ -1,7 +1,7 @@
 /*{
   "ISFVSN": "2",
   "SCRIM_TITLE": "Depth view",
-  "DESCRIPTION": "The room's depth in colors, with a scale in meters.",
+  "DESCRIPTION": "Shows room depth as colors, with a scale in meters.",
   "CREDIT": "Scrim",
   "CATEGORIES": ["Utility", "Depth"],
   "SCRIM_DEPTH": "none",

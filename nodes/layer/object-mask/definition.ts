@@ -4,27 +4,27 @@ export const definition = defineNode({
   type: 'layer/object-mask',
   version: 1,
   title: 'Object mask',
-  doc: 'Draws where objects are to be seen: white and opaque there, transparent elsewhere, with depth. Connected to a Mask, it lets a filter touch some objects only, or everything but them. Phantoms, and what is wired to “Hidden by”, cut out what they stand before.',
+  doc: 'Makes a mask of objects: white and opaque where they are visible, transparent elsewhere, with depth. Connect it to a Mask or Matte node to apply a filter to these objects only, or to everything else. Phantoms and the objects of “Hidden by” cut out the parts that they cover.',
   keywords: ['matte', 'silhouette', 'stencil', 'selection', 'isolate', 'cut out', 'id', 'holdout'],
   inputs: {
-    objects: { type: 'objects', label: 'Objects', doc: 'What to mask.', required: true, multiple: true },
+    objects: { type: 'objects', label: 'Objects', doc: 'The objects to mask.', required: true, multiple: true },
     hiders: {
       type: 'objects',
       label: 'Hidden by',
-      doc: 'Other objects that may stand before them. They leave no white themselves.',
+      doc: 'Objects that may cover the masked ones. They are not part of the mask.',
       required: false,
       multiple: true,
     },
   },
   outputs: {
-    layer: { type: 'layer', label: 'Mask', doc: 'White where the objects are to be seen.', domain: 'view', depth: true },
+    layer: { type: 'layer', label: 'Mask', doc: 'White where the objects are visible.', domain: 'view', depth: true },
   },
   params: {
     names: {
       type: 'text',
       stage: 'structure',
       label: 'Names',
-      doc: 'Names of the parts to mask, separated by commas, as the model’s file calls them; a part stands for all that hangs on it. The other parts hide them. Empty means everything.',
+      doc: 'Names of the nodes of the model to mask, as in its file, separated by commas. Children are included. The other parts can cover them. Empty masks everything.',
       default: '',
     },
   },

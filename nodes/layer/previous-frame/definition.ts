@@ -4,13 +4,13 @@ export const definition = defineNode({
   type: 'layer/previous-frame',
   version: 1,
   title: 'Feedback',
-  doc: 'Outputs the layer of the previous frame; nothing in the first frame. Wired in a loop, so that what it gives becomes a part of what it takes, it makes trails, echoes and tunnels: moved, blurred, faded or colored a little, frame after frame. Layers keep 8 bits, so what fades by a share of itself leaves a faint rest; filters that subtract or threshold take that away.',
+  doc: 'Outputs the layer of the previous frame; in the first frame it is transparent. Connect it in a loop, with a filter that moves, blurs or fades it a little each frame, to make trails, echoes and tunnels. Layers have 8 bits per channel, so an image that fades by a factor leaves a faint residue; a filter that subtracts or thresholds removes it.',
   keywords: ['previous frame', 'delay', 'history', 'trail', 'echo', 'loop', 'motion blur', 'memory'],
   inputs: {
     layer: {
       type: 'layer',
       label: 'Layer',
-      doc: 'What to give in the next frame. A picture of its own size is laid over the whole view.',
+      doc: 'The layer to output in the next frame. An image of another size is scaled to cover the view.',
       required: true,
     },
   },

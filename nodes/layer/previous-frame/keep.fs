@@ -5,7 +5,7 @@
   "SCRIM_ALPHA": "premultiplied",
   "SCRIM_DEPTH": "none",
   "INPUTS": [
-    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "What to give in the next frame." }
+    { "NAME": "layer", "TYPE": "image", "LABEL": "Layer", "DOC": "The layer to output in the next frame." }
   ]
 }*/
 

@@ -5,10 +5,10 @@ export const definition = defineNode({
   type: 'light/point',
   version: 1,
   title: 'Point light',
-  doc: 'Makes light that shines from one point in all directions, as a bulb does: twice as far away, a surface receives a quarter of it.',
+  doc: 'A light that shines from one point in all directions, as a bulb does. At twice the distance a surface receives a quarter of the light.',
   keywords: ['bulb', 'lamp', 'omni', 'candle', 'lantern', 'shadow'],
   inputs: {},
-  outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light, for Scene and Shadow layers.' } },
+  outputs: { lights: { type: 'lights', label: 'Light', doc: 'The light, for Scene and Shadow nodes.' } },
   params: {
     color: { type: 'color', stage: 'uniform', label: 'Color', doc: 'Color of the light.', default: [1, 1, 1, 1] },
     intensityCd: {
@@ -27,7 +27,7 @@ export const definition = defineNode({
       stage: 'uniform',
       handle: 'position',
       label: 'Position',
-      doc: 'Where the lamp is, in the world: x to the right, y up, z to the front.',
+      doc: 'Position of the light in world space, in meters: x to the right, y up, z towards the viewer.',
       default: [0, 1.5, 0],
       unit: 'm',
     },
@@ -37,7 +37,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'Shadow resolution',
-      doc: 'Side of each of the six shadow maps in pixels. Finer takes more memory and time: 1024 needs 30 MB, and objects are drawn six times.',
+      doc: 'Side of each of the six shadow maps in pixels. A larger map takes more memory and time: 1024 needs 30 MB. Objects are drawn six times.',
       default: '1024',
       options: [
         { value: '256', label: '256' },

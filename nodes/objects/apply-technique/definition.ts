@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'objects/apply-technique',
   version: 1,
   title: 'Set material',
-  doc: 'Replaces the materials of objects by another: toon, hatching, glass, or one of your own. It keeps their colors, pictures, movement and shadows. Objects that stand in several of these nodes get the last one that matches their material. Phantoms stay invisible; lines and points keep their material.',
+  doc: 'Replaces the materials of objects with a custom material: toon, hatching, glass, or one of your own. Colors, textures, animation and shadows are kept. If an object passes through several of these nodes, the last one that matches its material applies. Phantoms stay invisible; lines and points keep their materials.',
   keywords: ['apply technique', 'style', 'shader', 'look', 'override', 'npr', 'toon', 'gooch', 'hatching', 'charcoal', 'glass'],
   inputs: {
     objects: { type: 'objects', label: 'Objects', doc: 'The objects to draw with the material.', required: true, multiple: true },

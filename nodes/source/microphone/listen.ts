@@ -38,7 +38,7 @@ export function listen(onRefusal: (message: string, fix: string) => void): Ear {
     // Missing where the page came over http, or from a disk in some browsers.
     const media: MediaDevices | undefined = navigator.mediaDevices;
     if (!media) {
-      onRefusal('This browser gives no microphone to this page.', 'Open the page over https.');
+      onRefusal('The microphone is not available: the page was not loaded over HTTPS.', 'Open the page over HTTPS.');
       return;
     }
     try {
@@ -103,7 +103,7 @@ function stop(stream: MediaStream): void {
 function refusal(error: unknown): [message: string, fix: string] {
   const name = error instanceof DOMException ? error.name : '';
   if (name === 'NotAllowedError' || name === 'SecurityError')
-    return ['The microphone was refused.', 'Allow it beside the address, then reload the page.'];
-  if (name === 'NotFoundError') return ['There is no microphone.', 'Plug one in, then reload the page.'];
-  return ['The microphone cannot be used.', 'Close other apps that use it, then reload the page.'];
+    return ['The microphone was not allowed.', 'Allow it beside the address bar, then reload the page.'];
+  if (name === 'NotFoundError') return ['No microphone was found.', 'Connect one, then reload the page.'];
+  return ['The microphone is not available.', 'Close other apps that use it, then reload the page.'];
 }

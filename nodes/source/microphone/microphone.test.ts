@@ -92,9 +92,9 @@ describe('source/microphone', () => {
   });
 
   test.each([
-    ['NotAllowedError', 'The microphone was refused.', 'Allow it'],
-    ['NotFoundError', 'There is no microphone.', 'Plug one in'],
-    ['NotReadableError', 'The microphone cannot be used.', 'Close other apps'],
+    ['NotAllowedError', 'The microphone was not allowed.', 'Allow it'],
+    ['NotFoundError', 'No microphone was found.', 'Connect one'],
+    ['NotReadableError', 'The microphone is not available.', 'Close other apps'],
   ])('goes on in silence after %s, and says so', async (name, message, fix) => {
     const { hear, touch, reports } = make(() => Promise.reject(new DOMException('no', name)));
     await touch();

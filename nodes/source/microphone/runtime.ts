@@ -11,7 +11,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const ear = ctx.clock.held
     ? null
     : listen((message, fix) =>
-        ctx.report({ code: 'SCR055', severity: 'warning', message: `${message} The picture moves as in silence.`, fix }),
+        ctx.report({ code: 'SCR055', severity: 'warning', message: `${message} Effects that react to sound behave as in silence.`, fix }),
       );
   return {
     update: () => {

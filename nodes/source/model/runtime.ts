@@ -59,8 +59,8 @@ function findAnimation(ctx: NodeContext<typeof definition>, model: ModelAsset, r
       code: 'SCR018',
       severity: 'warning',
       port: 'clip',
-      message: `The model has no animation "${name}".`,
-      fix: names === '' ? 'Leave the field empty: the model has no animations.' : `Choose one of ${names}.`,
+      message: `The model has no animation “${name}”.`,
+      fix: names === '' ? 'Clear “Animation”: the model has no animations.' : `Choose one of ${names}.`,
     });
   }
   return null;

@@ -4,10 +4,10 @@ export const definition = defineNode({
   type: 'value/color',
   version: 1,
   title: 'Color',
-  doc: 'One color. Connect it to several params to change them together.',
+  doc: 'Outputs one color. Connect it to several parameters to change them together.',
   keywords: ['color', 'value', 'constant', 'rgb', 'rgba', 'tint'],
   inputs: {},
   outputs: { color: { type: 'color', label: 'Color', doc: 'The color.' } },
-  params: { value: { type: 'color', stage: 'uniform', label: 'Value', doc: 'The color to give.', default: [1, 1, 1, 1] } },
+  params: { value: { type: 'color', stage: 'uniform', label: 'Value', doc: 'The color to output.', default: [1, 1, 1, 1] } },
   lowering: { kind: 'value' },
 });

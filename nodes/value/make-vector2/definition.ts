@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/make-vector2',
   version: 1,
   title: 'Make vector 2',
-  doc: 'Puts two numbers together to a vector, such as a position or a size.',
+  doc: 'Combines two numbers into a vector, such as a position or a size.',
   keywords: ['vector', 'vec2', 'combine', 'join', 'pack', 'compose', 'position', 'xy'],
   inputs: {},
   outputs: { vector: { type: 'vector2', label: 'Vector', doc: 'The numbers in order.' } },

@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/make-vector3',
   version: 1,
   title: 'Make vector 3',
-  doc: 'Puts three numbers together to a vector, such as a position or a size.',
+  doc: 'Combines three numbers into a vector, such as a position or a size.',
   keywords: ['vector', 'vec3', 'combine', 'join', 'pack', 'compose', 'position', 'xyz'],
   inputs: {},
   outputs: { vector: { type: 'vector3', label: 'Vector', doc: 'The numbers in order.' } },

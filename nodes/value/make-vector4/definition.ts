@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/make-vector4',
   version: 1,
   title: 'Make vector 4',
-  doc: 'Puts four numbers together to a vector, such as a position or a size.',
+  doc: 'Combines four numbers into a vector, such as a position or a size.',
   keywords: ['vector', 'vec4', 'combine', 'join', 'pack', 'compose', 'position', 'xyzw'],
   inputs: {},
   outputs: { vector: { type: 'vector4', label: 'Vector', doc: 'The numbers in order.' } },

@@ -7,11 +7,11 @@ export const definition = defineNode({
   doc: 'Makes a color from red, green and blue.',
   keywords: ['color', 'rgb', 'rgba', 'make', 'combine', 'channel'],
   inputs: {},
-  outputs: { color: { type: 'color', label: 'Color', doc: 'The color; channels beyond 0 to 1 are cut off.' } },
+  outputs: { color: { type: 'color', label: 'Color', doc: 'The color; channels are clamped to 0 to 1.' } },
   params: {
-    red: { type: 'number', stage: 'uniform', label: 'Red', doc: '0 is none, 1 is all.', default: 1, min: 0, max: 1, step: 0.01 },
-    green: { type: 'number', stage: 'uniform', label: 'Green', doc: '0 is none, 1 is all.', default: 1, min: 0, max: 1, step: 0.01 },
-    blue: { type: 'number', stage: 'uniform', label: 'Blue', doc: '0 is none, 1 is all.', default: 1, min: 0, max: 1, step: 0.01 },
+    red: { type: 'number', stage: 'uniform', label: 'Red', doc: 'From 0 to 1.', default: 1, min: 0, max: 1, step: 0.01 },
+    green: { type: 'number', stage: 'uniform', label: 'Green', doc: 'From 0 to 1.', default: 1, min: 0, max: 1, step: 0.01 },
+    blue: { type: 'number', stage: 'uniform', label: 'Blue', doc: 'From 0 to 1.', default: 1, min: 0, max: 1, step: 0.01 },
     alpha: {
       type: 'number',
       stage: 'uniform',

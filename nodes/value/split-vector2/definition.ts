@@ -4,10 +4,10 @@ export const definition = defineNode({
   type: 'value/split-vector2',
   version: 1,
   title: 'Split vector 2',
-  doc: 'Takes a vector apart into its two numbers.',
+  doc: 'Splits a vector into its two numbers.',
   keywords: ['vector', 'vec2', 'separate', 'unpack', 'component', 'decompose', 'xy'],
   inputs: {},
   outputs: { x: { type: 'number', label: 'X', doc: 'Number 1 of 2.' }, y: { type: 'number', label: 'Y', doc: 'Number 2 of 2.' } },
-  params: { vector: { type: 'vector2', stage: 'uniform', label: 'Vector', doc: 'What to take apart.', default: [0, 0] } },
+  params: { vector: { type: 'vector2', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0] } },
   lowering: { kind: 'value' },
 });

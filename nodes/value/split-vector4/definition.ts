@@ -4,7 +4,7 @@ export const definition = defineNode({
   type: 'value/split-vector4',
   version: 1,
   title: 'Split vector 4',
-  doc: 'Takes a vector apart into its four numbers. A color can be wired to it too: red, green, blue and alpha.',
+  doc: 'Splits a vector into its four numbers. A color can be connected too: red, green, blue and alpha.',
   keywords: ['vector', 'vec4', 'separate', 'unpack', 'component', 'decompose', 'xyzw'],
   inputs: {},
   outputs: {
@@ -13,6 +13,6 @@ export const definition = defineNode({
     z: { type: 'number', label: 'Z', doc: 'Number 3 of 4.' },
     w: { type: 'number', label: 'W', doc: 'Number 4 of 4.' },
   },
-  params: { vector: { type: 'vector4', stage: 'uniform', label: 'Vector', doc: 'What to take apart.', default: [0, 0, 0, 0] } },
+  params: { vector: { type: 'vector4', stage: 'uniform', label: 'Vector', doc: 'The vector to split.', default: [0, 0, 0, 0] } },
   lowering: { kind: 'value' },
 });

@@ -5,14 +5,14 @@ export const definition = defineNode({
   type: 'world/meshes',
   version: 1,
   title: 'Detected meshes',
-  doc: 'Gives the shapes of the real room that the device has scanned, furniture and all, as phantoms: they catch shadows and hide what is behind them. Headsets have them; phones have planes and depth.',
+  doc: 'Outputs the meshes of the real room that the device has scanned, including furniture, as phantoms: they receive shadows and hide what is behind them. Headsets provide meshes; phones provide planes and depth instead.',
   keywords: ['mesh detection', 'real meshes', 'scan', 'room', 'furniture', 'surface', 'shadow catcher', 'phantom', 'real', 'occlusion'],
   inputs: {},
   outputs: {
     objects: {
       type: 'objects',
       label: 'Phantoms',
-      doc: 'The meshes. Wire them to a Shadow layer as what shadows fall on, and to a Scene to hide what is behind them.',
+      doc: 'The meshes. Connect them to “Receivers” of a Shadow node to show shadows on them, and to a Scene node to hide what is behind them.',
     },
   },
   params: {
@@ -25,7 +25,7 @@ export const definition = defineNode({
       capability: 'meshes',
       required: false,
       when: 'always',
-      why: 'to let shadows fall on real furniture',
+      why: 'to show shadows on real furniture',
       without: 'No shadows fall on scanned shapes; planes and room depth can take their place.',
     },
   ],

@@ -5,14 +5,14 @@ export const definition = defineNode({
   type: 'world/planes',
   version: 1,
   title: 'Detected planes',
-  doc: 'Gives the flat surfaces of the real room that the device has found, floors, tables and walls, as phantoms: they catch shadows and hide what is behind them. More of them are found while the visitor looks around.',
+  doc: 'Outputs the flat surfaces that the device has detected in the real room, such as floors, tables and walls, as phantoms: they receive shadows and hide what is behind them. The device detects more of them while the visitor looks around.',
   keywords: ['plane detection', 'real planes', 'floor', 'wall', 'table', 'ceiling', 'surface', 'shadow catcher', 'phantom', 'real'],
   inputs: {},
   outputs: {
     objects: {
       type: 'objects',
       label: 'Phantoms',
-      doc: 'The planes. Wire them to a Shadow layer as what shadows fall on, and to a Scene to hide what is behind them.',
+      doc: 'The planes. Connect them to “Receivers” of a Shadow node to show shadows on them, and to a Scene node to hide what is behind them.',
     },
   },
   params: {
@@ -20,7 +20,7 @@ export const definition = defineNode({
       type: 'choice',
       stage: 'structure',
       label: 'Orientation',
-      doc: 'Floors, tables and ceilings lie level, walls and doors stand upright.',
+      doc: 'Which planes to output. Floors, tables and ceilings are horizontal; walls and doors are vertical.',
       default: 'all',
       options: [
         { value: 'all', label: 'All' },
@@ -37,7 +37,7 @@ export const definition = defineNode({
       capability: 'planes',
       required: false,
       when: 'always',
-      why: 'to let shadows fall on the floor, on tables and on walls',
+      why: 'to show shadows on the floor, tables and walls',
       without: 'No shadows fall on detected planes; a Shadow layer with room depth wired to it lets them fall on what the depth shows.',
     },
   ],

@@ -1,22 +1,29 @@
 import type { Template } from './template.ts';
 
-/** Objects drawn into a layer. */
-export const LAYER_TEMPLATE: Template = {
+/** Objects, drawn into a layer with three.js. */
+export const DRAW_TEMPLATE: Template = {
   definition: (type, title) => ({
     type,
     version: 1,
     title,
-    doc: 'Draws objects into a layer.',
+    doc: 'Draws objects as a layer.',
     keywords: ['render'],
     inputs: {
-      objects: { type: 'objects', label: 'Objects', doc: 'What to draw.', required: true, multiple: true },
-      lights: { type: 'lights', label: 'Lights', doc: 'What lights them; without, they are black.', required: false, multiple: true },
+      objects: { type: 'objects', label: 'Objects', doc: 'The objects to draw.', required: true, multiple: true },
+      lights: {
+        type: 'lights',
+        label: 'Lights',
+        doc: 'Lights of the objects. Not connected: the objects are black.',
+        required: false,
+        multiple: true,
+      },
     },
-    outputs: { layer: { type: 'layer', label: 'Layer', doc: 'The picture.', domain: 'view', depth: true } },
+    outputs: { layer: { type: 'layer', label: 'Layer', doc: 'The drawn objects.', domain: 'view', depth: true } },
     params: {},
     lowering: { kind: 'geometry' },
   }),
-  runtime: `import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
+  files: (type, name) => ({
+    'runtime.ts': `import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -28,13 +35,13 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   };
 }
 `,
-  test: (type) => `import { expect, test } from '@jest/globals';
+    [`${name}.test.ts`]: `import { expect, test } from '@jest/globals';
 import { fakeContext } from '../../../tests/support/node-context.ts';
 import type { DrawnScene, DrawView } from '../../kit/runtime.ts';
 import { definition } from './definition.ts';
 import { create } from './runtime.ts';
 
-test('${type} draws its objects by its lights, and frees its scene', () => {
+test('${type} draws its objects with its lights, and disposes its scene', () => {
   const objects = [{ version: 0, items: [] }];
   const lights = [{ version: 0, items: [] }];
   const view = { viewIndex: 1 } as DrawView;
@@ -52,4 +59,5 @@ test('${type} draws its objects by its lights, and frees its scene', () => {
   expect(calls).toEqual([[objects, lights], view, 'disposed']);
 });
 `,
+  }),
 };
