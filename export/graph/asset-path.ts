@@ -1,9 +1,13 @@
 /**
- * Checks the path of an asset. Assets lie inside the project folder, so nothing passes that a file system or a web server could
- * resolve to a place outside.
+ * Checks the path of an asset. Assets are inside the project folder, so a path that a file system or a web server could resolve outside of
+ * it is invalid.
  *
  * @param path Relative to the project folder, with `/` between folders.
- * @returns Why the path is invalid, as a clause ("it is empty"), or null where it is valid.
+ * @returns Why the path is invalid, as a clause (“it is empty”), or null if it is valid.
+ *
+ * @example
+ * assetPathProblem('assets/statue.glb'); // null
+ * assetPathProblem('../statue.glb'); // 'it leaves the project folder'
  */
 export function assetPathProblem(path: string): string | null {
   if (path === '') return 'it is empty';
@@ -15,7 +19,7 @@ export function assetPathProblem(path: string): string | null {
   if (/%[0-9a-f]{2}/i.test(path)) return 'it contains a %-escape; write the character itself';
   const parts = path.split('/');
   if (parts.includes('')) return 'it has an empty folder name';
-  // Some systems drop dots and spaces at the end of a name, so that ".. ." would be "..".
+  // Some systems drop dots and spaces at the end of a name, so “.. .” would become “..”.
   if (parts.some((part) => /^[. ]+$/.test(part))) return 'it leaves the project folder';
   return null;
 }

@@ -50,11 +50,16 @@ export function canConnect(project: Project, library: NodeLibrary, graphName: st
   return refuse('SCR014', to, `This wire would close a loop: ${loop}. Add a delay to the loop.`);
 }
 
-/** The ports at both ends of a wire: an output and an input whose types convert, or why there are none. */
+/** The ports at both ends of a wire, or why they cannot be connected. */
 export type WirePorts =
   | { readonly ok: true; readonly conversion: 'same' | 'lossless'; readonly input: ConnectableInput }
   | { readonly ok: false; readonly reason: Diagnostic };
 
+/**
+ * Looks up the ports of a wire without checking loops or existing wires.
+ *
+ * @returns The output, the input and the conversion between their types, or the problem as a diagnostic.
+ */
 export function portsOfWire(graph: Graph, interfaceOf: InterfaceLookup, { from, to }: Wire): WirePorts {
   const fromNode = getOwn(graph.nodes, from.node);
   if (!fromNode) return refuse('SCR012', from, `Node ${from.node} does not exist.`);
@@ -79,7 +84,7 @@ export function portsOfWire(graph: Graph, interfaceOf: InterfaceLookup, { from, 
   return refuse('SCR013', to, `${printAddress(from)} outputs “${given}”, but ${printAddress(to)} takes “${taken}”.`);
 }
 
-/** @returns Why the current binding of the param at `to` excludes a wire, or null where it allows one. */
+/** @returns Why the current binding of the param at `to` excludes a wire, or null if it allows one. */
 export function bindingAgainst(graph: Graph, to: PortAddress): string | null {
   const node = getOwn(graph.nodes, to.node);
   const binding = node && getOwn(node.params, to.port);
@@ -100,7 +105,7 @@ function noSuchPort(nodeInterface: NodeInterface, { node, port }: PortAddress, s
   return `${node} (${nodeInterface.title}) has no ${side} “${port}”; it has ${names.length === 0 ? 'none' : names.join(', ')}.`;
 }
 
-/** @returns The nodes on a path from `start` to `end` within one frame, ends included, or null where there is no path. */
+/** @returns The nodes of a path from `start` to `end` within one frame, ends included, or null if there is none. */
 function pathBetween(graph: Graph, interfaceOf: InterfaceLookup, start: string, end: string): string[] | null {
   const waits = (id: string): boolean => {
     const node = getOwn(graph.nodes, id);
@@ -122,7 +127,7 @@ function backwards(cameFrom: ReadonlyMap<string, string | null>, end: string): s
   return path.reverse();
 }
 
-/** Cached per list of wires: a canvas asks about every port while a wire is dragged. */
+/** Successors of each node, cached per list of wires, because a canvas checks every port while a wire is dragged. */
 const followersOf = new WeakMap<readonly Wire[], ReadonlyMap<string, readonly string[]>>();
 
 function followers(wires: readonly Wire[]): ReadonlyMap<string, readonly string[]> {

@@ -1,33 +1,30 @@
 import type { Project } from './project.ts';
 import { getOwn } from './record.ts';
 
-/**
- * What things in a document may be called. The patterns exclude `__proto__`, and names that are whole numbers, which JavaScript
- * objects would put before all others.
- */
+/** Names that documents allow. The patterns exclude `__proto__` and whole numbers, which JavaScript objects sort before all other keys. */
 const WORDS = /^[a-z][a-z0-9]*(?:-[a-z0-9]+)*$/;
 const STEM_AND_SUFFIX = /^[a-z][a-z0-9]*(?:-[a-z0-9]+)+$/;
 const IDENTIFIER = /^[A-Za-z_][A-Za-z0-9_]*$/;
-/** ISF files in the wild are called `3d Rotate.fs` or `CMYK Halftone (v2).fs`. */
+/** Names of published ISF files include `3d Rotate.fs` and `CMYK Halftone (v2).fs`. */
 const FILE_STEM = String.raw`[\p{L}\p{N}_](?:[\p{L}\p{N} ._+()-]*[\p{L}\p{N}_)+-])?`;
 const NODE_TYPE = new RegExp(`^[a-z][a-z0-9-]*/${FILE_STEM}$`, 'u');
 const SHADER_FILE = new RegExp(`^${FILE_STEM}\\.(?:fs|vs|glsl)$`, 'u');
-/** As `#include` can name it. */
+/** Names that `#include` can refer to. */
 const CHUNK_FILE = /^chunks\/(?:[A-Za-z0-9_-]+\/)*[A-Za-z0-9_-]+\.glsl$/;
 
 const MAX_LENGTH = 128;
 
-/** `sepia-k7q2`: a readable stem and a suffix. */
+/** Whether the text is a node id: a readable stem and a suffix, as in `sepia-k7q2`. */
 export function isNodeId(text: string): boolean {
   return text.length <= MAX_LENGTH && STEM_AND_SUFFIX.test(text);
 }
 
-/** Ids of assets, frames and notes, and names of graphs. */
+/** Whether the text is an id of an asset, node frame or note, or the name of a graph. */
 export function isEntryId(text: string): boolean {
   return text.length <= MAX_LENGTH && WORDS.test(text);
 }
 
-/** Ports and params are called as ISF inputs are: GLSL identifiers. */
+/** Whether the text is the name of a port or param. They are GLSL identifiers, as ISF inputs are. */
 export function isPortName(text: string): boolean {
   return text.length <= MAX_LENGTH && IDENTIFIER.test(text) && text !== '__proto__';
 }
@@ -36,19 +33,27 @@ export function isNodeType(text: string): boolean {
   return text.length <= MAX_LENGTH && NODE_TYPE.test(text);
 }
 
-/** A file in `shaders/`: `edge.fs`, the vertex shader beside it, the technique `ink.glsl`, or what techniques include, `chunks/ink/dots.glsl`. */
+/**
+ * Whether the text is the name of a file in `shaders/`: `edge.fs`, its vertex shader `edge.vs`, the technique `ink.glsl` or the chunk
+ * `chunks/ink/dots.glsl`.
+ */
 export function isShaderFile(text: string): boolean {
   return text.length <= MAX_LENGTH && (SHADER_FILE.test(text) || isChunkFile(text));
 }
 
-/** A piece that techniques include, and no node type by itself; the library's are called the same. */
+/** Whether the text is the name of a chunk, which techniques include and which adds no node type. */
 export function isChunkFile(text: string): boolean {
   return text.length <= MAX_LENGTH && CHUNK_FILE.test(text);
 }
 
 const MAX_STEM = 60;
 
-/** A file for a shader that people call `title`: `Ripples (deep)` gives `ripples-deep.fs`. */
+/**
+ * Creates a file name for a shader from its title.
+ *
+ * @example
+ * makeShaderFile('Ripples (deep)'); // 'ripples-deep.fs'
+ */
 export function makeShaderFile(title: string): string {
   const words = title
     .normalize('NFKC')
@@ -59,8 +64,8 @@ export function makeShaderFile(title: string): string {
 }
 
 /**
- * The files in `shaders/` that may give a type, likeliest first: `edge.fs` of `filter/edge`, `ink.glsl` of `technique/ink`, and
- * `wipe.fs` or the transition `wipe.glsl` of `operator/wipe`.
+ * Files in `shaders/` that may define a type, most likely first: `edge.fs` for `filter/edge`, `ink.glsl` for `technique/ink`, and `wipe.fs`
+ * or the transition `wipe.glsl` for `operator/wipe`.
  */
 export function shaderFilesOf(type: string): readonly string[] {
   const [kind = '', name = ''] = type.split('/');
@@ -70,35 +75,49 @@ export function shaderFilesOf(type: string): readonly string[] {
 
 const GRAPH_PREFIX = 'graph/';
 
-/** The subgraph that a node type stands for, or null for a type of the library. */
+/** @returns The name of the subgraph whose type this is, or null for a type of the library. */
 export function subgraphName(type: string): string | null {
   return type.startsWith(GRAPH_PREFIX) ? type.slice(GRAPH_PREFIX.length) : null;
 }
 
+/** @returns The node type of a subgraph: `graph/NAME`. */
 export function subgraphType(name: string): string {
   return `${GRAPH_PREFIX}${name}`;
 }
 
-/** Without letters that are taken for digits. */
+/** Letters and digits that are not easily confused. */
 const SUFFIX_LETTERS = 'abcdefghjkmnpqrstuvwxyz23456789';
 const SUFFIX_LENGTH = 4;
 
 /**
- * A new id for a node of `type`: `filter/gaussian-blur` gives `gaussian-blur-x7k2`. No node of any graph in the project has it,
- * and two people adding nodes at once are unlikely to (one in 900,000), so that their files merge.
+ * Creates an id for a node. No node of any graph has it, and two people who add nodes at the same time hardly get the same (1 in 900,000),
+ * so their files merge.
+ *
+ * @param random Returns numbers in [0, 1).
+ *
+ * @example
+ * makeNodeId(project, 'filter/gaussian-blur', random); // 'gaussian-blur-x7k2'
  */
 export function makeNodeId(project: Pick<Project, 'graphs'>, type: string, random: () => number): string {
   return makeId(stemOf(type), random, (id) => Object.values(project.graphs).some((graph) => getOwn(graph.nodes, id) !== undefined));
 }
 
-/** A new id for an asset, from its file's name. */
+/**
+ * Creates an id for an asset from its file name.
+ *
+ * @param random Returns numbers in [0, 1).
+ */
 export function makeAssetId(project: Pick<Project, 'assets'>, path: string, random: () => number): string {
   return makeId(stemOf(path.replace(/\.[^./]*$/, '')), random, (id) => getOwn(project.assets, id) !== undefined);
 }
 
 export type LayoutKind = 'frame' | 'note' | 'reroute';
 
-/** A new id for a frame, a note or a reroute of the graph. */
+/**
+ * Creates an id for a node frame, a note or a reroute of the graph.
+ *
+ * @param random Returns numbers in [0, 1).
+ */
 export function makeLayoutId(project: Pick<Project, 'layout'>, graph: string, kind: LayoutKind, random: () => number): string {
   const layout = getOwn(project.layout, graph);
   const entries = layout?.[`${kind}s`] ?? {};
@@ -124,7 +143,7 @@ function suffix(index: number): string {
   return text;
 }
 
-/** `filter/CMYK Halftone` → `cmyk-halftone`. */
+/** The last part of a path as an id: `filter/CMYK Halftone` → `cmyk-halftone`. */
 function stemOf(path: string): string {
   const words = path
     .slice(path.lastIndexOf('/') + 1)

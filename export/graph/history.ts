@@ -6,24 +6,28 @@ import type { Project } from './project.ts';
 export interface History {
   readonly past: readonly HistoryStep[];
   readonly future: readonly HistoryStep[];
-  /** Names the state that the project is in: equal numbers, equal projects. Keep the one that was saved to know what is not. */
+  /**
+   * Number of the current state. Equal numbers mean equal projects, so compare it with the number at the last save to detect unsaved
+   * changes.
+   */
   readonly state: number;
   readonly lastState: number;
   readonly limit: number;
 }
 
 export interface HistoryStep {
-  /** For the menu: "Undo move". */
+  /** Label for the menu, as in “Undo move”. */
   readonly label: string;
-  /** Changes with the same key, one right after the other, are one step: a drag, a slider. Null stands alone. */
+  /** Consecutive changes with the same key become one step, as in a drag. Null never merges. */
   readonly key: string | null;
   readonly patches: readonly Patch[];
   readonly inverse: readonly Patch[];
-  /** The state before this step. */
+  /** State before this step. */
   readonly before: number;
   readonly after: number;
 }
 
+/** @param limit Maximum number of steps to undo. */
 export function emptyHistory(limit = 500): History {
   return { past: [], future: [], state: 0, lastState: 0, limit };
 }
@@ -37,6 +41,10 @@ export interface StepOptions {
  * Adds a change to the history. Refused and empty changes add no step.
  *
  * @param options `label` names the step in the menu; consecutive changes with the same `key` become one step.
+ *
+ * @example
+ * const moved = moveNodes(project, { graph: 'main', positions });
+ * history = record(history, moved, { label: 'Move', key: 'drag-1' });
  */
 export function record(history: History, change: Change, { label, key }: StepOptions): History {
   if (change.patches.length === 0) return history;
@@ -50,7 +58,7 @@ export function record(history: History, change: Change, { label, key }: StepOpt
   return { ...history, past: past.slice(-history.limit), future: [], state, lastState: state };
 }
 
-/** Ends a drag: the next change starts a new step, even with the same key. */
+/** Ends a step: the next change starts a new one, even with the same key. */
 export function endStep(history: History): History {
   const last = history.past.at(-1);
   if (!last || last.key === null) return history;
@@ -62,7 +70,16 @@ export interface Moved {
   readonly project: Project;
 }
 
-/** @returns The history and the project one step back, or null at the first state. */
+/**
+ * Undoes one step.
+ *
+ * @param project The current project.
+ * @returns The history and the previous project, or null at the first state.
+ *
+ * @example
+ * const moved = undo(history, project);
+ * if (moved) ({ history, project } = moved);
+ */
 export function undo(history: History, project: Project): Moved | null {
   const step = history.past.at(-1);
   if (!step) return null;
@@ -72,7 +89,12 @@ export function undo(history: History, project: Project): Moved | null {
   };
 }
 
-/** @returns The history and the project one step forward, or null where nothing was undone. */
+/**
+ * Redoes one step.
+ *
+ * @param project The current project.
+ * @returns The history and the next project, or null if nothing was undone.
+ */
 export function redo(history: History, project: Project): Moved | null {
   const [step, ...future] = history.future;
   if (!step) return null;
@@ -82,7 +104,10 @@ export function redo(history: History, project: Project): Moved | null {
   };
 }
 
-/** A drag makes hundreds of changes to the same places: of those only the first way back and the last way forward count. */
+/**
+ * Merges two steps. A drag makes hundreds of changes to the same places; only the first inverse patch and the last patch of each are
+ * needed.
+ */
 function joined({ patches, inverse }: HistoryStep, next: Change): Pick<HistoryStep, 'patches' | 'inverse'> {
   const start = patches.length - next.patches.length;
   const again = next.patches.every((patch, i) => patch.op === 'replace' && overwrites(patch, patches[start + i]));

@@ -12,7 +12,7 @@ export function nodesBehind(graph: Graph, roots: Iterable<string>): ReadonlySet<
   }
   const live = new Set<string>();
   for (const root of roots) if (getOwn(graph.nodes, root)) live.add(root);
-  // The set grows while it is walked.
+  // The set grows during the iteration.
   for (const node of live) for (const source of sources.get(node) ?? []) live.add(source);
   return live;
 }
@@ -27,7 +27,7 @@ export function screensOf(
     .sort();
 }
 
-/** Subgraphs by the names of those that use them, for the walk over all graphs. */
+/** For each graph, the subgraphs that it uses, for walks over all graphs. */
 export function usesOfGraphs(project: Pick<Project, 'graphs'>): ReadonlyMap<string, readonly string[]> {
   const uses = new Map<string, string[]>();
   for (const [name, graph] of Object.entries(project.graphs)) {

@@ -11,28 +11,29 @@ import type { Project } from './project.ts';
 import { getOwn } from './record.ts';
 import { pruneRoutes } from './routes.ts';
 
-/** The files of a project folder, as texts. */
+/** The files of a project folder as texts. */
 export interface ProjectTexts {
   /** `project.scrim.json`. */
   readonly project: string;
-  /** `project.layout.json`; null where there is none. */
+  /** `project.layout.json`, or null if there is none. */
   readonly layout: string | null;
-  /** The files of `shaders/`, by name. */
+  /** The files in `shaders/` by name. */
   readonly sources: Readonly<Record<string, string>>;
 }
 
-/** As the host's contract has it. */
+/** The limit of the host's contract. */
 const MAX_SHADER_CHARACTERS = 4 * 2 ** 20;
 
 /**
- * Reads a project from the texts of its files. Invalid texts give errors: SCR001 (not JSON), SCR002 (wrong shape, unknown keys
- * included), SCR003 (newer version), SCR005 (too large), SCR006 (not finite). An invalid layout gives warnings, and `placeNodes`
- * places the nodes. Routes that no wire can follow are left out.
+ * Reads a project from the texts of its files. Invalid texts give errors: SCR001 (not JSON), SCR002 (wrong shape, unknown keys included),
+ * SCR003 (newer version), SCR005 (too large), SCR006 (not finite). An invalid layout gives warnings; `placeNodes` then places the nodes.
+ * Invalid routes are left out.
  *
  * Node types are not checked: `migrateNodes` and `validateProject` do that with a library.
  *
  * @param texts The files of a project folder.
  * @returns The project, or null with at least one error. Never throws.
+ *
  * @example
  * const { output, diagnostics } = loadProject({ project: text, layout: null, sources: {} });
  * if (output === null) console.error(diagnostics);

@@ -6,8 +6,8 @@ const COLUMN_PX = 280;
 const ROW_PX = 180;
 
 /**
- * Places every node of a graph: at its position in the layout, else in columns by the distance from the graph's sources, below
- * the placed nodes.
+ * Positions of all nodes of a graph: from the layout, or else in columns by the distance from the sources of the graph, below the placed
+ * nodes.
  *
  * @returns Positions by node id, canvas units.
  */
@@ -32,7 +32,7 @@ export function placeNodes(graph: Graph, layout: GraphLayout | undefined): Reado
   return places;
 }
 
-/** By the longest way from a source, wires that close loops left out. */
+/** Columns by the longest path from a source, without wires that close loops. */
 function columnsOf(graph: Graph): Map<string, number> {
   const followers = new Map<string, string[]>(Object.keys(graph.nodes).map((id) => [id, []]));
   for (const { from, to } of graph.wires) if (followers.has(to.node)) followers.get(from.node)?.push(to.node);
@@ -45,14 +45,14 @@ function columnsOf(graph: Graph): Map<string, number> {
   return columns;
 }
 
-/** Takes out the wires that lead back to where a walk along the wires came from, so that loops begin where they are entered. */
+/** Removes the wires that lead back to an ancestor of a depth-first search, so that each loop starts where it is entered. */
 function openLoops(followers: Map<string, string[]>): void {
   const { left } = topologicalOrder(followers.keys(), (node) => followers.get(node) ?? []);
   if (left.size === 0) return;
   const entered = [...followers].filter(([id]) => !left.has(id)).flatMap(([, next]) => next.filter((id) => left.has(id)));
   const walked = new Set<string>();
   for (const start of [...entered, ...[...left].sort()]) {
-    // Iterative: a loop may have ten thousand nodes.
+    // Iterative, because a loop may have ten thousand nodes.
     const way: { readonly id: string; readonly next: readonly string[]; at: number }[] = [];
     const onWay = new Set<string>();
     const enter = (id: string): void => {

@@ -2,27 +2,27 @@ import type { ParamValue } from '../../nodes/kit/definition.ts';
 import type { Easing } from '../../nodes/kit/ease.ts';
 
 /**
- * A project in memory: immutable values, changed only through commands. `load.ts` and `save.ts` turn it into the
- * files of a project folder and back, byte for byte.
+ * A project in memory: immutable values, changed only by commands. `load.ts` and `save.ts` convert between it and the files of a project
+ * folder without loss.
  */
 export interface Project {
   readonly title: string;
-  /** What the exported page says about itself. */
+  /** Metadata of the exported page. */
   readonly page: PageInfo;
-  /** The main graph is `main`; all others are subgraphs, usable as node type `graph/NAME`. */
+  /** `main` is the main graph; all others are subgraphs, usable as node type `graph/NAME`. */
   readonly graphs: Readonly<Record<string, Graph>>;
   readonly layout: Readonly<Record<string, GraphLayout>>;
-  /** Shader texts of the project's own, by file name in `shaders/`: `edge.fs`, `chunks/ink/dots.glsl`. */
+  /** Texts of the project's own shaders by file name in `shaders/`: `edge.fs`, `chunks/ink/dots.glsl`. */
   readonly sources: Readonly<Record<string, string>>;
   readonly assets: Readonly<Record<string, Asset>>;
 }
 
-/** All that a picture depends on: what the compiler and validation take. */
+/** Everything that the rendering depends on: input of the compiler and of validation. */
 export type ProjectLogic = Omit<Project, 'layout'>;
 
 export interface PageInfo {
   readonly description: string;
-  /** BCP 47. */
+  /** BCP 47 language tag. */
   readonly language: string;
 }
 
@@ -30,9 +30,9 @@ export const MAIN_GRAPH = 'main';
 
 export interface Graph {
   readonly nodes: Readonly<Record<string, GraphNode>>;
-  /** In order: where a port takes several wires, they count in this order. */
+  /** The order of wires matters at ports that take several. */
   readonly wires: readonly Wire[];
-  /** Ports and params that a subgraph shows to the graph using it; empty for the main graph. */
+  /** Ports and params that a subgraph exposes; empty for the main graph. */
   readonly exposed: ExposedPorts;
 }
 
@@ -41,7 +41,7 @@ export interface ExposedPorts {
   readonly outputs: readonly ExposedPort[];
 }
 
-/** `name` outside stands for port or param `port` of node `node` inside. */
+/** Exposes the port or param `port` of node `node` as `name`. */
 export interface ExposedPort {
   readonly name: string;
   readonly node: string;
@@ -50,37 +50,37 @@ export interface ExposedPort {
 
 export interface GraphNode {
   readonly type: string;
-  /** Version of the node type that the params were saved with. */
+  /** Version of the node type at the last save. */
   readonly version: number;
-  /** Only params that differ from the default; a missing one has the definition's default. */
+  /** Params that differ from the default. */
   readonly params: Readonly<Record<string, Binding>>;
-  /** Bypassed: its first layer passes through. */
+  /** Whether the node is bypassed: its first layer passes through. */
   readonly muted?: boolean;
 }
 
-/** Where a param's value comes from. `port` is the value while the port is not connected. */
+/** Source of a param's value. `port` holds the value while the port is not connected. */
 export type Binding =
   | { readonly value: ParamValue }
   | { readonly track: Track }
   | { readonly expression: string }
   | { readonly port: ParamValue };
 
-/** In the order of time. Before its first key a track has that key's value. */
+/** Keyframes sorted by time. Before its first key a track has that key's value. */
 export interface Track {
   readonly keys: readonly Keyframe[];
-  /** After the last key: stay there, begin anew at the first, or go back and forth. */
+  /** After the last key: keep its value, restart at the first, or reverse. */
   readonly repeat: 'once' | 'loop' | 'mirror';
 }
 
 export interface Keyframe {
-  /** Since the session began. */
+  /** Seconds since the session began. */
   readonly timeS: number;
   readonly value: number | readonly number[];
-  /** On the way to the next key. */
+  /** Interpolation to the next key. */
   readonly easing: Easing;
 }
 
-/** Saved as `"video-a1b2.layer -> sepia-k7q2.inputImage"`. */
+/** A connection. Saved as `"video-a1b2.layer -> sepia-k7q2.inputImage"`. */
 export interface Wire {
   readonly from: PortAddress;
   readonly to: PortAddress;
@@ -92,7 +92,7 @@ export interface PortAddress {
 }
 
 export interface Asset {
-  /** Relative to the project folder, `/` between parts. */
+  /** Relative to the project folder, with `/` between folders. */
   readonly path: string;
   readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment';
   readonly credit?: string;
@@ -103,13 +103,13 @@ export interface GraphLayout {
   readonly nodes: Readonly<Record<string, NodeLayout>>;
   readonly frames: Readonly<Record<string, Frame>>;
   readonly notes: Readonly<Record<string, Note>>;
-  /** Points that wires are led through. Each is on a route; several wires from one output may share it. */
+  /** Points that routes pass through. Each is on at least one route; several wires of one output may share it. */
   readonly reroutes: Readonly<Record<string, Reroute>>;
-  /** Wire, as `printWire` writes it → the ids of its reroutes from source to target. None of a wire that runs straight. */
+  /** Wire, as `printWire` writes it → ids of its reroutes from source to target. Wires without reroutes are absent. */
   readonly routes: Readonly<Record<string, readonly string[]>>;
 }
 
-/** Canvas units (CSS pixels at zoom 1), origin anywhere, y down. */
+/** Position in canvas units (CSS pixels at zoom 1); the origin is arbitrary, y is down. */
 export interface NodeLayout {
   readonly x: number;
   readonly y: number;
@@ -133,7 +133,7 @@ export interface Note {
   readonly text: string;
 }
 
-/** The middle of the point. */
+/** Center of the point. */
 export interface Reroute {
   readonly x: number;
   readonly y: number;

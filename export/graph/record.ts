@@ -1,14 +1,13 @@
 /**
- * Reads an own property of a record. Names in documents are arbitrary, `constructor` included, so inherited properties must not
- * be found.
+ * Reads an own property of a record. Names in documents are arbitrary, including `constructor`, so inherited properties must be ignored.
  *
- * @returns The value, or undefined where the record has no such key of its own.
+ * @returns The value, or undefined if the record does not have the key itself.
  */
 export function getOwn<T>(record: Readonly<Record<string, T>>, key: string): T | undefined {
   return Object.hasOwn(record, key) ? record[key] : undefined;
 }
 
-/** Compares by code units, so that the order is the same on every machine and in every language; for `Array.sort`. */
+/** Compares by code units, for `Array.sort`, so that the order does not depend on the machine or language. */
 export function compareText(a: string, b: string): number {
   if (a === b) return 0;
   return a < b ? -1 : 1;

@@ -2,30 +2,31 @@ import type { Graph, GraphLayout, PortAddress, Wire } from './project.ts';
 import { getOwn } from './record.ts';
 import { printAddress, printWire } from './wires.ts';
 
-/** What is drawn of wires between two points of their ways; all wires that run there share it. */
+/** A segment of routes between two of their points, shared by all wires that pass along it. */
 export interface Stretch {
-  /** The output that its wires come from. */
+  /** The output at the start of its wires. */
   readonly source: PortAddress;
-  /** Never empty. More than one only where it leads to a reroute. */
+  /** Never empty; more than one only if the segment ends at a reroute. */
   readonly wires: readonly [Wire, ...Wire[]];
-  /** The reroutes up to it, from the source on. */
+  /** The reroutes before it, from the source on. */
   readonly before: readonly string[];
-  /** The reroute that it leads to; null where that is the target of its one wire. */
+  /** The reroute at its end; null at the target of its only wire. */
   readonly to: string | null;
 }
 
 const STRAIGHT: readonly string[] = [];
 
+/** @returns The reroutes of a wire from source to target; empty for a direct wire. */
 export function routeOf({ routes }: Pick<GraphLayout, 'routes'>, wire: Wire): readonly string[] {
   return getOwn(routes, printWire(wire)) ?? STRAIGHT;
 }
 
-/** Unlike any other of the graph: that which ends at a target is called as its wire is. */
+/** Unique id of a segment within its graph. A segment that ends at a target has the id of its wire. */
 export function stretchId({ source, wires, before, to }: Stretch): string {
   return to === null ? printWire(wires[0]) : `${printAddress(source)} via ${before.at(-1) ?? 'nothing'} to ${to}`;
 }
 
-/** All that is drawn, by id; the stretches of a wire in their order. Routes must be pruned. */
+/** @returns All segments of a graph by id, those of a wire in order. Requires pruned routes. */
 export function stretchesOf({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphLayout, 'routes'>): ReadonlyMap<string, Stretch> {
   const stretches = new Map<string, Stretch>();
   for (const wire of wires) {
@@ -40,12 +41,12 @@ export function stretchesOf({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphL
   return stretches;
 }
 
-/** The wires that are led through a reroute. */
+/** @returns The wires whose route contains the reroute. */
 export function wiresThrough({ wires }: Pick<Graph, 'wires'>, layout: Pick<GraphLayout, 'routes'>, reroute: string): readonly Wire[] {
   return wires.filter((wire) => routeOf(layout, wire).includes(reroute));
 }
 
-/** Routes of wires that have become others: a wire that is in no pair keeps its own. */
+/** Moves the routes of replaced wires; other wires keep theirs. */
 export function routesAfter(
   routes: GraphLayout['routes'],
   replaced: readonly (readonly [before: Wire, after: Wire])[],
@@ -60,15 +61,17 @@ export function routesAfter(
 }
 
 /**
- * The layout with the routes that can be drawn: of wires that are there, through reroutes that are there, each of which is reached in one
- * way alone, as the branches of a tree. Reroutes on no route go. The same object where nothing had to.
+ * Removes invalid routes: those of missing wires or through missing reroutes, and those that reach a reroute along another path than an
+ * earlier route. Reroutes without a route are removed too.
+ *
+ * @returns The layout, or the same object if nothing was invalid.
  */
 export function pruneRoutes({ wires }: Pick<Graph, 'wires'>, layout: GraphLayout): GraphLayout {
   if (Object.keys(layout.routes).length + Object.keys(layout.reroutes).length === 0) return layout;
-  /** Reroute → what wires come to it from. */
+  /** Reroute → the point before it. */
   const reachedFrom = new Map<string, string>();
   const routes: Record<string, readonly string[]> = {};
-  let loose = Object.keys(layout.routes).length;
+  let invalidRoutes = Object.keys(layout.routes).length;
   for (const wire of wires) {
     const route = routeOf(layout, wire);
     if (route.length === 0) continue;
@@ -81,9 +84,9 @@ export function pruneRoutes({ wires }: Pick<Graph, 'wires'>, layout: GraphLayout
       return true;
     });
     if (kept.length > 0) routes[printWire(wire)] = kept.length === route.length ? route : kept;
-    if (kept.length === route.length) loose--;
+    if (kept.length === route.length) invalidRoutes--;
   }
   const used = Object.entries(layout.reroutes).filter(([id]) => reachedFrom.has(id));
-  const isSettled = loose === 0 && used.length === Object.keys(layout.reroutes).length;
-  return isSettled ? layout : { ...layout, routes, reroutes: Object.fromEntries(used) };
+  const isValid = invalidRoutes === 0 && used.length === Object.keys(layout.reroutes).length;
+  return isValid ? layout : { ...layout, routes, reroutes: Object.fromEntries(used) };
 }

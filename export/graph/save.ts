@@ -7,11 +7,14 @@ import { sortedEntries } from './record.ts';
 import { printWire, sortWires } from './wires.ts';
 
 /**
- * Writes a project as the texts of its files. Equal projects give equal bytes: `main` first, then names in order; nodes by id,
- * wires by target, params by name. Defaults are left out. `loadProject` reads an equal project back.
+ * Writes a project as the texts of its files. Equal projects give equal bytes: `main` comes first, then graphs by name, nodes by id, wires
+ * by target and params by name. Defaults are left out. `loadProject` reads an equal project back.
  *
  * @returns The texts of `project.scrim.json`, `project.layout.json` and the files in `shaders/`.
- * @throws Error where a number is not finite, which commands and loading prevent.
+ * @throws Error if a number is not finite, which commands and loading prevent.
+ *
+ * @example
+ * const { project: json, layout } = saveProject(project);
  */
 export function saveProject(project: Project): ProjectTexts & { readonly layout: string } {
   return { project: saveLogic(project), layout: saveLayout(project), sources: { ...project.sources } };

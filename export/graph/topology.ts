@@ -16,7 +16,7 @@ export function topologicalOrder<T>(
     for (const next of successors(vertex)) waitsFor.set(next, (waitsFor.get(next) ?? 0) + 1);
   }
   const order = [...waitsFor].filter(([, count]) => count === 0).map(([vertex]) => vertex);
-  // The list grows while it is walked.
+  // The list grows during the iteration.
   for (const vertex of order) {
     for (const next of successors(vertex)) {
       const count = (waitsFor.get(next) ?? 0) - 1;
@@ -57,7 +57,7 @@ export function findCycles<T>(vertices: Iterable<T>, successors: (vertex: T) => 
   return cycles;
 }
 
-/** Removes the vertices that lie behind cycles and on none. */
+/** Removes the vertices that only depend on cycles. */
 function withoutTails<T>(left: ReadonlySet<T>, successors: (vertex: T) => Iterable<T>): Set<T> {
   const predecessors = new Map<T, T[]>();
   for (const vertex of left) predecessors.set(vertex, []);

@@ -5,13 +5,14 @@ const ID = '[a-z0-9-]+';
 const PORT = '[A-Za-z0-9_]+';
 const WIRE = new RegExp(`^(${ID})\\.(${PORT}) -> (${ID})\\.(${PORT})$`);
 
-/** `video-a1b2.layer -> sepia-k7q2.inputImage`, or null. */
+/** Parses `video-a1b2.layer -> sepia-k7q2.inputImage`; returns null if the text is not a wire. */
 export function parseWire(text: string): Wire | null {
   const [, fromNode, fromPort, toNode, toPort] = WIRE.exec(text) ?? [];
   if (fromNode === undefined || fromPort === undefined || toNode === undefined || toPort === undefined) return null;
   return { from: { node: fromNode, port: fromPort }, to: { node: toNode, port: toPort } };
 }
 
+/** Prints a wire as `video-a1b2.layer -> sepia-k7q2.inputImage`, as in `project.scrim.json`. */
 export function printWire({ from, to }: Wire): string {
   return `${printAddress(from)} -> ${printAddress(to)}`;
 }
@@ -28,12 +29,12 @@ export function sameWire(a: Wire, b: Wire): boolean {
   return sameAddress(a.from, b.from) && sameAddress(a.to, b.to);
 }
 
-/** The order of the document: by target node and port; within one port as they count. */
+/** Sorts wires in document order: by target node and port, keeping their order within one port. */
 export function sortWires(wires: readonly Wire[]): readonly Wire[] {
   return [...wires].sort(compareTargets);
 }
 
-/** The wires with one more, which counts last at its port. */
+/** Adds a wire as the last one of its port. */
 export function insertWire(wires: readonly Wire[], wire: Wire): readonly Wire[] {
   let end = wires.length;
   while (end > 0 && compareTargets(wires[end - 1] as Wire, wire) > 0) end--;

@@ -2,19 +2,19 @@ import type { Control } from '../program/program.ts';
 import type { ControlValues } from './control-values.ts';
 import { element } from './dom.ts';
 
-/** What visitors can set, on screen. */
+/** The visitor's controls on the page. */
 export interface Controls {
   readonly element: HTMLElement;
-  /** Whether it can be used: not before there is a picture that it changes. */
+  /** Shows or hides the controls; they are hidden until the first frame is drawn. */
   setShown(shown: boolean): void;
 }
 
-/** So many leave enough of the picture on a phone; more are shown when asked for. */
+/** Controls that are visible at first on a phone. A button shows the others. */
 const FEW = 2;
-/** From here on the picture is wide enough to have controls beside it, CSS pixels. */
+/** Width from which the controls fit beside the image, CSS pixels. */
 const WIDE_PX = 900;
 
-/** Native inputs with labels, so that keys, screen readers and fingers all work; null where there is nothing to set. */
+/** Creates native inputs with labels, which support keys, screen readers and touch. Returns null if there are no controls. */
 export function createControls(document: Document, values: ControlValues): Controls | null {
   const { controls } = values;
   if (controls.length === 0) return null;
@@ -22,7 +22,7 @@ export function createControls(document: Document, values: ControlValues): Contr
     const set = (value: number) => values.set(i, value);
     return createControl(document, `control-${i}`, control, { get: () => values.get(i), set });
   });
-  // They may be set in the room too.
+  // The values also change on the panel in the room.
   values.listen((index) => parts[index]?.show(values.get(index)));
   const body = element(document, 'div', { id: 'controls-body', className: 'controls-body' }, ...parts.map((part) => part.element));
   let isOpen = false;
@@ -51,7 +51,7 @@ export function createControls(document: Document, values: ControlValues): Contr
   };
 }
 
-/** One control: its element, and how it shows what it is set to. */
+/** One control: its element, and a function that displays a value. */
 interface Part {
   readonly element: HTMLElement;
   show(value: number): void;
@@ -102,7 +102,7 @@ function createSlider(document: Document, id: string, control: Extract<Control, 
   };
 }
 
-/** As many digits as tell one step from the next; without steps, a hundredth of the way. */
+/** Formats a slider's value with as many digits as its step needs; without a step, a hundredth of the range. */
 export function sliderText({ min, max, step }: { min: number; max: number; step: number }, value: number): string {
   const finest = step > 0 ? step : (max - min) / 100;
   const digits = finest > 0 ? Math.min(6, Math.max(0, Math.ceil(-Math.log10(finest) - 1e-9))) : 0;
@@ -119,7 +119,7 @@ function createToggle(document: Document, { label }: Control, { get, set }: Valu
   return { element: element(document, 'label', { className: 'control toggle' }, element(document, 'span', {}, label), input), show };
 }
 
-/** Radio buttons: lists that open do so outside the page, where AR shows nothing. */
+/** Radio buttons, because browsers show the list of a `select` outside the page, which AR hides. */
 function createChoice(document: Document, id: string, control: Extract<Control, { kind: 'choice' }>, { get, set }: Value): Part {
   const inputs = control.options.map((_, i) => {
     const input = element(document, 'input', { attributes: { type: 'radio', name: id } });

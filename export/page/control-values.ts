@@ -2,14 +2,14 @@ import type { Control } from '../program/program.ts';
 
 export type SetControl = (control: Control, value: number | boolean) => void;
 
-/** What the controls are set to, wherever they are shown: on the page, or on a panel in the room. */
+/** The values of the controls, shared by the page and the panel in the room. */
 export interface ControlValues {
   readonly controls: readonly Control[];
-  /** As the control's `value`: 0 or 1 of a toggle, the place of a choice, the presses of a button. */
+  /** Number of the control's `value`: 0 or 1 of a toggle, index of a choice, number of presses of a button. */
   get(index: number): number;
-  /** Does nothing where it is set to that already. */
+  /** Sets a value; an equal value changes nothing. */
   set(index: number, value: number): void;
-  /** Calls `listener` after each change. Returns the function that stops it. */
+  /** Calls `listener` after each change. Returns a function that removes it. */
   listen(listener: (index: number) => void): () => void;
 }
 

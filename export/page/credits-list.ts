@@ -5,7 +5,7 @@ export type Credit = Omit<ProgramCredit, 'nodes'>;
 
 const ADDRESS = /(https?:\/\/[^\s,;)]+)/;
 
-/** Whose works are on the page, behind one word that opens them; nothing where nobody is named. */
+/** A disclosure element with the credits; empty if there are none. */
 export function createCredits(document: Document, credits: readonly Credit[]): HTMLElement[] {
   if (credits.length === 0) return [];
   const works = credits.map(({ title, credit, licence }) => {
@@ -16,7 +16,7 @@ export function createCredits(document: Document, credits: readonly Credit[]): H
   return [element(document, 'details', { className: 'credits' }, element(document, 'summary', {}, 'Credits'), list)];
 }
 
-/** Addresses as links, and a full stop at the end. */
+/** Converts addresses to links and adds a full stop. */
 function sentence(document: Document, text: string): (Node | string)[] {
   const parts = text.split(ADDRESS).map((part) => {
     if (!ADDRESS.test(part)) return part;
@@ -25,7 +25,7 @@ function sentence(document: Document, text: string): (Node | string)[] {
   return /[.!?]$/.test(text) ? parts : [...parts, '.'];
 }
 
-/** Visitors know no folders. */
+/** Removes folders from an asset path. */
 function fileName(title: string): string {
   return title.slice(title.lastIndexOf('/') + 1);
 }

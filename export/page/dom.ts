@@ -1,4 +1,4 @@
-/** What an element is made with; only what the page uses. */
+/** Properties of an element that the page uses. */
 export interface ElementProps {
   readonly id?: string;
   readonly className?: string;

@@ -5,7 +5,7 @@ export function hasEmbeddedFiles(document: Document): boolean {
   return find(document).length > 0;
 }
 
-/** Files that the page itself holds as base64, because a page opened from a disk may load nothing from beside it. */
+/** Loads files from base64 data blocks of the page, because a page opened from a disk cannot fetch files beside it. */
 export function createEmbeddedAssetSource(document: Document): AssetSource {
   return {
     load: async (path) => {

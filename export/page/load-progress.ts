@@ -1,7 +1,4 @@
-/**
- * `fetch` that counts what comes in. Bytes count as they come out of the browser, so that they are those of the files, whether the
- * host compresses or not.
- */
+/** Wraps `fetch` to count received bytes. They are counted after decompression, so they match the sizes of the files. */
 export function countingFetch(fetchFile: typeof fetch, onProgress: (loadedBytes: number) => void): typeof fetch {
   let loaded = 0;
   const count = (chunk: Uint8Array, controller: TransformStreamDefaultController<Uint8Array>) => {
@@ -17,7 +14,7 @@ export function countingFetch(fetchFile: typeof fetch, onProgress: (loadedBytes:
   };
 }
 
-/** `1.2 of 3.4 MB`, with one unit for both. */
+/** Formats progress with one unit for both numbers: `1.2 of 3.4 MB`. */
 export function progressText(loadedBytes: number, totalBytes: number): string {
   const [unit, size, digits] = totalBytes < 1_000_000 ? ['kB', 1000, 0] : ['MB', 1_000_000, 1];
   const loaded = Math.min(loadedBytes, totalBytes) / size;

@@ -12,27 +12,28 @@ export interface MountOptions {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: CreateSceneBackend | null;
   readonly assets: AssetSource;
-  /** Shows the controls in sessions that hide the page; null where there are none. */
+  /** Creates the panel for sessions that hide the page; null without controls. */
   readonly createPanel: ((gl: WebGL2RenderingContext) => RoomPanel) | null;
-  /** What is played first; made on the canvas's context. */
+  /** Creates the first session for the context of the canvas. */
   readonly session: (gl: WebGL2RenderingContext) => Session;
   readonly onDiagnostics: (diagnostics: readonly Diagnostic[]) => void;
   readonly onSessionEvent: (event: SessionEvent, session: Session) => void;
-  /** The GPU took the context away, or gave it back. */
+  /** Called if the WebGL context is lost or restored. */
   readonly onContext: (state: 'lost' | 'restored') => void;
 }
 
 export interface Mounted {
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
-  /** Ends the current session and plays this one. Null plays none. */
+  /** Ends the current session and starts another one; null starts none. */
   play(session: Session | null): Promise<void>;
   dispose(): Promise<void>;
 }
 
 /**
- * Plays a program on a canvas with the given session. Throws if the browser has no WebGL 2.
- * The canvas is transparent, so that the page's background shows behind it.
+ * Plays a program on a canvas with the given session. The canvas is transparent, so the page's background is visible behind it.
+ *
+ * @throws Error if the browser has no WebGL 2.
  */
 export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted {
   const gl = canvas.getContext('webgl2', {
@@ -48,7 +49,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
   let panel: RoomPanel | null = null;
 
   const lost = (event: Event) => {
-    // Without this the browser never gives the context back.
+    // Without it, the browser does not restore the context.
     event.preventDefault();
     player.contextLost();
     panel?.contextLost();
@@ -64,7 +65,7 @@ export function mount(canvas: HTMLCanvasElement, options: MountOptions): Mounted
     const before = playing;
     playing = session;
     await before?.end();
-    // Another session was set while the earlier one ended.
+    // Another session was set while this one was waiting for its predecessor to end.
     if (playing !== session) return void session?.end();
     player.setSession(session);
     const shown = session?.hidesPage === true ? (options.createPanel?.(gl) ?? null) : null;

@@ -13,15 +13,15 @@ const WHAT: Readonly<Record<Capability, string>> = {
   microphone: 'The microphone',
 };
 
-/** One line of what the visitor is asked for. */
+/** A feature that the page requests, as a line for the visitor. */
 export interface Ask {
   readonly what: string;
-  /** A sentence: why, and what happens without it. */
+  /** The reason, and what happens without the feature. */
   readonly why: string;
   readonly required: boolean;
 }
 
-/** Several nodes may need the same thing for reasons of their own: they become one line. Required ones come first. */
+/** Texts for the features of a program, required ones first. Nodes that need the same feature share one line. */
 export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
   const capabilities = [...new Set(needs.map((need) => need.capability))];
   const asks = capabilities.map((capability) => {
@@ -39,7 +39,7 @@ export function asksOf(needs: readonly ProgramNeed[]): readonly Ask[] {
   return [...asks.filter((ask) => ask.required), ...asks.filter((ask) => !ask.required)];
 }
 
-/** `to hide things` → `To hide things.` */
+/** `to hide objects` → `To hide objects.` */
 function sentence(text: string, capital = true): string {
   const first = capital ? text.charAt(0).toUpperCase() : text.charAt(0).toLowerCase();
   return `${first}${text.slice(1)}.`;

@@ -1,4 +1,4 @@
-/** The page's way to its own files; its policy allows no others. */
+/** `fetch` for the page's own files; the content security policy blocks all others. */
 export function browserFetch(): typeof fetch {
   return fetch.bind(globalThis);
 }

@@ -3,11 +3,11 @@ import { element } from './dom.ts';
 
 export interface Notice {
   readonly text: string;
-  /** `problem` is read out at once, `hint` when the visitor pauses. */
+  /** Screen readers announce a `problem` at once and a `hint` when they are idle. */
   readonly tone: 'problem' | 'hint';
 }
 
-/** Short messages above everything else, one per topic: a new one of the same topic replaces the old. */
+/** Short messages above the page, one per topic: a new message replaces the previous one of its topic. */
 export interface Notices {
   readonly element: HTMLElement;
   show(topic: string, notice: Notice): void;
@@ -15,7 +15,7 @@ export interface Notices {
 }
 
 export function createNotices(document: Document): Notices {
-  // Both regions exist from the start: screen readers announce only changes inside regions they know.
+  // Both regions exist from the start, because screen readers announce only changes in existing live regions.
   const problems = element(document, 'div', { attributes: { role: 'alert' } });
   const hints = element(document, 'div', { attributes: { role: 'status' } });
   const shown = new Map<string, HTMLElement>();
@@ -42,14 +42,14 @@ export function createNotices(document: Document): Notices {
   };
 }
 
-/** One notice for all of a topic: what is wrong, and what a visitor can do about it. */
+/** Shows the diagnostics of a topic as one notice with remedies for visitors. */
 export function showDiagnostics(notices: Notices, topic: string, diagnostics: readonly Diagnostic[]): void {
   const texts = diagnostics.map(visitorText);
   if (texts.length === 0) notices.clear(topic);
   else notices.show(topic, { text: [...new Set(texts)].join(' '), tone: hasErrors(diagnostics) ? 'problem' : 'hint' });
 }
 
-/** What is wrong with a project is said to designers, and its remedy means nothing to visitors. */
+/** Remedies are written for designers, so most are replaced by one for visitors or left out. */
 function visitorText({ code, message, fix }: Diagnostic): string {
   const remedy = VISITOR_REMEDIES[code];
   if (remedy === 'its own') return fix === undefined ? message : `${message} ${fix}`;

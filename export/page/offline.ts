@@ -1,13 +1,13 @@
 /**
- * Lets a service worker keep the page's files, so that it opens without a connection from the next time on. Only where the page
- * comes from a host that may have one; where it has none, or the browser refuses, the page works as before.
+ * Registers a service worker that stores the page's files, so that the page opens offline the next time. Without support, or if the browser
+ * refuses, the page works as before.
  */
 export async function keepForOffline({ navigator, location, isSecureContext }: Window, script: string): Promise<void> {
   if (!isSecureContext || !/^https?:$/.test(location.protocol)) return;
   try {
-    // Its folder is its scope: other pages of the same host are none of its business.
+    // The scope is the folder of the page, so other pages of the host are not affected.
     await navigator.serviceWorker?.register(script, { updateViaCache: 'none' });
   } catch {
-    // A sandboxed frame, a private window, a policy of the host.
+    // Fails in sandboxed frames, private windows and by a policy of the host.
   }
 }

@@ -30,19 +30,19 @@ export interface PageController {
   /** Resolves when the first frame can be drawn. */
   readonly ready: Promise<void>;
   readonly isReady: boolean;
-  /** Call it from a click. On failure it shows the reason, offers the fallback and keeps the orbit view. */
+  /** Enters a session mode. Call it from a click handler. On failure it shows the reason and the fallbacks and keeps the orbit view. */
   enter(mode: SessionMode): Promise<void>;
   lookAround(): Promise<void>;
   /** Sets the param of a control, also after the player is set up again. */
   setParam(node: string, param: string, value: number | boolean): void;
 }
 
-/** Throws where the browser has no WebGL 2. */
+/** @throws Error if the browser has no WebGL 2. */
 export function createPageController({ page, root, program, modes, ...parts }: PageControllerOptions): PageController {
   const { canvas, notices, panel } = root;
   const clock = createBrowserClock();
   let isReady = false;
-  /** Which of the two a session of WebXR is. */
+  /** Mode of the current WebXR session. */
   let immersive: 'ar' | 'vr' = 'ar';
   let { offers } = modes;
   const offer = () => panel.show({ kind: 'ready', offers, reason: modes.noAr });
@@ -78,7 +78,7 @@ export function createPageController({ page, root, program, modes, ...parts }: P
       case 'tracking':
         if (event.tracked) notices.clear('tracking');
         else notices.show('tracking', { text: UNTRACKED[mode], tone: 'hint' });
-        // It tells to turn the device.
+        // The hint says to turn the device.
         if (mode === 'camera' && !event.tracked) notices.clear('hint');
         return;
       case 'sensing': {
@@ -122,7 +122,7 @@ export function createPageController({ page, root, program, modes, ...parts }: P
       const { output, diagnostics } = await request(mode);
       showDiagnostics(notices, 'missing', diagnostics);
       if (output === null) {
-        // Offers the fallback beside another try.
+        // Offers the fallbacks and another attempt.
         offers = modes.fallbacks;
         offer();
         panel.focus();

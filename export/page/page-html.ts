@@ -2,7 +2,7 @@ import type { Control, ProgramCredit, Tier } from '../program/program.ts';
 import type { Ask } from './needs-text.ts';
 import { type PagePowers, pagePolicy } from './page-policy.ts';
 
-/** What `index.html` says; all paths are relative to it, so that the page works below any address. */
+/** Content of `index.html`. All paths are relative, so the page works at any address. */
 export interface PageHtml {
   readonly title: string;
   readonly description: string;
@@ -10,67 +10,67 @@ export interface PageHtml {
   readonly language: string;
   readonly parts: PageParts;
   readonly poster: Poster;
-  /** Where the page will be published, ending in `/`, or null where nobody knows yet. */
+  /** Address of the published page, ending in `/`; null if unknown. */
   readonly address: string | null;
   readonly config: PageConfig;
   readonly powers: PagePowers;
 }
 
-/** Script and style: files, or the texts themselves with what a policy knows them by. */
+/** Script and style, as files or inline with their hashes for the policy. */
 export type PageParts =
   | { readonly kind: 'files'; readonly script: string; readonly style: string }
   | {
       readonly kind: 'single';
       readonly script: InlineText;
       readonly style: InlineText;
-      /** Everything that a page of several files would have beside it: path → base64. */
+      /** The files of the page: path → base64. */
       readonly files: Readonly<Record<string, string>>;
     };
 
-/** `hash`: `sha256-` and base64, of the text as it stands in the page. */
+/** `hash` is `sha256-` and the base64 hash of `text`. */
 export interface InlineText {
   readonly text: string;
   readonly hash: string;
 }
 
-/** A picture of the page, for those who link to it, and while it loads. */
+/** An image of the page for link previews, also shown while the page loads. */
 export interface Poster {
-  /** A path, or a `data:` URL. */
+  /** A path or a `data:` URL. */
   readonly source: string;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Shows what the page shows; else it is no more than a backdrop, not worth loading before the page. */
+  /** Whether it shows the content of the page. Otherwise it is a plain background, which is not preloaded. */
   readonly drawn: boolean;
 }
 
-/** What the script is told by the page, as JSON in it: data, which no policy has to allow. */
+/** Configuration of the script, as JSON in the page. It is data, which needs no permission of the policy. */
 export interface PageConfig {
   readonly title: string;
   readonly description: string;
-  /** What entering AR will ask for. */
+  /** Features that the AR session requests. */
   readonly asks: readonly Ask[];
   readonly tiers: readonly Tier[];
-  /** What visitors can set, from top to bottom. */
+  /** Controls from top to bottom. */
   readonly controls: readonly Control[];
-  /** Whose works the page is made of. */
+  /** Authors of the page's effects and assets. */
   readonly credits: readonly Omit<ProgramCredit, 'nodes'>[];
   readonly program: string;
-  /** Files of three's decoders that the page's models need, by the names that `export/gltf/decoders.ts` gives them. */
+  /** Decoder files that the page's models need, by their names in `export/gltf/decoders.ts`. */
   readonly decoders: Readonly<Record<string, string>>;
-  /** Bytes to load before the first picture, for the progress bar: path → size. */
+  /** Sizes of the files to load before the first frame, for the progress bar: path → bytes. */
   readonly bytes: Readonly<Record<string, number>>;
-  /** The service worker, or null for a page in one file. */
+  /** Path of the service worker; null for a single-file page. */
   readonly offline: string | null;
 }
 
 export const CONFIG_ID = 'scrim-page';
 
-/** Type of the data blocks that hold the files of a page in one file; `data-path` names each. No browser runs them. */
+/** Type of the data blocks with the files of a single-file page, which browsers do not run. `data-path` is the path of each. */
 export const EMBEDDED_TYPE = 'application/x-scrim-file';
 
 /**
- * The policy comes first: it rules what follows it. What stands in `main` is shown until the script, which may be large, takes its
- * place; it looks the same.
+ * Renders `index.html`. The policy comes first, because it applies to what follows. The content of `main` looks like the page and is shown
+ * until the script replaces it.
  */
 export function pageHtml({ title, description, language, parts, poster, address, config, powers }: PageHtml): string {
   const text = escapeHtml(title);
@@ -108,7 +108,7 @@ ${bodyParts(parts)}</body>
 `;
 }
 
-/** Those who show links want whole addresses; some make do with one that is relative. */
+/** Link previews require absolute addresses; some accept relative ones. */
 function imageTags({ source, widthPx, heightPx }: Poster, title: string, address: string | null): string {
   const image = escapeHtml(address === null ? source : new URL(source, address).href);
   return `${address === null ? '' : `<meta property="og:url" content="${escapeHtml(address)}">\n`}<meta property="og:image" content="${image}">
@@ -127,7 +127,7 @@ function headParts(parts: PageParts, config: PageConfig): string {
 `;
 }
 
-/** The files first: the script looks for them when it runs. */
+/** The files come first, because the script reads them when it runs. */
 function bodyParts(parts: PageParts): string {
   if (parts.kind === 'files') return '';
   const files = Object.entries(parts.files).map(
@@ -140,7 +140,7 @@ export function escapeHtml(text: string): string {
   return text.replace(/[&<>"']/g, (character) => `&#${character.charCodeAt(0)};`);
 }
 
-/** No tag can end the data block early. */
+/** Escapes `<`, so that no tag ends the data block. */
 function escapeJson(value: unknown): string {
   return JSON.stringify(value).replace(/</g, '\\u003c');
 }

@@ -1,19 +1,19 @@
-/** What of the browser, beyond showing files that lie beside it, the page needs. */
+/** Permissions that the page needs beyond loading its own files. */
 export interface PagePowers {
-  /** Compiling WebAssembly: every decoder of models is made of it. */
+  /** Compiling WebAssembly, which all model decoders use. */
   readonly wasm: boolean;
-  /** Workers that are made from text: most decoders work in one, and CPU filters in one each. */
+  /** Workers from blobs, which most decoders and all CPU filters use. */
   readonly workers: boolean;
-  /** Videos, played from bytes. */
+  /** Videos from blobs. */
   readonly media: boolean;
 }
 
-/** Where a page's script and style come from: files beside it, or itself, by the hashes of their texts (`sha256-…`). */
+/** Source of the page's script and style: files beside the page, or inline with the hashes of their texts (`sha256-…`). */
 export type PageOrigin = { readonly kind: 'files' } | { readonly kind: 'single'; readonly scriptHash: string; readonly styleHash: string };
 
 /**
- * The page's content security policy: only what lies beside the page, or in it. Pictures may also be data (the empty icon, and the
- * poster of a page in one file); a page of several files may have a service worker.
+ * The content security policy of the page: it allows only files beside the page or in it. Images may also be `data:` URLs (the empty icon
+ * and the poster of a single-file page). A page of several files may have a service worker.
  */
 export function pagePolicy(origin: PageOrigin, { wasm, workers, media }: PagePowers): string {
   const single = origin.kind === 'single';

@@ -8,11 +8,11 @@ import type { SessionMode } from './session-modes.ts';
 /** The elements of the page. */
 export interface PageRoot {
   readonly canvas: HTMLCanvasElement;
-  /** What a browser with DOM overlays shows above the room. */
+  /** The DOM overlay of AR sessions. */
   readonly overlay: HTMLElement;
   readonly panel: Panel;
   readonly notices: Notices;
-  /** Null stands for the orbit view. */
+  /** Null selects the orbit view. */
   setMode(mode: SessionMode | null): void;
   /** Hides the poster and shows the controls. Call it when the first frame is drawn. */
   showCanvas(): void;
@@ -36,7 +36,7 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
   const leave = element(document, 'button', { className: 'leave', hidden: true, attributes: { type: 'button' }, onClick: onLeave });
   const controls = createControls(document, options.values);
   const overlay = element(document, 'div', { id: 'overlay' }, notices.element, ...(controls ? [controls.element] : []), leave);
-  // A tap on what lies above the room is no tap into the room (WebXR DOM Overlays §3.3).
+  // Prevents taps on the overlay from selecting in the room (WebXR DOM Overlays §3.3).
   overlay.addEventListener('beforexrselect', (event) => event.preventDefault());
   const poster = document.querySelector<HTMLElement>('.poster');
   document.querySelector('main')?.remove();
@@ -51,14 +51,14 @@ export function createPageRoot(options: PageRootOptions): PageRoot {
     setMode: (mode) => {
       if (mode === shown) return;
       shown = mode;
-      // An emulator that borrowed the canvas gives it back as the last child, where it would lie over the panel.
+      // An emulator that used the canvas returns it as the last child, which would cover the panel.
       if (canvas.parentElement === main && main.firstElementChild !== canvas) main.prepend(canvas);
       const { dataset } = document.documentElement;
       if (mode === null) delete dataset.way;
       else dataset.way = mode;
       leave.hidden = mode === null;
       leave.textContent = mode === null ? '' : LEAVE[mode];
-      // What had the focus is hidden now.
+      // The focused element is hidden now.
       if (mode === null) panel.focus();
       else leave.focus();
     },

@@ -10,13 +10,13 @@ export type PanelState =
   /** The orbit view is shown. */
   | {
       readonly kind: 'ready';
-      /** What can be entered from here, best first. */
+      /** Session modes to offer, best first. */
       readonly offers: readonly SessionMode[];
       /** Why the best mode is not available, in one sentence, or null. */
       readonly reason: string | null;
     }
   | { readonly kind: 'entering'; readonly mode: SessionMode }
-  /** Nothing can be shown at all. */
+  /** The program cannot be shown. */
   | { readonly kind: 'failed'; readonly reason: string };
 
 export interface PanelOptions {
@@ -24,12 +24,12 @@ export interface PanelOptions {
   readonly title: string;
   readonly description: string;
   readonly asks: readonly Ask[];
-  /** What visitors can set. */
+  /** Only the number of controls matters. */
   readonly controls: readonly unknown[];
   readonly credits: readonly Credit[];
-  /** What the picture does without what the camera, VR or looking around lacks. */
+  /** What the camera, VR and orbit sessions lack compared with AR. */
   readonly lacks: Readonly<Record<'camera' | 'vr' | 'orbit', readonly string[]>>;
-  /** Of all that has to be loaded. */
+  /** Bytes to load before the first frame. */
   readonly totalBytes: number;
   readonly onEnter: (mode: SessionMode) => void;
 }
@@ -47,7 +47,7 @@ const LABELS: Readonly<Record<SessionMode, { readonly enter: string; readonly en
   vr: { enter: 'Enter VR', entering: 'Entering VR…' },
 };
 
-/** The card with title, description and the session modes: what each requests, and what it lacks, before it is asked. */
+/** The card with the title, the description and the session modes with what each requests and lacks. */
 export function createPanel(options: PanelOptions): Panel {
   const { document, title, description, totalBytes, lacks } = options;
   const bar = element(document, 'progress', { attributes: { max: '1', 'aria-label': 'Loading' } });
@@ -97,7 +97,7 @@ export function createPanel(options: PanelOptions): Panel {
     show: (state) => {
       loading.hidden = state.kind !== 'loading';
       if (state.kind === 'loading') {
-        // Before the first byte is here, nobody knows how long it takes.
+        // The duration is unknown before the first byte arrives.
         if (state.loadedBytes === 0) bar.removeAttribute('value');
         else bar.value = Math.min(1, state.loadedBytes / totalBytes);
         size.textContent = state.loadedBytes === 0 ? '' : progressText(state.loadedBytes, totalBytes);
@@ -125,7 +125,7 @@ const MODES = ['ar', 'camera', 'vr'] as const;
 interface ModeElement {
   readonly element: HTMLElement;
   readonly button: HTMLButtonElement;
-  /** The place among what is offered; -1: not at all. */
+  /** Position among the offered modes; −1 hides the mode. */
   setOffered(place: number): void;
   setBusy(state: 'entering' | 'waiting'): void;
 }
@@ -179,7 +179,7 @@ function vrTexts({ document, controls }: PanelOptions): HTMLElement[] {
   ];
 }
 
-/** They have no DOM overlays. */
+/** Headsets have no DOM overlay. */
 const CONTROLS_IN_ROOM =
   'In a headset the controls are on a panel in front of you, below your eyes. Point at it and press. Values that you set here are kept.';
 
@@ -188,7 +188,7 @@ function cameraTexts(document: Document): HTMLElement[] {
   return [element(document, 'p', {}, asks), element(document, 'p', { className: 'privacy' }, PRIVACY)];
 }
 
-/** No sensor tells how a device moves. */
+/** The position of the device is not measured. */
 const STANDS_STILL = 'Objects keep their direction as you turn, but do not stay in place as you walk.';
 
 function lacksElement(document: Document, lacks: readonly string[]): HTMLElement[] {

@@ -1,7 +1,7 @@
 import type { Tier } from '../program/program.ts';
 import { supportsWebXr } from '../runtime/sessions/webxr/request-session.ts';
 
-/** Session modes that a visitor can enter. The orbit view needs no entering. */
+/** Session modes that a visitor can enter. The orbit view is the initial state. */
 export type SessionMode = 'ar' | 'camera' | 'vr';
 
 /** The parts of a browser window that are read. Tests pass their own. */
@@ -24,12 +24,12 @@ export async function findSessionModes(page: ModePage, tiers: readonly Tier[]): 
   const noAr = await noArReason(page);
   const others: SessionMode[] = [];
   if (canUseCamera(page, tiers)) others.push('camera');
-  // After the camera, because phones without AR have VR too, for those who put them into a box.
+  // Below the camera, because phones without AR support VR too, for use in a cardboard viewer.
   if (tiers.some(({ id }) => id === 'authored-vr') && (await supportsWebXr(page.navigator.xr, 'immersive-vr'))) others.push('vr');
   return noAr === null ? { offers: ['ar'], fallbacks: ['ar', ...others], noAr } : { offers: others, fallbacks: others, noAr };
 }
 
-/** Whether the program has a use for the camera, and the browser an API for it. */
+/** Whether the program uses the camera image and the browser can provide it. */
 function canUseCamera({ navigator }: ModePage, tiers: readonly Tier[]): boolean {
   return typeof navigator.mediaDevices?.getUserMedia === 'function' && tiers.some(({ id }) => id === 'camera');
 }
@@ -43,13 +43,13 @@ async function noArReason({ isSecureContext, navigator }: ModePage): Promise<str
   return 'This device offers no AR. Open the page on an Android phone or a headset to see it in your room.';
 }
 
-/** What a tier lacks, as sentences for visitors. */
+/** What is missing in a tier, as sentences for visitors. */
 export function lacksOf(tiers: readonly Tier[], id: Tier['id']): readonly string[] {
   const tier = tiers.find((candidate) => candidate.id === id);
   return [...new Set((tier?.without ?? []).map(({ effect }) => sentence(effect)))];
 }
 
-/** `to hide things` → `To hide things.` */
+/** `to hide objects` → `To hide objects.` */
 function sentence(text: string): string {
   const bare = text.trim().replace(/[.\s]+$/, '');
   return `${bare.charAt(0).toUpperCase()}${bare.slice(1)}.`;

@@ -14,15 +14,15 @@ import { createPageRoot } from './page-root.ts';
 import type { CreateRoomPanel } from './room-panel/room-panel.ts';
 import { findSessionModes, lacksOf } from './session-modes.ts';
 
-/** What the page's own script hands in: the behavior of the nodes in use, and what not every page needs. */
+/** Parts that the page's own script supplies: the runtimes of its nodes, and optional modules. */
 export interface PageParts {
   readonly modules: Readonly<Record<string, NodeModule>>;
   readonly createScenes: ((files: DecoderFiles) => CreateSceneBackend) | null;
-  /** Null where there is nothing to set. */
+  /** Null if there are no controls. */
   readonly createRoomPanel: CreateRoomPanel | null;
 }
 
-/** Runs an exported page: loads the program, shows it to be looked around, and offers what the browser and the device have. */
+/** Runs an exported page: loads the program, starts the orbit view and offers the available session modes. */
 export async function startPage(page: Window, parts: PageParts): Promise<void> {
   const { document } = page;
   const config = readConfig(document);

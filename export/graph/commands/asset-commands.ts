@@ -9,14 +9,22 @@ import { getOwn } from '../record.ts';
 import { type Change, change, draftGraph, refuse } from './change.ts';
 
 export interface PutAsset {
-  /** From `makeAssetId`, or of an asset that is there. */
+  /** From `makeAssetId`, or the id of an existing asset. */
   readonly id: string;
   readonly asset: Asset;
 }
 
-/** Adds an asset to the table, or says something else of one. The file itself is the host's business. */
+/**
+ * Adds an asset to the asset table or replaces its entry. The caller copies the file.
+ *
+ * @returns The change, or a refusal with SCR031 if the path is invalid.
+ * @throws Error if `id` is not an asset id.
+ *
+ * @example
+ * const { project: next } = putAsset(project, { id: 'statue', asset: { kind: 'model', path: 'assets/statue.glb' } });
+ */
 export function putAsset(project: Project, { id, asset }: PutAsset): Change {
-  if (!isEntryId(id)) throw new Error(`${id} is no id of an asset.`);
+  if (!isEntryId(id)) throw new Error(`${id} is not an asset id.`);
   const problem = assetPathProblem(asset.path);
   if (problem !== null) return refuse(project, 'SCR031', `The path ${JSON.stringify(asset.path.slice(0, 120))} is invalid: ${problem}.`);
   return change(project, (draft) => {
@@ -24,7 +32,14 @@ export function putAsset(project: Project, { id, asset }: PutAsset): Change {
   });
 }
 
-/** Params that name the asset then name none. */
+/**
+ * Removes an asset from the asset table and resets the params that refer to it. The file is not deleted.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * const { project: next } = removeAsset(project, { library, id: 'statue' });
+ */
 export function removeAsset(project: Project, { library, id }: { readonly library: NodeLibrary; readonly id: string }): Change {
   const interfaceOf = createInterfaceLookup(project, library);
   return change(project, (draft) => {

@@ -10,7 +10,10 @@ export interface PortRename {
   readonly to: string;
 }
 
-/** The one port or param that has another name while all else is as it was, its place and type too; null where there is none. */
+/**
+ * Finds the one port or param whose name differs while its position and type are the same. Returns null if there is none, or if other ports
+ * differ.
+ */
 export function findRename(before: NodeDefinition, after: NodeDefinition): PortRename | null {
   const old = portsOf(before);
   const now = portsOf(after);
@@ -29,7 +32,7 @@ function portsOf({ inputs, params }: NodeDefinition) {
   return [...list('port', inputs), ...list('param', params)];
 }
 
-/** Gives the wires, values and shown ports of a type's nodes the port's new name. */
+/** Renames a port or param of all nodes of a type, with their wires, bindings and exposed ports. */
 export function carryRename(project: Project, type: string, { from, to }: PortRename): Change {
   const users = Object.entries(project.graphs).filter(([, { nodes }]) => Object.values(nodes).some((node) => node.type === type));
   if (users.length === 0) return unchanged(project);
@@ -58,7 +61,7 @@ export function carryRename(project: Project, type: string, { from, to }: PortRe
   });
 }
 
-/** Outside, the name that a subgraph shows it under stays. */
+/** The name that the subgraph exposes the port under stays. */
 function exposedAs({ exposed }: Graph, isPort: (address: PortAddress) => boolean, to: string): Graph['exposed'] {
   return { ...exposed, inputs: exposed.inputs.map((shown) => (isPort(shown) ? { ...shown, port: to } : shown)) };
 }

@@ -7,7 +7,7 @@ import { createInterfaceLookup, inputOf, type NodeInterface, takesSeveral } from
 import type { Graph, Project, Wire } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { sortWires } from '../wires.ts';
-import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, refuse, setWires } from './change.ts';
+import { type Change, carryRoutes, change, draftGraph, graphOf, refuse, sequence, setWires } from './change.ts';
 import { dropExtraWires, pruneConnections } from './prune-connections.ts';
 
 export interface ChangeType {
@@ -18,8 +18,14 @@ export interface ChangeType {
 }
 
 /**
- * Makes another kind of node of one, in its place. Wires stay at ports of the same name, and else move to the first free port
- * of the same type, the first where only one fits; params stay whose name is there and whose value fits.
+ * Changes the type of a node. A wire stays at a port with the same name, or moves to the first free port of the same type. Params stay if
+ * the new type has them and their bindings are valid there.
+ *
+ * @returns The change, or a refusal: SCR012 for an unknown node, SCR010 for an unknown type.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * const { project: next } = changeType(project, { library, graph: 'main', node: 'sepia-k7q2', type: 'filter/grey' });
  */
 export function changeType(project: Project, { library, graph: name, node: id, type }: ChangeType): Change {
   const graph = graphOf(project, name);
@@ -42,7 +48,7 @@ export function changeType(project: Project, { library, graph: name, node: id, t
       carryRoutes(draft, name, moved);
     });
   // Removes wires that were invalid before, and exposed ports that no longer exist.
-  return inTurn(project, retype, (before) => pruneConnections(before, library, [type, subgraphType(name)]));
+  return sequence(project, retype, (before) => pruneConnections(before, library, [type, subgraphType(name)]));
 }
 
 function rewire(
@@ -74,7 +80,7 @@ function rewire(
   });
 }
 
-/** Old port → new port, for those that find one. */
+/** Old port → new port; ports without a match are absent. */
 function movePorts<P extends { readonly port: string }>(
   used: readonly string[],
   typeBefore: (port: string) => WireType | undefined,
@@ -84,7 +90,7 @@ function movePorts<P extends { readonly port: string }>(
 ): Map<string, string> {
   const moved = new Map<string, string>();
   const taken = new Set<string>();
-  const homeless: string[] = [];
+  const unmatched: string[] = [];
   for (const port of new Set(used)) {
     const same = available.find((candidate) => candidate.port === port);
     const type = typeBefore(port);
@@ -92,9 +98,9 @@ function movePorts<P extends { readonly port: string }>(
     if (sameType && (type === undefined || conversion(type, sameType) !== 'none')) {
       moved.set(port, port);
       taken.add(port);
-    } else homeless.push(port);
+    } else unmatched.push(port);
   }
-  for (const port of homeless) {
+  for (const port of unmatched) {
     const type = typeBefore(port);
     const free = available.find((candidate) => typeOf(candidate) === type && (hasRoom(candidate) || !taken.has(candidate.port)));
     if (type === undefined || !free) continue;

@@ -8,16 +8,16 @@ import { printWire } from '../wires.ts';
 /** The result of a command. A refused command returns the same project, no patches and an error with the reason. */
 export interface Change {
   readonly project: Project;
-  /** From the project before to the one after. */
+  /** Patches from the previous project to the new one. */
   readonly patches: readonly Patch[];
-  /** From the project after back to the one before. */
+  /** Patches from the new project back to the previous one. */
   readonly inverse: readonly Patch[];
   readonly diagnostics: readonly Diagnostic[];
 }
 
 export type ProjectDraft = Draft<Project>;
 
-/** What a diagnostic is about. */
+/** Where a diagnostic belongs. */
 export interface Place {
   readonly nodeId?: string;
   readonly port?: string;
@@ -25,10 +25,15 @@ export interface Place {
 }
 
 /**
- * Records the edits of `recipe` to a draft of the project. Replace lists (wires, exposed ports) as a whole and never splice them:
- * a splice near the front of ten thousand wires gives ten thousand patches.
+ * Records the edits of `recipe` to a draft of the project. Replace lists such as wires as a whole and do not splice them: a splice near the
+ * front of ten thousand wires gives ten thousand patches.
  *
  * @returns The changed project, with the patches and the inverse patches.
+ *
+ * @example
+ * change(project, (draft) => {
+ *   draft.title = 'Fog';
+ * });
  */
 export function change(project: Project, recipe: (draft: ProjectDraft) => void): Change {
   enablePatches();
@@ -38,22 +43,36 @@ export function change(project: Project, recipe: (draft: ProjectDraft) => void):
   return { project: changed, patches, inverse, diagnostics: [] };
 }
 
+/**
+ * Creates the result of a refused command: the same project, no patches and one error.
+ *
+ * @param message The problem and its remedy, as text for the user.
+ *
+ * @example
+ * if (name === MAIN_GRAPH) return refuse(project, 'SCR020', 'The main graph cannot be removed.');
+ */
 export function refuse(project: Project, code: DiagnosticCode, message: string, place: Place = {}): Change {
   return { project, patches: [], inverse: [], diagnostics: [{ code, severity: 'error', ...place, message }] };
 }
 
+/** Creates the result of a command that has nothing to do: the same project, no patches. */
 export function unchanged(project: Project): Change {
   return { project, patches: [], inverse: [], diagnostics: [] };
 }
 
 /**
- * Combines several changes into one step. Each works on the result of the previous one.
+ * Combines several commands into one change. Each command gets the project of the previous one.
  *
- * @returns The combined change; where one step is refused, the whole is, and the project stays as it is.
+ * @returns The combined change. If one command is refused, its errors and the original project.
+ *
  * @example
- * inTurn(project, (before) => addNode(before, node), (before) => connect(before, wire));
+ * sequence(
+ *   project,
+ *   (before) => addNode(before, node),
+ *   (before) => connect(before, wire),
+ * );
  */
-export function inTurn(project: Project, ...steps: readonly ((project: Project) => Change)[]): Change {
+export function sequence(project: Project, ...steps: readonly ((project: Project) => Change)[]): Change {
   let sum = unchanged(project);
   for (const step of steps) {
     const next = step(sum.project);
@@ -68,30 +87,34 @@ export function inTurn(project: Project, ...steps: readonly ((project: Project) 
   return sum;
 }
 
+/** Applies patches of a change, such as the inverse patches for undo. */
 export function applyPatches(project: Project, patches: readonly Patch[]): Project {
   enablePatches();
   return applyToDraft(project, patches);
 }
 
-/** The graph that the editor shows, so it exists: another name is a programmer's mistake. */
+/**
+ * @returns The graph with this name.
+ * @throws Error if the project has no such graph.
+ */
 export function graphOf(project: Project, name: string): Graph {
   const graph = getOwn(project.graphs, name);
-  if (!graph) throw new Error(`There is no graph "${name}".`);
+  if (!graph) throw new Error(`Graph "${name}" does not exist.`);
   return graph;
 }
 
 export function draftGraph(draft: ProjectDraft, name: string): Draft<Graph> {
   const graph = draft.graphs[name];
-  if (!graph) throw new Error(`There is no graph "${name}".`);
+  if (!graph) throw new Error(`Graph "${name}" does not exist.`);
   return graph;
 }
 
-/** Replaces the wires, unless they are the ones it has. */
+/** Replaces all wires of a graph. */
 export function setWires(draft: ProjectDraft, graph: string, wires: readonly Wire[]): void {
   draftGraph(draft, graph).wires = castDraft(wires);
 }
 
-/** Wires that have become others keep their ways. */
+/** Moves the routes of replaced wires to the new wires. */
 export function carryRoutes(draft: ProjectDraft, graph: string, replaced: readonly (readonly [before: Wire, after: Wire])[]): void {
   const layout = draft.layout[graph];
   if (layout && replaced.some(([before]) => getOwn(layout.routes, printWire(before)))) {

@@ -17,7 +17,7 @@ import { saveProject } from '../save.ts';
 import { validateProject } from '../validate/validate.ts';
 import { printWire, sortWires } from '../wires.ts';
 import { putAsset, removeAsset } from './asset-commands.ts';
-import { applyPatches, type Change, inTurn } from './change.ts';
+import { applyPatches, type Change, sequence } from './change.ts';
 import { changeType } from './change-type.ts';
 import { createSubgraph } from './create-subgraph.ts';
 import { moveNodes, putFrame, putNote, removeFromLayout, setCollapsed } from './layout-commands.ts';
@@ -109,7 +109,7 @@ const LAYOUT_COMMANDS: Readonly<Record<string, Command>> = {
     const wire = pick.of(getOwn(p.graphs, graph)?.wires ?? []);
     const id = pick.of([...Object.keys(layout?.reroutes ?? {}), makeLayoutId(p, graph, 'reroute', pick.next)]) ?? '';
     const route = [...(wire && layout ? routeOf(layout, wire) : []), id];
-    const led = inTurn(
+    const led = sequence(
       p,
       (before) => putReroute(before, { graph, id, reroute: { x: 99.5, y: -0.1 } }),
       (before) => setRoutes(before, { graph, routes: wire ? { [printWire(wire)]: route } : {} }),

@@ -7,7 +7,7 @@ import type { ExposedPort, ExposedPorts, Graph, GraphLayout, PortAddress, Projec
 import { getOwn } from '../record.ts';
 import { pruneRoutes } from '../routes.ts';
 import { sameAddress, sortWires } from '../wires.ts';
-import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, refuse } from './change.ts';
+import { type Change, carryRoutes, change, draftGraph, graphOf, refuse, sequence } from './change.ts';
 import { addNode, draftLayout } from './node-commands.ts';
 import { addGraph } from './subgraph-commands.ts';
 
@@ -15,20 +15,26 @@ export interface CreateSubgraph {
   readonly library: NodeLibrary;
   readonly graph: string;
   readonly nodes: readonly string[];
-  /** Of the new subgraph. */
+  /** Name of the new subgraph. */
   readonly name: string;
-  /** Of the node that stands for it, from `makeNodeId`. */
+  /** Id of the subgraph's instance, from `makeNodeId`. */
   readonly id: string;
-  /** Where it stands, canvas units. */
+  /** Position of the instance, canvas units. */
   readonly x: number;
   readonly y: number;
 }
 
 /**
- * Moves nodes into a new subgraph and puts one node in their place. Ports with a wire across the border are exposed, so that the
+ * Moves nodes into a new subgraph and replaces them by one instance of it. Ports with a wire to a node outside are exposed, so that the
  * render stays the same. The nodes keep their ids.
  *
- * @returns The change, or a refusal: SCR020 for no nodes or an output among them, SCR014 where a node outside lies between them.
+ * @returns The change, or a refusal: SCR020 if there are no nodes, one is an output or the name is invalid; SCR014 if a node outside is
+ * between them.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * const id = makeNodeId(project, 'graph/glow', random);
+ * createSubgraph(project, { library, graph: 'main', nodes: ['blur-x7k2', 'add-p3m9'], name: 'glow', id, x: 240, y: 80 });
  */
 export function createSubgraph(project: Project, { library, graph: outerName, nodes, name, id, x, y }: CreateSubgraph): Change {
   const graph = graphOf(project, outerName);
@@ -44,7 +50,7 @@ export function createSubgraph(project: Project, { library, graph: outerName, no
     return refuse(project, 'SCR014', message, { nodeId: between });
   }
   const shown = portsShown(graph, chosen);
-  /** The new node's port that stands for one inside. */
+  /** The port of the instance that exposes a port inside. */
   const outside = (side: keyof ExposedPorts, address: PortAddress): PortAddress => {
     const port = shown[side].find((candidate) => sameAddress(candidate, address));
     return port ? { node: id, port: port.name } : address;
@@ -57,7 +63,7 @@ export function createSubgraph(project: Project, { library, graph: outerName, no
   const showOn = (side: keyof ExposedPorts) => graph.exposed[side].map((port) => ({ name: port.name, ...outside(side, port) }));
   const exposed = { inputs: showOn('inputs'), outputs: showOn('outputs') };
 
-  return inTurn(
+  return sequence(
     project,
     (before) => addGraph(before, { name }),
     (before) =>
@@ -70,7 +76,7 @@ export function createSubgraph(project: Project, { library, graph: outerName, no
           delete old.nodes[node];
           delete places[node];
         }
-        // Until the node is there, nothing may hang on it.
+        // The routes are moved before the instance exists, because its wires depend on it.
         carryRoutes(draft, outerName, outer);
         old.wires = castDraft(wires.filter(({ from, to }) => from.node !== id && to.node !== id));
       }),
@@ -90,7 +96,7 @@ export function createSubgraph(project: Project, { library, graph: outerName, no
   );
 }
 
-/** Ports of chosen nodes that wires connect to other nodes, and ports that were exposed before; each with the name of its port. */
+/** Ports of the selected nodes that are connected to other nodes or already exposed, each with the name of its port. */
 function portsShown({ wires, exposed }: Graph, chosen: ReadonlySet<string>): ExposedPorts {
   const isIn = ({ node }: PortAddress) => chosen.has(node);
   const inputs = wires.filter(({ from, to }) => !isIn(from) && isIn(to)).map(({ to }) => to);
@@ -118,13 +124,13 @@ function graphWithin(graph: Graph, chosen: ReadonlySet<string>, exposed: Exposed
   };
 }
 
-/** The places of the nodes, and the ways of the wires among them. */
+/** Positions of the nodes and routes of the wires between them. */
 function layoutWithin(layout: GraphLayout = EMPTY_LAYOUT, wires: readonly Wire[], chosen: ReadonlySet<string>): GraphLayout {
   const nodes = Object.fromEntries(Object.entries(layout.nodes).filter(([id]) => chosen.has(id)));
   return pruneRoutes({ wires }, { ...EMPTY_LAYOUT, nodes, reroutes: layout.reroutes, routes: layout.routes });
 }
 
-/** A node that is not chosen on a way from one that is to another: outside, the way would be a loop. Null where there is none. */
+/** A node that is not selected, but on a path between selected nodes: outside, it would close a loop. Null if there is none. */
 function nodeBetween({ wires }: Graph, chosen: ReadonlySet<string>): string | null {
   const reached = (ends: (wire: Wire) => readonly [from: string, to: string]): Set<string> => {
     const followers = new Map<string, string[]>();
@@ -132,7 +138,7 @@ function nodeBetween({ wires }: Graph, chosen: ReadonlySet<string>): string | nu
     const found = new Set<string>();
     const spread = (node: string) => followers.get(node)?.forEach((next) => void (chosen.has(next) || found.add(next)));
     for (const node of chosen) spread(node);
-    // The set grows while it is walked.
+    // The set grows during the iteration.
     for (const node of found) spread(node);
     return found;
   };

@@ -5,15 +5,23 @@ import { getOwn } from '../record.ts';
 import { type Change, change, graphOf } from './change.ts';
 import { draftLayout } from './node-commands.ts';
 
-/** These change `project.layout.json` alone. Canvas units are stored whole, so that diffs stay short. */
+/** These commands change only `project.layout.json`. Coordinates are rounded to whole canvas units, so that diffs stay short. */
 
 export interface MoveNodes {
   readonly graph: string;
   readonly positions: Readonly<Record<string, { readonly x: number; readonly y: number }>>;
-  /** Of reroutes, by their ids. */
+  /** Reroutes by id. */
   readonly reroutes?: Readonly<Record<string, Reroute>>;
 }
 
+/**
+ * Moves nodes and reroutes. Unknown ids are ignored.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * moveNodes(project, { graph: 'main', positions: { 'sepia-k7q2': { x: 240, y: 80 } } });
+ */
 export function moveNodes(project: Project, { graph, positions, reroutes = {} }: MoveNodes): Change {
   const { nodes } = graphOf(project, graph);
   return change(project, (draft) => {
@@ -21,7 +29,7 @@ export function moveNodes(project: Project, { graph, positions, reroutes = {} }:
     for (const [id, { x, y }] of Object.entries(positions)) {
       if (!getOwn(nodes, id)) continue;
       const place = layout[id];
-      // Field by field, so that a node put back where it was makes no step.
+      // Fields are assigned one by one, so that an unchanged position gives no patch.
       if (place) Object.assign(place, rounded({ x, y }));
       else layout[id] = rounded({ x, y });
     }
@@ -38,6 +46,14 @@ export interface SetCollapsed {
   readonly collapsed: boolean;
 }
 
+/**
+ * Collapses or expands nodes on the canvas.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setCollapsed(project, { graph: 'main', nodes: ['sepia-k7q2'], collapsed: true });
+ */
 export function setCollapsed(project: Project, { graph, nodes, collapsed }: SetCollapsed): Change {
   return change(project, (draft) => {
     const layout = draftLayout(draft, graph).nodes;
@@ -51,11 +67,19 @@ export function setCollapsed(project: Project, { graph, nodes, collapsed }: SetC
 
 export interface PutFrame {
   readonly graph: string;
-  /** From `makeLayoutId`, or of a frame that is there. */
+  /** From `makeLayoutId`, or the id of an existing node frame. */
   readonly id: string;
   readonly frame: Frame;
 }
 
+/**
+ * Adds or replaces a node frame.
+ *
+ * @throws Error if `id` is not a layout id.
+ *
+ * @example
+ * putFrame(project, { graph: 'main', id: makeLayoutId(project, 'main', 'frame', random), frame: { ...box, title: 'Fog' } });
+ */
 export function putFrame(project: Project, { graph, id, frame }: PutFrame): Change {
   checkLayoutId(id);
   return change(project, (draft) => {
@@ -69,6 +93,14 @@ export interface PutNote {
   readonly note: Note;
 }
 
+/**
+ * Adds or replaces a note.
+ *
+ * @throws Error if `id` is not a layout id.
+ *
+ * @example
+ * putNote(project, { graph: 'main', id: makeLayoutId(project, 'main', 'note', random), note: { ...box, text: 'Check on a phone' } });
+ */
 export function putNote(project: Project, { graph, id, note }: PutNote): Change {
   checkLayoutId(id);
   return change(project, (draft) => {
@@ -80,10 +112,18 @@ export interface RemoveFromLayout {
   readonly graph: string;
   readonly frames?: readonly string[];
   readonly notes?: readonly string[];
-  /** Their wires run on without them. */
+  /** Wires keep the rest of their route. */
   readonly reroutes?: readonly string[];
 }
 
+/**
+ * Removes node frames, notes and reroutes.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * removeFromLayout(project, { graph: 'main', notes: ['note-p3m9'] });
+ */
 export function removeFromLayout(project: Project, { graph, frames = [], notes = [], reroutes = [] }: RemoveFromLayout): Change {
   return change(project, (draft) => {
     const layout = draft.layout[graph];
@@ -100,10 +140,10 @@ export function removeFromLayout(project: Project, { graph, frames = [], notes =
 }
 
 export function checkLayoutId(id: string): void {
-  if (!isEntryId(id)) throw new Error(`${id} is no id of a frame, a note or a reroute.`);
+  if (!isEntryId(id)) throw new Error(`${id} is not an id of a node frame, a note or a reroute.`);
 }
 
-/** To whole canvas units. Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero. */
+/** Rounds to whole canvas units. Adding 0 converts −0, which JSON cannot represent. */
 export function rounded<T extends { readonly x: number; readonly y: number; readonly width?: number; readonly height?: number }>(box: T) {
   const { x, y, width, height } = box;
   return {

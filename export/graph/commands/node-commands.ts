@@ -4,7 +4,7 @@ import { isNodeId, subgraphName, subgraphType } from '../document-names.ts';
 import { createInterfaceLookup } from '../library/node-interface.ts';
 import { MAIN_GRAPH, type Project } from '../project.ts';
 import { getOwn } from '../record.ts';
-import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, setWires } from './change.ts';
+import { type Change, change, draftGraph, graphOf, type ProjectDraft, refuse, sequence, setWires } from './change.ts';
 import { setParam } from './param-commands.ts';
 import { pruneConnections } from './prune-connections.ts';
 
@@ -14,17 +14,26 @@ export interface AddNode {
   /** From `makeNodeId`. */
   readonly id: string;
   readonly type: string;
-  /** Canvas units. */
+  /** Position in canvas units. */
   readonly x: number;
   readonly y: number;
-  /** Values that differ from the type's own. */
+  /** Values that differ from the defaults. */
   readonly params?: Readonly<Record<string, ParamValue>>;
 }
 
-/** A node of a known type: the library's, or a subgraph. */
+/**
+ * Adds a node of a type of the library or of a subgraph.
+ *
+ * @returns The change, or a refusal: SCR010 for an unknown type, SCR020 if a subgraph would contain itself, or that of `setParam`.
+ * @throws Error if the graph does not exist, the id is invalid or it is in use.
+ *
+ * @example
+ * const id = makeNodeId(project, 'filter/sepia', random);
+ * const { project: next } = addNode(project, { library, graph: 'main', id, type: 'filter/sepia', x: 240, y: 80 });
+ */
 export function addNode(project: Project, { library, graph, id, type, x, y, params = {} }: AddNode): Change {
-  if (!isNodeId(id)) throw new Error(`${id} is no node id.`);
-  if (getOwn(graphOf(project, graph).nodes, id)) throw new Error(`There is a node ${id} already.`);
+  if (!isNodeId(id)) throw new Error(`${id} is not a node id.`);
+  if (getOwn(graphOf(project, graph).nodes, id)) throw new Error(`Node ${id} already exists.`);
   const nodeInterface = createInterfaceLookup(project, library)(type);
   if (!nodeInterface) return refuse(project, 'SCR010', `Node type ${type} does not exist.`);
   const inner = subgraphName(type);
@@ -33,7 +42,7 @@ export function addNode(project: Project, { library, graph, id, type, x, y, para
   }
   const add = (before: Project) =>
     change(before, (draft) => {
-      // Adding zero turns the negative zero of JavaScript, which JSON cannot write, into zero.
+      // Adding 0 converts −0, which JSON cannot represent.
       draftGraph(draft, graph).nodes[id] = { type, version: nodeInterface.version, params: {} };
       draftLayout(draft, graph).nodes[id] = { x: Math.round(x) + 0, y: Math.round(y) + 0 };
     });
@@ -42,7 +51,7 @@ export function addNode(project: Project, { library, graph, id, type, x, y, para
       (before: Project) =>
         setParam(before, { library, graph, node: id, param, value }),
   );
-  return inTurn(project, add, ...set);
+  return sequence(project, add, ...set);
 }
 
 export interface RemoveNodes {
@@ -51,7 +60,15 @@ export interface RemoveNodes {
   readonly nodes: readonly string[];
 }
 
-/** Removes nodes with their wires, their positions on the canvas and their exposed ports. */
+/**
+ * Removes nodes with their wires, positions and exposed ports.
+ *
+ * @returns The change; this command is never refused.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * removeNodes(project, { library, graph: 'main', nodes: ['sepia-k7q2'] });
+ */
 export function removeNodes(project: Project, { library, graph, nodes }: RemoveNodes): Change {
   const gone = new Set(nodes);
   const { wires, exposed } = graphOf(project, graph);
@@ -72,7 +89,7 @@ export function removeNodes(project: Project, { library, graph, nodes }: RemoveN
         });
       }
     });
-  return inTurn(project, remove, (before) => pruneConnections(before, library, shown ? [subgraphType(graph)] : []));
+  return sequence(project, remove, (before) => pruneConnections(before, library, shown ? [subgraphType(graph)] : []));
 }
 
 export interface SetMuted {
@@ -81,7 +98,15 @@ export interface SetMuted {
   readonly muted: boolean;
 }
 
-/** A muted node is bypassed: its first layer passes through. */
+/**
+ * Mutes or unmutes nodes. A muted node is bypassed: its first layer passes through. Unknown ids are ignored.
+ *
+ * @returns The change; this command is never refused.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * setMuted(project, { graph: 'main', nodes: ['sepia-k7q2'], muted: true });
+ */
 export function setMuted(project: Project, { graph, nodes, muted }: SetMuted): Change {
   return change(project, (draft) => {
     const drafted = draftGraph(draft, graph).nodes;
@@ -99,7 +124,7 @@ export function draftLayout(draft: ProjectDraft, graph: string) {
   return draft.layout[graph];
 }
 
-/** Whether `graph` is `used`, or is used by it, directly or through others. */
+/** Whether `graph` is `used` or is used by it, directly or through other subgraphs. */
 export function usesGraph(project: Project, used: string, graph: string): boolean {
   const reached = new Set([used]);
   for (const name of reached) {

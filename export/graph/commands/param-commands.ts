@@ -15,7 +15,16 @@ export interface SetParam {
   readonly value: ParamValue;
 }
 
-/** Sets the value of a param, or the one it has while its port is not connected. A value equal to the default is not stored. */
+/**
+ * Sets the value of a param. If the param is a port, this is its value while it is not connected. The default value is not stored.
+ *
+ * @returns The change, or a refusal: SCR012, SCR010 or SCR018 for an unknown node, type or param; SCR018 for an invalid value; SCR019 if
+ * the param follows an expression or a track; SCR030 or SCR033 for an asset that is missing or of another kind.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * setParam(project, { library, graph: 'main', node: 'sepia-k7q2', param: 'amount', value: 0.5 });
+ */
 export function setParam(project: Project, { library, graph, node, param, value }: SetParam): Change {
   const found = findParam(project, library, graph, node, param);
   if ('diagnostics' in found) return found;
@@ -36,7 +45,15 @@ export interface BindParam {
   readonly binding: Binding;
 }
 
-/** Binds a param to something else. Only a port keeps the wire that it may have. */
+/**
+ * Binds a param to a value, a port, an expression or a track. Its wire is removed unless the new binding is a port.
+ *
+ * @returns The change, or a refusal as of `setParam`; SCR019 for a binding that the param does not support.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * bindParam(project, { library, graph: 'main', node: 'sepia-k7q2', param: 'amount', binding: { expression: 'sin(time)' } });
+ */
 export function bindParam(project: Project, { library, graph, node, param, binding }: BindParam): Change {
   const found = findParam(project, library, graph, node, param);
   return 'diagnostics' in found ? found : bind(project, found, { graph, node, param, binding, keepWires: 'port' in binding });
@@ -99,7 +116,7 @@ function bindingProblem(
   return { code: 'SCR033', message: `takes a file of kind “${param.accept}”, but this file is of kind “${asset.kind}”.` };
 }
 
-/** What is stored: nothing for the default, except at a port, which is stored to say that there is one. */
+/** The binding to store. Defaults are not stored, except at ports, because the entry marks the param as a port. */
 function withoutDefault(param: ParamDefinition, binding: Binding): Binding | null {
   if ('port' in binding) return { port: withoutNegativeZero(binding.port) };
   if (!('value' in binding)) return binding;

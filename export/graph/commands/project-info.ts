@@ -1,13 +1,28 @@
 import type { PageInfo, Project } from '../project.ts';
 import { type Change, change } from './change.ts';
 
+/**
+ * Sets the title of the project.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setTitle(project, { title: 'Fog in the kitchen' });
+ */
 export function setTitle(project: Project, { title }: { readonly title: string }): Change {
   return change(project, (draft) => {
     draft.title = title;
   });
 }
 
-/** What the exported page says about itself; fields left out stay. */
+/**
+ * Sets description and language of the exported page. Missing fields stay.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setPage(project, { page: { language: 'de' } });
+ */
 export function setPage(project: Project, { page }: { readonly page: Partial<PageInfo> }): Change {
   return change(project, (draft) => {
     Object.assign(draft.page, page);

@@ -10,19 +10,19 @@ import { sameAddress } from '../wires.ts';
 import { type Change, change, draftGraph, type ProjectDraft, setWires, unchanged } from './change.ts';
 
 /**
- * Removes the connections that no longer fit after node types have changed their ports: wires whose port is gone or has another
- * type, params whose value no longer fits, and exposed ports that are gone. Where a subgraph loses an exposed port, the graphs
- * that use it are pruned too.
+ * Removes connections that are no longer valid after node types have changed: wires to missing ports or between incompatible types,
+ * bindings that the param does not support, and exposed ports that do not exist. If a subgraph loses an exposed port, graphs that use it
+ * are pruned too.
  *
  * @param library Node types after the change.
- * @param types The node types that have changed.
- * @returns One change over all graphs; without patches where everything still fits.
+ * @param types The changed node types.
+ * @returns One change over all graphs, without patches if everything is still valid.
  */
 export function pruneConnections(project: Project, library: NodeLibrary, types: Iterable<string>): Change {
   const pending = new Set(types);
   const steps: ((draft: ProjectDraft) => void)[] = [];
   let graphs = project.graphs;
-  // The set grows while it is walked: a subgraph that lost a port has changed too.
+  // The set grows during the iteration: a subgraph that loses a port changes its type.
   for (const type of pending) {
     const interfaceOf = createInterfaceLookup({ graphs }, library);
     const nodeInterface = interfaceOf(type);
@@ -76,11 +76,11 @@ function pruneGraph(graph: Graph, nodeInterface: NodeInterface, interfaceOf: Int
   };
 }
 
-/** Keeps the first wire at each port that takes one, for the nodes whose interface `interfaceAt` gives. */
+/** Keeps the first wire at each single-wire port of the nodes whose interface `interfaceAt` returns. */
 export function dropExtraWires(wires: readonly Wire[], interfaceAt: (to: PortAddress) => NodeInterface | undefined): readonly Wire[] {
   return wires.filter(({ to }, index) => {
     const before = wires[index - 1];
-    // In the order of the document, the wires of one port stand together.
+    // In document order, wires of the same port are adjacent.
     if (!before || !sameAddress(before.to, to)) return true;
     const nodeInterface = interfaceAt(to);
     const input = nodeInterface && inputOf(nodeInterface, to.port);
@@ -88,7 +88,7 @@ export function dropExtraWires(wires: readonly Wire[], interfaceAt: (to: PortAdd
   });
 }
 
-/** Wires between other nodes stay, even where they are wrong. */
+/** Wires between other nodes are kept, even if they are invalid. */
 function wireFits(graph: Graph, { from, to }: Wire, ids: ReadonlySet<string>, interfaceOf: InterfaceLookup): boolean {
   if (!ids.has(from.node) && !ids.has(to.node)) return true;
   const fromInterface = interfaceAt(graph, from.node, interfaceOf);

@@ -9,12 +9,19 @@ import { draftLayout } from './node-commands.ts';
 
 export interface PutReroute {
   readonly graph: string;
-  /** From `makeLayoutId`, or of a reroute that is there. */
+  /** From `makeLayoutId`, or the id of an existing reroute. */
   readonly id: string;
   readonly reroute: Reroute;
 }
 
-/** One that no route leads through goes with `pruneRoutesAfter`. */
+/**
+ * Adds or moves a reroute. `pruneRoutesAfter` removes it if no route uses it.
+ *
+ * @throws Error if `id` is not a layout id.
+ *
+ * @example
+ * putReroute(project, { graph: 'main', id: makeLayoutId(project, 'main', 'reroute', random), reroute: { x: 300, y: 120 } });
+ */
 export function putReroute(project: Project, { graph, id, reroute }: PutReroute): Change {
   checkLayoutId(id);
   return change(project, (draft) => {
@@ -28,7 +35,14 @@ export interface SetRoutes {
   readonly routes: Readonly<Record<string, readonly string[]>>;
 }
 
-/** Leads wires through reroutes; none makes a wire straight. */
+/**
+ * Sets the routes of wires. An empty list makes a wire direct.
+ *
+ * @returns The change; this command is never refused.
+ *
+ * @example
+ * setRoutes(project, { graph: 'main', routes: { [printWire(wire)]: ['reroute-p3m9'] } });
+ */
 export function setRoutes(project: Project, { graph, routes }: SetRoutes): Change {
   return change(project, (draft) => {
     const layout = draftLayout(draft, graph);
@@ -39,7 +53,12 @@ export function setRoutes(project: Project, { graph, routes }: SetRoutes): Chang
   });
 }
 
-/** The change with what follows for routes where wires or routes are others: `pruneRoutes` says what. */
+/**
+ * Extends a change by `pruneRoutes` for each graph whose wires or layout it changed.
+ *
+ * @param before The project before the change.
+ * @param made The change of a command.
+ */
 export function pruneRoutesAfter(before: Project, made: Change): Change {
   const pruned = Object.entries(made.project.layout).flatMap(([name, layout]): [string, GraphLayout][] => {
     const graph = getOwn(made.project.graphs, name) ?? EMPTY_GRAPH;
@@ -48,13 +67,13 @@ export function pruneRoutesAfter(before: Project, made: Change): Change {
     return next === layout ? [] : [[name, next]];
   });
   if (pruned.length === 0) return made;
-  const settle = change(made.project, (draft) => {
+  const pruning = change(made.project, (draft) => {
     for (const [name, { reroutes, routes }] of pruned) Object.assign(draftLayout(draft, name), castDraft({ reroutes, routes }));
   });
   return {
-    project: settle.project,
-    patches: [...made.patches, ...settle.patches],
-    inverse: [...settle.inverse, ...made.inverse],
+    project: pruning.project,
+    patches: [...made.patches, ...pruning.patches],
+    inverse: [...pruning.inverse, ...made.inverse],
     diagnostics: made.diagnostics,
   };
 }

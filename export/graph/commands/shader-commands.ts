@@ -5,25 +5,30 @@ import { projectLibrary, type ReadShader } from '../library/project-library.ts';
 import type { Project } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { carryRename, findRename, type PortRename } from './carry-rename.ts';
-import { type Change, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse, unchanged } from './change.ts';
+import { type Change, change, draftGraph, graphOf, type ProjectDraft, refuse, sequence, unchanged } from './change.ts';
 import { pruneConnections } from './prune-connections.ts';
 
 export interface SetSource {
-  /** Without the project's own shaders. */
+  /** The library without the project's own shaders. */
   readonly base: NodeLibrary;
-  /** Every shader of the project is read, so it had better remember (`createShaderCache`). */
+  /** Reads every shader of the project in each call, so pass a cached one (`createShaderCache`). */
   readonly readShader: ReadShader;
-  /** In `shaders/`. */
+  /** File name in `shaders/`. */
   readonly file: string;
   readonly text: string;
-  /** Knows node types as they were before a header broke; by default what can be read now. */
+  /** Node types from before a header became invalid. Default: those of the current texts. */
   readonly known?: NodeLibrary;
 }
 
 /**
- * Sets the text of a project's shader, with all that follows from it, as one step: where the header's inputs have changed, wires
- * and params stay whose name and type are still there, and where one input has another name, they go with it; where they make it another kind of node (a filter that has got a second
- * image is an operator), its nodes become that. A header that cannot be read changes nothing but the text.
+ * Sets the text of a shader of the project and updates the nodes that use it, as one change. Wires and params stay if an input of the same
+ * name and type still exists. If exactly one input was renamed, they follow the new name. If the shader becomes another node type (a filter
+ * with a second image is a composite), its nodes change their type. An invalid header changes nothing but the text.
+ *
+ * @returns The change, or a refusal with SCR002 if the file name is invalid.
+ *
+ * @example
+ * setSource(project, { base: library, readShader, file: 'edge.fs', text });
  */
 export function setSource(project: Project, { base, readShader, file, text, known }: SetSource): Change {
   if (!isShaderFile(file)) return refuse(project, 'SCR002', `Shader file name “${file}” is invalid.`, { file });
@@ -35,7 +40,7 @@ export function setSource(project: Project, { base, readShader, file, text, know
     change(before, (draft) => {
       draft.sources[file] = text;
     });
-  if (after === undefined) return inTurn(project, write);
+  if (after === undefined) return sequence(project, write);
   const old = projectLibrary(base, project.sources, readShader);
   const before = typeOf(old.files, file);
   const stale = before === undefined ? orphanedTypes(file, library) : before === after ? [] : [before];
@@ -43,7 +48,7 @@ export function setSource(project: Project, { base, readShader, file, text, know
   const retype = (written: Project) =>
     stale.length === 0 ? unchanged(written) : change(written, (draft) => retypeNodes(draft, stale, after));
   const carry = (retyped: Project) => (rename === null ? unchanged(retyped) : carryRename(retyped, after, rename));
-  return inTurn(project, write, retype, carry, (carried) => pruneConnections(carried, library, [after]));
+  return sequence(project, write, retype, carry, (carried) => pruneConnections(carried, library, [after]));
 }
 
 function renameOf(before: NodeDefinition | undefined, after: NodeDefinition | undefined): PortRename | null {
@@ -52,7 +57,14 @@ function renameOf(before: NodeDefinition | undefined, after: NodeDefinition | un
 
 export interface RemoveSource extends Omit<SetSource, 'text' | 'known'> {}
 
-/** Refused while a node needs it: one that the library has no node type of the same name for. */
+/**
+ * Removes a shader from the project.
+ *
+ * @returns The change, or a refusal with SCR010 if a node uses it and the library has no node type of the same name.
+ *
+ * @example
+ * removeSource(project, { base: library, readShader, file: 'edge.fs' });
+ */
 export function removeSource(project: Project, { base, readShader, file }: RemoveSource): Change {
   const { [file]: _, ...sources } = project.sources;
   const type = typeOf(projectLibrary(base, project.sources, readShader).files, file);
@@ -66,19 +78,28 @@ export function removeSource(project: Project, { base, readShader, file }: Remov
     change(before, (draft) => {
       delete draft.sources[file];
     });
-  return inTurn(project, remove, (removed) => pruneConnections(removed, library, type === undefined ? [] : [type]));
+  return sequence(project, remove, (removed) => pruneConnections(removed, library, type === undefined ? [] : [type]));
 }
 
 export interface ForkShader {
-  /** With the project's own shaders. */
+  /** The library with the project's own shaders. */
   readonly library: NodeLibrary;
   readonly graph: string;
   readonly node: string;
-  /** Of the copy, without its ending; by default the original's with the next free number. */
+  /** Name of the copy without its file ending. Default: the original's name with the next free number. */
   readonly name?: string;
 }
 
-/** Copies the shader of a node into the project, where it can be edited, and makes the node use the copy. */
+/**
+ * Copies the shader of a node into the project, where it can be edited, and makes the node use the copy.
+ *
+ * @returns The change, or a refusal: SCR012 or SCR043 if the node does not exist or is not a shader; SCR002 if the name is invalid or in
+ * use.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * forkShader(project, { library, graph: 'main', node: 'sepia-k7q2', name: 'my-sepia' });
+ */
 export function forkShader(project: Project, { library, graph, node: id, name }: ForkShader): Change {
   const node = getOwn(graphOf(project, graph).nodes, id);
   if (!node) return refuse(project, 'SCR012', `Node ${id} does not exist.`, { nodeId: id });
@@ -137,7 +158,7 @@ function typeOf(files: ReadonlyMap<string, string>, file: string): string | unde
   return undefined;
 }
 
-/** Types that the file may have given while its header was whole. */
+/** Unknown node types that the file may have defined while its header was valid. */
 function orphanedTypes(file: string, library: NodeLibrary): string[] {
   const stem = file.replace(/\.(fs|glsl)$/, '');
   const types = SHADER_KINDS.map((kind) => `${kind}/${stem}`);

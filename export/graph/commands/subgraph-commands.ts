@@ -6,10 +6,17 @@ import { EMPTY_GRAPH } from '../new-project.ts';
 import { type ExposedPort, MAIN_GRAPH, type Project } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { sameAddress } from '../wires.ts';
-import { type Change, change, draftGraph, graphOf, inTurn, refuse } from './change.ts';
+import { type Change, change, draftGraph, graphOf, refuse, sequence } from './change.ts';
 import { pruneConnections } from './prune-connections.ts';
 
-/** An empty subgraph, usable as node type `graph/NAME`. */
+/**
+ * Adds an empty subgraph, usable as node type `graph/NAME`.
+ *
+ * @returns The change, or a refusal with SCR020 if the name is invalid or in use.
+ *
+ * @example
+ * addGraph(project, { name: 'glow' });
+ */
 export function addGraph(project: Project, { name }: { readonly name: string }): Change {
   return (
     nameProblem(project, name) ??
@@ -19,7 +26,15 @@ export function addGraph(project: Project, { name }: { readonly name: string }):
   );
 }
 
-/** Nodes that use the subgraph follow. */
+/**
+ * Renames a subgraph and updates its instances.
+ *
+ * @returns The change, or a refusal with SCR020 for the main graph, or if the name is invalid or in use.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * renameGraph(project, { from: 'glow', to: 'soft-glow' });
+ */
 export function renameGraph(project: Project, { from, to }: { readonly from: string; readonly to: string }): Change {
   graphOf(project, from);
   if (from === MAIN_GRAPH) return refuse(project, 'SCR020', 'The main graph cannot be renamed.');
@@ -40,7 +55,15 @@ export function renameGraph(project: Project, { from, to }: { readonly from: str
   });
 }
 
-/** Refused while a node uses it. */
+/**
+ * Removes a subgraph.
+ *
+ * @returns The change, or a refusal with SCR020 for the main graph, or if the subgraph has instances.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * removeGraph(project, { name: 'glow' });
+ */
 export function removeGraph(project: Project, { name }: { readonly name: string }): Change {
   graphOf(project, name);
   if (name === MAIN_GRAPH) return refuse(project, 'SCR020', 'The main graph cannot be removed.');
@@ -58,7 +81,16 @@ export interface ExposePort extends ExposedPort {
   readonly side: 'inputs' | 'outputs';
 }
 
-/** Shows a port or param of a subgraph's node outside. */
+/**
+ * Exposes a port or param of a node on the outside of its subgraph.
+ *
+ * @returns The change, or a refusal: SCR020 for the main graph; SCR012 if the name is invalid or in use, or the port does not exist or is
+ * already exposed; SCR016 if the port takes one wire and is connected.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * exposePort(project, { library, graph: 'glow', side: 'inputs', name: 'radius', node: 'blur-x7k2', port: 'radius' });
+ */
 export function exposePort(project: Project, { library, graph: graphName, side, name, node: id, port }: ExposePort): Change {
   const graph = graphOf(project, graphName);
   const place = { nodeId: id, port };
@@ -92,14 +124,22 @@ export interface HidePort {
   readonly name: string;
 }
 
-/** Takes back what `exposePort` did; wires to the port outside go with it. */
+/**
+ * Removes an exposed port and the wires to it.
+ *
+ * @returns The change; this command is never refused.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * hidePort(project, { library, graph: 'glow', side: 'inputs', name: 'radius' });
+ */
 export function hidePort(project: Project, { library, graph, side, name }: HidePort): Change {
   const kept = graphOf(project, graph).exposed[side].filter((port) => port.name !== name);
   const hide = (before: Project) =>
     change(before, (draft) => {
       draftGraph(draft, graph).exposed[side] = castDraft(kept);
     });
-  return inTurn(project, hide, (before) => pruneConnections(before, library, [subgraphType(graph)]));
+  return sequence(project, hide, (before) => pruneConnections(before, library, [subgraphType(graph)]));
 }
 
 function nameProblem(project: Project, name: string): Change | null {
@@ -107,7 +147,7 @@ function nameProblem(project: Project, name: string): Change | null {
   return getOwn(project.graphs, name) ? refuse(project, 'SCR020', `A graph named “${name}” already exists.`) : null;
 }
 
-/** Graph and id of every node that stands for the subgraph. */
+/** @returns Graph and node id of each instance of the subgraph. */
 export function usersOfGraph(project: Project, name: string): [graph: string, node: string][] {
   const type = subgraphType(name);
   return Object.entries(project.graphs).flatMap(([graph, { nodes }]) =>

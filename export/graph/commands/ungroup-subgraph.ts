@@ -7,23 +7,27 @@ import type { ExposedPorts, Graph, GraphLayout, GraphNode, NodeLayout, PortAddre
 import { getOwn } from '../record.ts';
 import { routesAfter } from '../routes.ts';
 import { printWire, sortWires } from '../wires.ts';
-import { type Change, carryRoutes, change, draftGraph, graphOf, inTurn, type ProjectDraft, refuse } from './change.ts';
+import { type Change, carryRoutes, change, draftGraph, graphOf, type ProjectDraft, refuse, sequence } from './change.ts';
 import { draftLayout } from './node-commands.ts';
 import { addGraph } from './subgraph-commands.ts';
 
 export interface UngroupSubgraph {
   readonly library: NodeLibrary;
   readonly graph: string;
-  /** The node that stands for the subgraph. */
+  /** An instance of a subgraph. */
   readonly node: string;
   readonly random: () => number;
 }
 
 /**
- * Replaces an instance of a subgraph by copies of the nodes inside, with the connections and params of the instance. The copies
- * have new ids. The subgraph itself stays.
+ * Replaces an instance of a subgraph by copies of the nodes inside, with the connections and params of the instance. The copies get new
+ * ids. The subgraph stays.
  *
- * @returns The change, or a refusal with SCR020 where the node is not a subgraph.
+ * @returns The change, or a refusal with SCR020 if the node is not an instance of a subgraph.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * ungroupSubgraph(project, { library, graph: 'main', node: 'glow-p3m9', random });
  */
 export function ungroupSubgraph(project: Project, { library, graph: outer, node: id, random }: UngroupSubgraph): Change {
   const graph = graphOf(project, outer);
@@ -32,7 +36,7 @@ export function ungroupSubgraph(project: Project, { library, graph: outer, node:
   const inner = name ? getOwn(project.graphs, name) : undefined;
   if (!node || !name || !inner) return refuse(project, 'SCR020', `${id} is not a subgraph.`, { nodeId: id });
   const ids = newIds(project, inner, random);
-  /** The port inside that one of the node stands for; none where it is gone. */
+  /** The port inside that a port of the instance exposes; empty if it does not exist. */
   const inside = (side: keyof ExposedPorts, name: string): PortAddress[] =>
     inner.exposed[side].filter((port) => port.name === name).map((port) => renamed(ids, port));
   const at = (side: keyof ExposedPorts, address: PortAddress) => (address.node === id ? inside(side, address.port) : [address]);
@@ -73,7 +77,7 @@ export function ungroupSubgraph(project: Project, { library, graph: outer, node:
   });
 }
 
-/** The reroutes of a subgraph under ids that are free in the graph that it is unpacked into. */
+/** The reroutes of a subgraph with ids that are free in the outer graph. */
 function underNewReroutes(
   project: Project,
   graph: string,
@@ -93,7 +97,7 @@ function underNewReroutes(
   return { reroutes, routes: Object.fromEntries(routes) };
 }
 
-/** From where the node stood, to the right and down, as they stand in the subgraph. Returns how far they went. */
+/** Places the copies to the right of and below the instance's position, arranged as in the subgraph. Returns their offset. */
 function placeCopies(
   draft: ProjectDraft,
   { outer, id, name, ids }: { outer: string; id: string; name: string; ids: ReadonlyMap<string, string> },
@@ -117,10 +121,18 @@ export interface DuplicateSubgraph {
   readonly random: () => number;
 }
 
-/** Copies a subgraph under a new name, for *Make unique*. Its nodes get new ids. */
+/**
+ * Copies a subgraph under a new name, for *Make unique*. Its nodes get new ids.
+ *
+ * @returns The change, or a refusal with SCR020 if the name is invalid or in use.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * duplicateSubgraph(project, { from: 'glow', to: 'glow-2', random });
+ */
 export function duplicateSubgraph(project: Project, { from, to, random }: DuplicateSubgraph): Change {
   const copy = copyOfGraph(project, graphOf(project, from), getOwn(project.layout, from), random);
-  return inTurn(
+  return sequence(
     project,
     (before) => addGraph(before, { name: to }),
     (before) =>
@@ -131,7 +143,7 @@ export function duplicateSubgraph(project: Project, { from, to, random }: Duplic
   );
 }
 
-/** A graph and its layout under ids that no node of the project has. */
+/** Copies a graph and its layout under node ids that the project does not use. */
 export function copyOfGraph(
   project: Pick<Project, 'graphs'>,
   graph: Graph,
@@ -151,7 +163,7 @@ export function copyOfGraph(
   };
 }
 
-/** No node of the project, in whatever graph, has the id of another. */
+/** New ids, unique among the nodes of all graphs of the project. */
 function newIds(project: Pick<Project, 'graphs'>, graph: Graph, random: () => number): ReadonlyMap<string, string> {
   const ids = new Map<string, string>();
   let nodes: Readonly<Record<string, GraphNode>> = {};

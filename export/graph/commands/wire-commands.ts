@@ -16,8 +16,19 @@ export interface Connect {
 }
 
 /**
- * Draws a wire. At a port that takes one wire it replaces the one that is there; at others it counts last. A param it goes into
- * becomes a port. Refused, with the reason of `canConnect`, where types differ or a loop would close.
+ * Connects an output to an input. At a single-wire port the wire replaces the existing one; otherwise it becomes the port's last wire. A
+ * connected param becomes a port.
+ *
+ * @returns The change, or a refusal with the reason of `canConnect`: the types do not convert, or a loop would close.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * connect(project, {
+ *   library,
+ *   graph: 'main',
+ *   from: { node: 'video-a1b2', port: 'layer' },
+ *   to: { node: 'sepia-k7q2', port: 'inputImage' },
+ * });
  */
 export function connect(project: Project, { library, graph: name, from, to }: Connect): Change {
   const possible = canConnect(project, library, name, from, to);
@@ -25,7 +36,7 @@ export function connect(project: Project, { library, graph: name, from, to }: Co
   const graph = graphOf(project, name);
   const interfaceOf = createInterfaceLookup(project, library);
   const ports = portsOfWire(graph, interfaceOf, { from, to });
-  if (!ports.ok) throw new Error('What can be connected has ports.');
+  if (!ports.ok) throw new Error('The ports of a possible wire are missing.');
   const { input } = ports;
   const kept = takesSeveral(input) ? graph.wires : graph.wires.filter((wire) => !sameAddress(wire.to, to));
   return change(project, (draft) => {
@@ -43,7 +54,15 @@ export interface Disconnect {
   readonly wires: readonly Wire[];
 }
 
-/** A param whose wire goes stays a port, with the value it had before. */
+/**
+ * Removes wires. A disconnected param stays a port, with the value that it had before.
+ *
+ * @returns The change; this command is never refused.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * disconnect(project, { graph: 'main', wires: [{ from, to }] });
+ */
 export function disconnect(project: Project, { graph, wires }: Disconnect): Change {
   const before = graphOf(project, graph).wires;
   const kept = before.filter((wire) => !wires.some((gone) => sameWire(gone, wire)));
@@ -57,7 +76,15 @@ export interface ReorderWires {
   readonly from: readonly PortAddress[];
 }
 
-/** Changes the order in which the wires of one port count. */
+/**
+ * Changes the order of the wires at one port.
+ *
+ * @returns The change; this command is never refused.
+ * @throws Error if the graph does not exist.
+ *
+ * @example
+ * reorderWires(project, { graph: 'main', to: { node: 'over-p3m9', port: 'layers' }, from: [second, first] });
+ */
 export function reorderWires(project: Project, { graph, to, from }: ReorderWires): Change {
   const { wires } = graphOf(project, graph);
   const here = wires.filter((wire) => sameAddress(wire.to, to));

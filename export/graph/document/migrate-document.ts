@@ -2,18 +2,18 @@ import { isObject } from '../json/shape-reader.ts';
 
 export type JsonObject = Readonly<Record<string, unknown>>;
 
-/** Lifts a whole document by one version. It must be written down here for ever: somebody has a file of every version. */
+/** Migrates a whole document by one version. Steps are never removed, because files of every version exist. */
 export type DocumentStep = (json: JsonObject) => JsonObject;
 
 /** One of the two files of a project folder. */
 export interface DocumentFormat {
   readonly file: 'project.scrim.json' | 'project.layout.json';
   readonly format: 'scrim-project' | 'scrim-layout';
-  /** Step `i` lifts version `i + 1` to `i + 2`, so the newest version is one more than there are steps. */
+  /** Step `i` migrates version `i + 1` to `i + 2`, so the newest version is the number of steps plus one. */
   readonly steps: readonly DocumentStep[];
 }
 
-/** Each new step brings a project of the version before it into `tests/compile/archive/`. */
+/** Each new step adds a project of the previous version to `tests/compile/archive/`. */
 export const PROJECT_FORMAT: DocumentFormat = { file: 'project.scrim.json', format: 'scrim-project', steps: [] };
 export const LAYOUT_FORMAT: DocumentFormat = { file: 'project.layout.json', format: 'scrim-layout', steps: [] };
 
@@ -25,7 +25,7 @@ export type Migrated =
   | { readonly ok: true; readonly json: JsonObject }
   | { readonly ok: false; readonly code: 'SCR002' | 'SCR003'; readonly at: 'format' | 'version' | null; readonly message: string };
 
-/** The document in the newest version, whatever the version it was saved in. */
+/** Migrates a document of any version to the newest. */
 export function migrateDocument(json: unknown, format: DocumentFormat): Migrated {
   if (!isObject(json)) return { ok: false, code: 'SCR002', at: null, message: 'The document is not an object.' };
   if (json.format !== format.format) {

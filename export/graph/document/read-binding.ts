@@ -7,7 +7,7 @@ import { getOwn } from '../record.ts';
 
 const REPEATS = ['once', 'loop', 'mirror'] as const satisfies readonly Track['repeat'][];
 
-/** A bare value stands for itself; what else a param may be bound to is an object with one key that says so. */
+/** Reads a binding. A plain value is a value; every other binding is an object with one key. */
 export function readBinding(reader: ShapeReader, json: unknown, path: JsonPath): Binding {
   if (!isObject(json)) return { value: readValue(reader, json, path) };
   const fields = reader.fields(json, path, ['track', 'expression', 'port']);
@@ -51,6 +51,6 @@ function readEasing(reader: ShapeReader, json: unknown, path: JsonPath): Keyfram
   if (!Array.isArray(json)) return reader.oneOf(json, path, NAMED_EASINGS);
   if (json.length !== 4) reader.problem(path, 'the control points of an easing must be four numbers: [x1, y1, x2, y2].');
   const [x1 = 0, y1 = 0, x2 = 0, y2 = 0] = readNumbers(reader, json, path);
-  // Where they may lie is for the checks, which know the node.
+  // The limits of the control points are checked with the node.
   return [x1, y1, x2, y2];
 }

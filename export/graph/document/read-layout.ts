@@ -3,7 +3,7 @@ import type { ShapeReader } from '../json/shape-reader.ts';
 import type { Frame, GraphLayout, NodeLayout, Note, Project, Reroute } from '../project.ts';
 import { ENTRY_ID, GRAPH_NAME, NODE_ID, WIRE } from './name-rules.ts';
 
-/** Reads the newest version of the layout; `format` and `version` have been looked at. */
+/** Reads the newest version of the layout; the caller has checked `format` and `version`. */
 export function readLayout(reader: ShapeReader, json: unknown): Project['layout'] {
   const fields = reader.fields(json, [], ['format', 'version', 'graphs']);
   return reader.record(fields('graphs'), ['graphs'], GRAPH_NAME, (item, path) => readGraphLayout(reader, item, path));

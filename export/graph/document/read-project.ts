@@ -16,10 +16,10 @@ import { parseWire, sortWires } from '../wires.ts';
 import { ENTRY_ID, GRAPH_NAME, NODE_ID, NODE_TYPE, PORT_NAME } from './name-rules.ts';
 import { readBinding } from './read-binding.ts';
 
-/** What `project.scrim.json` holds of a project. */
+/** The content of `project.scrim.json`. */
 export type ProjectDocument = Omit<Project, 'layout' | 'sources'>;
 
-/** Reads the newest version of the document; `format` and `version` have been looked at. */
+/** Reads the newest version of the document; the caller has checked `format` and `version`. */
 export function readProject(reader: ShapeReader, json: unknown): ProjectDocument {
   const fields = reader.fields(json, [], ['format', 'version', 'title', 'page', 'graphs', 'assets']);
   const graphs = reader.record(fields('graphs'), ['graphs'], GRAPH_NAME, (item, path) => readGraph(reader, item, path));
@@ -46,7 +46,7 @@ function readPage(reader: ShapeReader, json: unknown): PageInfo {
   return { description: text('description'), language };
 }
 
-/** BCP 47 (RFC 5646), by its form: whether anybody speaks it is not asked. */
+/** Whether the tag is well-formed by BCP 47 (RFC 5646). The parts of the tag are not looked up. */
 function isLanguage(tag: string): boolean {
   try {
     return Intl.getCanonicalLocales(tag).length === 1;

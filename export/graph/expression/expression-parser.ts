@@ -3,16 +3,16 @@ import { MAX_NUMBER } from '../json/shape-reader.ts';
 import { getOwn } from '../record.ts';
 import { readWords, type Word } from './read-words.ts';
 
-/** Postfix (`nodes/kit/expression.ts`), one text for each number that the expression gives; or what is wrong with it. */
+/** Postfix code (`nodes/kit/expression.ts`), one text per number of the expression, or the error. */
 export type ParsedExpression =
   | { readonly ok: true; readonly parts: readonly string[] }
-  /** `column` from 1. */
+  /** `column` counts from 1. */
   | { readonly ok: false; readonly message: string; readonly column: number };
 
-/** Deeper nesting only occurs in hostile files, and would overflow the stack. */
+/** Maximum nesting. Deeper expressions occur only in hostile files and would overflow the stack. */
 const MAX_NESTING = 64;
 
-/** How tightly operators bind; those of one row from left to right, but powers from right to left. */
+/** Precedence of operators; equal ones associate from left to right, powers from right to left. */
 const PRECEDENCE: Readonly<Record<ExpressionOperator | '?', number>> = {
   '?': 1,
   '||': 2,
@@ -31,21 +31,23 @@ const PRECEDENCE: Readonly<Record<ExpressionOperator | '?', number>> = {
   '^': 8,
 };
 const COMPARISON = 4;
-/** A sign before a number: below powers, so that `-a^2` is `-(a^2)`. */
+/** Precedence of unary signs: below powers, so `-a^2` is `-(a^2)`. */
 const SIGN = 7;
 
 /**
- * Parses an expression into postfix. Runs in linear time and never throws.
+ * Parses an expression into postfix code, in linear time.
  *
- * @param count How many numbers the expression gives: one as it stands, several in brackets.
- * @param names The numbers that it may read besides the clock.
+ * @param count How many numbers the expression gives: one without brackets, several in brackets.
+ * @param names Variables that it may read besides the clock.
+ * @returns The postfix code, or the message and column of the first error. Never throws.
+ *
  * @example
  * parseExpression('1 + sin(time)', 1); // { ok: true, parts: ['1 time sin +'] }
  */
 export function parseExpression(text: string, count: number, names: readonly string[] = []): ParsedExpression {
   const read = readWords(text);
   if (!read.ok) {
-    // A clause like all messages of this parser: the diagnostic completes the sentence.
+    // A clause, as all messages of this parser; the diagnostic completes the sentence.
     const unexpected = `“${[...text.slice(read.offset)][0]}” is not expected here`;
     return { ok: false, message: unexpected, column: read.offset + 1 };
   }
@@ -113,7 +115,7 @@ function parseWords(words: readonly Word[], count: number, names: readonly strin
   function call(word: Word, takes: readonly string[]): void {
     const usage = `${word.text}(${takes.join(', ')})`;
     expectSign('(', `the “(” of ${usage}`);
-    // The least or the greatest of two, of that and the next, and so on.
+    // `min` and `max` of several values are folded from left to right.
     const ofMany = word.text === 'min' || word.text === 'max';
     let given = 0;
     do {
@@ -127,7 +129,7 @@ function parseWords(words: readonly Word[], count: number, names: readonly strin
     if (!ofMany) out.push(POSTFIX_NAMES[word.text] ?? word.text);
   }
 
-  /** Operators that bind at least as tightly as `precedence`. */
+  /** Parses operators with at least this precedence. */
   function expression(precedence: number): void {
     if (++nesting > MAX_NESTING) throw new Mistake(next(), `Brackets and operations are nested more than ${MAX_NESTING} deep`);
     operand();
@@ -171,7 +173,7 @@ function parseWords(words: readonly Word[], count: number, names: readonly strin
   return parts;
 }
 
-/** Two functions are signs by another name. */
+/** Functions that are written as operators in postfix. */
 const POSTFIX_NAMES: Readonly<Record<string, string>> = { pow: '^', mod: '%' };
 
 function printNumber(word: Word): string {

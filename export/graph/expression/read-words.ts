@@ -1,20 +1,20 @@
-/** A word of an expression, and where it begins. */
+/** A token of an expression with its offset. */
 export interface Word {
   readonly kind: 'number' | 'name' | 'sign' | 'end';
   readonly text: string;
   readonly offset: number;
 }
 
-/** Longer signs first, so that `<=` is not read as `<`. */
+/** Longer signs come first, so that `<=` is not read as `<`. */
 const WORD =
   /(?<space>\s+)|(?<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?<name>[A-Za-z_]\w*)|(?<sign><=|>=|==|!=|&&|\|\||[-+*/%^<>!?:(),[\]−×÷≤≥≠])/y;
 
-/** As they stand in print, and in texts that formulas are copied from. */
+/** Typographic characters, as in formulas copied from print. */
 const PRINTED: Readonly<Record<string, string>> = { '−': '-', '×': '*', '÷': '/', '≤': '<=', '≥': '>=', '≠': '!=' };
 
 export type Words = { readonly ok: true; readonly words: readonly Word[] } | { readonly ok: false; readonly offset: number };
 
-/** The words, and one for the end; or where something stands that is none. */
+/** Splits an expression into tokens, with one for the end; or returns the offset of the first invalid character. */
 export function readWords(text: string): Words {
   const words: Word[] = [];
   WORD.lastIndex = 0;

@@ -2,14 +2,14 @@ import { createScanner, type ParseError, parse, printParseErrorCode } from 'json
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { positionOf } from './positions.ts';
 
-/** As much as the host sends in one message, and far more than any graph needs. */
+/** The limit of one message of the host, far above any real project. */
 export const MAX_JSON_CHARACTERS = 64 * 2 ** 20;
 
 export type ParsedJson = { readonly ok: true; readonly value: unknown } | { readonly ok: false; readonly diagnostic: Diagnostic };
 
 /**
- * Reads strict JSON, whatever the text: SCR001 with line and column where it is broken, SCR005 where it is too large, SCR006
- * for `NaN` and `Infinity`, SCR002 where a key stands twice, of which JSON would silently drop the first.
+ * Parses strict JSON. Errors: SCR001 for a syntax error, with line and column; SCR005 if the text is too large; SCR006 for `NaN` and
+ * `Infinity`; SCR002 for a duplicate key, of which JSON would silently drop the first.
  */
 export function parseJson(text: string, file: string): ParsedJson {
   if (text.length > MAX_JSON_CHARACTERS) {
@@ -17,7 +17,7 @@ export function parseJson(text: string, file: string): ParsedJson {
     const message = `${file} has ${mebibytes(text.length)} MiB; Scrim reads up to ${mebibytes(MAX_JSON_CHARACTERS)} MiB.`;
     return { ok: false, diagnostic: { code: 'SCR005', severity: 'error', file, message } };
   }
-  // A byte order mark is no part of JSON, but some editors write one.
+  // A byte order mark is not part of JSON, but some editors write one.
   const json = text.startsWith('\uFEFF') ? ` ${text.slice(1)}` : text;
   let value: unknown;
   try {
@@ -41,10 +41,10 @@ function syntaxError(text: string, file: string): Diagnostic {
   const place = { severity: 'error', file, ...positionOf(text, error.offset) } as const;
   const number = /^[-+]?(?:NaN|Infinity)\b/i.exec(text.slice(error.offset, error.offset + 16));
   if (number) return { code: 'SCR006', ...place, message: `${number[0]} is not a finite number. Write a finite one.` };
-  return { code: 'SCR001', ...place, message: `${WORDS[printParseErrorCode(error.error)] ?? 'Something unexpected is'} here.` };
+  return { code: 'SCR001', ...place, message: `${WORDS[printParseErrorCode(error.error)] ?? 'An unexpected character is'} here.` };
 }
 
-/** `JSON.parse` says where it stopped only in words that differ between engines. */
+/** Locates the error, because messages of `JSON.parse` differ between engines. */
 function firstError(text: string): ParseError | null {
   const errors: ParseError[] = [];
   try {
@@ -57,24 +57,24 @@ function firstError(text: string): ParseError | null {
 
 const WORDS: Readonly<Record<string, string>> = {
   InvalidSymbol: 'An unknown word is',
-  InvalidNumberFormat: 'A broken number is',
+  InvalidNumberFormat: 'An invalid number is',
   PropertyNameExpected: 'A key in double quotes is missing',
   ValueExpected: 'A value is missing',
   ColonExpected: 'A colon is missing',
   CommaExpected: 'A comma is missing',
   CloseBraceExpected: 'A closing brace is missing',
   CloseBracketExpected: 'A closing bracket is missing',
-  EndOfFileExpected: 'The document should have ended',
-  InvalidCommentToken: 'JSON has no comments, but there is one',
-  UnexpectedEndOfComment: 'JSON has no comments, but there is one',
+  EndOfFileExpected: 'Expected the end of the document',
+  InvalidCommentToken: 'JSON does not allow the comment',
+  UnexpectedEndOfComment: 'JSON does not allow the comment',
   UnexpectedEndOfString: 'A text without its closing quote begins',
-  UnexpectedEndOfNumber: 'A broken number is',
-  InvalidUnicode: 'A broken \\u escape is',
+  UnexpectedEndOfNumber: 'An invalid number is',
+  InvalidUnicode: 'An invalid \\u escape is',
   InvalidEscapeCharacter: 'A text with an unknown escape begins',
   InvalidCharacter: 'A text with a control character in it begins',
 };
 
-/** Tokens only, with a stack of its own: depth is no limit. */
+/** Reads tokens with its own stack, so depth is not limited. */
 function findDuplicateKey(text: string): { readonly key: string; readonly offset: number } | null {
   const scanner = createScanner(text, true);
   const open: (Set<string> | null)[] = [];

@@ -1,11 +1,12 @@
 import { findNodeAtLocation, type JSONPath, type Node, parseTree } from 'jsonc-parser';
 
-/** Where something is in a text; both from 1. */
+/** A position in a text; both numbers count from 1. */
 export interface TextPosition {
   readonly line: number;
   readonly column: number;
 }
 
+/** @param offset Index of a character, from 0. */
 export function positionOf(text: string, offset: number): TextPosition {
   let line = 1;
   let lineStart = 0;
@@ -18,13 +19,13 @@ export function positionOf(text: string, offset: number): TextPosition {
 
 export type JsonPath = JSONPath;
 
-/** The tree costs some thirty times the text in memory. */
+/** The syntax tree takes about thirty times the memory of the text. */
 const MAX_TREE_CHARACTERS = 16 * 2 ** 20;
 
 /**
- * Finds places of a JSON text by path. The text is parsed once more, when the first place is asked for: that is only when
- * something is wrong. A path that is not in the text gives the place of the nearest part above it; null where the text is too
- * large or too deeply nested.
+ * Creates a function that finds positions in a JSON text by path. The text is parsed at the first call only, that is, when there is an
+ * error to report. For a path that does not exist it returns the position of the nearest ancestor; null if the text is too large or too
+ * deeply nested.
  */
 export function createLocator(text: string): (path: JsonPath, of: 'key' | 'value') => TextPosition | null {
   let root: Node | undefined;
@@ -45,7 +46,7 @@ function treeOf(text: string): Node | undefined {
   try {
     return parseTree(text);
   } catch (error) {
-    // The parser recurses, and a file may be nested deeper than the stack.
+    // The parser is recursive and overflows on deeply nested files.
     if (error instanceof RangeError) return undefined;
     throw error;
   }

@@ -1,7 +1,11 @@
 /**
- * Prints JSON so that diffs read well: two spaces, one item per line, except numbers in arrays and what is wrapped by `inline`,
- * which stay on one line. Keys are printed in the order they stand in. Throws on numbers that are not finite: commands and
- * loading let none in, and JSON would turn them into null.
+ * Prints JSON with readable diffs: two spaces, one item per line, except numbers in arrays and values wrapped by `inline`, which stay on
+ * one line. Keys keep their order.
+ *
+ * @throws Error if a number is not finite, which commands and loading prevent.
+ *
+ * @example
+ * printJson({ position: inline({ x: 1, y: 2 }) });
  */
 export function printJson(value: PrintableJson): string {
   return `${print(value, '')}\n`;
@@ -16,7 +20,7 @@ class Inline {
   }
 }
 
-/** For small things that are read as one: a position, a keyframe. */
+/** Prints a small value such as a position or a keyframe on one line. */
 export function inline(value: PrintableJson): PrintableJson {
   return new Inline(value);
 }

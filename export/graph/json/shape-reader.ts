@@ -1,31 +1,31 @@
 import { getOwn } from '../record.ts';
 import type { JsonPath } from './positions.ts';
 
-/** One thing that has not the shape it should have. */
+/** A mistake in the shape of a document. */
 export interface ShapeProblem {
   readonly code: 'SCR002' | 'SCR006';
   readonly path: JsonPath;
-  /** Whether the key or the value at `path` is wrong. */
+  /** Whether the key or the value at `path` is invalid. */
   readonly of: 'key' | 'value';
   readonly message: string;
 }
 
-/** A longer list would not help. */
+/** Maximum number of problems to report. */
 const MAX_PROBLEMS = 50;
 
-/** Uniforms are 32-bit floats: what is larger would reach a shader as infinity. */
+/** Largest 32-bit float; larger uniforms would be infinite in a shader. */
 export const MAX_NUMBER = 3.4028234663852886e38;
 
 /**
- * Reads parsed JSON field by field. A wrong value is added to `problems` and read as an empty one, so that one pass finds all
- * problems; the caller discards the result where there are any. Recursion is as deep as the schema, never as the file.
+ * Reads parsed JSON field by field. An invalid value is added to `problems` and read as an empty one, so that one pass finds all problems;
+ * the caller discards the result if there are any. The recursion follows the schema, so its depth is limited.
  */
 export interface ShapeReader {
   readonly problems: readonly ShapeProblem[];
   problem(path: JsonPath, message: string, of?: 'key' | 'value'): void;
   /** An object with no other keys than these. */
   fields(value: unknown, path: JsonPath, keys: readonly string[]): Fields;
-  /** An object whose keys are names of things; `names` says what a name must be like. */
+  /** An object with arbitrary names as keys, which must match `names`. */
   record<T>(value: unknown, path: JsonPath, names: NameRule, item: (value: unknown, path: JsonPath) => T): Record<string, T>;
   list<T>(value: unknown, path: JsonPath, item: (value: unknown, path: JsonPath) => T): T[];
   text(value: unknown, path: JsonPath): string;
@@ -37,11 +37,11 @@ export interface ShapeReader {
 
 export interface NameRule {
   readonly is: (text: string) => boolean;
-  /** "Node ids are …", for the message. */
+  /** The rule as a sentence for the message. */
   readonly words: string;
 }
 
-/** Fields by name; undefined where the file has none. */
+/** Returns a field by name, or undefined if the file does not have it. */
 export type Fields = (key: string) => unknown;
 
 const NO_FIELDS: Fields = () => undefined;
@@ -136,7 +136,7 @@ export function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** `graphs.main.nodes["a b"].type`. */
+/** Prints a path: `graphs.main.nodes["a b"].type`. */
 export function printPath(path: JsonPath): string {
   if (path.length === 0) return 'The document';
   return path

@@ -5,15 +5,15 @@ import { misfit } from './param-value.ts';
 
 export interface BindingMisfit {
   readonly code: 'SCR018' | 'SCR019';
-  /** Goes after the param's name: "must be …", "cannot follow …". */
+  /** Follows the label of the param: “must be …”, “cannot follow …”. */
   readonly message: string;
 }
 
 const MAX_EXPRESSION_CHARACTERS = 10_000;
 
 /**
- * Why the param cannot be bound so, or null where it can. Ranges and asset tables are not looked at, nor is an expression read: it
- * may be half written.
+ * Why the param cannot have this binding, or null if it can. Limits, assets and the text of expressions are not checked, because an
+ * expression may be incomplete.
  */
 export function bindingMisfit(param: ParamDefinition, binding: Binding): BindingMisfit | null {
   if ('value' in binding) return valueMisfit(param, binding.value);

@@ -14,11 +14,14 @@ export interface Migrated<P> {
 }
 
 /**
- * Migrates the params of every node to the version of its type in the library. Unchanged nodes and graphs stay the same objects.
- * Nodes of unknown types and of newer versions stay unchanged; `validateProject` reports them.
+ * Migrates the params of every node to the version of its type in the library. Unchanged nodes and graphs stay the same objects. Nodes of
+ * unknown types and of newer versions stay unchanged; `validateProject` reports them.
  *
- * @returns The migrated project, and SCR018 for params that cannot be migrated and for wires whose unit has changed.
- * @throws Error where a node type lacks a migration, which is a programmer's mistake.
+ * @returns The migrated project, and SCR018 for params that cannot be migrated and for wires whose unit changed.
+ * @throws Error if a node type lacks a migration, which is a programming error.
+ *
+ * @example
+ * const { project: migrated, diagnostics } = migrateNodes(loaded, library);
  */
 export function migrateNodes<P extends Pick<Project, 'graphs'>>(project: P, library: NodeLibrary): Migrated<P> {
   const diagnostics: Diagnostic[] = [];
@@ -49,12 +52,12 @@ function migrateGraph(graph: Graph, library: NodeLibrary, diagnostics: Diagnosti
   return nodes;
 }
 
-/** Every step of a type, whether code or data. */
+/** All migrations of a type, both functions and declared renames. */
 export function migrationsOf({ migrations, renamed = [] }: NodeDefinition): readonly Migration[] {
   return migrations ?? renamed.map((names) => (params) => renameParams(params, names));
 }
 
-/** Wires follow the params that they end at. What they carry is not measured otherwise, which the user is told. */
+/** Renames the ends of wires. Values on wires are not converted, which a diagnostic reports. */
 function renameWired(graph: Graph, library: NodeLibrary, diagnostics: Diagnostic[]): Graph {
   const isRenamed = ({ type, version }: GraphNode) => (library.definition(type)?.renamed?.length ?? 0) >= version;
   if (!Object.values(graph.nodes).some(isRenamed)) return graph;
@@ -78,12 +81,12 @@ function renameWired(graph: Graph, library: NodeLibrary, diagnostics: Diagnostic
   });
 }
 
-/** Steps read what a file holds. */
+/** Migrations read the saved form. */
 function asSaved(binding: Binding): unknown {
   return JSON.parse(printJson(saveBinding(binding)));
 }
 
-/** The lifted node, or what went wrong: params in a file can be anything, and steps are written for what the editor saves. */
+/** The migrated node, or the error message: files may contain anything, but migrations expect what the editor saves. */
 function migrateNode(node: GraphNode, definition: NodeDefinition): GraphNode | string {
   let saved: SavedParams = Object.fromEntries(Object.entries(node.params).map(([name, binding]) => [name, asSaved(binding)]));
   for (let version = node.version; version < definition.version; version++) {

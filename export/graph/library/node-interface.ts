@@ -12,12 +12,13 @@ import type { Graph, GraphNode, PortAddress, Project } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { boundValue, misfit } from './param-value.ts';
 
-/** The ports and params of a node type: those of its definition, or those that a subgraph exposes. */
+/** Ports and params of a node type: those of its definition, or those that a subgraph exposes. */
 export type NodeInterface = Pick<NodeDefinition, 'type' | 'version' | 'title' | 'doc' | 'inputs' | 'outputs' | 'params' | 'delay'>;
 
-/** Looks up the interface of a node type of the library, or of `graph/NAME`; undefined for unknown types. Caches its results. */
+/** Returns the interface of a node type of the library or of `graph/NAME`; undefined for unknown types. Caches its results. */
 export type InterfaceLookup = (type: string) => NodeInterface | undefined;
 
+/** Creates a lookup for the current graphs of a project; create another after a change. */
 export function createInterfaceLookup(project: Pick<Project, 'graphs'>, library: NodeLibrary): InterfaceLookup {
   const subgraphInterfaces = new Map<string, NodeInterface | undefined>();
   return (type) => {
@@ -31,11 +32,12 @@ export function createInterfaceLookup(project: Pick<Project, 'graphs'>, library:
   };
 }
 
-/** An input that takes wires: a port, or a param that a wire can drive. */
+/** An input that takes wires: a port, or a param that can be a port. */
 export type ConnectableInput =
   | { readonly kind: 'port'; readonly type: WireType; readonly port: InputPort }
   | { readonly kind: 'param'; readonly type: ValueType; readonly param: ParamDefinition };
 
+/** @returns The input or connectable param with this name, or undefined. */
 export function inputOf(nodeInterface: NodeInterface, name: string): ConnectableInput | undefined {
   const port = getOwn(nodeInterface.inputs, name);
   if (port) return { kind: 'port', type: port.type, port };
@@ -45,13 +47,14 @@ export function inputOf(nodeInterface: NodeInterface, name: string): Connectable
 }
 
 /**
- * Whether wires into the node may close a loop: a delay outputs what it received in an earlier frame. Subgraphs never break
- * loops, because their interface does not tell which ports are delayed.
+ * Whether wires into the node may close a loop, because a delay outputs values of an earlier frame. Subgraphs never do, because their
+ * interface does not tell which ports are delayed.
  */
 export function breaksLoops({ type, muted }: GraphNode, interfaceOf: InterfaceLookup): boolean {
   return muted !== true && interfaceOf(type)?.delay === true;
 }
 
+/** Whether several wires can be connected to the input. */
 export function takesSeveral(input: ConnectableInput): boolean {
   return input.kind === 'port' && input.port.multiple === true;
 }
@@ -75,14 +78,14 @@ function interfaceOfGraph(project: Pick<Project, 'graphs'>, library: NodeLibrary
   return { type: `graph/${name}`, version: 1, title: name, doc: `The subgraph “${name}” of this project.`, inputs, outputs, params };
 }
 
-/** A port of a library's node, and the node. */
+/** A port of a node of the library, with the node. */
 interface PortEnd {
   readonly definition: NodeDefinition;
   readonly port: string;
   readonly binding: ReturnType<typeof boundValue>;
 }
 
-/** Follows an exposed port into subgraphs within subgraphs, to the library's node that has it. */
+/** Follows an exposed port through nested subgraphs to the node of the library that has it. */
 function innermost(
   project: Pick<Project, 'graphs'>,
   library: NodeLibrary,
@@ -110,7 +113,7 @@ function innermost(
   return undefined;
 }
 
-/** Outside, a param begins with the value it has inside. */
+/** An exposed param has the value inside as its default. */
 function withDefault(param: ParamDefinition, { binding }: PortEnd): ParamDefinition {
   if (binding === undefined || misfit(param, binding) !== null) return param;
   return { ...param, default: binding } as ParamDefinition;

@@ -4,7 +4,7 @@ import { VALUE_SIZES } from '../../../nodes/kit/wire-types.ts';
 import { MAX_NUMBER } from '../json/shape-reader.ts';
 import type { Binding } from '../project.ts';
 
-/** The value that a binding holds, or undefined for a track or an expression. */
+/** @returns The value of a binding, or undefined for a track or an expression. */
 export function boundValue(binding: Binding): ParamValue | undefined {
   if ('value' in binding) return binding.value;
   return 'port' in binding ? binding.port : undefined;
@@ -15,7 +15,7 @@ export function sameValue(a: ParamValue, b: ParamValue): boolean {
   return a.length === b.length && a.every((number, i) => number === b[i]);
 }
 
-/** What `value` would have to be to fit `param`, in words, or null where it fits. Ranges are another matter: `outOfRange`. */
+/** What `value` must be to fit `param`, in words, or null if it fits. Limits are checked by `outOfRange`. */
 export function misfit(param: ParamDefinition, value: unknown): string | null {
   switch (param.type) {
     case 'number':
@@ -41,7 +41,7 @@ export function misfit(param: ParamDefinition, value: unknown): string | null {
   }
 }
 
-/** The limits that a fitting value oversteps, in words, or null. */
+/** The limits that a valid value exceeds, in words, or null. */
 export function outOfRange(param: ParamDefinition, value: ParamValue): string | null {
   if (sameValue(clampToRange(param, value), value)) return null;
   if (param.type === 'color') return 'from 0 to 1 in each channel';
@@ -50,7 +50,7 @@ export function outOfRange(param: ParamDefinition, value: ParamValue): string | 
   return param.max === undefined ? `at least ${param.min}` : `from ${param.min} to ${param.max}`;
 }
 
-/** The nearest value within the param's limits; values without limits as they are. */
+/** @returns The nearest value within the limits of the param. */
 export function clampToRange(param: ParamDefinition, value: ParamValue): ParamValue {
   if (param.type === 'number' && typeof value === 'number') return clamp(value, param.min, param.max);
   if (typeof value !== 'object') return value;
@@ -59,7 +59,7 @@ export function clampToRange(param: ParamDefinition, value: ParamValue): ParamVa
   return value.map((component, i) => clamp(component, param.min?.[i], param.max?.[i]));
 }
 
-/** Zero has one sign in a document: JSON cannot write the other. */
+/** Converts −0 to 0, because JSON cannot represent −0. */
 export function withoutNegativeZero(value: ParamValue): ParamValue {
   if (typeof value === 'number') return value + 0;
   return typeof value === 'object' ? value.map((number) => number + 0) : value;

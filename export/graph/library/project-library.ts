@@ -3,29 +3,33 @@ import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { isChunkFile } from '../document-names.ts';
 import { sortedEntries } from '../record.ts';
 
-/** Makes a node type of an ISF file or a technique. `file` is what `lowering.shader` will name: `shaders/edge.fs`. */
+/** Reads the node type of an ISF shader or a technique. `file` becomes `lowering.shader`, as in `shaders/edge.fs`. */
 export type ReadShader = (file: string, source: string) => Result<NodeDefinition>;
 
 export interface ProjectLibrary extends NodeLibrary {
-  /** What is wrong with the project's own shaders, each with its file. */
+  /** Problems of the project's own shaders, each with its file. */
   readonly diagnostics: readonly Diagnostic[];
-  /** Node type → file in `shaders/`, for the types that the project brings. */
+  /** Node type → file in `shaders/`, for the types of the project. */
   readonly files: ReadonlyMap<string, string>;
 }
 
-/** Shader names of the project's own files, so that they never collide with the library's. */
+/** Prefix that prevents collisions with shader names of the library. */
 export function projectShaderName(file: string): string {
   return `shaders/${file}`;
 }
 
 /**
- * Adds a project's own shaders to a library. They take precedence: a filter `sepia.fs` replaces the library's `filter/sepia`. A
- * file with a broken header adds no type and is in `diagnostics`. A file in `chunks/` adds no type: techniques include it, those
- * of the library too.
+ * Adds a project's own shaders to a library. They take precedence: a filter `sepia.fs` replaces the library's `filter/sepia`. A file with
+ * an invalid header adds no type and is reported in `diagnostics`. Files in `chunks/` add no type; techniques include them, also those of
+ * the library.
  *
  * @param base The library without the project's shaders.
  * @param sources Shader texts by file name in `shaders/`.
- * @param readShader Reads every text at each call, so pass a cached one (`createShaderCache`).
+ * @param readShader Reads every text in each call, so pass a cached one (`createShaderCache`).
+ *
+ * @example
+ * const cache = createShaderCache(readShader);
+ * const library = projectLibrary(base, project.sources, cache.read);
  */
 export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<string, string>>, readShader: ReadShader): ProjectLibrary {
   const definitions = new Map<string, NodeDefinition>();
@@ -56,8 +60,8 @@ export function projectLibrary(base: NodeLibrary, sources: Readonly<Record<strin
 }
 
 /**
- * Caches the results of `readShader` by file and text, because most edits change no shader. `endGeneration` drops texts that
- * neither the current nor the previous generation has read.
+ * Caches results of `readShader` by file and text, because most edits change no shader. `endGeneration` drops texts that neither the
+ * current nor the previous generation has read.
  */
 export function createShaderCache(readShader: ReadShader): { readonly read: ReadShader; endGeneration(): void } {
   let current = new Map<string, Result<NodeDefinition>>();

@@ -4,7 +4,7 @@ import type { Graph, GraphNode, PortAddress } from '../project.ts';
 
 type Names = Readonly<Record<string, Renamed>>;
 
-/** Saved params under their new names, with numbers, those of tracks and expressions too, in their new measure. */
+/** Renames saved params and converts their numbers, also in tracks and expressions, to the new unit. */
 export function renameParams(params: SavedParams, names: Names): SavedParams {
   return Object.fromEntries(
     Object.entries(params).map(([name, saved]) => {
@@ -27,7 +27,7 @@ function scaled(saved: unknown, times: number): unknown {
   return { track: { ...track, keys } };
 }
 
-/** What all steps from the node's version on make of a port's name. */
+/** The name of a port after all migrations from the node's version on. */
 export function renamedPort(port: string, { version }: GraphNode, { renamed = [] }: NodeDefinition): Renamed {
   let now: Renamed = { to: port, times: 1 };
   for (const names of renamed.slice(version - 1)) {
@@ -37,7 +37,7 @@ export function renamedPort(port: string, { version }: GraphNode, { renamed = []
   return now;
 }
 
-/** The graph with its wires and what it shows of its nodes' inputs under the ports' new names. */
+/** Renames ports in the wires and exposed inputs of a graph. */
 export function renamePorts(graph: Graph, portOf: (address: PortAddress) => string): Graph {
   const address = (at: PortAddress): PortAddress => ({ ...at, port: portOf(at) });
   return {

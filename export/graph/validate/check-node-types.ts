@@ -4,7 +4,7 @@ import { MAIN_GRAPH } from '../project.ts';
 import { getOwn } from '../record.ts';
 import { type GraphCheck, reportError } from './context.ts';
 
-/** Types: known, and not newer than the library's. */
+/** Types must be known and not newer than those of the library. */
 export function checkNodeTypes(check: GraphCheck): void {
   const { graph, library, project } = check;
   for (const [nodeId, node] of Object.entries(graph.nodes)) {
@@ -27,10 +27,10 @@ export function checkNodeTypes(check: GraphCheck): void {
 function unknownType({ project }: GraphCheck, nodeId: string, type: string): string {
   const file = shaderFilesOf(type).find((name) => getOwn(project.sources, name) !== undefined);
   if (file === undefined) return `${nodeId} has the unknown type ${type}.`;
-  return `${nodeId} has the type ${type}, but shaders/${file} does not define it. Its header is broken, or its inputs make it another kind.`;
+  return `${nodeId} has the type ${type}, but shaders/${file} does not define it. Its header is invalid, or its inputs define another type.`;
 }
 
-/** The main graph shows one thing; subgraphs show nothing by themselves. */
+/** The main graph has one output, subgraphs have none. */
 export function checkScreens(check: GraphCheck): void {
   const screens = screensOf(check.graph, check.library);
   const [first, ...more] = screens;

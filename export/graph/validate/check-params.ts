@@ -9,7 +9,7 @@ import { type GraphCheck, inGraph, reportError } from './context.ts';
 export function checkParams(check: GraphCheck): void {
   for (const [nodeId, node] of Object.entries(check.graph.nodes)) {
     const nodeInterface = check.interfaceOf(node.type);
-    // Params of another version cannot be judged; the version itself is told at the node.
+    // Params of another version cannot be checked; the version itself is reported at the node.
     if (!nodeInterface || node.version !== nodeInterface.version) continue;
     for (const [port, binding] of Object.entries(node.params)) {
       const param = getOwn(nodeInterface.params, port);
@@ -63,7 +63,7 @@ function checkAsset(check: GraphCheck, nodeId: string, port: string, param: Para
   }
 }
 
-/** Whether the node, as its other params are set, has a use for the file. */
+/** Whether the node uses the file with its other params. */
 function isUsed(
   { where }: AssetParam,
   nodeInterface: Readonly<Record<string, ParamDefinition>>,

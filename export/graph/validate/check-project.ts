@@ -4,7 +4,7 @@ import { usesOfGraphs } from '../liveness.ts';
 import { MAIN_GRAPH, type ProjectLogic } from '../project.ts';
 import { findCycles } from '../topology.ts';
 
-/** Asset paths stay inside the project folder. */
+/** Asset paths must be inside the project folder. */
 export function checkAssetPaths(project: ProjectLogic): Diagnostic[] {
   return Object.entries(project.assets).flatMap(([id, { path }]): Diagnostic[] => {
     const problem = assetPathProblem(path);
@@ -15,7 +15,7 @@ export function checkAssetPaths(project: ProjectLogic): Diagnostic[] {
   });
 }
 
-/** No subgraph contains itself, directly or through others. The main graph exposes no port. */
+/** No subgraph may contain itself, directly or through others. The main graph must not expose ports. */
 export function checkGraphs(project: ProjectLogic): Diagnostic[] {
   const uses = usesOfGraphs(project);
   const cycles = findCycles(uses.keys(), (name) => uses.get(name) ?? []);

@@ -6,7 +6,7 @@ import { findCycles } from '../topology.ts';
 import { printAddress, printWire } from '../wires.ts';
 import { type GraphCheck, reportError, reportUnfinished } from './context.ts';
 
-/** Ends, types and counts of all wires. */
+/** Checks ends, types and number of all wires. */
 export function checkWires(check: GraphCheck): void {
   const byTarget = new Map<string, Wire[]>();
   for (const wire of check.graph.wires) {
@@ -22,7 +22,7 @@ export function checkWires(check: GraphCheck): void {
 function checkEnds(check: GraphCheck, wire: Wire): void {
   const ports = portsOfWire(check.graph, check.interfaceOf, wire);
   if (!ports.ok) {
-    // Unknown types are told once, at the node.
+    // Unknown types are reported once, at the node.
     if (ports.reason.code === 'SCR010') return;
     const { code, message, nodeId, port } = ports.reason;
     const place = { ...(nodeId === undefined ? {} : { nodeId }), ...(port === undefined ? {} : { port }) };
@@ -60,7 +60,7 @@ function checkSeveral(check: GraphCheck, wires: readonly Wire[]): void {
   }
 }
 
-/** A loop has to wait somewhere for the next frame. A muted delay waits for nothing. */
+/** Each loop needs a delay. A muted delay does not count. */
 export function checkCycles(check: GraphCheck): void {
   const { nodes, wires } = check.graph;
   const successors = new Map<string, string[]>(Object.keys(nodes).map((id) => [id, []]));
@@ -75,13 +75,13 @@ export function checkCycles(check: GraphCheck): void {
   }
 }
 
-/** Required inputs are connected or exposed. */
+/** Required inputs must be connected or exposed. */
 export function checkRequiredInputs(check: GraphCheck): void {
   const filled = new Set<string>();
   for (const { to } of check.graph.wires) filled.add(printAddress(to));
   for (const exposed of check.graph.exposed.inputs) filled.add(printAddress(exposed));
   for (const [nodeId, node] of Object.entries(check.graph.nodes)) {
-    // A bypassed node reads nothing but what it lets through.
+    // A bypassed node reads only the input that passes through.
     if (node.muted === true) continue;
     for (const [port, { required, label }] of Object.entries(check.interfaceOf(node.type)?.inputs ?? {})) {
       if (!required || filled.has(printAddress({ node: nodeId, port }))) continue;
@@ -91,7 +91,7 @@ export function checkRequiredInputs(check: GraphCheck): void {
   }
 }
 
-/** What a subgraph shows outside: each name once, each port once, all of them there. */
+/** Exposed ports must exist, and each name and port must occur once. */
 export function checkExposed(check: GraphCheck): void {
   for (const side of ['inputs', 'outputs'] as const) {
     const names = new Set<string>();
@@ -124,7 +124,7 @@ export function checkExposed(check: GraphCheck): void {
   }
 }
 
-/** Takes one wire and has it already, so that one from outside would be the second. */
+/** Whether the port takes one wire and is connected inside. */
 function isFull({ graph, interfaceOf }: GraphCheck, { node: id, port }: ExposedPort): boolean {
   const node = getOwn(graph.nodes, id);
   const nodeInterface = node && interfaceOf(node.type);
@@ -137,7 +137,7 @@ function isThere({ graph, interfaceOf }: GraphCheck, side: 'inputs' | 'outputs',
   const node = getOwn(graph.nodes, id);
   if (!node) return false;
   const nodeInterface = interfaceOf(node.type);
-  // Unknown types are told once, at the node.
+  // Unknown types are reported once, at the node.
   if (!nodeInterface) return true;
   return (
     getOwn<unknown>(nodeInterface[side], port) !== undefined || (side === 'inputs' && getOwn(nodeInterface.params, port) !== undefined)

@@ -3,14 +3,14 @@ import type { Diagnostic, DiagnosticCode } from '../../../nodes/kit/diagnostics.
 import type { InterfaceLookup } from '../library/node-interface.ts';
 import { type Graph, MAIN_GRAPH, type ProjectLogic } from '../project.ts';
 
-/** One graph under examination. */
+/** The validation of one graph. */
 export interface GraphCheck {
   readonly project: ProjectLogic;
   readonly library: NodeLibrary;
   readonly interfaceOf: InterfaceLookup;
   readonly name: string;
   readonly graph: Graph;
-  /** Nodes on which the screen depends; none where it does not depend on the graph. */
+  /** Nodes that the output depends on; empty if the output does not depend on the graph. */
   readonly live: ReadonlySet<string>;
   report(diagnostic: Diagnostic): void;
 }
@@ -25,10 +25,7 @@ export function reportError(
   check.report({ code, severity: 'error', ...place, message: inGraph(check, message), ...(fix === undefined ? {} : { fix }) });
 }
 
-/**
- * For work in progress: a node just added has no wires yet, and the picture does not depend on it. So it is an error only where
- * the picture does.
- */
+/** Reports unfinished work, such as a new node without wires: an error only if the output depends on the node. */
 export function reportUnfinished(
   check: GraphCheck,
   code: DiagnosticCode,
@@ -40,7 +37,7 @@ export function reportUnfinished(
   check.report({ code, severity, ...place, message: inGraph(check, message), fix });
 }
 
-/** A sentence that says which subgraph it is about. */
+/** Adds the name of the subgraph to a sentence. */
 export function inGraph({ name }: Pick<GraphCheck, 'name'>, sentence: string): string {
   return name === MAIN_GRAPH ? sentence : `${sentence.replace(/\.$/, '')} (in the subgraph “${name}”).`;
 }

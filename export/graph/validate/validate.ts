@@ -37,7 +37,7 @@ export function validateProject(project: ProjectLogic, library: NodeLibrary): Di
 
 const NONE: ReadonlySet<string> = new Set();
 
-/** By graph, the nodes on which the screen depends: those of a subgraph only where such a node stands for it. */
+/** Per graph, the nodes that the output depends on. Nodes of a subgraph count if an instance of it does. */
 function liveNodes(project: ProjectLogic, library: NodeLibrary): ReadonlyMap<string, ReadonlySet<string>> {
   const found = new Map<string, ReadonlySet<string>>();
   const visit = (name: string) => {

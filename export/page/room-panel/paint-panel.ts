@@ -19,7 +19,7 @@ const FAMILY = 'system-ui, -apple-system, "Segoe UI", Roboto, "Noto Sans", sans-
 const RADIUS = 44;
 const PART_RADIUS = 22;
 
-/** How a part is looked at: nothing, a ray on it, or held. */
+/** State of a part: idle, hit by a ray, or held. */
 export type Touch = 'none' | 'hover' | 'held';
 
 export function createMeasure(context: CanvasRenderingContext2D): Measure {
@@ -29,7 +29,7 @@ export function createMeasure(context: CanvasRenderingContext2D): Measure {
   };
 }
 
-/** Paints the whole panel, straight from what the controls are set to. */
+/** Paints the whole panel from the current values. */
 export function paintPanel(
   context: CanvasRenderingContext2D,
   layout: PanelLayout,

@@ -7,23 +7,23 @@ import { type PanelLayout, PX_PER_M } from './panel-layout.ts';
 import { PANEL_SHADER } from './panel-shader.ts';
 import type { Pointer } from './pointing.ts';
 
-/** Half of a ray's width: three pixels of a headset, at arm's length. */
+/** Half the width of a ray: about three pixels of a headset at 0.6 m. */
 const RAY_HALF_WIDTH_M = 0.0015;
-/** The ray begins before the hand, where the controller ends. */
+/** Start of the ray in front of the hand, at the end of the controller. */
 const RAY_START_M = 0.06;
 
-/** The panel on the GPU, for one graphics context. */
+/** Draws the panel in one WebGL context. */
 export interface PanelDrawer {
-  /** The picture has changed. */
+  /** Uploads a changed image of the panel. */
   upload(picture: HTMLCanvasElement): void;
-  /** Over what is drawn already, in all views, without its depth: it can always be read. */
+  /** Draws the panel over all views without a depth test, so that it is always legible. */
   draw(frame: SessionFrame, worldFromPanel: Float32Array, pointers: readonly Pointer[]): void;
   dispose(): void;
 }
 
 /**
- * Sets all state that it needs, as the player does, and leaves none behind that the player's passes would not: nobody on the
- * page's context relies on any, and asking for it would hold up each frame.
+ * Sets all GL state that it needs and leaves no other state than the player's passes would. Nothing on the page's context relies on GL
+ * state, and querying it would stall each frame.
  */
 export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayout, widthPx: number, heightPx: number): PanelDrawer {
   const objects = createGlObjects(gl);
@@ -38,7 +38,7 @@ export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayou
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-  // Letters seen at a slant stay sharp.
+  // Keeps text sharp at grazing angles.
   const anisotropy = gl.getExtension('EXT_texture_filter_anisotropic');
   if (anisotropy) gl.texParameteri(gl.TEXTURE_2D, anisotropy.TEXTURE_MAX_ANISOTROPY_EXT, 4);
   gl.bindTexture(gl.TEXTURE_2D, null);
@@ -119,7 +119,7 @@ export function createPanelDrawer(gl: WebGL2RenderingContext, layout: PanelLayou
   };
 }
 
-/** A strip along the ray that turns its flat side to the eye. False where the eye looks along it and sees nothing. */
+/** Writes a strip along the ray that faces the eye. Returns false if the eye looks along the ray. */
 function setRay(out: Float32Array, ray: Float32Array, lengthM: number, eye: Float32Array): boolean {
   const half = (lengthM - RAY_START_M) / 2;
   const middle = RAY_START_M + half;

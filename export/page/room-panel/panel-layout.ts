@@ -1,16 +1,16 @@
 import type { Control } from '../../program/program.ts';
 
-/** Pixels of the panel's picture per meter in the room: at arm's length finer than headsets show. */
+/** Resolution of the panel, pixels per meter: finer than headsets display at its distance. */
 export const PX_PER_M = 2000;
 
-/** Sizes in pixels of the picture. What can be pressed is 4 cm high at least: 2.5 degrees at 0.9 m, which a shaking hand can hit. */
+/** Sizes in pixels of the panel. Buttons are at least 4 cm high, which is 2.5° at 0.9 m, so that a shaking hand can hit them. */
 export const SIZES = {
-  /** Left see-through around the card, so that its edges are smooth. */
+  /** Transparent margin around the card, for antialiased edges. */
   margin: 8,
   padding: 40,
   columnWidth: 760,
   columnGap: 56,
-  /** Beyond this a column is full. */
+  /** Maximum height of a column. */
   columnHeight: 900,
   rowGap: 24,
   title: 68,
@@ -19,7 +19,7 @@ export const SIZES = {
   labelHeight: 60,
   press: 92,
   sliderTrack: 84,
-  /** From the ends of a slider's part to those of its track: half a knob. */
+  /** Distance between the ends of a slider and of its track: half a knob. */
   trackInset: 28,
   option: 84,
   optionGap: 14,
@@ -27,10 +27,10 @@ export const SIZES = {
   switchWidth: 104,
 } as const;
 
-/** What can be pressed: a whole control, or one option of a choice. Origin at the top left. */
+/** A region that can be pressed: a control or one option of a choice. Origin at the top left. */
 export interface Part {
   readonly control: number;
-  /** The option of a choice, else 0. */
+  /** Index of the option of a choice; otherwise 0. */
   readonly option: number;
   readonly kind: Control['kind'];
   readonly text: string;
@@ -40,7 +40,7 @@ export interface Part {
   readonly height: number;
 }
 
-/** The words above a slider or a choice. */
+/** The label above a slider or a choice. */
 export interface Heading {
   readonly control: number;
   readonly text: string;
@@ -58,10 +58,10 @@ export interface PanelLayout {
   readonly parts: readonly Part[];
 }
 
-/** Width of a text in pixels, at a font size. */
+/** Measures the width of a text at a font size, both in pixels. */
 export type Measure = (text: string, sizePx: number) => number;
 
-/** Controls from top to bottom, in as many columns as they need. */
+/** Places the controls from top to bottom in as many columns as needed. */
 export function layOutPanel(title: string, controls: readonly Control[], measure: Measure): PanelLayout {
   const { margin, padding, columnWidth, columnGap, columnHeight, rowGap } = SIZES;
   const headings: Heading[] = [];
@@ -107,7 +107,7 @@ function layOutControl(index: number, control: Control, measure: Measure): Block
   switch (control.kind) {
     case 'slider': {
       const height = labelHeight + SIZES.sliderTrack;
-      // The number stands to the right.
+      // The value is at the right of the label.
       return {
         height,
         headings: [{ ...heading, text: short(control.label, width * 0.7) }],
@@ -135,7 +135,7 @@ function layOutControl(index: number, control: Control, measure: Measure): Block
   }
 }
 
-/** Side by side as words are, in as many lines as they need. */
+/** Places options in lines, as words in a text. */
 function layOutOptions(control: number, options: readonly string[], measure: Measure): Part[] {
   const { columnWidth, option: height, optionGap, optionPadding, text: sizePx } = SIZES;
   let x = 0;
@@ -153,7 +153,7 @@ function layOutOptions(control: number, options: readonly string[], measure: Mea
   });
 }
 
-/** Cuts a text that is too wide, and says so with an ellipsis. */
+/** Shortens a text that is too wide with an ellipsis. */
 export function fitText(text: string, sizePx: number, widthPx: number, measure: Measure): string {
   if (measure(text, sizePx) <= widthPx) return text;
   const letters = [...text];
@@ -161,7 +161,7 @@ export function fitText(text: string, sizePx: number, widthPx: number, measure: 
   return `${letters.join('').trimEnd()}…`;
 }
 
-/** Index of the part at a point, or -1. */
+/** Index of the part at a point, or −1. */
 export function partAt({ parts }: PanelLayout, x: number, y: number): number {
   for (let i = 0; i < parts.length; i++) {
     const part = parts[i];
@@ -170,18 +170,18 @@ export function partAt({ parts }: PanelLayout, x: number, y: number): number {
   return -1;
 }
 
-/** Whether the card is there; its round corners count as it. */
+/** Whether the point is on the card; its round corners count as filled. */
 export function isOnPanel({ widthPx, heightPx }: PanelLayout, x: number, y: number): boolean {
   const { margin } = SIZES;
   return x >= margin && x < widthPx - margin && y >= margin && y < heightPx - margin;
 }
 
-/** What a slider is set to by a point over its track: at a multiple of its step from `min`, as on the page. */
+/** Value of a slider for a point over its track, rounded to a multiple of its step as on the page. */
 export function sliderValueAt({ min, max, step }: { min: number; max: number; step: number }, part: Part, x: number): number {
   const { trackInset } = SIZES;
   const along = Math.min(1, Math.max(0, (x - part.x - trackInset) / (part.width - 2 * trackInset)));
   if (!(step > 0)) return min + along * (max - min);
   const steps = Math.min(Math.round((along * (max - min)) / step), Math.floor((max - min) / step + 1e-9));
-  // 0.1 + 0.2 is to be 0.3.
+  // Rounds 0.1 + 0.2 to 0.3.
   return Number((min + steps * step).toPrecision(12));
 }

@@ -1,10 +1,9 @@
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 
 /**
- * Where the panel stands: 0.9 m from the eyes, half a meter below them, in the direction of the gaze on entry, upright to the
- * viewer and turned to face them. It stays there in the room, and is placed again in the same way once it was out of reach for
- * two seconds on end: nearer than 0.3 m or farther than 1.5 m, higher than 0.15 m below the eyes, or more than 75 degrees aside
- * of the gaze. It never moves while someone holds it.
+ * The panel is 0.9 m from the eyes and 0.5 m below them, in the direction of the gaze on entry, and faces the viewer upright. It keeps its
+ * place in the room. It is placed again after two seconds in which it was nearer than 0.3 m, farther than 1.5 m, higher than 0.15 m below
+ * the eyes or more than 75° beside the gaze, but not while it is held.
  */
 const AHEAD_M = Math.sqrt(0.9 ** 2 - 0.5 ** 2);
 const BELOW_M = 0.5;
@@ -15,11 +14,11 @@ const ASIDE_COS = Math.cos((75 * Math.PI) / 180);
 const PATIENCE_S = 2;
 
 export interface PanelPose {
-  /** Column-major 4×4, rigid: x to the right, y up, z towards the viewer; the origin is the panel's middle. */
+  /** Rigid column-major 4×4: x to the right, y up, z towards the viewer; the origin is the center of the panel. */
   readonly worldFromPanel: Float32Array;
-  /** Once a frame. */
+  /** Updates the pose. Call it once per frame. */
   update(frame: SessionFrame, held: boolean): void;
-  /** Places the panel again with the next frame. */
+  /** Places the panel again in the next frame. */
   reset(): void;
 }
 
@@ -47,15 +46,15 @@ interface Head {
   x: number;
   y: number;
   z: number;
-  /** Unit vector on the floor, where the gaze goes. */
+  /** Horizontal direction of the gaze, unit vector. */
   aheadX: number;
   aheadZ: number;
 }
 
-// Every function fills it before reading, within one call.
+// Filled before it is read, within one call.
 const scratchHead: Head = { x: 0, y: 0, z: 0, aheadX: 0, aheadZ: -1 };
 
-/** The middle of the eyes. Looking straight up or down, ahead is where the top of the head, or the chin, points. */
+/** Reads the position between the eyes. If the gaze is vertical, its direction is that of the top of the head or the chin. */
 function setHead(head: Head, { views, viewCount }: SessionFrame): void {
   let aheadX = 0;
   let aheadZ = 0;
@@ -86,7 +85,7 @@ function setHead(head: Head, { views, viewCount }: SessionFrame): void {
 }
 
 function place(out: Float32Array, { x, y, z, aheadX, aheadZ }: Head): void {
-  // Towards the eyes, from ahead and below.
+  // Axis from the panel to the eyes.
   const distanceM = Math.hypot(AHEAD_M, BELOW_M);
   const back = AHEAD_M / distanceM;
   const up = BELOW_M / distanceM;

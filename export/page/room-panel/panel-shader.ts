@@ -1,8 +1,8 @@
 import type { LinkedShader } from '../../program/program.ts';
 
 /**
- * A quad in the room: the panel with a dot where each hand points, or the ray that leads there. `dots` are in meters from the
- * panel's middle; the third number is 0 for none, 1 while pointing, 2 while holding. Premultiplied.
+ * Draws a textured quad: the panel with a dot where each hand points, or a ray. `dots` are in meters from the center of the panel; the
+ * third number is 0 for no dot, 1 while pointing, 2 while holding. Output is premultiplied.
  */
 export const PANEL_SHADER: LinkedShader = {
   id: 'scrim:room-panel',

@@ -6,34 +6,33 @@ import type { ControlValues } from '../control-values.ts';
 import { isOnPanel, type PanelLayout, type Part, partAt, sliderValueAt } from './panel-layout.ts';
 import { castRay, createRayHit, type RayHit } from './ray-hit.ts';
 
-/** A trigger is pulled from here on, and let go below the other: a finger that trembles pulls it once. */
+/** Trigger value that starts a press. The value that ends it is lower, so that a trembling finger presses once. */
 const PULLED = 0.5;
 const LET_GO = 0.35;
 
-/** A hand or controller, and what it does with the panel. */
+/** A hand or controller and its interaction with the panel. */
 export interface Pointer {
   readonly by: 'left' | 'right';
-  /** It points at the card. */
+  /** Whether its ray hits the card. */
   pointing: boolean;
   readonly hit: RayHit;
-  /** Part that it points at, or -1. */
+  /** Index of the part that it points at, or −1. */
   part: number;
-  /** Part that it holds, or -1. */
+  /** Index of the part that it holds, or −1. */
   held: number;
 }
 
-/** What is done to the panel, by rays and taps. */
+/** Interaction of rays and taps with the panel. */
 export interface Pointing {
   readonly pointers: readonly Pointer[];
   readonly isHeld: boolean;
-  /** Sets the controls. Returns the frame as the program is to see it, without the taps that were for the panel; valid as long as `frame`. */
+  /** Sets the controls. Returns the frame for the program, without the taps on the panel; valid as long as `frame`. */
   take(frame: SessionFrame, worldFromPanel: Float32Array): SessionFrame;
 }
 
 /**
- * A switch, button or choice is set by a tap on it, which is what the device calls a selection; a slider follows the ray while the
- * trigger is held, also beyond its ends. The tap that ends a press on the panel belongs to the panel, wherever it then points; one
- * that began elsewhere presses nothing.
+ * A tap (the device's select action) sets a toggle, button or choice. A slider follows the ray while the trigger is held, also beyond its
+ * ends. A tap that ends a press on the panel belongs to the panel wherever it points; a press that started elsewhere sets nothing.
  */
 export function createPointing(layout: PanelLayout, values: ControlValues): Pointing {
   const hands = [createHand('left'), createHand('right')];
@@ -78,14 +77,14 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
     if (hit.hits && layout.parts[hand.held]?.kind === 'slider') press(hand.held, hit);
   }
 
-  /** Whether the tap was for the panel. */
+  /** Whether the tap belongs to the panel. */
   function takeTap(tap: Tap, worldFromPanel: Float32Array): boolean {
     castRay(tapHit, tap.worldFromRay, worldFromPanel, layout);
     const onPanel = tapHit.hits && isOnPanel(layout, tapHit.x, tapHit.y);
     const part = onPanel ? partAt(layout, tapHit.x, tapHit.y) : -1;
     const hand = hands.find(({ by }) => by === tap.by);
     const began = hand?.began ?? null;
-    // A press too short to be seen, or by something without a trigger, began where it ends.
+    // A press shorter than a frame, or of an input without trigger, started where it ends.
     const presses = began === null || (began === 'panel' && hand?.beganPart === part && layout.parts[part]?.kind !== 'slider');
     if (hand) hand.began = null;
     if (onPanel && presses) press(part, tapHit);
@@ -112,7 +111,7 @@ export function createPointing(layout: PanelLayout, values: ControlValues): Poin
 
 interface Hand extends Pointer {
   pulled: boolean;
-  /** Where the press began that no tap has ended yet. */
+  /** Start of the press that no tap has ended yet. */
   began: 'panel' | 'elsewhere' | null;
   beganPart: number;
 }
@@ -127,7 +126,7 @@ function holdsPanel({ pulled, began }: Hand): boolean {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** A frame with fewer taps: the session's own is not to be changed. */
+/** A copy of the frame with fewer taps, because the session owns its frame. */
 function createPassedFrame() {
   const taps: Tap[] = [];
   const input: Mutable<SessionInput> = { ...createSessionInput(), taps };

@@ -1,10 +1,10 @@
 import { type PanelLayout, PX_PER_M } from './panel-layout.ts';
 
-/** Where a ray meets the plane of the panel. */
+/** Intersection of a ray with the plane of the panel. */
 export interface RayHit {
-  /** False where it comes from behind, or leads away. */
+  /** False if the ray points away or comes from behind. */
   hits: boolean;
-  /** Pixels of the panel's picture, origin at the top left; they may lie beside it. */
+  /** Pixels of the panel, origin at the top left; they may be outside the panel. */
   x: number;
   y: number;
   /** Meters along the ray. */
@@ -15,10 +15,10 @@ export function createRayHit(): RayHit {
   return { hits: false, x: 0, y: 0, distanceM: 0 };
 }
 
-/** `worldFromRay` as of a tap: it points along its -z axis. */
+/** Intersects a ray with the panel. `worldFromRay` is rigid; the ray points along its −z axis. */
 export function castRay(out: RayHit, worldFromRay: Float32Array, worldFromPanel: Float32Array, layout: PanelLayout): void {
   const at = (m: Float32Array, i: number): number => m[i] ?? 0;
-  // Of the ray's origin and direction, along the panel's axes.
+  // Origin and direction of the ray in the axes of the panel.
   let originX = 0;
   let originY = 0;
   let originZ = 0;

@@ -6,15 +6,15 @@ import { layOutPanel } from './panel-layout.ts';
 import { createPanelPose } from './panel-pose.ts';
 import { createPointing } from './pointing.ts';
 
-/** The controls on a panel in the room, for one session that hides the page. */
+/** The controls on a panel in the room, for sessions that hide the page. */
 export interface RoomPanel {
-  /** Before the program draws: lets hands and taps set the controls. Returns the frame as the program is to see it. */
+  /** Applies input to the controls, before the program draws. Returns the frame for the program. */
   take(frame: SessionFrame): SessionFrame;
-  /** After the program has drawn the same frame. */
+  /** Draws the panel, after the program has drawn the same frame. */
   draw(frame: SessionFrame): void;
-  /** Places are void: it stands anew where the viewer is. */
+  /** Places the panel again, because the reference space was reset. */
   reset(): void;
-  /** Its GPU objects are lost. The next frame creates them again. */
+  /** Forgets its GPU objects; the next frame creates them again. */
   contextLost(): void;
   dispose(): void;
 }
@@ -28,7 +28,7 @@ export interface RoomPanelOptions {
 
 export type CreateRoomPanel = (options: RoomPanelOptions) => RoomPanel;
 
-/** Every WebGL 2 has textures of 2048 pixels; more controls than fit at full size are painted smaller, not placed smaller. */
+/** Size that every WebGL 2 supports. A larger panel is painted at a lower resolution; its size in the room stays. */
 const MOST_PX = 2048;
 
 export function createRoomPanel({ gl, document, title, values }: RoomPanelOptions): RoomPanel {
@@ -43,7 +43,7 @@ export function createRoomPanel({ gl, document, title, values }: RoomPanelOption
   const pose = createPanelPose();
   const pointing = createPointing(layout, values);
   let drawer: PanelDrawer | null = null;
-  /** The picture is not what it should be. */
+  /** Whether the painted image is out of date. */
   let stale = true;
   const painted = pointing.pointers.map(() => ({ part: -1, held: -1 }));
   const touchOf = (part: number): Touch => {

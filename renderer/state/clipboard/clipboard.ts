@@ -1,5 +1,5 @@
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
-import { type Change, inTurn, unchanged } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
 import { addNode, removeNodes, setMuted } from '../../../export/graph/commands/node-commands.ts';
 import { bindParam } from '../../../export/graph/commands/param-commands.ts';
@@ -105,7 +105,7 @@ export function pasteClipping(
   const nodes = welcome === null ? copied : mapTypes(copied, welcome.types);
   const ids = new Map<string, string>();
   let library = editor.document.getState().library;
-  const made = inTurn(
+  const made = sequence(
     project,
     (before) => {
       const change = welcome === null ? unchanged(before) : welcome.change(before);
@@ -115,7 +115,7 @@ export function pasteClipping(
     ...Object.entries(nodes).map(([old, node]) => (before: Project): Change => {
       const id = makeNodeId(before, node.type, editor.random);
       ids.set(old, id);
-      return inTurn(
+      return sequence(
         before,
         (p) => addNode(p, { library, graph, id, type: node.type, x: node.x + offset.x, y: node.y + offset.y }),
         ...Object.entries(node.params).map(
@@ -131,7 +131,7 @@ export function pasteClipping(
       const node = ids.get(to.node);
       if (node === undefined) return unchanged(before);
       const copy = { from, to: { node, port: to.port } };
-      return inTurn(
+      return sequence(
         before,
         (p) => connect(p, { library, graph, ...copy }),
         // It leaves the old way at its last reroute.
@@ -148,7 +148,7 @@ export function pasteClipping(
       const toId = ids.get(to.node);
       if (fromId === undefined || toId === undefined) return unchanged(before);
       const copy = { from: { node: fromId, port: from.port }, to: { node: toId, port: to.port } };
-      return inTurn(
+      return sequence(
         before,
         (p) => connect(p, { library, graph, ...copy }),
         (p) =>

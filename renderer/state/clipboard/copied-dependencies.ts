@@ -1,5 +1,5 @@
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { type Change, change, inTurn, unchanged } from '../../../export/graph/commands/change.ts';
+import { type Change, change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { setSource } from '../../../export/graph/commands/shader-commands.ts';
 import { copyOfGraph } from '../../../export/graph/commands/ungroup-subgraph.ts';
 import { isChunkFile, shaderFilesOf, subgraphName, subgraphType } from '../../../export/graph/document-names.ts';
@@ -88,7 +88,7 @@ export function bring(editor: Editor, brought: CopiedDependencies, paths: Readon
       });
     });
   }
-  return { types, change: (before) => inTurn(before, ...steps) };
+  return { types, change: (before) => sequence(before, ...steps) };
 }
 
 export function mapTypes<N extends { readonly type: string }>(

@@ -1,5 +1,5 @@
 import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
-import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence } from '../../../export/graph/commands/change.ts';
 import { forkShader, removeSource, setSource } from '../../../export/graph/commands/shader-commands.ts';
 import type { Project } from '../../../export/graph/project.ts';
 import { getOwn } from '../../../export/graph/record.ts';
@@ -55,7 +55,7 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
   return apply(
     editor,
     `Edit ${file}`,
-    inTurn(state.project, () => forked, set(file)),
+    sequence(state.project, () => forked, set(file)),
     `source ${file}`,
   );
 }
@@ -117,7 +117,7 @@ export function addVertex(editor: Editor, node: string): boolean {
   return apply(
     editor,
     `Add ${companionOf(file)}`,
-    inTurn(state.project, () => forked, set(file)),
+    sequence(state.project, () => forked, set(file)),
   );
 }
 

@@ -2,7 +2,7 @@ import { companionOf, readIsf } from '../../../export/glsl/isf/read-isf.ts';
 import { moveImported } from '../../../export/glsl/language/header-edits.ts';
 import { isShadertoy } from '../../../export/glsl/shadertoy/convert-shadertoy.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
 import type { Asset } from '../../../export/graph/project.ts';
@@ -220,7 +220,7 @@ async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, 
     return null;
   }
   const id = makeNodeId(project, source.type, editor.random);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => putAsset(before, { id: assetId, asset }),
     (before) => addNode(before, { library, graph, id, type: source.type, ...place, params: { [source.param]: assetId } }),

@@ -1,5 +1,5 @@
 import type { HostEvent } from '../../../app/contract/contract.ts';
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { setSource } from '../../../export/graph/commands/shader-commands.ts';
 import { getOwn } from '../../../export/graph/record.ts';
 import { apply } from '../document/apply.ts';
@@ -31,7 +31,7 @@ export function followShaders(editor: Editor, { handle, from, revision, shaders 
   }
   const wasClean = !isDirty(state);
   const { base, readShader } = editor.libraries;
-  const change = inTurn(
+  const change = sequence(
     project,
     ...shaders.map(
       ({ file, text }) =>

@@ -1,7 +1,7 @@
 import { lutPicture } from '../../../export/glsl/lut/lut-picture.ts';
 import { readCube } from '../../../export/glsl/lut/read-cube.ts';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeAssetId, makeNodeId } from '../../../export/graph/document-names.ts';
@@ -48,7 +48,7 @@ export async function addCube(
   const picture = makeNodeId(project, PICTURE, editor.random);
   const table = makeNodeId(project, TABLE, editor.random);
   const right = { x: place.x + BETWEEN_PX, y: place.y };
-  const change = inTurn(
+  const change = sequence(
     project,
     (before: Project) => putAsset(before, { id: asset, asset: { path, kind: 'image' } }),
     (before: Project) => addNode(before, { library, graph, id: picture, type: PICTURE, ...place, params: { file: asset } }),

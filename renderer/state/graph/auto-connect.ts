@@ -1,5 +1,5 @@
 import { canConnect } from '../../../export/graph/can-connect.ts';
-import { type Change, inTurn, unchanged } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
@@ -38,7 +38,7 @@ export function autoConnect(node: string, { library, graph, random }: AutoConnec
       if (only && known.length === 1) return connect(before, { library, graph, from: only, to });
       return known.length === 0 ? addSource(before, to, wanted, { library, graph, random }) : unchanged(before);
     });
-    return inTurn(project, ...steps);
+    return sequence(project, ...steps);
   };
 }
 
@@ -53,7 +53,7 @@ function addSource(project: Project, to: PortAddress, wanted: WireType, { librar
   if (!only || types.length !== 1) return unchanged(project);
   const id = makeNodeId(project, only.type, random);
   const { x, y } = getOwn(project.layout[graph]?.nodes ?? {}, to.node) ?? { x: 0, y: 0 };
-  return inTurn(
+  return sequence(
     project,
     (before) => addNode(before, { library, graph, id, type: only.type, x: x - LEFT_PX, y: y + BELOW_PX }),
     (before) => connect(before, { library, graph, from: { node: id, port: only.output }, to }),

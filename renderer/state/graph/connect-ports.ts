@@ -1,4 +1,4 @@
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import type { PortAddress } from '../../../export/graph/project.ts';
 import { routeOf, wiresThrough } from '../../../export/graph/routes.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
@@ -57,7 +57,7 @@ export function connectPorts(editor: Editor, start: CanvasPort, end: CanvasPort)
   const steps = wiresAfter(editor, end).map(({ wire, rest }) =>
     replaceSource(editor, wire, { from, to: wire.to, route: [...route, ...rest] }),
   );
-  return apply(editor, 'Connect', inTurn(project, ...steps));
+  return apply(editor, 'Connect', sequence(project, ...steps));
 }
 
 /** Moves one end of what is drawn under an id. */

@@ -1,5 +1,5 @@
 import { canConnect } from '../../../export/graph/can-connect.ts';
-import { inTurn, unchanged } from '../../../export/graph/commands/change.ts';
+import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { changeType } from '../../../export/graph/commands/change-type.ts';
 import { setCollapsed } from '../../../export/graph/commands/layout-commands.ts';
 import { addNode, removeNodes, setMuted } from '../../../export/graph/commands/node-commands.ts';
@@ -46,7 +46,7 @@ export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnos
 /** `route`: the reroutes that the wire is led through. */
 export function connect(editor: Editor, from: PortAddress, to: PortAddress, route: readonly string[] = []): boolean {
   const { project, library, graph } = editor.document.getState();
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => connectCommand(before, { library, graph, from, to }),
     (before) => lead(before, { graph, from, to, route }),
@@ -62,7 +62,7 @@ export function rewire(editor: Editor, wireId: string, from: PortAddress, to: Po
   return apply(
     editor,
     'Move wire',
-    inTurn(
+    sequence(
       project,
       (before) => disconnect(before, { graph, wires: old }),
       (before) => connectCommand(before, { library, graph, from, to }),
@@ -110,7 +110,7 @@ export function addNodeFromPalette(
   const combination = recipesOf(library).find((known) => known.definition.type === definition.type);
   const combined = combination && addRecipe(combination, { library, graph, random, project, ...place });
   const id = combined?.main ?? makeNodeId(project, definition.type, random);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => combined?.change(before) ?? addNode(before, { library, graph, id, type: definition.type, ...place }),
     (before) => {
@@ -119,7 +119,7 @@ export function addNodeFromPalette(
       const here = combined ? (combined.portOf(port) ?? { node: id, port }) : { node: id, port };
       const there = { node: inHand.node, port: inHand.port };
       const ends = inHand.side === 'output' ? { from: there, to: here } : { from: here, to: there };
-      return inTurn(
+      return sequence(
         before,
         (p) => connectCommand(p, { library, graph, ...ends }),
         (p) => lead(p, { graph, ...ends, route: inHand.route ?? [] }),
@@ -140,7 +140,7 @@ export function deleteSelection(editor: Editor): boolean {
   return apply(
     editor,
     'Delete',
-    inTurn(
+    sequence(
       project,
       (before) => disconnect(before, { graph, wires: gone }),
       (before) => removeNodes(before, { library, graph, nodes: [...nodes] }),

@@ -1,4 +1,4 @@
-import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence } from '../../../export/graph/commands/change.ts';
 import { moveNodes } from '../../../export/graph/commands/layout-commands.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { setRoutes } from '../../../export/graph/commands/route-commands.ts';
@@ -67,10 +67,10 @@ export function insertOnWire(editor: Editor, node: string, stretch: string): (pr
   return (project) => {
     const definition = library.definition(getOwn(project.graphs[graph]?.nodes ?? {}, node)?.type ?? '');
     const ports = definition && types ? portsThrough(definition, types) : null;
-    if (!at || !ports) return inTurn(project);
+    if (!at || !ports) return sequence(project);
     const output = { node, port: ports.output };
     const led: RoutedWire = { from: at.source, to: { node, port: ports.input }, route: at.before };
-    return inTurn(project, ...replaceWires(editor, at, output), connectAlong(editor, led));
+    return sequence(project, ...replaceWires(editor, at, output), connectAlong(editor, led));
   };
 }
 
@@ -83,7 +83,7 @@ interface RoutedWire extends Wire {
 function connectAlong(editor: Editor, { from, to, route }: RoutedWire): (project: Project) => Change {
   const { library, graph } = editor.document.getState();
   return (project) =>
-    inTurn(
+    sequence(
       project,
       (before) => connect(before, { library, graph, from, to }),
       (before) => setRoutes(before, { graph, routes: { [printWire({ from, to })]: route } }),
@@ -102,7 +102,7 @@ export function replaceSource(editor: Editor, wire: Wire, led: RoutedWire): (pro
   return (project) => {
     const sources = (project.graphs[graph]?.wires ?? []).filter(({ to }) => sameAddress(to, wire.to)).map(({ from }) => from);
     const inOrder = sources.map((from) => (sameAddress(from, wire.from) ? led.from : from));
-    return inTurn(
+    return sequence(
       project,
       (before) => disconnect(before, { graph, wires: [wire] }),
       connectAlong(editor, led),
@@ -117,7 +117,7 @@ export function dropOnWire(editor: Editor, node: string, place: Place, stretch: 
   const { project, graph } = state;
   const at = stretchCalled(state, stretch);
   const positions = at ? placesAfterInsert(state, node, place, at) : { [node]: place };
-  const change = inTurn(project, (before) => moveNodes(before, { graph, positions }), insertOnWire(editor, node, stretch));
+  const change = sequence(project, (before) => moveNodes(before, { graph, positions }), insertOnWire(editor, node, stretch));
   if (hasErrors(change.diagnostics)) return apply(editor, 'Move', moveNodes(project, { graph, positions: { [node]: place } }));
   return apply(editor, `Insert ${titleOf(state, node)}`, change);
 }
@@ -140,7 +140,7 @@ export function layOver(editor: Editor, { node, port, route = [] }: WireInHand, 
   const at = stretchCalled(state, stretch);
   if (!at) return null;
   const id = makeNodeId(project, OVER, editor.random);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => addNode(before, { library, graph, id, type: OVER, ...place }),
     ...replaceWires(editor, at, { node: id, port: 'layer' }),

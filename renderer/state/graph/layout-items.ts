@@ -1,4 +1,4 @@
-import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence } from '../../../export/graph/commands/change.ts';
 import { moveNodes, putFrame, putNote, removeFromLayout } from '../../../export/graph/commands/layout-commands.ts';
 import { makeLayoutId } from '../../../export/graph/document-names.ts';
 import type { Frame, GraphLayout, Note, Project } from '../../../export/graph/project.ts';
@@ -76,7 +76,7 @@ export function contentOf(editor: Editor, canvasId: string): Readonly<Record<str
 export function moveAll(editor: Editor, places: Readonly<Record<string, Place>>): boolean {
   const { project, graph } = editor.document.getState();
   const boxes = Object.entries(places).filter(([id]) => boxOfItem(layoutOf(editor.document.getState()), id) !== undefined);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => moveNodes(before, { graph, ...nodesAndReroutes(places) }),
     ...boxes.map(([id, place]) => put(editor, id, { place })),
@@ -107,7 +107,7 @@ function put(editor: Editor, canvasId: string, { text, box, place }: ItemEdit): 
       return putFrame(project, { graph, id: item.id, frame: { ...frame, ...moved, ...(text === undefined ? {} : { title: text }) } });
     const note = item?.kind === 'note' ? getOwn(layout.notes, item.id) : undefined;
     if (item && note) return putNote(project, { graph, id: item.id, note: { ...note, ...moved, ...(text === undefined ? {} : { text }) } });
-    return inTurn(project);
+    return sequence(project);
   };
 }
 

@@ -1,6 +1,6 @@
 import { describe, expect, test } from '@jest/globals';
 import { putAsset } from '../../../export/graph/commands/asset-commands.ts';
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { setParam } from '../../../export/graph/commands/param-commands.ts';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { clipSelection, copySelection, duplicateSelection, parseClipping, pasteClipping, pasteText } from '../clipboard/clipboard.ts';
@@ -186,7 +186,7 @@ describe('copies', () => {
     apply(
       editor,
       'Import',
-      inTurn(
+      sequence(
         project,
         (before) => putAsset(before, { id: 'cup-a2b3', asset: { path: 'assets/cup.png', kind: 'image' } }),
         (before) => setParam(before, { library, graph: 'main', node: image, param: 'file', value: 'cup-a2b3' }),

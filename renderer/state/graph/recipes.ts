@@ -1,4 +1,4 @@
-import { type Change, inTurn } from '../../../export/graph/commands/change.ts';
+import { type Change, sequence } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { connect } from '../../../export/graph/commands/wire-commands.ts';
 import { makeNodeId } from '../../../export/graph/document-names.ts';
@@ -178,7 +178,7 @@ export function addRecipe(
       const address = getOwn(combination.ports, port);
       return address === undefined ? null : place(address);
     },
-    change: (before) => inTurn(before, ...adds, ...wires),
+    change: (before) => sequence(before, ...adds, ...wires),
   };
 }
 

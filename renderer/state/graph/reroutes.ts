@@ -1,4 +1,4 @@
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { putReroute, setRoutes } from '../../../export/graph/commands/route-commands.ts';
 import { makeLayoutId } from '../../../export/graph/document-names.ts';
 import type { PortAddress, Wire } from '../../../export/graph/project.ts';
@@ -32,7 +32,7 @@ export function addReroute(editor: Editor, stretch: string, place: Place): strin
   const id = makeLayoutId(project, graph, 'reroute', editor.random);
   const layout = layoutOf(state);
   const routes = at.wires.map((wire) => [printWire(wire), [...at.before, id, ...routeOf(layout, wire).slice(at.before.length)]]);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => putReroute(before, { graph, id, reroute: place }),
     (before) => setRoutes(before, { graph, routes: Object.fromEntries(routes) }),

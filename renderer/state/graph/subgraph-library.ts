@@ -1,4 +1,4 @@
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { removeGraph, usersOfGraph } from '../../../export/graph/commands/subgraph-commands.ts';
 import { ungroupSubgraph } from '../../../export/graph/commands/ungroup-subgraph.ts';
 import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
@@ -70,6 +70,6 @@ export function removeFromLibrary(editor: Editor, name: string): boolean {
       (before: Project) =>
         ungroupSubgraph(before, { library: editor.libraries.of(before), graph, node, random: editor.random }),
   );
-  const removed = inTurn(project, ...unpack, (before) => removeGraph(before, { name }));
+  const removed = sequence(project, ...unpack, (before) => removeGraph(before, { name }));
   return apply(editor, `Remove ${titleOfName(name)} from the library`, removed);
 }

@@ -1,4 +1,4 @@
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { changeType } from '../../../export/graph/commands/change-type.ts';
 import { createSubgraph as createSubgraphFrom } from '../../../export/graph/commands/create-subgraph.ts';
 import { exposePort, hidePort, renameGraph } from '../../../export/graph/commands/subgraph-commands.ts';
@@ -84,7 +84,7 @@ export function makeUnique(editor: Editor): boolean {
   const from = selectedSubgraph(editor);
   if (node === null || from === null) return false;
   const to = freeName(project, from.replace(/-\d+$/, ''));
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => duplicateSubgraph(before, { from, to, random: editor.random }),
     (before) => changeType(before, { library: editor.libraries.of(before), graph, node, type: subgraphType(to) }),

@@ -1,4 +1,4 @@
-import { inTurn, unchanged } from '../../../export/graph/commands/change.ts';
+import { sequence, unchanged } from '../../../export/graph/commands/change.ts';
 import { bindParam, setParam } from '../../../export/graph/commands/param-commands.ts';
 import { disconnect } from '../../../export/graph/commands/wire-commands.ts';
 import type { Project } from '../../../export/graph/project.ts';
@@ -25,7 +25,7 @@ export function editParams(
 ): boolean {
   const { project, library, graph } = editor.document.getState();
   const steps = edits.map((edit) => (before: Project) => setParam(before, { library, graph, node, ...edit }));
-  return apply(editor, label, inTurn(project, ...steps), key);
+  return apply(editor, label, sequence(project, ...steps), key);
 }
 
 /** Back to the definition's value, without wire, track or expression. */
@@ -35,7 +35,7 @@ export function resetParam(editor: Editor, node: string, param: string): boolean
   const definition = library.definition(nodeOf(state, node)?.type ?? '')?.params[param];
   if (!definition) return false;
   const wires = graphOf(state).wires.filter(({ to }) => to.node === node && to.port === param);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => (wires.length === 0 ? unchanged(before) : disconnect(before, { graph, wires })),
     (before) => bindParam(before, { library, graph, node, param, binding: { value: definition.default } }),

@@ -1,5 +1,5 @@
 import { companionOf } from '../../../export/glsl/isf/read-isf.ts';
-import { inTurn } from '../../../export/graph/commands/change.ts';
+import { sequence } from '../../../export/graph/commands/change.ts';
 import { addNode } from '../../../export/graph/commands/node-commands.ts';
 import { setSource } from '../../../export/graph/commands/shader-commands.ts';
 import { isShaderFile, makeNodeId, makeShaderFile } from '../../../export/graph/document-names.ts';
@@ -39,7 +39,7 @@ export function addShader(editor: Editor, file: ForeignShader, place: Place): st
   }
   const { type } = read.output;
   const id = makeNodeId(project, type, editor.random);
-  const change = inTurn(
+  const change = sequence(
     project,
     (before) => setSource(before, { base, readShader, file: name, text }),
     ...(vertex === undefined ? [] : [(before: Project) => setSource(before, { base, readShader, file: companionOf(name), text: vertex })]),
