@@ -139,6 +139,39 @@ describe('scrim render', () => {
     expect(png.at(1, 2)).toEqual([...colorAt(3, 1, 2), 255]);
   });
 
+  test('renders the last frame of a range as it is after all frames before, where nodes keep state', async () => {
+    const counting: ProjectText = {
+      title: 'Counting',
+      nodes: {
+        'video-a1b2': 'source/camera-video',
+        'every-a1b2': ['pulse/every', { periodS: FRAME_S }],
+        'count-a1b2': ['value/counter', { step: 0.3 }],
+        'sepia-a1b2': 'filter/sepia',
+        'screen-a1b2': 'output/screen',
+      },
+      wires: [
+        'every-a1b2.pulse -> count-a1b2.up',
+        'count-a1b2.number -> sepia-a1b2.amount',
+        'video-a1b2.layer -> sepia-a1b2.inputImage',
+        'sepia-a1b2.layer -> screen-a1b2.layer',
+      ],
+    };
+    const folder = join(base, 'counting');
+    await writeProject(folder, { 'project.scrim.json': projectText(counting) });
+    const [all, end] = [`${out}-all`, `${out}-end`];
+    for (const [range, to] of [
+      ['0..3', all],
+      ['2..3', end],
+    ] as const)
+      expect(await render(folder, '--session', session, '--frames', range, '--out', to)).toMatchObject({ status: 0 });
+    for (const name of ['000002.png', '000003.png']) {
+      expect(Buffer.compare(await readFile(join(all, name)), await readFile(join(end, name)))).toBe(0);
+    }
+    // After three steps of 0.3, the blue picture is brown.
+    const [red = 0, , blue = 255] = (await readPng(join(end, '000003.png'))).at(5, 5);
+    expect(red).toBeGreaterThan(blue);
+  });
+
   test('writes a node’s layer with straight alpha, before anything behind it is drawn', async () => {
     const file = `${out}.png`;
     await render(project, '--out', file, '--layer', 'scene-a1b2.layer');

@@ -10,20 +10,38 @@ import { decodePicture, type Picture } from '../support/picture.ts';
 import { countDifferent } from '../support/pixels.ts';
 import { succeed } from '../support/scrim.ts';
 
-/** The camera's picture in a tone that keyframes change, and grain that is another one in every frame. */
+/** The camera's picture in a tone that keyframes change, and grain that is another one in every frame and moves with a count of pulses. */
 const GRAPH: GraphText = {
   nodes: {
     'video-aaaa': { type: 'source/camera-video' },
     'sepia-aaaa': keyframedSepia({ timeS: 0, value: 0, easing: 'linear' }, { timeS: 3, value: 1, easing: 'linear' }),
     'sand-aaaa': { type: 'filter/sand' },
+    'every-aaaa': { type: 'pulse/every', params: { periodS: 0.3 } },
+    'count-aaaa': { type: 'value/counter' },
     'screen-aaaa': { type: 'output/screen' },
   },
-  wires: ['video-aaaa.layer -> sepia-aaaa.inputImage', 'sepia-aaaa.layer -> sand-aaaa.inputImage', 'sand-aaaa.layer -> screen-aaaa.layer'],
-  places: { 'video-aaaa': [0, 0], 'sepia-aaaa': [220, 0], 'sand-aaaa': [440, 0], 'screen-aaaa': [660, 0] },
+  wires: [
+    'video-aaaa.layer -> sepia-aaaa.inputImage',
+    'sepia-aaaa.layer -> sand-aaaa.inputImage',
+    'sand-aaaa.layer -> screen-aaaa.layer',
+    'every-aaaa.pulse -> count-aaaa.up',
+    'count-aaaa.number -> sand-aaaa.steps',
+  ],
+  places: {
+    'video-aaaa': [0, 0],
+    'sepia-aaaa': [220, 0],
+    'sand-aaaa': [440, 0],
+    'screen-aaaa': [660, 0],
+    'every-aaaa': [0, 200],
+    'count-aaaa': [220, 200],
+  },
   shaders: {
-    'sand.fs': `/*{ "DESCRIPTION": "Grain", "ISFVSN": "2", "CATEGORIES": ["Test"], "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }] }*/
+    'sand.fs': `/*{ "DESCRIPTION": "Grain", "ISFVSN": "2", "CATEGORIES": ["Test"], "INPUTS": [
+  { "NAME": "inputImage", "TYPE": "image" },
+  { "NAME": "steps", "TYPE": "float", "MIN": 0, "MAX": 100 }
+] }*/
 void main() {
-  vec2 cell = floor(isf_FragNormCoord * 40.0) + float(FRAMEINDEX) * vec2(17.0, 31.0);
+  vec2 cell = floor(isf_FragNormCoord * 40.0) + float(FRAMEINDEX) * vec2(17.0, 31.0) + steps * vec2(5.0, 3.0);
   float grain = fract(sin(dot(cell, vec2(12.9898, 78.233))) * 43758.5453);
   gl_FragColor = IMG_THIS_PIXEL(inputImage) * (0.8 + 0.2 * grain);
 }
@@ -61,7 +79,7 @@ async function read(path: string): Promise<Picture> {
   return decodePicture(await readFile(path));
 }
 
-test('pictures are those of the command line and of the preview, byte for byte', async () => {
+test('pictures are those of the command line from frame 0 and of the preview, byte for byte', async () => {
   const { page, editor, project } = open;
   const size = await page.locator('iframe[title="Preview"]').boundingBox();
   if (!size) throw new Error('There is no preview.');
@@ -76,7 +94,7 @@ test('pictures are those of the command line and of the preview, byte for byte',
 
   const session = resolve(import.meta.dirname, '../../examples/sessions/studio');
   const mine = `${out}-cli`;
-  await succeed('render', project, '--out', mine, '--frames', '11..13', '--size', `${width}x${height}`, '--session', session);
+  await succeed('render', project, '--out', mine, '--frames', '0..13', '--size', `${width}x${height}`, '--session', session);
   for (const name of ['000011.png', '000012.png', '000013.png']) {
     expect(Buffer.compare(await readFile(join(out, name)), await readFile(join(mine, name)))).toBe(0);
   }

@@ -48,6 +48,7 @@ const BUILTINS: Readonly<Record<string, string>> = {
   vv_FragCoord: 'vec2',
   gl_FragCoord: 'vec4',
   gl_FragColor: 'vec4',
+  isf_FragColor: 'vec4',
   gl_FragData: 'vec4[]',
 };
 

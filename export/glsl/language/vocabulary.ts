@@ -14,6 +14,7 @@ export const ISF_VARIABLES: ReadonlyMap<string, { readonly type: string; readonl
   ['vv_FragCoord', { type: 'vec2', doc: 'What version 1 of ISF calls isf_FragCoord.' }],
   ['gl_FragCoord', { type: 'vec4', doc: 'Middle of this pixel, pixels from the bottom left; z is the depth.' }],
   ['gl_FragColor', { type: 'vec4', doc: 'Color of this pixel: red, green, blue and alpha from 0 to 1, alpha not multiplied in.' }],
+  ['isf_FragColor', { type: 'vec4', doc: 'What hosts with newer GLSL call gl_FragColor.' }],
   ['gl_FragData', { type: 'vec4[]', doc: 'gl_FragData[0] is gl_FragColor.' }],
 ]);
 

@@ -13,6 +13,7 @@ const BUILTIN_NAMES: Readonly<Record<string, string>> = {
   vv_FragCoord: 'scrim_fragCoord.xy',
   gl_FragCoord: 'scrim_fragCoord',
   gl_FragColor: 'scrim_fragColor',
+  isf_FragColor: 'scrim_fragColor',
 };
 
 export function printExpression(expression: Expression, context: PrintContext): void {

@@ -50,6 +50,12 @@ test('and words of GLSL in files that do not', () => {
   expect(text).toMatch(/case 0:[\s\S]*mat4x3 m = mat4x3\(1\.0\)/);
 });
 
+test.each(['', 'out vec4 isf_FragColor;'])('isf_FragColor is gl_FragColor: "%s"', (declaration) => {
+  const { text, diagnostics } = link(`${declaration}\nvoid main() { isf_FragColor = vec4(0.25); isf_FragColor.a = 1.0; }`);
+  expect(diagnostics).toEqual([]);
+  expect(text).toBe(link(`\nvoid main() { gl_FragColor = vec4(0.25); gl_FragColor.a = 1.0; }`).text);
+});
+
 test('an image that nobody brings is transparent, and told of', () => {
   const { text, samplers, diagnostics } = link(
     'uniform sampler2D other;\nuniform samplerCube sky;\nvoid main() { gl_FragColor = texture2D(other, vec2(0.5)) + textureCube(sky, vec3(1.0)); }',
