@@ -1,4 +1,4 @@
-import type { Program } from '../export/program/program.ts';
+import type { LinkedShader, Program } from '../export/program/program.ts';
 import type { Handle, ParamValue } from '../nodes/kit/definition.ts';
 import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
@@ -14,6 +14,8 @@ export const CONNECT_MESSAGE = 'scrim-preview-connect';
 export type ToPreview =
   /** Play this program; the last good one runs on until the new one has linked. */
   | { readonly kind: 'program'; readonly revision: number; readonly program: Program }
+  /** Compile these alone and say what the driver has against them: the newest is answered. What plays goes on. */
+  | { readonly kind: 'trials'; readonly revision: number; readonly shaders: readonly LinkedShader[] }
   /** Set a uniform param without a compile. */
   | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: ParamValue }
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
@@ -148,6 +150,8 @@ export type FromPreview =
   | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
   /** What the graphics driver said of the program of `revision`; empty when it took all shaders. The editor maps it to lines. */
   | { readonly kind: 'shader-errors'; readonly revision: number; readonly errors: readonly PreviewShaderError[] }
+  /** What the graphics driver said of the shaders to try of `revision`; empty when it took all. */
+  | { readonly kind: 'trial-errors'; readonly revision: number; readonly errors: readonly PreviewShaderError[] }
   /** At most ten times a second. */
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }

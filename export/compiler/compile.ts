@@ -1,14 +1,15 @@
 import type { NodeLibrary } from '../../nodes/kit/definition.ts';
 import { type Diagnostic, hasErrors, type Result } from '../../nodes/kit/diagnostics.ts';
+import type { Before } from '../glsl/link/link-above.ts';
 import { type ProjectLibrary, projectLibrary } from '../graph/library/project-library.ts';
 import type { ProjectLogic } from '../graph/project.ts';
-import type { Program } from '../program/program.ts';
+import type { LinkedShader, Program } from '../program/program.ts';
 import { check } from './check/check-resolved.ts';
 import type { FlatGraph } from './flat-graph.ts';
-import { link } from './link/link.ts';
+import { link, named } from './link/link.ts';
 import { print } from './print/print-program.ts';
 import { resolve } from './resolve/resolve.ts';
-import { schedule } from './schedule/schedule.ts';
+import { type ScheduleResult, schedule } from './schedule/schedule.ts';
 import { createShaderStore } from './shaders/shader-store.ts';
 
 export interface CompileOptions {
@@ -30,7 +31,22 @@ export interface CompileInput {
 }
 
 export interface Compiler {
-  compile(input: CompileInput): Result<Program>;
+  compile(input: CompileInput): Compiled;
+}
+
+/** A program, or null with at least one error. */
+export interface Compiled extends Result<Program> {
+  /**
+   * Where there is no program because shaders cannot be read: their texts above the mistakes. Only a driver finds most of the mistakes in
+   * these. Empty otherwise.
+   */
+  readonly above: readonly ShaderAbove[];
+}
+
+/** A whole shader of the text above a mistake, which is for compiling alone. */
+export interface ShaderAbove {
+  readonly shader: LinkedShader;
+  readonly before: Before;
 }
 
 /**
@@ -53,16 +69,16 @@ export function createCompiler(): Compiler {
 
       const resolved = resolve(project, library);
       diagnostics.push(...resolved.diagnostics);
-      if (resolved.output === null) return { output: null, diagnostics };
+      if (resolved.output === null) return { output: null, diagnostics, above: [] };
       const checked = check(resolved.output, taps);
       diagnostics.push(...headerDiagnostics(library, resolved.output.project), ...checked.diagnostics);
-      if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics };
+      if (checked.output === null || hasErrors(diagnostics)) return { output: null, diagnostics, above: [] };
       const scheduled = schedule(checked.output, { library, shaders, loopBudget });
       diagnostics.push(...scheduled.diagnostics);
-      if (scheduled.output === null) return { output: null, diagnostics };
+      if (scheduled.output === null) return { output: null, diagnostics, above: shadersAbove(scheduled) };
       const linked = link(scheduled.output, { sourceMaps });
       if (reportUnused) diagnostics.push(...unusedNodes(resolved.output.graph, checked.output.live));
-      return { output: print(resolved.output.project, scheduled.output, linked), diagnostics };
+      return { output: print(resolved.output.project, scheduled.output, linked), diagnostics, above: [] };
     },
   };
 }
@@ -70,10 +86,17 @@ export function createCompiler(): Compiler {
 /**
  * Compiles one project. Use `createCompiler` to compile repeatedly.
  *
- * @returns The program, or null with at least one error.
  */
-export function compile(input: CompileInput): Result<Program> {
+export function compile(input: CompileInput): Compiled {
   return createCompiler().compile(input);
+}
+
+/** Nodes of one file have it in common. */
+function shadersAbove({ above }: ScheduleResult): ShaderAbove[] {
+  const made = above.flatMap(({ shaders, before, node }) =>
+    shaders.map((shader): [string, ShaderAbove] => [shader.id, { shader: named(shader, node), before }]),
+  );
+  return [...new Map(made).values()];
 }
 
 /** A shader of the project that cannot be read is an error where a node uses it, and otherwise work in progress. */

@@ -14,6 +14,7 @@ import { type OpenSession, openSession } from './open-session.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
 import { createPosters, type PosterPlace, type PosterRequest } from './posters.ts';
 import { createProbes } from './probes.ts';
+import { createShaderTrials } from './shader-trials.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
@@ -80,6 +81,7 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   });
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
+  const trials = createShaderTrials(base, send);
 
   /** Holes in a model matter where it stands for a real thing, which the program says. */
   const playerProblemsNow = (): readonly Diagnostic[] => {
@@ -236,6 +238,9 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
       switch (message.kind) {
         case 'program':
           takeProgram(message);
+          return;
+        case 'trials':
+          trials.take(message);
           return;
         case 'param':
           host?.player.setParam(message.node, message.param, message.value);

@@ -4,7 +4,7 @@ import { TINTED } from '../support/tinted.ts';
 
 const openEditor = useEditor();
 
-test('by keys alone, the shader’s text completes a call, renames an input with its wire, and turns a color', async () => {
+test('by keys alone, the shader’s text completes a call, renames an input with its wire, turns a color, and has its mistakes told, those above a syntax error too', async () => {
   const { page, editor } = await openEditor(TINTED);
   await editor.settled();
   await editor.openCode('tint-aaaa');
@@ -34,4 +34,13 @@ test('by keys alone, the shader’s text completes a call, renames an input with
   await page.getByRole('slider', { name: 'Red' }).press('End');
   await page.locator('.view-line', { hasText: 'vec3(1.0, 0.2, 0.9)' }).waitFor();
   await page.locator('.status-bar').getByText('No problems').waitFor();
+
+  // The driver finds the first mistake, though the second keeps the shader from being a program.
+  await editor.findInText('// Paints');
+  await editor.type('float above() { return missing; }\nfloat below( { }\n');
+  const problems = page.locator('.status-bar').getByRole('button', { name: /errors/ });
+  await problems.getByText('2 errors').waitFor();
+  await problems.click();
+  const listed = page.getByRole('list', { name: 'Problems' }).getByRole('listitem');
+  expect(await listed.first().textContent()).toContain('"missing"');
 });

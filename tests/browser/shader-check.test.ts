@@ -201,6 +201,11 @@ vec3 tint() {
 float later(float x) { return x; }
 void main() { gl_FragColor = vec4(tint(), 1.0); }`,
       'input.fs': `${FILTER}\nfloat a = nowhere;\nattribute vec2 left;\nvoid main() { gl_FragColor = vec4(a) + other; }`,
+      'technique.glsl': `/*{ "DESCRIPTION": "A technique." }*/
+float far(float x) { return x * nothing; }
+vec4 surface(const in Surface s) {
+  float d = s.uv;
+  return vec4(d }`,
       'two.fs': `${FILTER}\nfloat a = nowhere;\nattribute vec2 left;\nvoid main() { gl_FragColor = vec4(a) }`,
     };
     await writeProject(join(folder, 'above'), above);
@@ -217,6 +222,11 @@ void main() { gl_FragColor = vec4(tint(), 1.0); }`,
           ['SCR042', 4, 10],
           ['SCR042', 7, 10],
           ['SCR041', 8, 9],
+        ],
+        [
+          ['SCR042', 2, 33],
+          ['SCR042', 4, 11],
+          ['SCR041', 5, 17],
         ],
         [
           ['SCR042', 2, 11],

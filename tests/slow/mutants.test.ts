@@ -178,7 +178,7 @@ function scrim(text: string): Told {
   const options = { node: 'n', loopBudget: true };
   const { output, diagnostics } = linkIsf(shader, options);
   const above = output === null && diagnostics[0] ? linkAbove(shader, options, diagnostics[0]) : null;
-  const shaders = (output ?? above?.passes ?? []).map((pass) => pass.shader);
+  const shaders = (output ?? above?.output ?? []).map((pass) => pass.shader);
   return {
     shaders,
     read: (logs) => {

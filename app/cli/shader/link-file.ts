@@ -1,11 +1,11 @@
 import { readFileSync, statSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import type { IsfShader } from '../../../export/glsl/isf/isf-shader.ts';
-import { type LinkedAbove, linkAbove } from '../../../export/glsl/link/link-above.ts';
+import { type Before, linkAbove } from '../../../export/glsl/link/link-above.ts';
 import { linkIsf } from '../../../export/glsl/link/link-isf.ts';
 import type { LinkedPass, LinkedSampler, LinkedUniform } from '../../../export/glsl/link/linked-pass.ts';
 import { readImageShader } from '../../../export/glsl/read-definition.ts';
-import { linkTechnique } from '../../../export/glsl/technique/link-technique.ts';
+import { linkTechnique, linkTechniqueAbove } from '../../../export/glsl/technique/link-technique.ts';
 import { readTechnique } from '../../../export/glsl/technique/read-technique.ts';
 import { isTechnique } from '../../../export/glsl/technique/technique-shader.ts';
 import type { LinkedShader } from '../../../export/program/program.ts';
@@ -21,7 +21,7 @@ export interface LinkedFile {
   /** What can be said without a driver; with an error among it the passes, if any, are of the text above. */
   readonly diagnostics: readonly Diagnostic[];
   /** Where the file has a mistake: the passes are of the text above, and of what they bring only that counts. Else null. */
-  readonly before: LinkedAbove['before'] | null;
+  readonly before: Before | null;
 }
 
 /**
@@ -43,7 +43,7 @@ function linkImageShader(source: string, file: string, vertex: string | null): L
   return {
     file,
     source,
-    passes: (linked.output ?? above?.passes ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
+    passes: (linked.output ?? above?.output ?? []).map((pass) => ({ shader: pass.shader, job: jobOf(pass, shader) })),
     diagnostics: [...read.diagnostics, ...(above?.diagnostics ?? []), ...linked.diagnostics],
     before: above?.before ?? null,
   };
@@ -52,15 +52,18 @@ function linkImageShader(source: string, file: string, vertex: string | null): L
 function linkTechniqueFile(source: string, file: string): LinkedFile {
   const read = readTechnique(source, file);
   const options = { chunkOf: (name: string) => chunkBeside(file, name) ?? SHADERS[`chunks/${name}.glsl`], loopBudget: true };
-  const linked = read.output && linkTechnique(read.output, options);
-  const trial = linked?.output?.trial;
-  const samplers = (linked?.output?.samplers ?? []).map(({ name }) => ({ name, holds: 'color' as const }));
+  if (read.output === null) return { file, source, passes: [], diagnostics: read.diagnostics, before: null };
+  const linked = linkTechnique(read.output, options);
+  const [refused] = linked.diagnostics;
+  const above = linked.output === null && refused !== undefined ? linkTechniqueAbove(read.output, options, refused) : null;
+  const { trial, samplers: layers = [] } = linked.output ?? above?.output ?? {};
+  const samplers = layers.map(({ name }) => ({ name, holds: 'color' as const }));
   return {
     file,
     source,
     passes: trial ? [{ shader: trial, job: { shader: trial, passIndex: 0, uniforms: [], samplers } }] : [],
-    diagnostics: [...read.diagnostics, ...(linked?.diagnostics ?? [])],
-    before: null,
+    diagnostics: [...read.diagnostics, ...(above?.diagnostics ?? []), ...linked.diagnostics],
+    before: above?.before ?? null,
   };
 }
 

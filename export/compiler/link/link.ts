@@ -36,7 +36,8 @@ export function link({ operations, resources, trials }: Linkable, options: { rea
   return { operations: linked, resources: placed, shaders };
 }
 
-function named(shader: LinkedShader, node: string): LinkedShader {
+/** With the node's name in its source map. */
+export function named(shader: LinkedShader, node: string): LinkedShader {
   const { sourceMap, vertexMap } = shader;
   const naming = (map: SourceMap): SourceMap => ({ ...map, nodes: map.sources.map(() => node) });
   return { ...shader, ...(sourceMap && { sourceMap: naming(sourceMap) }), ...(vertexMap && { vertexMap: naming(vertexMap) }) };

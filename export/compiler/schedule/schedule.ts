@@ -13,7 +13,7 @@ import { lowerMovedParam } from './lower/lower-moved-param.ts';
 import { isLinkable } from './lower/lower-passes.ts';
 import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
 import { orderOperations } from './order.ts';
-import { isDrawOperation, isPass, type ScheduledOperation, type ScheduledTrial } from './scheduled.ts';
+import { isDrawOperation, isPass, type ScheduledAbove, type ScheduledOperation, type ScheduledTrial } from './scheduled.ts';
 import { readScreen } from './screen-options.ts';
 import { countUses, type Leaf, planScreen, type ScreenPlan } from './screen-plan.ts';
 import { shareTargets } from './share-targets.ts';
@@ -39,6 +39,11 @@ export interface Schedule {
   readonly working: ReadonlySet<string>;
 }
 
+export interface ScheduleResult extends Result<Schedule> {
+  /** Where shaders have mistakes: what stands above them. */
+  readonly above: readonly ScheduledAbove[];
+}
+
 /** What every device has. */
 const DRAW_SAMPLES = 4;
 
@@ -46,7 +51,7 @@ const DRAW_SAMPLES = 4;
  * Third phase: nodes to operations with explicit resources, in order. Only what the screen needs; what is looked at besides gets
  * operations of its own, so that looking never changes the picture.
  */
-export function schedule(checked: Checked, options: ScheduleOptions): Result<Schedule> {
+export function schedule(checked: Checked, options: ScheduleOptions): ScheduleResult {
   const { graph, live, tapped, screen } = checked;
   const order = [...new Map([...live, ...tapped].map((node) => [node.id, node])).values()];
   const layers = describeLayers(order);
@@ -57,7 +62,8 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
   const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
   const demand = findDemand(graph, live, startOf(plan));
   const shown = lowerShown(lowering, live, plan.leaves, demand);
-  if (hasErrors(lowering.diagnostics)) return { output: null, diagnostics: lowering.diagnostics };
+  const { diagnostics, above } = lowering;
+  if (hasErrors(diagnostics)) return { output: null, diagnostics, above };
   const presentation: Presentation = { ...presentationOf(plan, lowering), ...(around && { around }) };
 
   const taps = linkableTaps(lowering, checked);
@@ -83,7 +89,8 @@ export function schedule(checked: Checked, options: ScheduleOptions): Result<Sch
       nodes: order.filter(({ id }) => isLive.has(id) || behind.has(id)),
       working: new Set([...demand.nodes, ...looked.nodes]),
     },
-    diagnostics: lowering.diagnostics,
+    diagnostics,
+    above: [],
   };
 }
 

@@ -1,4 +1,5 @@
 import type { CpuOperation, DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
+import type { ShaderLink } from '../shaders/shader-link.ts';
 
 /** A pass that holds its shader itself; *link* puts an index in its place. */
 export type ScheduledPass = Omit<PassOperation, 'shader'> & { readonly shader: LinkedShader };
@@ -8,6 +9,11 @@ export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | 
 /** A shader to try a technique with, and the technique's node. */
 export interface ScheduledTrial {
   readonly shader: LinkedShader;
+  readonly node: string;
+}
+
+/** Shaders of what stands above a mistake in the file of a node. */
+export interface ScheduledAbove extends NonNullable<ShaderLink<unknown>['above']> {
   readonly node: string;
 }
 

@@ -2,12 +2,14 @@ import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { isfDefinition, shaderName } from '../../glsl/isf/isf-definition.ts';
 import type { IsfShader } from '../../glsl/isf/isf-shader.ts';
+import { linkAbove } from '../../glsl/link/link-above.ts';
 import { linkIsfDepth } from '../../glsl/link/link-depth.ts';
 import { linkIsf } from '../../glsl/link/link-isf.ts';
 import type { LinkedPass } from '../../glsl/link/linked-pass.ts';
 import { readImageShader } from '../../glsl/read-definition.ts';
 import type { TechniqueOptions } from '../../glsl/technique/link-technique.ts';
 import { isTechnique } from '../../glsl/technique/technique-shader.ts';
+import type { ShaderLink } from './shader-link.ts';
 import { createTechniqueStore, type TechniqueText } from './technique-store.ts';
 
 /** What of its inputs a shader has to do without. */
@@ -29,9 +31,9 @@ export interface ShaderStore {
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
   /** `vertex`: the text of the vertex shader beside it, where there is one. */
-  link(file: string, source: string, vertex: string | null, variant: LinkVariant): Result<readonly LinkedPass[]>;
+  link(file: string, source: string, vertex: string | null, variant: LinkVariant): ShaderLink<readonly LinkedPass[]>;
   /** Linked anew where a chunk that it includes has changed, too. */
-  linkTechnique(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
+  linkTechnique(file: string, source: string, options: TechniqueOptions): ShaderLink<TechniqueText>;
   /** Only for shaders whose `depth` is `over`. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
 }
@@ -41,7 +43,7 @@ interface Entry {
   readonly vertex: string | null;
   readonly shader: Result<IsfShader>;
   definition: Result<NodeDefinition> | null;
-  readonly links: Map<string, Result<readonly LinkedPass[]>>;
+  readonly links: Map<string, ShaderLink<readonly LinkedPass[]>>;
   readonly depths: Map<string, LinkedPass>;
 }
 
@@ -74,9 +76,9 @@ export function createShaderStore(): ShaderStore {
     },
     link: (file, source, vertex, variant) => {
       const { shader, links } = entryOf(file, source, vertex);
-      if (shader.output === null) return { output: null, diagnostics: shader.diagnostics };
+      if (shader.output === null) return { output: null, diagnostics: shader.diagnostics, above: null };
       const key = keyOf(variant);
-      const known = links.get(key) ?? linkIsf(shader.output, { node: '', ...variant });
+      const known = links.get(key) ?? linkImage(shader.output, variant);
       links.set(key, known);
       return known;
     },
@@ -90,6 +92,16 @@ export function createShaderStore(): ShaderStore {
       return known;
     },
   };
+}
+
+function linkImage(shader: IsfShader, variant: LinkVariant): ShaderLink<readonly LinkedPass[]> {
+  const options = { node: '', ...variant };
+  const { output, diagnostics } = linkIsf(shader, options);
+  const [refused] = diagnostics;
+  const above = output === null && refused !== undefined ? linkAbove(shader, options, refused) : null;
+  if (above === null) return { output, diagnostics, above: null };
+  const shaders = (above.output ?? []).map((pass) => pass.shader);
+  return { output, diagnostics: [...above.diagnostics, ...diagnostics], above: { shaders, before: above.before } };
 }
 
 function keyOf({ loopBudget, absent, withoutDepth }: LinkVariant): string {

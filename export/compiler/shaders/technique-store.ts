@@ -1,10 +1,11 @@
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import { shaderName } from '../../glsl/isf/isf-definition.ts';
-import { type LinkedTechnique, linkTechnique, type TechniqueOptions } from '../../glsl/technique/link-technique.ts';
+import { type LinkedTechnique, linkTechnique, linkTechniqueAbove, type TechniqueOptions } from '../../glsl/technique/link-technique.ts';
 import { readTechnique } from '../../glsl/technique/read-technique.ts';
 import { techniqueDefinition } from '../../glsl/technique/technique-definition.ts';
 import type { TechniqueShader } from '../../glsl/technique/technique-shader.ts';
+import type { ShaderLink } from './shader-link.ts';
 
 /** A technique's header and its text. */
 export interface TechniqueText {
@@ -15,7 +16,7 @@ export interface TechniqueText {
 /** The part of the shader store that reads techniques. */
 export interface TechniqueStore {
   readDefinition(file: string, source: string): Result<NodeDefinition>;
-  link(file: string, source: string, options: TechniqueOptions): Result<TechniqueText>;
+  link(file: string, source: string, options: TechniqueOptions): ShaderLink<TechniqueText>;
 }
 
 interface Entry {
@@ -27,7 +28,7 @@ interface Entry {
 }
 
 interface RememberedText {
-  readonly text: Result<TechniqueText>;
+  readonly text: ShaderLink<TechniqueText>;
   /** The chunks that were asked for, with what they were. */
   readonly chunks: ReadonlyMap<string, string | undefined>;
 }
@@ -64,12 +65,17 @@ export function createTechniqueStore(): TechniqueStore {
 
 function linkText({ output: technique, diagnostics }: Result<TechniqueShader>, options: TechniqueOptions): RememberedText {
   const chunks = new Map<string, string | undefined>();
-  if (technique === null) return { text: { output: null, diagnostics }, chunks };
+  if (technique === null) return { text: { output: null, diagnostics, above: null }, chunks };
   const chunkOf = (name: string) => {
     const chunk = options.chunkOf(name);
     chunks.set(name, chunk);
     return chunk;
   };
-  const linked = linkTechnique(technique, { ...options, chunkOf });
-  return { text: { output: linked.output && { technique, linked: linked.output }, diagnostics: linked.diagnostics }, chunks };
+  const asked = { ...options, chunkOf };
+  const linked = linkTechnique(technique, asked);
+  if (linked.output !== null) return { text: { output: { technique, linked: linked.output }, diagnostics: [], above: null }, chunks };
+  const [refused] = linked.diagnostics;
+  const above = refused === undefined ? null : linkTechniqueAbove(technique, asked, refused);
+  const found = above && { shaders: above.output === null ? [] : [above.output.trial], before: above.before };
+  return { text: { output: null, diagnostics: [...(above?.diagnostics ?? []), ...linked.diagnostics], above: found }, chunks };
 }

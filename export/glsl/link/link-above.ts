@@ -1,4 +1,4 @@
-import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import type { IsfShader } from '../isf/isf-shader.ts';
 import { TOO_LONG } from '../syntax/parse.ts';
 import { textAbove } from '../syntax/text-above.ts';
@@ -7,35 +7,50 @@ import { linkIsf } from './link-isf.ts';
 import type { LinkedPass, LinkOptions } from './linked-pass.ts';
 
 /** What can be linked of a file that has a mistake: the text above it. */
-export interface LinkedAbove {
-  /** For the driver, which finds the mistakes above. Their loops say nothing: the rest of their bodies may be missing. */
-  readonly passes: readonly LinkedPass[];
+export interface Above<T> {
+  /** For the driver, which finds the mistakes above; null where nothing could be linked. Its loops say nothing: the rest of their bodies may be missing. */
+  readonly output: T | null;
   /** Mistakes above that were found without a driver. */
   readonly diagnostics: readonly Diagnostic[];
-  /** Only what is said of other files, or of places before this one, counts. */
-  readonly before: { readonly file: string; readonly place: Place };
+  readonly before: Before;
+}
+
+/** Only what is said of other files, or of places before this one, counts. */
+export interface Before {
+  readonly file: string;
+  readonly place: Place;
 }
 
 /**
  * Links what stands above the mistake that `linkIsf` refused the file for, so that the mistakes above it can be told as well. Null where
  * there is nothing above.
  */
-export function linkAbove(shader: IsfShader, options: LinkOptions, { file, line, column, message }: Diagnostic): LinkedAbove | null {
+export function linkAbove(shader: IsfShader, options: LinkOptions, refused: Diagnostic): Above<readonly LinkedPass[]> | null {
+  return findAbove(shader, refused, shaderAbove, (above) => linkIsf(above, { ...options, partial: true }));
+}
+
+/** `cut` gives what stands above a place, or null; of that, `link` may refuse a part again, whose mistake is above the first. */
+export function findAbove<S, T>(
+  source: S,
+  { file, line, column, message }: Diagnostic,
+  cut: (source: S, file: string, place: Place) => S | null,
+  link: (above: S) => Result<T>,
+): Above<T> | null {
   if (file === undefined || line === undefined || column === undefined || message === TOO_LONG) return null;
-  const above = shaderAbove(shader, file, { line, column });
+  const above = cut(source, file, { line, column });
   if (above === null) return null;
-  const { output, diagnostics } = linkIsf(above, { ...options, partial: true });
+  const { output, diagnostics } = link(above);
   const before = { file, place: { line, column } };
   const told = diagnostics.filter((diagnostic) => countsAbove(diagnostic, before));
-  if (output !== null) return { passes: output, diagnostics: told, before };
+  if (output !== null) return { output, diagnostics: told, before };
   const [refused] = told;
   if (refused === undefined) return null;
-  const further = linkAbove(above, options, refused);
-  return further === null ? { passes: [], diagnostics: told, before } : { ...further, diagnostics: [...further.diagnostics, refused] };
+  const further = findAbove(above, refused, cut, link);
+  return further === null ? { output: null, diagnostics: told, before } : { ...further, diagnostics: [...further.diagnostics, refused] };
 }
 
 /** Whether something said of the text above a mistake counts: the end of that text is not the author's. */
-export function countsAbove({ file, line, column }: Diagnostic, { file: cut, place }: LinkedAbove['before']): boolean {
+export function countsAbove({ file, line, column }: Diagnostic, { file: cut, place }: Before): boolean {
   if (line === undefined || column === undefined) return false;
   return file !== cut || line < place.line || (line === place.line && column < place.column);
 }

@@ -1,6 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from '@jest/globals';
-import { linkTechnique } from './link-technique.ts';
+import { linkTechnique, linkTechniqueAbove } from './link-technique.ts';
 import { readTechnique } from './read-technique.ts';
 
 const text = (name: string) => readFileSync(new URL(`../../../shader-library/${name}`, import.meta.url), 'utf8');
@@ -107,6 +107,52 @@ describe('what is wrong with a technique is said on its line', () => {
     const { output, diagnostics } = link(`${HEADER}\n${body}`);
     expect(output).toBeNull();
     expect(diagnostics).toEqual([expect.objectContaining({ line, message, severity: 'error', file: 'techniques/test.glsl' })]);
+  });
+
+  describe('and what stands above it as well', () => {
+    const above = (body: string) => {
+      const { output } = readTechnique(`${HEADER}\n${body}`, 'techniques/test.glsl');
+      if (!output) throw new Error('The header cannot be read.');
+      const options = { chunkOf: (name: string) => (name === 'own' ? OWN : chunkOf(name)), loopBudget: true };
+      const [refused] = linkTechnique(output, options).diagnostics;
+      return refused ? linkTechniqueAbove(output, options, refused) : null;
+    };
+    const OWN = 'float wash(float x) {\n  return x * missing;\n}\nfloat ink( { }\nfloat last() { return 1.0; }';
+
+    test('functions that nothing calls yet, with the function that is cut off, for the driver', () => {
+      const found = above('float far() { return missing; }\nvec4 surface(const in Surface s) {\n  float a = s.uv.x;\n  float b = ;\n}');
+      expect(found?.before).toEqual({ file: 'techniques/test.glsl', place: { line: 5, column: 13 } });
+      const trial = found?.output?.trial;
+      const lines = trial?.fragment.split('\n') ?? [];
+      const at = (word: string) => trial?.sourceMap?.lines[lines.findIndex((line) => line.includes(word))];
+      expect(at('missing')?.slice(0, 2)).toEqual([0, 2]);
+      expect(at('s.uv.x')?.slice(0, 2)).toEqual([0, 4]);
+    });
+
+    test('in a chunk, and with chunks above one that does not exist', () => {
+      const inChunk = above('#include <own>\nvec4 surface(const in Surface s) { return vec4(wash(1.0)); }');
+      expect(inChunk?.before).toMatchObject({ file: 'chunks/own.glsl', place: { line: 4 } });
+      const map = inChunk?.output?.trial.sourceMap;
+      expect(map?.lines.map((entry) => entry?.slice(0, 2))).toContainEqual([1, 2]);
+      const missing = above(
+        'float far() { return missing; }\n#include <no/such>\nvec4 surface(const in Surface s) { return vec4(far()); }',
+      );
+      expect(missing?.output?.trial.fragment).toContain('return missing;');
+    });
+
+    test('what Scrim itself finds there, once for each place', () => {
+      const found = above(
+        'void vertex(inout Vertex v) { v.position += LIGHT(0).towards; }\nfloat deep() { return IMG_PIXEL(nowhere, vec2(0.0)).x; }\nvec4 surface(Surface s) { return s.color }',
+      );
+      expect(found?.diagnostics.map(({ line, code }) => [line, code])).toEqual([
+        [2, 'SCR043'],
+        [3, 'SCR041'],
+      ]);
+    });
+
+    test('nothing, where there is nothing', () => {
+      expect(above('vec4 ((;')).toBeNull();
+    });
   });
 
   test('and of its header', () => {

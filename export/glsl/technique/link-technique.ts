@@ -1,4 +1,4 @@
-import type { Result } from '../../../nodes/kit/diagnostics.ts';
+import type { Diagnostic, Result } from '../../../nodes/kit/diagnostics.ts';
 import { COUNTED_BUDGET, LOOP_BUDGET } from '../../program/loop-budget.ts';
 import type { LinkedShader, PassUniform, SourceMap } from '../../program/program.ts';
 import { checkCalls } from '../check/check-calls.ts';
@@ -8,14 +8,17 @@ import { INPUT_TYPES, variableOf } from '../isf/given-symbols.ts';
 import { hashText } from '../link/hash.ts';
 import type { Image } from '../link/images.ts';
 import { createLineWriter } from '../link/line-writer.ts';
+import { type Above, findAbove } from '../link/link-above.ts';
+import { usable } from '../link/link-unit.ts';
 import { createNames, type Names } from '../link/names.ts';
 import { FRAGMENT_HEAD, VERTEX_SHADER } from '../link/prelude.ts';
 import type { PrintContext } from '../link/print-context.ts';
 import { choiceText, needsHoisting } from '../link/print-declaration.ts';
 import { printAuthorsText } from '../link/print-shader.ts';
 import { findReach, type Reach } from '../link/reach.ts';
-import type { FunctionDeclaration, ParsedShader, VariableSymbol } from '../syntax/ast.ts';
+import type { FunctionDeclaration, FunctionSymbol, ParsedShader, VariableSymbol } from '../syntax/ast.ts';
 import { parseShader } from '../syntax/parse.ts';
+import { textAbove } from '../syntax/text-above.ts';
 import { GlslError, type Place } from '../syntax/token.ts';
 import { type ExpandedText, expandIncludes } from './expand-includes.ts';
 import { INTERFACE_FUNCTION, INTERFACE_LINES, PRINTED_STRUCTS, TECHNIQUE_INTERFACE } from './interface.ts';
@@ -47,6 +50,8 @@ interface Unit {
   readonly given: ReadonlyMap<string, VariableSymbol>;
   readonly loopBudget: boolean;
   readonly absent: ReadonlySet<string>;
+  /** Functions of the trial beside those that it calls. */
+  readonly also: readonly FunctionSymbol[];
 }
 
 export interface TechniqueOptions {
@@ -60,19 +65,75 @@ export interface TechniqueOptions {
 
 /** SCR041 where the GLSL cannot be read, SCR043 where it asks for what Scrim cannot give. */
 export function linkTechnique(technique: TechniqueShader, options: TechniqueOptions): Result<LinkedTechnique> {
-  let expanded: ExpandedText | null = null;
+  const { output: expanded, diagnostics } = expand(technique, options.chunkOf);
+  return expanded === null ? { output: null, diagnostics } : linkText(technique, expanded, options);
+}
+
+/**
+ * Links what stands above the mistake that `linkTechnique` refused the technique for, chunks included. Null where there is nothing above.
+ *
+ * @returns The trial shader; it also has the functions that nothing calls yet.
+ */
+export function linkTechniqueAbove(
+  technique: TechniqueShader,
+  options: TechniqueOptions,
+  refused: Diagnostic,
+): Above<LinkedTechnique> | null {
+  const expanded = expand(technique, options.chunkOf).output ?? expand(linesAbove(technique, refused), options.chunkOf).output;
+  if (expanded === null) return null;
+  return findAbove(expanded, refused, expandedAbove, (above) => linkText(technique, above, { ...options, partial: true }));
+}
+
+function expand({ source, file }: TechniqueShader, chunkOf: TechniqueOptions['chunkOf']): Result<ExpandedText> {
+  return caught(
+    () => expandIncludes(source, file, chunkOf),
+    ({ line }) => ({ file, line }),
+  );
+}
+
+function linkText(technique: TechniqueShader, expanded: ExpandedText, options: TechniqueOptions & Partial): Result<LinkedTechnique> {
+  return caught(
+    () => linkExpanded(technique, expanded, options),
+    (place) => originOf(expanded, place),
+  );
+}
+
+function caught<T>(make: () => T, placeOf: (place: Place) => { readonly file: string; readonly line: number }): Result<T> {
   try {
-    expanded = expandIncludes(technique.source, technique.file, options.chunkOf);
-    return { output: linkExpanded(technique, expanded, options), diagnostics: [] };
+    return { output: make(), diagnostics: [] };
   } catch (error) {
     if (!(error instanceof GlslError)) throw error;
     const { code, message, place } = error;
-    const [file, line] = expanded === null ? [technique.file, place.line] : originOf(expanded, place);
-    return { output: null, diagnostics: [{ code, severity: 'error', message, file, line, column: place.column }] };
+    return { output: null, diagnostics: [{ code, severity: 'error', message, ...placeOf(place), column: place.column }] };
   }
 }
 
-function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loopBudget, absent }: TechniqueOptions): LinkedTechnique {
+/** An include stands alone on its line. */
+function linesAbove(technique: TechniqueShader, { line = 1 }: Diagnostic): TechniqueShader {
+  const lines = technique.source.split(/\r\n|\r|\n/).slice(0, line - 1);
+  return { ...technique, source: lines.join('\n') };
+}
+
+const SURFACE = 'vec4 surface(const in Surface s) { return vec4(0.0); }';
+
+function expandedAbove(expanded: ExpandedText, file: string, { line, column }: Place): ExpandedText | null {
+  const { text, sources, lines } = expanded;
+  const at = lines.findIndex(([source, from]) => sources[source] === file && from === line);
+  // A line that was cut off already is the end of what is there.
+  const above = textAbove(text, { line: (at < 0 ? lines.length : at) + 1, column }, SURFACE);
+  return above === null ? null : { ...expanded, text: above };
+}
+
+/** The text is what stands above a mistake. */
+interface Partial {
+  readonly partial?: boolean;
+}
+
+function linkExpanded(
+  technique: TechniqueShader,
+  expanded: ExpandedText,
+  { loopBudget, absent, partial = false }: TechniqueOptions & Partial,
+): LinkedTechnique {
   const given = new Map([
     ...technique.inputs.map(({ name, type }) => [name, variableOf(name, INPUT_TYPES[type], type === 'image' ? 'image' : 'input')] as const),
     ...technique.imported.map(({ name }) => [name, variableOf(name, 'sampler2D', 'image')] as const),
@@ -85,8 +146,11 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loop
   const vertex = functionOf(parsed, 'vertex', 'void', 'Vertex');
   const checked = checkShader(parsed, given);
   refuseStrayImages(checked);
-  checkCalls(checked, (name) => checked.declarations.some((one) => one.kind === 'function' && one.name.text === name && isInterface(one)));
-  const unit: Unit = { technique, expanded, checked, given, loopBudget, absent: new Set(absent) };
+  const isGiven = (name: string) =>
+    checked.declarations.some((one) => one.kind === 'function' && one.name.text === name && isInterface(one));
+  checkCalls(checked, (name) => partial || isGiven(name));
+  const also = partial ? ownFunctions(checked) : [];
+  const unit: Unit = { technique, expanded, checked, given, loopBudget, absent: new Set(absent), also };
   const names = namesFor(unit);
   const uses = usesOf(unit, checked.main, names);
   if (vertex) refuseLights(unit, vertex);
@@ -101,6 +165,12 @@ function linkExpanded(technique: TechniqueShader, expanded: ExpandedText, { loop
     samplers: [...uses.reach.images.keys()].flatMap(({ kind, name: input, sampler: name }) => (kind === 'input' ? [{ name, input }] : [])),
     pictures: [...uses.reach.images.keys()].flatMap(({ kind, buffer: path, sampler: name }) => (kind === 'buffer' ? [{ name, path }] : [])),
   };
+}
+
+/** Those that can be printed without being called. */
+function ownFunctions(checked: CheckedShader): FunctionSymbol[] {
+  const declarations = checked.declarations.filter((declaration) => declaration.kind === 'function' && !isInterface(declaration));
+  return usable({ ...checked, declarations }).filter((symbol) => symbol.kind === 'function');
 }
 
 function refuseStrayImages({ strayImages: [stray] }: CheckedShader): void {
@@ -162,7 +232,8 @@ interface Uses {
 
 function usesOf(unit: Unit, root: FunctionDeclaration, names = namesFor(unit)): Uses {
   const images = techniqueImages(unit.technique, unit.absent, names);
-  return { reach: findReach({ ...unit.checked, main: root }, { passIndex: 0, images, names, also: [] }), images };
+  const also = root === unit.checked.main ? unit.also : [];
+  return { reach: findReach({ ...unit.checked, main: root }, { passIndex: 0, images, names, also }), images };
 }
 
 function refuseLights(unit: Unit, vertex: FunctionDeclaration): void {
@@ -282,7 +353,7 @@ function trialShader({ expanded }: Unit, { head, lines, map }: Stage): LinkedSha
   };
 }
 
-function originOf({ sources, lines }: ExpandedText, { line }: Place): [file: string, line: number] {
+function originOf({ sources, lines }: ExpandedText, { line }: Place): { readonly file: string; readonly line: number } {
   const [source, at] = lines[line - 1 - INTERFACE_LINES] ?? [0, 1];
-  return [sources[source] ?? '', at];
+  return { file: sources[source] ?? '', line: at };
 }

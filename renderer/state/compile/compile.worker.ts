@@ -17,6 +17,6 @@ scope.onmessage = ({ data: { revision, project, taps } }) => {
   // A type whose header is broken at the moment is the one it was: its header's mistake is said, not that nothing is known of it.
   const library = libraries.withoutSubgraphs(project);
   // No loop may hold up the GPU that the editor itself is drawn with.
-  const { output, diagnostics } = compiler.compile({ project, library, options: { loopBudget: true, taps } });
-  scope.postMessage({ revision, program: output, diagnostics, tookMs: workerClock.nowMs() - startMs });
+  const { output, diagnostics, above } = compiler.compile({ project, library, options: { loopBudget: true, taps } });
+  scope.postMessage({ revision, program: output, diagnostics, above, tookMs: workerClock.nowMs() - startMs });
 };

@@ -11,7 +11,7 @@ function createStandIn() {
     terminate: () => {},
   };
   const answer = (revision: number) => {
-    const data: CompileAnswer = { revision, program: null, diagnostics: [], tookMs: 1 };
+    const data: CompileAnswer = { revision, program: null, diagnostics: [], above: [], tookMs: 1 };
     worker.onmessage?.({ data } as MessageEvent<CompileAnswer>);
   };
   return { worker, asked, answer };

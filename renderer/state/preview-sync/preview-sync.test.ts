@@ -26,8 +26,8 @@ function createSlowWorker() {
   const answer = () => {
     const request = waiting.shift();
     if (!request) throw new Error('Nothing was asked.');
-    const { output, diagnostics } = compiler.compile({ project: request.project, library: LIBRARY });
-    const data: CompileAnswer = { revision: request.revision, program: output, diagnostics, tookMs: 1 };
+    const { output, diagnostics, above } = compiler.compile({ project: request.project, library: LIBRARY });
+    const data: CompileAnswer = { revision: request.revision, program: output, diagnostics, above, tookMs: 1 };
     worker.onmessage?.({ data } as MessageEvent<CompileAnswer>);
   };
   return { worker, waiting, answer };
@@ -46,6 +46,10 @@ describe('the way from document to preview', () => {
     const id = definition && addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
     if (!id) throw new Error(`${type} was not added.`);
     return id;
+  };
+  const takeTrials = () => {
+    const messages = sent.splice(0);
+    return { trials: messages.find((message) => message.kind === 'trials'), rest: messages };
   };
   const kinds = () => sent.splice(0).map((message) => (message.kind === 'param' ? `param ${message.value}` : message.kind));
 
@@ -198,15 +202,15 @@ describe('the way from document to preview', () => {
     });
   });
 
-  test('a broken graph sends nothing: what worked plays on, and a page that comes anew is given it', () => {
+  test('a broken graph sends no program: what worked plays on, and a page that comes anew is given it', () => {
     const program = editor.compile.getState().program;
     editShader(editor, blur, (shaderOf(editor.document.getState(), blur)?.text ?? '').replace('void main', 'void 0main'));
     worker.answer();
-    expect(kinds()).toEqual([]);
+    expect(kinds()).toEqual(['trials']);
     expect(editor.compile.getState().diagnostics.some(({ severity }) => severity === 'error')).toBe(true);
     expect(editor.compile.getState().program).toBe(program);
     previewSync.receive({ kind: 'ready' });
-    expect(kinds()).toEqual(['program', 'thumbnails', 'viewer', 'cost', 'gizmo', 'picking', 'keys']);
+    expect(kinds()).toEqual(['program', 'trials', 'thumbnails', 'viewer', 'cost', 'gizmo', 'picking', 'keys']);
   });
 
   test('the preview counts as loading from the moment another source is chosen until it is there', () => {
@@ -245,6 +249,41 @@ describe('the way from document to preview', () => {
     expect(editor.preview.getState().shaderDiagnostics).toMatchObject([
       { code: 'SCR042', nodeId: blur, file: 'filters/gaussian-blur.fs', line: shader.sourceMap?.lines[line - 1]?.[1] },
     ]);
+  });
+
+  test('without a program, the driver is asked about the text above the mistake, and what it says of the rest does not count', () => {
+    const state = editor.document.getState();
+    const text = shaderOf(state, blur)?.text ?? '';
+    const lines = text.split('\n').length;
+    editShader(editor, blur, `${text}float above() { return missing; }\nfloat below( { }\n`);
+    worker.answer();
+    expect(editor.compile.getState().diagnostics).toMatchObject([{ code: 'SCR041', nodeId: blur, line: lines + 1 }]);
+    const { trials, rest } = takeTrials();
+    expect(rest).not.toContainEqual(expect.objectContaining({ kind: 'program' }));
+    const shader = trials?.shaders.find(({ fragment }) => fragment.includes('missing'));
+    const printed = (word: string) => (shader?.fragment.split('\n').findIndex((line) => line.includes(word)) ?? -1) + 1;
+    const log = [`ERROR: 0:${printed('missing')}: 'missing' : undeclared identifier`, `ERROR: 0:1: 'x' : undeclared identifier`].join('\n');
+    const errors = [{ shaderId: shader?.id ?? '', stage: 'fragment' as const, log }];
+    const revision = trials?.revision ?? 0;
+    previewSync.receive({ kind: 'trial-errors', revision: revision - 1, errors });
+    expect(editor.preview.getState().shaderDiagnostics).toEqual([]);
+    previewSync.receive({ kind: 'trial-errors', revision, errors });
+    const said = { code: 'SCR042', nodeId: blur, file: 'shaders/gaussian-blur-2.fs', line: lines, column: 24 };
+    expect(editor.preview.getState().shaderDiagnostics).toMatchObject([said]);
+
+    // A preview page that is loaded again is asked again.
+    previewSync.receive({ kind: 'ready' });
+    expect(takeTrials().trials?.revision).toBe(revision);
+    // The mistake above stays marked until the driver has seen the next text.
+    editShader(editor, blur, `${text}float above() { return 1.0; }\nfloat below( { }\n`);
+    worker.answer();
+    expect(editor.preview.getState().shaderDiagnostics).toMatchObject([said]);
+    previewSync.receive({ kind: 'trial-errors', revision: takeTrials().trials?.revision ?? 0, errors: [] });
+    expect(editor.preview.getState().shaderDiagnostics).toEqual([]);
+    // Where nothing stands above, there is nothing to ask.
+    editShader(editor, blur, text.replace('*/', '*/\nfloat first( {}'));
+    worker.answer();
+    expect(takeTrials().trials).toBeUndefined();
   });
 
   test('another project starts with nothing of the one before', async () => {

@@ -16,6 +16,7 @@ import type { PlacedEdit } from './param-places.ts';
 import { placesOf } from './param-places.ts';
 import { createPosterRequests } from './preview-posters.ts';
 import { takeCapture } from './save-capture.ts';
+import { createShaderTrials } from './shader-trials.ts';
 import { createViewerSync } from './viewer-sync.ts';
 
 /** Keeps compiler and preview up with the document. */
@@ -50,6 +51,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
   const post = (message: ToPreview) => send?.(message);
   const posters = createPosterRequests(editor, post);
   const gizmos = createGizmos(editor, post);
+  const trials = createShaderTrials(editor, post);
   const looking = createViewerSync(editor, post, () => compile());
   const postEdit = ({ node, param, value }: PlacedEdit) => post({ kind: 'param', node, param, value });
 
@@ -84,6 +86,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
     if (answer.revision < since) return;
     takeAnswer(editor, answer, more);
+    trials.takeAnswer(answer);
     if (answer.program !== null) postProgram();
   });
   const compile = () => {
@@ -101,6 +104,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       since = state.revision;
       resetViewer(editor.viewer);
       setPending([]);
+      trials.forget();
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
       editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null });
     }
@@ -134,6 +138,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         postSource();
         if (editor.preview.getState().roomLight) postLight();
         postProgram();
+        trials.tell();
         looking.tell();
         gizmos.tell();
         return;
@@ -145,6 +150,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         return;
       case 'shader-errors':
         takeShaderErrors(editor, message);
+        return;
+      case 'trial-errors':
+        trials.takeErrors(message);
         return;
       case 'status':
         takeStatus(editor, message.status);
@@ -214,8 +222,6 @@ function follows({ slots }: Program, { node, param }: PlacedEdit): boolean {
 
 /** The last good program stays what the preview plays. */
 function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: CompileAnswer, busy: boolean): void {
-  // What the driver said was about a text that is gone.
-  if (program === null) editor.preview.setState({ shaderDiagnostics: [] });
   editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
 }
 
@@ -235,7 +241,10 @@ function takeShaderErrors(
   // An answer about an older program is of no use any more.
   if (program === null || revision !== programRevision) return;
   preview.setState({
-    shaderDiagnostics: readShaderErrors(program, errors, document.getState().library),
+    // A newer text may have no program: what is said of it stays.
+    ...(compile.getState().revision === revision && {
+      shaderDiagnostics: readShaderErrors(program, errors, document.getState().library),
+    }),
     ...(errors.length > 0 && { refused: revision }),
   });
 }

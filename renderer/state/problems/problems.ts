@@ -1,3 +1,4 @@
+import { uniqueDiagnostics } from '../../../export/glsl/driver/driver-diagnostics.ts';
 import { isChunkFile } from '../../../export/graph/document-names.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { shaderOf, vertexOf } from '../document/edit-shader.ts';
@@ -14,14 +15,14 @@ export interface NodeProblem {
 
 const RANK = { error: 0, warning: 1, info: 2 } as const;
 
-/** Several parties may say the same of the same place; it is said once. Worst first, else in the order given. */
+/** Several parties may say the same of the same place; it is said once. Worst first, those of a file by line, else in the order given. */
 export function collectProblems(lists: readonly (readonly Diagnostic[])[]): readonly Diagnostic[] {
   const seen = new Map<string, Diagnostic>();
   for (const diagnostic of lists.flat()) {
     const key = problemKey(diagnostic);
     if (!seen.has(key)) seen.set(key, diagnostic);
   }
-  return [...seen.values()].sort((a, b) => RANK[a.severity] - RANK[b.severity]);
+  return uniqueDiagnostics([...seen.values()]).sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 }
 
 /** What may be shown while a text is being typed: what was there before. What has been mended goes at once. */

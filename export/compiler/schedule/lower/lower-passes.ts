@@ -4,7 +4,7 @@ import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
 import { layerOutput } from '../layers.ts';
 import type { ScheduledPass } from '../scheduled.ts';
 import { depthAt, hasDepth } from './lower-depth.ts';
-import { addResource, addStep, type Lowering, valueSteps } from './lowering.ts';
+import { addResource, addStep, type Lowering, takeLink, valueSteps } from './lowering.ts';
 import { isBuffer, passSamplers, passUniforms, shaderOf, sizeOf } from './pass-parts.ts';
 
 /** An image node, linked, with its buffers in place. */
@@ -62,8 +62,9 @@ export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
 export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
   // Linked as if every layer had depth, so that the samplers say whether the shader asks for it.
   const asking = shaderOf(lowering, node, () => true);
-  const { output, diagnostics } = lowering.shaders.link(asking.file, asking.source, asking.vertex, asking.variant);
-  lowering.diagnostics.push(...diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
+  const link = lowering.shaders.link(asking.file, asking.source, asking.vertex, asking.variant);
+  const { output } = link;
+  takeLink(lowering, node, link);
   if (output === null) {
     const broken = layerOutput(node);
     if (broken) lowering.resourceOf.set(portKey(broken), portKey(broken));

@@ -2,7 +2,7 @@ import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
 import type { TechniqueShader } from '../../../glsl/technique/technique-shader.ts';
 import type { ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
-import { addResource, type Lowering, resourceAt } from './lowering.ts';
+import { addResource, type Lowering, resourceAt, takeLink } from './lowering.ts';
 
 /**
  * Adds the technique of `node` as a resource, once for any number of users. A technique needs no operation: the resource holds its
@@ -19,8 +19,9 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   const chunkOf = (name: string) => lowering.library.shader(`chunks/${name}.glsl`);
   const absent = Object.keys(inputs).filter((name) => !node.inputs.has(name));
   const options = { chunkOf, loopBudget: lowering.loopBudget, absent };
-  const { output, diagnostics } = lowering.shaders.linkTechnique(kind.shader, source, options);
-  lowering.diagnostics.push(...diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
+  const link = lowering.shaders.linkTechnique(kind.shader, source, options);
+  const { output } = link;
+  takeLink(lowering, node, link);
   lowering.resourceOf.set(id, id);
   if (output === null) return;
   // Every uniform param can be set while running, whether the text uses it or not.

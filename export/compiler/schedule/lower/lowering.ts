@@ -2,9 +2,10 @@ import type { NodeLibrary } from '../../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../../nodes/kit/diagnostics.ts';
 import type { LayerDepthRef, LayerRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source } from '../../flat-graph.ts';
+import type { ShaderLink } from '../../shaders/shader-link.ts';
 import type { ShaderStore } from '../../shaders/shader-store.ts';
 import type { LayerTable } from '../layers.ts';
-import type { ScheduledOperation, ScheduledTrial, Step } from '../scheduled.ts';
+import type { ScheduledAbove, ScheduledOperation, ScheduledTrial, Step } from '../scheduled.ts';
 import { createSlotAllocator, type MovedParam, type SlotAllocator } from '../slot-allocator.ts';
 
 /** The program while it grows: what the lowering of one node leaves for that of the next. */
@@ -39,6 +40,8 @@ export interface Lowering {
   readonly techniqueReads: Map<string, readonly ResourceId[]>;
   /** Node → the operations that move params of its own. */
   readonly movedBy: Map<string, string[]>;
+  /** What stands above mistakes in the shaders of nodes. */
+  readonly above: ScheduledAbove[];
   readonly diagnostics: Diagnostic[];
 }
 
@@ -65,9 +68,16 @@ export function createLowering(
     delayed: [],
     techniqueReads: new Map(),
     movedBy: new Map(),
+    above: [],
     diagnostics: [],
   };
   return lowering;
+}
+
+/** Takes over what a link says, for the node. */
+export function takeLink({ diagnostics, above }: Lowering, node: FlatNode, link: ShaderLink<unknown>): void {
+  diagnostics.push(...link.diagnostics.map((diagnostic) => ({ ...diagnostic, nodeId: node.id })));
+  if (link.above !== null) above.push({ ...link.above, node: node.id });
 }
 
 export function addResource(lowering: Lowering, resource: Resource): ResourceId {
