@@ -72,7 +72,8 @@ export type FrameRenderSource =
       readonly worldFromHead: readonly number[] | null;
     };
 
-type PreviewTier = Extract<PreviewSource, { kind: 'room' }>['tier'];
+/** How much of the room a program gets: with the camera's image, without it, or nothing of the room. */
+export type PreviewTier = 'ar-camera' | 'ar' | 'vr';
 
 export interface FrameRenderRequest {
   readonly program: Program;
@@ -127,7 +128,7 @@ export type PreviewSource =
       /** `glasses` add light to the world and show no black. */
       readonly device: 'phone' | 'headset' | 'glasses';
       /** `ar`: as on devices that show the camera's picture and give it to nobody. `vr`: with nothing of the room. */
-      readonly tier: 'ar-camera' | 'ar' | 'vr';
+      readonly tier: PreviewTier;
     }
   /** The computer's own camera, which is asked for. */
   | { readonly kind: 'camera'; readonly assetBaseUrl: string }

@@ -85,15 +85,18 @@ function wrongModel(head: Buffer, size: number): string | null {
 }
 
 /** What visitors load before they see it, bytes; a video is loaded whole, so that it can be sought and needs no network later. */
-const LARGE = {
+const LARGE: Readonly<Record<AssetKind, { readonly bytes: number; readonly fix: string } | null>> = {
+  image: null,
+  model: null,
+  audio: null,
   video: { bytes: 40 * 2 ** 20, fix: 'Shorten it, reduce its size, or lower its bit rate.' },
   environment: { bytes: 16 * 2 ** 20, fix: 'Reduce its size: 2048 × 1024 is enough for light, 4096 × 2048 for a visible background.' },
-} as const;
+};
 
 function tooLarge(path: string, kind: AssetKind, size: number): Problem | null {
-  if (kind !== 'video' && kind !== 'environment') return null;
-  const { bytes, fix } = LARGE[kind];
-  if (size <= bytes) return null;
+  const large = LARGE[kind];
+  if (large === null || size <= large.bytes) return null;
+  const { bytes, fix } = large;
   const message = `${path} has ${Math.round(size / 2 ** 20)} MB; above ${bytes / 2 ** 20} MB visitors wait long.`;
   return { code: 'SCR034', severity: 'warning', message, fix };
 }

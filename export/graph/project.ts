@@ -1,4 +1,4 @@
-import type { ParamValue } from '../../nodes/kit/definition.ts';
+import type { AssetKind, ParamValue } from '../../nodes/kit/definition.ts';
 import type { Easing } from '../../nodes/kit/ease.ts';
 
 /**
@@ -94,7 +94,7 @@ export interface PortAddress {
 export interface Asset {
   /** Relative to the project folder, with `/` between folders. */
   readonly path: string;
-  readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment';
+  readonly kind: AssetKind;
   readonly credit?: string;
   readonly licence?: string;
 }

@@ -54,9 +54,18 @@ export function createPageController({ page, root, program, modes, ...parts }: P
     session: orbit,
     onDiagnostics: (diagnostics) => showDiagnostics(notices, 'player', diagnostics),
     onSessionEvent: (event, session) => {
-      if (session.kind === 'webxr') onEvent(immersive, event);
-      else if (session.kind === 'camera') onEvent('camera', event);
-      else if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
+      switch (session.kind) {
+        case 'webxr':
+          return onEvent(immersive, event);
+        case 'camera':
+          return onEvent('camera', event);
+        case 'orbit':
+        case 'recorded':
+          if (event.kind === 'problem') notices.show('session', { text: event.message, tone: 'problem' });
+          return;
+        default:
+          session.kind satisfies never;
+      }
     },
     onContext: (state) => {
       if (state === 'restored') notices.clear('context');
@@ -93,6 +102,8 @@ export function createPageController({ page, root, program, modes, ...parts }: P
       case 'visibility':
       case 'reset':
         return;
+      default:
+        event satisfies never;
     }
   };
   const request = (mode: SessionMode): Promise<Result<Session>> => {

@@ -1,5 +1,6 @@
 import type { ArithmeticOperation } from '../../nodes/kit/arithmetic.ts';
-import type { Capability, ParamValue } from '../../nodes/kit/definition.ts';
+import type { AssetKind, Capability, ParamValue } from '../../nodes/kit/definition.ts';
+import type { ValueType } from '../../nodes/kit/wire-types.ts';
 
 /**
  * The program: what the compiler prints and the only thing the runtime plays. Plain JSON, versioned, and free of everything
@@ -72,7 +73,7 @@ export interface SlotTable {
   readonly params: Readonly<Record<string, number>>;
 }
 
-export type SlotType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text' | 'curve';
+export type SlotType = ValueType | 'curve';
 
 export interface Slot {
   readonly type: SlotType;
@@ -338,7 +339,7 @@ export interface SourceMap {
 
 export interface ProgramAsset {
   readonly id: string;
-  readonly kind: 'image' | 'model' | 'video' | 'audio' | 'environment';
+  readonly kind: AssetKind;
   /** Relative to the project folder in a preview, to the page in an export. */
   readonly path: string;
 }

@@ -169,7 +169,9 @@ export interface AssetParam extends ParamBase {
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
 }
 
-export type AssetKind = 'image' | 'model' | 'video' | 'audio' | 'environment';
+export const ASSET_KINDS = ['image', 'model', 'video', 'audio', 'environment'] as const;
+
+export type AssetKind = (typeof ASSET_KINDS)[number];
 
 export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | CurveParam | AssetParam;
 

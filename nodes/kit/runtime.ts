@@ -7,6 +7,7 @@ import type { LightEstimate, SessionFrame, ViewFrame } from './session.ts';
 import type { SoundOutput } from './sound.ts';
 import type { TechniqueView } from './technique-view.ts';
 import type { NumberView, ValueViews, Writable } from './value-views.ts';
+import type { WireType } from './wire-types.ts';
 
 /**
  * The contract between a node's `runtime.ts` and the player. Types only.
@@ -126,9 +127,14 @@ export interface WireViews extends ValueViews {
   environment: EnvironmentOutput;
   audio: SoundOutput;
   pulse: PulseList;
+  // No node has these yet.
+  surfaces: never;
+  pose: never;
+  body: never;
+  capture: never;
 }
 
-type WireView<T> = T extends keyof WireViews ? WireViews[T] : never;
+type WireView<T extends WireType> = WireViews[T];
 type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
   ? PulseList
   : P extends { readonly multiple: true }
@@ -137,7 +143,7 @@ type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
       InputPort extends P
       ? readonly WireView<P['type']>[] | WireView<P['type']> | null
       : WireView<P['type']> | null;
-type OutputView<T> = T extends keyof ValueViews ? Writable<ValueViews[T]> : T extends 'pulse' ? PulseOutput : WireView<T>;
+type OutputView<T extends WireType> = T extends keyof ValueViews ? Writable<ValueViews[T]> : T extends 'pulse' ? PulseOutput : WireView<T>;
 type ParamView<P extends ParamDefinition> = P extends { type: 'choice' }
   ? NumberView
   : P extends { type: infer T }

@@ -298,6 +298,13 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
         case 'transport':
           transport(message.action);
           return;
+        // Frames are rendered by pages of their own.
+        case 'render-begin':
+        case 'render-frame':
+        case 'render-end':
+          return;
+        default:
+          message satisfies never;
       }
     },
     resized: () => {
@@ -339,15 +346,17 @@ function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {
 
 /** Sessions that differ in this cannot stand for each other. Recordings care for nothing but their folder. */
 function sessionKey(source: PreviewSource, program: Program, resizes: number): string {
-  if (source.kind === 'recorded') return `recorded ${source.url}`;
-  if (source.kind !== 'room') return `${source.kind} ${source.kind === 'still' ? source.key : ''}`;
-  return JSON.stringify([
-    source.captureUrl,
-    source.views,
-    source.device,
-    source.tier,
-    program.needs,
-    program.presentation.antialias,
-    resizes,
-  ]);
+  switch (source.kind) {
+    case 'recorded':
+      return `recorded ${source.url}`;
+    case 'room': {
+      const { captureUrl, views, device, tier } = source;
+      return JSON.stringify([captureUrl, views, device, tier, program.needs, program.presentation.antialias, resizes]);
+    }
+    case 'still':
+      return `still ${source.key}`;
+    case 'camera':
+    case 'orbit':
+      return source.kind;
+  }
 }

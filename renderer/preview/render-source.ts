@@ -30,7 +30,12 @@ export function openRenderSource(
   program: Program,
   player: Player,
 ): Promise<Result<OpenRenderSource>> {
-  return source.kind === 'recorded' ? openRecording(source.url, gl, player) : openRoom(source, gl, program, player);
+  switch (source.kind) {
+    case 'recorded':
+      return openRecording(source.url, gl, player);
+    case 'room':
+      return openRoom(source, gl, program, player);
+  }
 }
 
 async function openRecording(url: string, gl: WebGL2RenderingContext, player: Player): Promise<Result<OpenRenderSource>> {

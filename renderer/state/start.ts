@@ -67,6 +67,8 @@ export function followHost(editor: Editor, runFromMenu: (id: AppCommandId) => vo
       case 'close-requested':
         withoutUnsaved(editor, () => void close(editor));
         return;
+      default:
+        event satisfies never;
     }
   });
 }

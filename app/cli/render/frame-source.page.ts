@@ -38,7 +38,12 @@ export function openFrameSource(
   program: Program,
   handlers: FrameHandlers,
 ): Promise<Result<FrameSource>> {
-  return source.kind === 'recorded' ? openRecording(source.url, gl, handlers) : openRoom(source, gl, program, handlers);
+  switch (source.kind) {
+    case 'recorded':
+      return openRecording(source.url, gl, handlers);
+    case 'room':
+      return openRoom(source, gl, program, handlers);
+  }
 }
 
 async function openRecording(url: string, gl: WebGL2RenderingContext, handlers: FrameHandlers): Promise<Result<FrameSource>> {

@@ -19,6 +19,7 @@ export function collectControls({ nodes, working, slots }: Pick<Schedule, 'nodes
 
 function controlOf(node: FlatNode, value: number): Control {
   const { control } = node.definition;
+  if (control === undefined) throw new Error(`${node.id} is no control.`);
   const base = { node: node.id, param: paramOf(node), label: textOf(node, 'label') || node.definition.title, value };
   switch (control) {
     case 'slider': {
@@ -30,8 +31,6 @@ function controlOf(node: FlatNode, value: number): Control {
       return { ...base, kind: control };
     case 'choice':
       return { ...base, kind: 'choice', options: choiceOptions(textOf(node, 'options')) };
-    default:
-      throw new Error(`${node.id} is no control.`);
   }
 }
 

@@ -68,6 +68,8 @@ function checkStatement(statement: Statement, context: CheckContext): void {
     case 'empty':
     case 'jump':
       return;
+    default:
+      statement satisfies never;
   }
 }
 

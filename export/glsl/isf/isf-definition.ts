@@ -60,21 +60,26 @@ export function portsOf(inputs: readonly IsfInput[]): Record<string, InputPort> 
 
 function portOf(input: IsfInput): InputPort | null {
   const { label, optional } = input;
-  if (input.type === 'image')
-    return { type: 'layer', label, doc: input.doc || (optional ? 'Transparent where not connected.' : 'A layer.'), required: !optional };
-  if (input.type === 'depth') {
-    return {
-      type: 'depth',
-      label,
-      doc: input.doc || 'Room depth; unknown everywhere where not connected.',
-      required: !optional,
-    };
+  switch (input.type) {
+    case 'image':
+      return { type: 'layer', label, doc: input.doc || (optional ? 'Transparent where not connected.' : 'A layer.'), required: !optional };
+    case 'depth':
+      return { type: 'depth', label, doc: input.doc || 'Room depth; unknown everywhere where not connected.', required: !optional };
+    case 'event':
+      return { type: 'pulse', label, doc: input.doc || 'True in the frame of a pulse.', required: false, multiple: true };
+    case 'audio':
+    case 'audioFFT':
+      return { type: 'audio', label, doc: input.doc || 'The sound to analyze; silence where not connected.', required: false };
+    case 'bool':
+    case 'long':
+    case 'float':
+    case 'point2D':
+    case 'vector3':
+    case 'vector4':
+    case 'color':
+    case 'curve':
+      return null;
   }
-  if (input.type === 'event')
-    return { type: 'pulse', label, doc: input.doc || 'True in the frame of a pulse.', required: false, multiple: true };
-  if (input.type === 'audio' || input.type === 'audioFFT')
-    return { type: 'audio', label, doc: input.doc || 'The sound to analyze; silence where not connected.', required: false };
-  return null;
 }
 
 /** Inputs that are values, by name. */
@@ -123,7 +128,11 @@ function paramOf(input: IsfInput): ParamDefinition | null {
       const [r = 0, g = 0, b = 0, a = 1] = input.default;
       return { ...base, type: 'color', default: [r, g, b, a] };
     }
-    default:
+    case 'image':
+    case 'depth':
+    case 'event':
+    case 'audio':
+    case 'audioFFT':
       return null;
   }
 }

@@ -101,6 +101,8 @@ function printPlain(expression: Expression, context: PrintContext): void {
     case 'call':
       printCall(expression, context);
       return;
+    default:
+      expression satisfies never;
   }
 }
 

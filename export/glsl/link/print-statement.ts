@@ -76,6 +76,8 @@ function printStatement(statement: Statement, context: PrintContext): void {
     case 'jump':
       printJump(statement, context);
       break;
+    default:
+      statement satisfies never;
   }
   writer.endLine();
 }

@@ -1,3 +1,4 @@
+import { ASSET_KINDS } from '../../../nodes/kit/definition.ts';
 import type { JsonPath } from '../json/positions.ts';
 import { isObject, type ShapeReader } from '../json/shape-reader.ts';
 import { DEFAULT_PAGE } from '../new-project.ts';
@@ -108,7 +109,7 @@ function readAsset(reader: ShapeReader, json: unknown, path: JsonPath): Asset {
   const optional = (key: 'credit' | 'licence') => (fields(key) === undefined ? {} : { [key]: reader.text(fields(key), [...path, key]) });
   return {
     path: reader.text(fields('path'), [...path, 'path']),
-    kind: reader.oneOf(fields('kind'), [...path, 'kind'], ['image', 'model', 'video', 'audio', 'environment']),
+    kind: reader.oneOf(fields('kind'), [...path, 'kind'], ASSET_KINDS),
     ...optional('credit'),
     ...optional('licence'),
   };

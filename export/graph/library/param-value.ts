@@ -44,19 +44,43 @@ export function misfit(param: ParamDefinition, value: unknown): string | null {
 /** The limits that a valid value exceeds, in words, or null. */
 export function outOfRange(param: ParamDefinition, value: ParamValue): string | null {
   if (sameValue(clampToRange(param, value), value)) return null;
-  if (param.type === 'color') return 'from 0 to 1 in each channel';
-  if (param.type !== 'number') return `from ${listOf(param, 'min')} to ${listOf(param, 'max')}`;
-  if (param.min === undefined) return `at most ${param.max}`;
-  return param.max === undefined ? `at least ${param.min}` : `from ${param.min} to ${param.max}`;
+  switch (param.type) {
+    case 'number':
+      if (param.min === undefined) return `at most ${param.max}`;
+      return param.max === undefined ? `at least ${param.min}` : `from ${param.min} to ${param.max}`;
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+      return `from ${listOf(param.min)} to ${listOf(param.max)}`;
+    case 'color':
+      return 'from 0 to 1 in each channel';
+    case 'toggle':
+    case 'text':
+    case 'choice':
+    case 'curve':
+    case 'asset':
+      throw new Error(`A ${param.type} has no limits.`);
+  }
 }
 
 /** @returns The nearest value within the limits of the param. */
 export function clampToRange(param: ParamDefinition, value: ParamValue): ParamValue {
-  if (param.type === 'number' && typeof value === 'number') return clamp(value, param.min, param.max);
-  if (typeof value !== 'object') return value;
-  if (param.type === 'color') return value.map((channel) => clamp(channel, 0, 1));
-  if (param.type !== 'vector2' && param.type !== 'vector3' && param.type !== 'vector4') return value;
-  return value.map((component, i) => clamp(component, param.min?.[i], param.max?.[i]));
+  switch (param.type) {
+    case 'number':
+      return typeof value === 'number' ? clamp(value, param.min, param.max) : value;
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+      return typeof value === 'object' ? value.map((component, i) => clamp(component, param.min?.[i], param.max?.[i])) : value;
+    case 'color':
+      return typeof value === 'object' ? value.map((channel) => clamp(channel, 0, 1)) : value;
+    case 'toggle':
+    case 'text':
+    case 'choice':
+    case 'curve':
+    case 'asset':
+      return value;
+  }
 }
 
 /** Converts −0 to 0, because JSON cannot represent −0. */
@@ -73,7 +97,6 @@ function clamp(value: number, min = Number.NEGATIVE_INFINITY, max = Number.POSIT
   return Math.min(Math.max(value, min), max);
 }
 
-function listOf(param: ParamDefinition, side: 'min' | 'max'): string {
-  const limits = side in param ? (param as { min?: readonly number[]; max?: readonly number[] })[side] : undefined;
+function listOf(limits: readonly number[] | undefined): string {
   return limits === undefined ? 'anything' : `[${limits.join(', ')}]`;
 }

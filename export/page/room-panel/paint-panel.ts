@@ -84,6 +84,9 @@ function paintPart(context: CanvasRenderingContext2D, part: Part, control: Contr
       fillPart(context, part, chosen ? ACCENT : fillOf(touch));
       if (chosen && touch !== 'none') outline(context, part);
       write(context, part.text, part.x + part.width / 2, part, ink, 'center');
+      break;
+    default:
+      control satisfies never;
   }
 }
 

@@ -67,25 +67,30 @@ function createSampler(
   imports: Imports,
 ): Sampler {
   const { source, fit } = spec;
-  if (source.kind === 'import') return imported(gl, drawer, unit, locations, imports.find(source.assets, source.cube));
-  if (source.kind === 'sound') {
-    const { live } = liveResource(resources, source.resource, 'sound');
-    return heard(gl, drawer, unit, locations, live.picture(source.analysis, source.count));
+  switch (source.kind) {
+    case 'import':
+      return imported(gl, drawer, unit, locations, imports.find(source.assets, source.cube));
+    case 'sound': {
+      const { live } = liveResource(resources, source.resource, 'sound');
+      return heard(gl, drawer, unit, locations, live.picture(source.analysis, source.count));
+    }
+    case 'curve':
+      return drawn(drawer, unit, locations, liveResource(resources, source.resource, 'curve').curve);
+    case 'room-depth':
+      return roomDepth(gl, drawer, unit, locations, liveResource(resources, source.resource, 'room-depth').depth);
+    case 'depth': {
+      const room = resources.get(source.depth.resource);
+      if (room?.kind === 'room-depth') return roomDepth(gl, drawer, unit, locations, room.depth);
+      const { target, domain } = liveResource(resources, source.depth.resource, 'target');
+      return layerDepth(gl, drawer, unit, locations, target, domain, source.depth.encoding);
+    }
+    case 'color': {
+      const resource = resources.get(source.resource);
+      if (resource?.kind === 'external') return external(gl, drawer, unit, locations, resource.layer, resource.domain, fit);
+      const { target, domain } = liveResource(resources, source.resource, 'target');
+      return color(gl, drawer, unit, locations, target, domain, fit);
+    }
   }
-  if (source.kind === 'curve') return drawn(drawer, unit, locations, liveResource(resources, source.resource, 'curve').curve);
-  if (source.kind === 'room-depth') {
-    return roomDepth(gl, drawer, unit, locations, liveResource(resources, source.resource, 'room-depth').depth);
-  }
-  if (source.kind === 'depth') {
-    const room = resources.get(source.depth.resource);
-    if (room?.kind === 'room-depth') return roomDepth(gl, drawer, unit, locations, room.depth);
-    const { target, domain } = liveResource(resources, source.depth.resource, 'target');
-    return layerDepth(gl, drawer, unit, locations, target, domain, source.depth.encoding);
-  }
-  const resource = resources.get(source.resource);
-  if (resource?.kind === 'external') return external(gl, drawer, unit, locations, resource.layer, resource.domain, fit);
-  const { target, domain } = liveResource(resources, source.resource, 'target');
-  return color(gl, drawer, unit, locations, target, domain, fit);
 }
 
 function color(

@@ -114,6 +114,8 @@ export function clearOutput(resource: LiveResource): void {
     case 'technique':
     case 'shadow-maps':
       break;
+    default:
+      resource satisfies never;
   }
 }
 

@@ -69,11 +69,26 @@ export interface SlotView {
 export type AnySlotView = SlotView & Writable<NumberView | ToggleView | TextView | VectorView>;
 
 export function createSlotView(slots: Slots, slot: number): AnySlotView {
-  const { type } = slotAt(slots.slots, slot);
-  const view =
-    type === 'text' ? new TextSlot() : type === 'toggle' ? new ToggleSlot() : type === 'number' ? new NumberSlot() : new VectorSlot();
+  const view = emptyView(slotAt(slots.slots, slot).type);
   view.point(slots, slot);
   return view;
+}
+
+function emptyView(type: SlotType): AnySlotView {
+  switch (type) {
+    case 'number':
+      return new NumberSlot();
+    case 'toggle':
+      return new ToggleSlot();
+    case 'text':
+      return new TextSlot();
+    case 'vector2':
+    case 'vector3':
+    case 'vector4':
+    case 'color':
+    case 'curve':
+      return new VectorSlot();
+  }
 }
 
 class NumberSlot implements SlotView, NumberView {

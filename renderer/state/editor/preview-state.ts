@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { SessionSource } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { type FrameTimes, timeOfFrame } from '../../../nodes/kit/frame-times.ts';
-import type { PreviewStatus } from '../../preview-protocol.ts';
+import type { PreviewStatus, PreviewTier } from '../../preview-protocol.ts';
 
 /** Why a project's preview does not start by itself: it lost the GPU, its window ended abruptly, or the person asked for it. */
 export type StopReason = 'lost' | 'broken-off' | 'asked';
@@ -53,8 +53,6 @@ export interface FrameRange {
 
 /** The shape of the preview: as large as there is room, or as a device has it. */
 export type DeviceFrame = 'fill' | 'phone' | 'phone-wide' | 'headset' | 'glasses';
-
-export type PreviewTier = 'ar-camera' | 'ar' | 'vr';
 
 /** As of `light/directional`: azimuth 0 from the front (+z), a quarter turn from the right (+x); elevation above the horizon. */
 export interface LightPlace {

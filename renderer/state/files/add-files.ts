@@ -19,13 +19,13 @@ import { addCube } from './import-cube.ts';
 import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
 
 /** Endings by which a dropped file is known, first come first served; `also` may be chosen where that kind is asked for: ordinary pictures as panoramas, and the files that a model refers to. */
-const KINDS: readonly { readonly kind: AssetKind; readonly endings: readonly string[]; readonly also?: readonly string[] }[] = [
-  { kind: 'model', endings: ['.glb', '.gltf'], also: ['.bin', '.png', '.jpg', '.jpeg', '.webp', '.ktx2'] },
-  { kind: 'image', endings: ['.png', '.jpg', '.jpeg', '.webp'] },
-  { kind: 'video', endings: ['.mp4', '.webm', '.m4v'] },
-  { kind: 'audio', endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
-  { kind: 'environment', endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
-];
+const KINDS: Readonly<Record<AssetKind, { readonly endings: readonly string[]; readonly also?: readonly string[] }>> = {
+  model: { endings: ['.glb', '.gltf'], also: ['.bin', '.png', '.jpg', '.jpeg', '.webp', '.ktx2'] },
+  image: { endings: ['.png', '.jpg', '.jpeg', '.webp'] },
+  video: { endings: ['.mp4', '.webm', '.m4v'] },
+  audio: { endings: ['.mp3', '.m4a', '.wav', '.ogg', '.flac'] },
+  environment: { endings: ['.hdr', '.exr'], also: ['.jpg', '.jpeg', '.png', '.webp'] },
+};
 const SHADERS = /\.(fs|isf|glsl)$/i;
 const TABLES = /\.cube$/i;
 /** What sources of shadertoy.com are kept in. */
@@ -36,12 +36,13 @@ const STEP_PX = 40;
 export function kindOfFile(name: string): AssetKind | 'shader' | null {
   if (SHADERS.test(name)) return 'shader';
   const lower = name.toLowerCase();
-  return KINDS.find(({ endings }) => endings.some((ending) => lower.endsWith(ending)))?.kind ?? null;
+  const kinds = Object.keys(KINDS) as AssetKind[];
+  return kinds.find((kind) => KINDS[kind].endings.some((ending) => lower.endsWith(ending))) ?? null;
 }
 
 /** For file inputs. */
 export function acceptedNames(kind: AssetKind): string {
-  const { endings = [], also = [] } = KINDS.find((known) => known.kind === kind) ?? {};
+  const { endings, also = [] } = KINDS[kind];
   return [...endings, ...also].join();
 }
 

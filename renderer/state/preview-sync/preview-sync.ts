@@ -185,6 +185,8 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       case 'render-finished':
       case 'render-failed':
         return;
+      default:
+        message satisfies never;
     }
   };
 

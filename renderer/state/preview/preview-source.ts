@@ -21,7 +21,6 @@ export function previewSource(editor: Pick<Editor, 'document' | 'preview'>): Pre
       return { kind: 'room', captureUrl: source.url, views, device, tier, assetBaseUrl };
     }
     case 'recorded':
-      break;
+      return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
   }
-  return source.url === null ? null : { kind: 'recorded', url: source.url, assetBaseUrl };
 }

@@ -172,17 +172,25 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
 
 /** What the preview shows, as a film is drawn over it; a room from where the walk stands, in the light that it has now. */
 function frameRenderSource({ preview }: Editor, source: PreviewSource, frameRateHz: number | null): FrameRenderSource | null {
-  if (source.kind === 'recorded') return { kind: 'recorded', url: source.url };
-  if (source.kind !== 'room') return null;
-  const { roomLight, status } = preview.getState();
-  return {
-    kind: 'room',
-    captureUrl: source.captureUrl,
-    tier: source.tier,
-    frameRateHz: frameRateHz ?? ROOM_RATE_HZ,
-    lightDirectionWorld: roomLight && towardsLight(roomLight),
-    worldFromHead: status?.worldFromView ?? null,
-  };
+  switch (source.kind) {
+    case 'recorded':
+      return { kind: 'recorded', url: source.url };
+    case 'room': {
+      const { roomLight, status } = preview.getState();
+      return {
+        kind: 'room',
+        captureUrl: source.captureUrl,
+        tier: source.tier,
+        frameRateHz: frameRateHz ?? ROOM_RATE_HZ,
+        lightDirectionWorld: roomLight && towardsLight(roomLight),
+        worldFromHead: status?.worldFromView ?? null,
+      };
+    }
+    case 'camera':
+    case 'still':
+    case 'orbit':
+      return null;
+  }
 }
 
 /** What stopped the page that draws. */

@@ -58,7 +58,11 @@ function limitsOf(definition: ParamDefinition, part: number): readonly [low: num
       return [definition.min?.[part], definition.max?.[part]];
     case 'color':
       return [0, 1];
-    default:
+    case 'toggle':
+    case 'text':
+    case 'choice':
+    case 'curve':
+    case 'asset':
       return [undefined, undefined];
   }
 }

@@ -1,5 +1,5 @@
 import type { ParamDefinition, ParamValue, Stateful } from '../../../../nodes/kit/definition.ts';
-import { isValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
+import { isValueType, type ValueType, type WireType } from '../../../../nodes/kit/wire-types.ts';
 import { parseValue } from '../../../graph/expression/param-expression.ts';
 import type { DrawOperation, InputRef, NodeOperation, OutputRef, Resource, ResourceId } from '../../../program/program.ts';
 import { type FlatNode, portKey, type Source, sourcesAt } from '../../flat-graph.ts';
@@ -14,9 +14,8 @@ type NodeKind = 'value' | 'source' | 'behavior' | 'geometry';
 
 /** A node that its runtime plays, and that draws nothing. */
 export function lowerNode(lowering: Lowering, node: FlatNode): void {
-  const { kind } = node.definition.lowering;
-  if (kind === 'image' || kind === 'technique' || kind === 'cpu' || kind === 'present')
-    throw new Error(`${node.id} is not played by a runtime of its own.`);
+  const kind = playedKind(node);
+  if (kind === null) throw new Error(`${node.id} is not played by a runtime of its own.`);
   const outputs: Record<string, OutputRef> = {};
   const writes: ResourceId[] = [];
   for (const [port, { type }] of Object.entries(node.definition.outputs)) {
@@ -171,19 +170,40 @@ function configValue(param: ParamDefinition, value: ParamValue): ParamValue {
 
 function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef {
   if (isValueType(type)) return { kind: 'slot', slot: lowering.slots.ofInput(source, type) };
-  // A delay takes pulses of nodes that come after it.
-  if (type === 'pulse') return { kind: 'resource', resource: portKey(source) };
-  if (type !== 'layer') return { kind: 'resource', resource: resourceAt(lowering, source) };
-  return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
+  switch (type) {
+    case 'layer':
+      return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
+    case 'pulse':
+      // A delay takes pulses of nodes that come after it.
+      return { kind: 'resource', resource: portKey(source) };
+    case 'depth':
+    case 'objects':
+    case 'technique':
+    case 'lights':
+    case 'environment':
+    case 'surfaces':
+    case 'pose':
+    case 'body':
+    case 'capture':
+    case 'audio':
+      return { kind: 'resource', resource: resourceAt(lowering, source) };
+  }
 }
 
 function resourcesIn(ref: InputRef): ResourceId[] {
-  if (ref.kind === 'slot') return [];
-  if (ref.kind === 'resource') return [ref.resource];
-  return ref.layer.depth && ref.layer.depth.resource !== ref.layer.color ? [ref.layer.color, ref.layer.depth.resource] : [ref.layer.color];
+  switch (ref.kind) {
+    case 'slot':
+      return [];
+    case 'resource':
+      return [ref.resource];
+    case 'layer': {
+      const { color, depth } = ref.layer;
+      return depth && depth.resource !== color ? [color, depth.resource] : [color];
+    }
+  }
 }
 
-function outputResource({ layers }: Lowering, source: Source, type: WireType): Resource {
+function outputResource({ layers }: Lowering, source: Source, type: Exclude<WireType, ValueType>): Resource {
   const id = portKey(source);
   switch (type) {
     case 'layer':
@@ -198,13 +218,33 @@ function outputResource({ layers }: Lowering, source: Source, type: WireType): R
       return { id, kind: 'pulses' };
     case 'audio':
       return { id, kind: 'sound' };
-    default:
+    case 'technique':
+    case 'surfaces':
+    case 'pose':
+    case 'body':
+    case 'capture':
       throw new Error(`The program has no resources of type ${type} yet, which ${id} gives.`);
   }
 }
 
-/** Whether a node is one of these. */
+/** Whether `lowerNode` lowers the node. */
 export function isPlayed(node: FlatNode): boolean {
-  const { kind } = node.definition.lowering;
-  return kind !== 'image' && kind !== 'technique' && kind !== 'cpu' && kind !== 'present' && !isDraw(node);
+  return playedKind(node) !== null && !isDraw(node);
+}
+
+/** The kind of the operation with which the node's runtime plays it, or null where none does. */
+function playedKind({ definition }: FlatNode): NodeKind | null {
+  const { kind } = definition.lowering;
+  switch (kind) {
+    case 'value':
+    case 'source':
+    case 'behavior':
+    case 'geometry':
+      return kind;
+    case 'image':
+    case 'technique':
+    case 'cpu':
+    case 'present':
+      return null;
+  }
 }

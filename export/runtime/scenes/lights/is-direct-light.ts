@@ -2,5 +2,13 @@ import type { DirectLightItem, LightItem } from '../../../../nodes/kit/scene-lis
 
 /** Whether a light has a position or direction. Other lights shine from all sides and cast no shadow. */
 export function isDirectLight(light: LightItem): light is DirectLightItem {
-  return light.kind !== 'environment' && light.kind !== 'probe';
+  switch (light.kind) {
+    case 'directional':
+    case 'point':
+    case 'spot':
+      return true;
+    case 'environment':
+    case 'probe':
+      return false;
+  }
 }

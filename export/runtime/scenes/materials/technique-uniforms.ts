@@ -45,16 +45,34 @@ export function createTechniqueUniforms(technique: TechniqueView): TechniqueUnif
 }
 
 function emptyValue(kind: TechniqueUniformView['kind']): unknown {
-  if (kind === 'number') return 0;
-  if (kind === 'toggle') return false;
-  return kind === 'vector' ? new Vector2() : new Vector4();
+  switch (kind) {
+    case 'number':
+      return 0;
+    case 'toggle':
+      return false;
+    case 'vector':
+      return new Vector2();
+    case 'color':
+      return new Vector4();
+  }
 }
 
 /** Colors are linearized: techniques shade in linear light. */
 function setValue(uniform: IUniform, source: TechniqueUniformView): void {
-  if (source.kind === 'vector') uniform.value.fromArray(source.view.value);
-  else if (source.kind === 'color') setLinear(uniform.value, source.view.value);
-  else uniform.value = source.view.value;
+  switch (source.kind) {
+    case 'number':
+    case 'toggle':
+      uniform.value = source.view.value;
+      break;
+    case 'vector':
+      uniform.value.fromArray(source.view.value);
+      break;
+    case 'color':
+      setLinear(uniform.value, source.view.value);
+      break;
+    default:
+      source satisfies never;
+  }
 }
 
 function setLinear(into: Vector4, srgb: Readonly<Float64Array>): void {
