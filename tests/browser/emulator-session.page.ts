@@ -65,6 +65,12 @@ export function trespasses() {
         const view = first(pose.views) as XRView & { camera: object };
         return { f, view, depth: f.getDepthInformation?.(view), camera: view.camera };
       });
+      const messages = {
+        pose: await messageOf(() => old.f.getPose(space, space)),
+        viewerPose: await messageOf(() => old.f.getViewerPose(space)),
+        hits: await messageOf(() => source && old.f.getHitTestResults(source)),
+        anchor: await messageOf(() => old.f.createAnchor?.(new XRRigidTransform(), space)),
+      };
       const late = old.f as XRFrame & { getLightEstimate(probe: object): void };
       const lateBinding = binding as unknown as { getCameraImage(camera: object): void };
       const stale = {
@@ -91,9 +97,18 @@ export function trespasses() {
         space: await nameOfError(() => session.requestReferenceSpace('local')),
         hitTest: await nameOfError(() => session.requestHitTestSource?.({ space })),
       };
-      return { stale, within, ended };
+      return { stale, messages, within, ended };
     },
   );
+}
+
+async function messageOf(act: () => unknown): Promise<string> {
+  try {
+    await act();
+    return '';
+  } catch (error) {
+    return error instanceof Error ? error.message : String(error);
+  }
 }
 
 export function trespassesWithoutFeatures() {

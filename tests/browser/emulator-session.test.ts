@@ -40,9 +40,11 @@ describe('requestSession', () => {
 
 describe('a page that oversteps hears of it', () => {
   test('after the frame, in the wrong frame, after the end', async () => {
-    const { stale, within, ended } = await ask<Record<'stale' | 'within' | 'ended', object>>('trespasses');
+    const { stale, messages, within, ended } = await ask<Record<'stale' | 'messages' | 'within' | 'ended', object>>('trespasses');
     expect(Object.entries(stale).filter(([, name]) => name !== 'InvalidStateError')).toEqual([]);
     expect(Object.keys(stale)).toHaveLength(9);
+    // Chromium's message, which authors of pages look up; also where the session has no anchors.
+    expect(new Set(Object.values(messages))).toEqual(new Set(['XRFrame access outside the callback that produced it is invalid.']));
     expect(within).toEqual({ viewOfAnotherFrame: 'InvalidStateError', outsideTheView: 'RangeError', depthOfTheGpu: 'InvalidStateError' });
     expect(ended).toEqual({
       renderState: 'InvalidStateError',

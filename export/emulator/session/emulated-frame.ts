@@ -13,6 +13,10 @@ import { P_EMULATED, P_EYE } from '../private.ts';
 import type { EmulatedSession } from './emulated-session.ts';
 import { EmulatedView } from './emulated-view.ts';
 
+// The messages of Chromium and of iwer, so that the author of a page can look them up.
+const OVER = 'XRFrame access outside the callback that produced it is invalid.';
+const NO_VIEWS = 'getViewerPose can only be called on XRFrame objects passed to XRSession.requestAnimationFrame callbacks.';
+
 /** An `XRFrame` that computes hits from its own poses when a page requests them. */
 export class EmulatedFrame extends XRFrame {
   readonly #session: EmulatedSession;
@@ -34,7 +38,7 @@ export class EmulatedFrame extends XRFrame {
   /** Null without tracking (WebXR Device API §8.1). */
   override getViewerPose(referenceSpace: XRReferenceSpace): XRViewerPose {
     this.#check();
-    if (!this[P_FRAME].animationFrame) throw new DOMException('The frame of an input event has no views.', 'InvalidStateError');
+    if (!this[P_FRAME].animationFrame) throw new DOMException(NO_VIEWS, 'InvalidStateError');
     const { world, eyes, viewportScales } = this.#session[P_EMULATED];
     const { device } = world;
     // iwer's type omits the null of the specification.
@@ -61,8 +65,8 @@ export class EmulatedFrame extends XRFrame {
   // --- Anchors: WebXR Anchors §4 ---
 
   override async createAnchor(pose: XRRigidTransform, space: XRSpace): Promise<XRAnchor> {
-    this.#session.requireFeature('anchors');
     this.#check();
+    this.#session.requireFeature('anchors');
     return super.createAnchor(pose, space);
   }
 
@@ -102,9 +106,7 @@ export class EmulatedFrame extends XRFrame {
   }
 
   #check(): void {
-    if (!this[P_FRAME].active) {
-      throw new DOMException('The frame has ended. It is valid only in its callback.', 'InvalidStateError');
-    }
+    if (!this[P_FRAME].active) throw new DOMException(OVER, 'InvalidStateError');
   }
 }
 
