@@ -1,6 +1,7 @@
 import { SpatialEntity, SpatialEntityType } from '@iwer/sem';
 import { NativePlane } from 'iwer';
-import { Group, type Material, type Mesh } from 'three';
+import { Group, type Intersection, type Material, type Mesh, type Raycaster } from 'three';
+import { acceleratedRaycast, MeshBVH } from 'three-mesh-bvh';
 import { createMovableLight } from './movable-light.ts';
 import type { Room, RoomMesh, RoomPlane } from './room.ts';
 import { createScanMaterial } from './scan-material.ts';
@@ -32,8 +33,10 @@ export function createCaptureRoom(capture: unknown): Room {
       entity.geometry.dispose();
     } else {
       meshes.push(toMesh(entity));
-      if (entity.entityType === SpatialEntityType.Mesh) solids.add(entity);
-      else entity.geometry.dispose();
+      if (entity.entityType === SpatialEntityType.Mesh) {
+        entity.raycast = raycastByTree;
+        solids.add(entity);
+      } else entity.geometry.dispose();
     }
     (entity.material as Material).dispose();
     entity.material = material;
@@ -53,6 +56,15 @@ export function createCaptureRoom(capture: unknown): Room {
       material.dispose();
     },
   };
+}
+
+/**
+ * Intersects a ray with a mesh through a tree of bounding volumes, built for the first ray: a scan has some 10⁵ triangles. The order of
+ * the triangles stays, so that the mesh is drawn as before.
+ */
+function raycastByTree(this: Mesh, raycaster: Raycaster, intersections: Intersection[]): void {
+  this.geometry.boundsTree ??= new MeshBVH(this.geometry, { indirect: true });
+  acceleratedRaycast.call(this, raycaster, intersections);
 }
 
 function readEntities(capture: unknown): EntityJson[] {
