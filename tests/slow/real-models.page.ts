@@ -21,7 +21,33 @@ export interface Sun {
 /** Draws a model by three's own loader and renderer, and by the player, from the same place in the same light. */
 export async function compare(program: Program, baseUrl: string, url: string, timeS: number, sun: Sun) {
   const reference = await drawReference(url, timeS, sun);
-  const { camera } = reference;
+  const { pixels, ...drawn } = await drawOurs(program, baseUrl, reference.camera, timeS);
+  cameras.set(url, reference.camera);
+  return {
+    ...difference(reference.pixels, pixels),
+    ...drawn,
+    sizeM: reference.sizeM,
+    ours: [...pixels],
+    reference: [...reference.pixels],
+    widthPx: WIDTH,
+    heightPx: HEIGHT,
+  };
+}
+
+/** Cameras of the models that `compare` drew, by the URL of the reference. */
+const cameras = new Map<string, PerspectiveCamera>();
+
+/** Draws a model by the player alone, with the camera that `compare` used for the reference at `url`. */
+export async function drawAgain(program: Program, baseUrl: string, url: string, timeS: number) {
+  const camera = cameras.get(url);
+  if (!camera) throw new Error(`${url} was not compared before.`);
+  const { pixels, ...drawn } = await drawOurs(program, baseUrl, camera, timeS);
+  let covered = 0;
+  for (let i = 3; i < pixels.length; i += 4) if ((pixels[i] ?? 0) > 0) covered++;
+  return { ...drawn, covered, ours: [...pixels] };
+}
+
+async function drawOurs(program: Program, baseUrl: string, camera: PerspectiveCamera, timeS: number) {
   const gl = createGl(WIDTH, HEIGHT, { depth: true });
   const fetchFile = (...args: Parameters<typeof fetch>) => fetch(...args);
   const { player, diagnostics } = await stand(program, {
@@ -43,17 +69,7 @@ export async function compare(program: Program, baseUrl: string, url: string, ti
     player.draw(frame(index, [seen], { timeS: at, framebufferWidthPx: WIDTH, framebufferHeightPx: HEIGHT }));
   }
   gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  const ours = readPixels(gl, WIDTH, HEIGHT);
-  const result = {
-    ...difference(reference.pixels, ours),
-    sizeM: reference.sizeM,
-    diagnostics: diagnostics(),
-    error: gl.getError(),
-    ours: [...ours],
-    reference: [...reference.pixels],
-    widthPx: WIDTH,
-    heightPx: HEIGHT,
-  };
+  const result = { pixels: readPixels(gl, WIDTH, HEIGHT), diagnostics: diagnostics(), error: gl.getError() };
   player.dispose();
   return result;
 }
