@@ -50,10 +50,10 @@ export interface ShaderAbove {
 }
 
 /**
- * Creates a compiler that reads each shader text once over several projects.
+ * Creates a compiler, which caches shaders by their text across projects and compilations.
  *
- * Every uniform param that can be set while the program runs is in `program.slots.params`. A param that is missing there either
- * has no effect on the render or is compiled in (the opacity of an `over` that blending replaces): compile again to change it.
+ * Every uniform param that can be set at run time is in `program.slots.params`. A missing param either has no effect on the render or is
+ * compiled in (such as the opacity of an `over` that blending replaces): compile again to change it.
  *
  * @example
  * const compiler = createCompiler();
@@ -86,12 +86,17 @@ export function createCompiler(): Compiler {
 /**
  * Compiles one project. Use `createCompiler` to compile repeatedly.
  *
+ * @param input The project, the library of node types and options.
+ * @returns The program, or null with at least one error. Never throws on mistakes in the project.
+ *
+ * @example
+ * const { output: program, diagnostics } = compile({ project, library });
  */
 export function compile(input: CompileInput): Compiled {
   return createCompiler().compile(input);
 }
 
-/** Nodes of one file have it in common. */
+/** The shaders above mistakes, without duplicates, because nodes of one file share them. */
 function shadersAbove({ above }: ScheduleResult): ShaderAbove[] {
   const made = above.flatMap(({ shaders, before, node }) =>
     shaders.map((shader): [string, ShaderAbove] => [shader.id, { shader: named(shader, node), before }]),
@@ -99,7 +104,7 @@ function shadersAbove({ above }: ScheduleResult): ShaderAbove[] {
   return [...new Map(made).values()];
 }
 
-/** A shader of the project that cannot be read is an error where a node uses it, and otherwise work in progress. */
+/** Problems in shader headers: errors if a node uses the shader, otherwise warnings. */
 function headerDiagnostics({ diagnostics }: ProjectLibrary, { graphs }: ProjectLogic): Diagnostic[] {
   const used = new Set(
     Object.values(graphs).flatMap(({ nodes }) => Object.values(nodes).map(({ type }) => type.slice(type.indexOf('/') + 1))),

@@ -1,7 +1,7 @@
 import type { Capability } from '../../nodes/kit/definition.ts';
 import type { NodeOperation, ProgramNeed, Tier } from '../program/program.ts';
 
-/** Words of `scrim plan`, for designers rather than for programmers. */
+/** Texts of `scrim plan`, for designers. */
 
 const CAPABILITIES: Readonly<Record<Capability, string>> = {
   'camera-image': 'the camera image',
@@ -23,19 +23,19 @@ const TIERS: Readonly<Record<Tier['id'], string>> = {
   orbit: 'Any other browser: orbit with mouse or finger',
 };
 
-/** `the depth of the room, to hide things behind it (room-a); without it nothing is hidden by the room`. */
+/** Describes a need: `room depth, to hide objects behind furniture (room-a); without it nothing is hidden by the room`. */
 export function needInWords({ capability, required, nodes, why, without }: ProgramNeed): string {
   const otherwise = required ? 'without it the page does not start' : `without it ${asClause(without)}`;
   return `${CAPABILITIES[capability]}, ${why} (${nodes.join(', ')}); ${otherwise}`;
 }
 
-/** One line for the kind of session, and one for each thing it does without. */
+/** Describes a tier: one line for the kind of session, and one for each effect of a missing feature. */
 export function tierInWords({ id, without }: Tier): string[] {
   const lost = [...new Set(without.map(({ effect }) => effect))];
   return [TIERS[id], ...(lost.length === 0 ? ['everything works'] : lost.map(asClause))];
 }
 
-/** What a param that moves by itself is moved by. */
+/** Describes the expression or track of a param; null for other operations. */
 export function bindingInWords({ id, type, node, config }: NodeOperation): string | null {
   const param = id.slice(node.length + 1, id.lastIndexOf('.'));
   if (type === 'binding/expression') return `${param} of ${node} follows an expression`;

@@ -3,10 +3,10 @@ import { bindingInWords, needInWords, tierInWords } from './describe-terms.ts';
 import { REFERENCE_SIZE, type ReferenceSize, type Target, targetBytes, targetSize, targetsOf } from './target-bytes.ts';
 
 /**
- * Describes a program in words, for `scrim plan`: how it reaches the screen, its operations in order, its render targets and their
- * sizes, the features it requests and why, and what is lost where one is refused.
+ * Describes a program as text, for `scrim plan`: its presentation, the operations in order, the render targets with their sizes, the
+ * requested features with their reasons, and the tiers.
  *
- * @param reference Size of a view in pixels, for sizes in pixels and bytes.
+ * @param reference Size of a view, for sizes in pixels and bytes.
  */
 export function describeProgram(program: Program, reference: ReferenceSize = REFERENCE_SIZE): string {
   const { operations, needs, tiers, assets, taps } = program;

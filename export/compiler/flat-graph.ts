@@ -2,31 +2,31 @@ import type { NodeDefinition } from '../../nodes/kit/definition.ts';
 import type { Binding } from '../graph/project.ts';
 
 /**
- * The project as one graph: subgraphs put in the place of the nodes that use them, muted nodes bypassed, node types looked up.
- * Ids of inlined nodes are `outer/inner`. Nodes of unknown types, and wires to nothing, are left out: *check* tells of them.
+ * The project as one graph: subgraphs are inlined, muted nodes bypassed and node types resolved. Inlined nodes have ids `outer/inner`.
+ * Nodes of unknown types and wires to missing ports are left out; *check* reports them.
  */
 export interface FlatGraph {
   readonly nodes: ReadonlyMap<string, FlatNode>;
-  /** Params that subgraphs show outside: `outer.param` → `outer/inner.param`. */
+  /** Exposed params of subgraphs: `outer.param` → `outer/inner.param`. */
   readonly aliases: ReadonlyMap<string, string>;
-  /** Outputs of nodes that are not there any more, inlined or muted, as `node.port` → the output that stands in for it. */
-  readonly standIns: ReadonlyMap<string, Source>;
-  /** What the screen shows; null where there is none, or more than one. */
+  /** Outputs of inlined or muted nodes, as `node.port` → the output that replaces it. */
+  readonly replacements: ReadonlyMap<string, Source>;
+  /** The output node; null if there is none or more than one. */
   readonly screen: FlatNode | null;
 }
 
 export interface FlatNode {
   readonly id: string;
   readonly definition: NodeDefinition;
-  /** Ports and params with wires, in order. */
+  /** Connected ports and params with their sources, in order. */
   readonly inputs: ReadonlyMap<string, readonly Source[]>;
-  /** Saved with the node, or set from outside its subgraph. */
+  /** Bindings of the node, overridden by those of the subgraph's instance. */
   readonly bindings: ReadonlyMap<string, Binding>;
-  /** Inputs that lost their wires because what they came from is muted and lets nothing through. */
-  readonly cutOff: ReadonlyMap<string, string>;
+  /** Inputs whose wires come from a muted node that passes nothing through → that node. */
+  readonly muteBlocked: ReadonlyMap<string, string>;
 }
 
-/** An output port. */
+/** An output of a node. */
 export interface Source {
   readonly node: string;
   readonly port: string;

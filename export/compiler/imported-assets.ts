@@ -1,11 +1,11 @@
 import type { PassOperation, ProgramAsset } from '../program/program.ts';
 
-/** Pictures that shaders bring along have no entry in the project's asset table: their id says where they are. */
+/** Prefix of ids of images that shaders import, which are not in the project's asset table. */
 const PREFIX = 'imported:';
 
 /**
- * Id of a picture that the shader `file` imports from `path`, which is relative to it: `shaders/leak.fs` and `../assets/leak.png` give
- * `imported:assets/leak.png`. What would lead out of the project stays inside.
+ * Id of an image that the shader `file` imports from the relative path `path`: `shaders/leak.fs` and `../assets/leak.png` give
+ * `imported:assets/leak.png`. Paths cannot leave the project folder.
  */
 export function importedAssetId(file: string, path: string): string {
   const parts = file.split('/').slice(0, -1);
@@ -20,7 +20,7 @@ export function isImported({ id }: ProgramAsset): boolean {
   return id.startsWith(PREFIX);
 }
 
-/** What passes import, each once. */
+/** Assets that passes import, without duplicates. */
 export function importedAssets(passes: readonly PassOperation[]): ProgramAsset[] {
   const ids = passes.flatMap(({ samplers }) => samplers.flatMap(({ source }) => (source.kind === 'import' ? source.assets : [])));
   return [...new Set(ids)].sort().map((id) => ({ id, kind: 'image', path: id.slice(PREFIX.length) }));

@@ -1,13 +1,13 @@
 import { playSize, SIZE_STACK_BOTTOM } from '../../nodes/kit/play-size.ts';
 import type { Program, Resource, SizeExpression } from '../program/program.ts';
 
-/** At which sizes are given in pixels and bytes, per view. */
+/** Size of one view, for sizes in pixels and bytes. */
 export interface ReferenceSize {
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
-/** A phone held sideways. */
+/** A phone in landscape. */
 export const REFERENCE_SIZE: ReferenceSize = { widthPx: 1920, heightPx: 1080 };
 
 export type Target = Extract<Resource, { kind: 'target' }>;
@@ -16,7 +16,7 @@ export function targetsOf({ resources }: Program): Target[] {
   return resources.filter((resource): resource is Target => resource.kind === 'target');
 }
 
-/** @returns The size of a target in pixels per view, or null where it depends on the size of a file. */
+/** @returns The size of a target in pixels per view, or null if it depends on the size of a file. */
 export function targetSize(target: Target, { slots }: Program, { widthPx, heightPx }: ReferenceSize): ReferenceSize | null {
   if (target.size.base !== 'view') return null;
   const pixels = (expression: SizeExpression) => {
@@ -31,9 +31,9 @@ const BYTES_PER_PIXEL: Readonly<Record<Target['format'], number>> = { rgba8: 4, 
 const DEPTH_BYTES_PER_PIXEL = 4;
 
 /**
- * Texture memory of a target. A multisampled target counts its resolve too, a persistent one counts twice, a shared one not at all.
+ * Texture memory of a target. A multisampled target includes its resolve texture, a persistent one counts twice, a shared one is 0.
  *
- * @returns Bytes per view, or null where the size depends on a file.
+ * @returns Bytes per view, or null if the size depends on a file.
  */
 export function targetBytes(target: Target, program: Program, reference: ReferenceSize): number | null {
   if (target.shares !== undefined) return 0;

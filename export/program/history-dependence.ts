@@ -1,8 +1,11 @@
 import type { NodeOperation, Operation, Program, SlotTable } from './program.ts';
 
 /**
- * Whether a frame of the program depends on all earlier ones, so that a render must play these first. Any other program depends
- * on the previous frame at most: for the time step, changed values and the result of its one CPU filter.
+ * Whether a frame of the program depends on all earlier ones, so that a render must play these first. Other programs depend on the previous
+ * frame at most: for the time step, changed values and the result of one CPU filter.
+ *
+ * @example
+ * const firstFrame = isHistoryDependent(program) ? 0 : range.first;
  */
 export function isHistoryDependent({ operations, resources, slots }: Program): boolean {
   return (

@@ -1,46 +1,46 @@
 import type { LinkedShader } from './program.ts';
 
 /**
- * Bounded loops (docs/adr/0012): the agreement between the linker, which prints them on request, and the runtime, which draws them.
+ * Bounded loops (docs/adr/0012): the contract between the linker, which adds the budget on request, and the runtime, which probes shaders.
  *
- * One endless loop in a fragment shader stops every page on the GPU (measured: 45 s, no lost context). So a bounded shader gives
- * each invocation a number of iterations for all its loops together; when they are spent, every loop ends at its next iteration.
+ * One endless loop in a fragment shader blocks every page that uses the GPU (measured: 45 s without a lost context). A bounded shader
+ * therefore limits the iterations of each invocation, over all its loops together; when they are used up, every loop ends at its next
+ * iteration.
  *
- * Its second color output is 0, or the author's line of the loop that spent the last round, in two bytes. A normal draw has no
- * attachment for it. A probe draws the same shader, with the same inputs and its usual `RENDERSIZE`, into `PROBE_SIDE_PX` squared
- * pixels of an RG8 texture at `PROBE_ATTACHMENT`, before the picture is drawn: what is endless anywhere but in a few pixels is
- * endless there.
+ * Its second color output is 0, or the author's line of the loop that exceeded the budget, in two bytes. A normal draw has no attachment
+ * for it. A probe draws the same shader with the same inputs and `RENDERSIZE` to `PROBE_SIDE_PX` squared pixels of an RG8 texture at
+ * `PROBE_ATTACHMENT` before the actual draw. A loop that is endless in more than a few pixels is endless there.
  *
- * Where the text itself says that all loops end within `COUNTED_BUDGET` rounds, nothing is cut short and no gate is there: the
- * probe only tells of those beyond `LOOP_BUDGET`. Within that, nothing of all this is printed.
+ * If the text shows that all loops end within `COUNTED_BUDGET` iterations, they are not bounded and the gate is left out; the probe then
+ * only reports loops beyond `LOOP_BUDGET`. Within that, nothing is added to the shader.
  *
- * Its vertex shader can look at the probe's texture and draw nothing where the budget was exceeded: so the picture waits for
- * no answer, and not one frame of an endless loop is drawn in full.
+ * The vertex shader can read the probe's texture and draw nothing if the budget was exceeded. So the draw needs no readback, and no frame
+ * of an endless loop is drawn in full.
  */
 
 /**
- * Rounds that one invocation may spend. A march of 256 steps through 16 octaves takes 4,096 and a blur of 61 × 61 taps 3,721,
- * so four times that is room enough; in a probe it is milliseconds even on a CPU.
+ * Iterations of one invocation. Ray marching of 256 steps through 16 octaves takes 4,096, a blur of 61 × 61 samples 3,721; four times that
+ * is ample and takes milliseconds in a probe even on a CPU.
  */
 export const LOOP_BUDGET = 16_384;
 
 /**
- * Loops whose text states their number of iterations are not bounded up to this total, the taps of a blur over 512 × 512 pixels:
- * they end, and so high a number is intended. Beyond it, a draw takes so long that the browser resets the GPU before it ends.
+ * Maximum total of loops whose text states their number of iterations: that of a blur over 512 × 512 pixels. They end, and such a number is
+ * intended. Beyond it, a draw takes so long that the browser resets the GPU.
  */
 export const COUNTED_BUDGET = 262_144;
 
-/** `int`: another budget; 0, what a GL program starts with, stands for `LOOP_BUDGET`. Bounded shaders alone have it. */
+/** `int` uniform of bounded shaders: another budget; 0, the initial value in GL, means `LOOP_BUDGET`. */
 export const LOOP_BUDGET_UNIFORM = 'scrim_loopBudget';
 
 export const PROBE_ATTACHMENT = 1;
 export const PROBE_SIDE_PX = 16;
 
-/** `int`: 0 draws in any case, 1 only where the probe is all zero, 2 only where it is not. */
+/** `int` uniform: 0 always draws, 1 draws only if the probe is all zero, 2 only if it is not. */
 export const GATE_UNIFORM = 'scrim_gate';
 export const GATE_SAMPLER = 'scrim_probe';
 
-/** For a vertex shader of full-screen triangles: with `scrim_isShut()` all its corners belong into one point. */
+/** Text for the vertex shader of full-screen triangles. If `scrim_isShut()` is true, all vertices must have the same position. */
 export const GATE_TEXT = `uniform int ${GATE_UNIFORM};
 uniform highp sampler2D ${GATE_SAMPLER};
 bool scrim_isShut() {
@@ -67,7 +67,7 @@ export function readProbe(bytes: Uint8Array): number | null {
   return null;
 }
 
-/** A diagnostic (SCR044). A warning where the loops are counted, because these are drawn in full. */
+/** A diagnostic (SCR044). It is a warning for counted loops, because these are drawn in full. */
 export interface TooManyIterations {
   readonly code: 'SCR044';
   readonly severity: 'error' | 'warning';
@@ -82,6 +82,10 @@ export interface TooManyIterations {
  * Describes an exceeded loop budget as a diagnostic.
  *
  * @param line The author's line, from `readProbe`.
+ *
+ * @example
+ * const line = readProbe(bytes);
+ * if (line !== null) report(tooManyIterations(shader, line));
  */
 export function tooManyIterations(shader: LinkedShader | undefined, line: number): TooManyIterations {
   const entry = shader?.sourceMap?.lines.find((mapped) => mapped?.[1] === line);

@@ -1,10 +1,10 @@
 /**
- * How the depth of the room is read, an agreement between the linker, which prints it into passes, and the runtime, which puts it
- * into the materials of objects: both forms of an occlusion show the same picture because they read alike.
+ * GLSL function that reads room depth. It is shared by the linker, which adds it to passes, and the runtime, which adds it to materials of
+ * objects, so that both forms of an occlusion look the same.
  *
- * Meters at a place of the room's texture, 0 where unknown. Blended, it is bilinear over the samples that are known: an unknown
- * one says nothing, and is no zero to be drawn towards. Blending is done here rather than by the sampler because many phones
- * cannot filter 32-bit floats, and none leaves out what is unknown.
+ * It returns meters at a texture coordinate of the room depth, 0 where unknown. With interpolation it is bilinear over the known samples;
+ * unknown samples are ignored instead of counting as 0. The sampler cannot do this, because many phones cannot filter 32-bit floats and
+ * none ignores unknown samples.
  */
 export const ROOM_DEPTH_TEXT = `float scrim_roomM(sampler2D room, bool interpolate, vec2 at) {
   ivec2 last = textureSize(room, 0) - 1;

@@ -1,7 +1,7 @@
 import type { Capability } from '../../nodes/kit/definition.ts';
 import type { ProgramNeed } from './program.ts';
 
-/** WebXR feature descriptor of each capability; null where WebXR has none. */
+/** WebXR feature descriptor of each capability; null if WebXR has none. */
 export const WEBXR_FEATURES: Readonly<Record<Capability, string | null>> = {
   'camera-image': 'camera-access',
   depth: 'depth-sensing',
@@ -21,10 +21,13 @@ export interface WebXrFeatures {
 }
 
 /**
- * The features that a session is requested with, and that the export report lists. The floor (`local-floor`) is always optional.
+ * Features to request for a session, also listed in the export report. The floor (`local-floor`) is always optional.
  *
  * @param needs What the program needs of a session.
  * @returns Feature descriptors, in the order of the needs.
+ *
+ * @example
+ * const { required, optional } = webXrFeatures(program.needs);
  */
 export function webXrFeatures(needs: readonly ProgramNeed[]): WebXrFeatures {
   const featuresOf = (required: boolean): string[] =>

@@ -10,22 +10,22 @@ import type { Resolved } from '../resolve/resolve.ts';
 export interface Checked {
   readonly graph: FlatGraph;
   readonly screen: FlatNode;
-  /** Nodes that the screen depends on, each after those it depends on itself. */
+  /** Nodes that the output depends on, each after the nodes that it depends on. */
   readonly live: readonly FlatNode[];
-  /** The same for everything that is looked at besides. */
-  readonly tapped: readonly FlatNode[];
+  /** Nodes that the viewed layers depend on, in the same order. */
+  readonly viewed: readonly FlatNode[];
   readonly taps: readonly Tap[];
 }
 
-/** A layer to look at, by the name that it was asked for by. */
+/** A viewed layer and the name it was requested by. */
 export interface Tap {
   readonly name: string;
   readonly source: Source;
 }
 
 /**
- * Second phase: whatever is wrong with the project, and with what *resolve* made of it. Taps on layers that are not there or
- * not whole are dropped: to look at something unfinished is no mistake.
+ * Second phase: validates the project and the resolved graph. Viewed layers that do not exist or are incomplete are dropped without a
+ * diagnostic.
  */
 export function check({ project, library, graph }: Resolved, taps: readonly string[]): Result<Checked> {
   const diagnostics = validateProject(project, library);
@@ -38,17 +38,17 @@ export function check({ project, library, graph }: Resolved, taps: readonly stri
   const live = order.filter(({ id }) => liveIds.has(id));
   diagnostics.push(...live.flatMap(checkNode));
   if (hasErrors(diagnostics)) return { output: null, diagnostics };
-  const whole = wholeTaps(graph, order, taps);
-  const tappedIds = nodesBehind(
+  const whole = completeTaps(graph, order, taps);
+  const viewedIds = nodesBehind(
     graph,
     whole.map(({ source }) => source.node),
   );
-  return { output: { graph, screen, live, tapped: order.filter(({ id }) => tappedIds.has(id)), taps: whole }, diagnostics };
+  return { output: { graph, screen, live, viewed: order.filter(({ id }) => viewedIds.has(id)), taps: whole }, diagnostics };
 }
 
 /**
- * By depth and then by id, so that equal graphs make equal programs whatever order their nodes were added in. A delay does not wait
- * for what is wired to it.
+ * Sorts by depth, then by id, so that equal graphs give equal programs whatever order their nodes were added in. A delay does not depend on
+ * its inputs.
  */
 function orderOf({ nodes }: FlatGraph): FlatNode[] {
   const followers = new Map<string, string[]>();
@@ -62,16 +62,17 @@ function orderOf({ nodes }: FlatGraph): FlatNode[] {
   return order.flatMap((id) => nodes.get(id) ?? []);
 }
 
+/** @returns The ids of `roots` and of all nodes that they depend on. */
 export function nodesBehind({ nodes }: FlatGraph, roots: Iterable<string>): ReadonlySet<string> {
   const behind = new Set(roots);
-  // The set grows while it is walked.
+  // The set grows during the iteration.
   for (const id of behind) {
     for (const sources of nodes.get(id)?.inputs.values() ?? []) for (const { node } of sources) behind.add(node);
   }
   return behind;
 }
 
-/** Whether the expressions in its params can be read. Where the screen depends on them, it has been told. */
+/** Whether the expressions in the node's params are valid. For nodes that the output depends on, validation has reported errors. */
 function isReadable({ definition, bindings }: FlatNode): boolean {
   return [...bindings].every(([name, binding]) => {
     const param = definition.params[name];
@@ -81,11 +82,11 @@ function isReadable({ definition, bindings }: FlatNode): boolean {
   });
 }
 
-/** What only shows in the flat graph. */
+/** Checks that need the flat graph. */
 function checkNode(node: FlatNode): Diagnostic[] {
   const { id: nodeId, definition } = node;
   const diagnostics: Diagnostic[] = [];
-  for (const [port, muted] of node.cutOff) {
+  for (const [port, muted] of node.muteBlocked) {
     if (definition.inputs[port]?.required !== true) continue;
     const message = `Input “${definition.inputs[port].label}” of ${nodeId} receives nothing: ${muted} is muted and passes nothing through.`;
     diagnostics.push({ code: 'SCR015', severity: 'error', nodeId, port, message, fix: `Unmute ${muted}, or mute ${nodeId} too.` });
@@ -93,24 +94,24 @@ function checkNode(node: FlatNode): Diagnostic[] {
   return diagnostics;
 }
 
-function wholeTaps({ standIns }: FlatGraph, order: readonly FlatNode[], taps: readonly string[]): Tap[] {
-  const whole = taps.length === 0 ? new Map<string, FlatNode>() : wholeNodes(order);
+function completeTaps({ replacements }: FlatGraph, order: readonly FlatNode[], taps: readonly string[]): Tap[] {
+  const whole = taps.length === 0 ? new Map<string, FlatNode>() : completeNodes(order);
   return [...new Set(taps)].sort().flatMap((name): Tap[] => {
     const dot = name.lastIndexOf('.');
-    const source = standIns.get(name) ?? { node: name.slice(0, dot), port: name.slice(dot + 1) };
+    const source = replacements.get(name) ?? { node: name.slice(0, dot), port: name.slice(dot + 1) };
     const outputs = whole.get(source.node)?.definition.outputs ?? {};
     return Object.hasOwn(outputs, source.port) && outputs[source.port]?.type === 'layer' ? [{ name, source }] : [];
   });
 }
 
-/** Nodes that have all they require, all the way back. */
-function wholeNodes(order: readonly FlatNode[]): ReadonlyMap<string, FlatNode> {
+/** Nodes whose required inputs are connected, and those of all nodes that they depend on. */
+function completeNodes(order: readonly FlatNode[]): ReadonlyMap<string, FlatNode> {
   const isComplete = (node: FlatNode) =>
     Object.entries(node.definition.inputs).every(([port, { required }]) => !required || node.inputs.has(port));
   const whole = new Map(
     order.filter((node) => isComplete(node) && checkNode(node).length === 0 && isReadable(node)).map((node) => [node.id, node]),
   );
-  // In the order of the graph one round finds all, but for loops through delays.
+  // In graph order one pass finds all nodes, except for loops through delays.
   for (let before = -1; before !== whole.size; ) {
     before = whole.size;
     for (const [id, { inputs }] of whole) {

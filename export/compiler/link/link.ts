@@ -10,10 +10,9 @@ export interface LinkedOperations {
 type Linkable = Pick<Schedule, 'operations' | 'resources' | 'trials'>;
 
 /**
- * Fourth phase: shaders to a table, equal ones once, however many nodes they stand for. Their texts were made while scheduling,
- * because a shader's own passes and buffers are known only by then. The source map of a shared one names the first of its nodes;
- * operations name their own.
- * Techniques are tried only where somebody can be told.
+ * Fourth phase: moves shaders to a table without duplicates. Scheduling has linked them, because only then a shader's passes and buffers
+ * are known. The source map of a shared shader names the first of its nodes; operations name their own. Test shaders of techniques are
+ * included only with source maps.
  */
 export function link({ operations, resources, trials }: Linkable, options: { readonly sourceMaps: boolean }): LinkedOperations {
   const shaders: LinkedShader[] = [];

@@ -4,9 +4,7 @@ import type { FlatNode } from '../flat-graph.ts';
 import type { Schedule } from '../schedule/schedule.ts';
 import { startValue } from '../schedule/slot-allocator.ts';
 
-/**
- * What visitors can set: the controls that work for the picture and are not set by a wire, by their `place` and then by id.
- */
+/** The controls that affect the output and are not connected, sorted by `place` and then by id. */
 export function collectControls({ nodes, working, slots }: Pick<Schedule, 'nodes' | 'working' | 'slots'>): Control[] {
   const shown = nodes.filter(
     (node) => node.definition.control !== undefined && working.has(node.id) && Object.hasOwn(slots.params, paramKey(node)),

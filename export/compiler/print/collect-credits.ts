@@ -2,9 +2,9 @@ import type { Asset } from '../../graph/project.ts';
 import type { ProgramCredit } from '../../program/program.ts';
 import type { FlatNode } from '../flat-graph.ts';
 
-/** Whose works the nodes are, and the assets that they name: each work once, effects first, by title. */
+/** Credits of the nodes' effects and of the assets that they use, without duplicates: effects first, by title. */
 export function collectCredits(nodes: readonly FlatNode[], assets: Readonly<Record<string, Asset>>): ProgramCredit[] {
-  // A work that thousands of nodes use: their list grows in place, because a copy for each would take a time with their square.
+  // A work may have thousands of users, so its list grows in place; copying it for each would take quadratic time.
   const found = new Map<string, ProgramCredit & { readonly nodes: string[] }>();
   const add = (key: string, { id }: FlatNode, work: Omit<ProgramCredit, 'nodes'>) => {
     if (work.credit === '' && work.licence === '') return;

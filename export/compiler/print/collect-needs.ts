@@ -4,13 +4,12 @@ import type { FlatNode } from '../flat-graph.ts';
 import { startValue } from '../schedule/slot-allocator.ts';
 
 /**
- * What the program asks of a session: what its nodes need, each capability once. A need "when sampled" counts only where the
- * node has work to do: the camera's picture as nothing but the background is the device's own affair. What is looked at counts,
- * because there would be nothing to see without; an export looks at nothing.
+ * The program's needs: those of its nodes, one per capability. A need “when sampled” counts only if the node has an operation; the camera
+ * image as mere background needs no feature. Needs of viewed layers count, but exports view none.
  */
 export function collectNeeds(nodes: readonly FlatNode[], working: ReadonlySet<string>): ProgramNeed[] {
   const needs = new Map<Capability, ProgramNeed>();
-  const isAlone = nodes.filter((node) => bringsPicture(node)).every((node) => needsOf(node).some(({ required }) => required === 'alone'));
+  const isAlone = nodes.filter((node) => isOriginalLayer(node)).every((node) => needsOf(node).some(({ required }) => required === 'alone'));
   for (const node of nodes) {
     const { id } = node;
     for (const { capability, required: demand, when, why, without } of needsOf(node)) {
@@ -28,8 +27,8 @@ function needsOf(node: FlatNode): readonly Need[] {
   return (node.definition.needs ?? []).filter(({ where }) => !where || structureValue(node, where.param) === where.is);
 }
 
-/** Shows something that is not made of other layers. */
-function bringsPicture({ definition, inputs }: FlatNode): boolean {
+/** Whether the node outputs a layer that is not made from other layers. */
+function isOriginalLayer({ definition, inputs }: FlatNode): boolean {
   const makesLayer = Object.values(definition.outputs).some(({ type }) => type === 'layer');
   return makesLayer && !Object.entries(definition.inputs).some(([name, { type }]) => type === 'layer' && inputs.has(name));
 }

@@ -1,7 +1,7 @@
 import type { Capability } from '../../../nodes/kit/definition.ts';
 import type { Presentation, ProgramNeed, Tier } from '../../program/program.ts';
 
-/** What kinds of session offer beside drawing, best first (docs/ARCHITECTURE.md, “Sessions”; devices: what WebXR implementations have in 2026). */
+/** Capabilities of each kind of session, best first (docs/ARCHITECTURE.md, “Sessions”; devices: WebXR implementations of 2026). */
 const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capability[] }[] = [
   {
     id: 'ar-camera',
@@ -9,14 +9,14 @@ const TIERS: readonly { readonly id: Tier['id']; readonly offers: readonly Capab
   },
   { id: 'ar', offers: ['depth', 'light-estimation', 'hit-test', 'anchors', 'planes', 'meshes', 'hands', 'microphone'] },
   { id: 'camera', offers: ['camera-image', 'microphone'] },
-  // Its room stands in for the camera's picture.
+  // The authored room replaces the camera image.
   { id: 'authored-vr', offers: ['camera-image', 'hands', 'microphone'] },
   { id: 'orbit', offers: ['microphone'] },
 ];
 
 /**
- * The tiers that can play the program, with what each lacks. One that asks the visitor for the camera is there only where the
- * program has a use for it, and none that lacks what is required but looking around, for which nothing has to be entered.
+ * The tiers that can play the program, with what each lacks. A tier with the camera needs a use for it in the program. Tiers that lack a
+ * required capability are left out, except orbit, which needs no permission.
  */
 export function findTiers(needs: readonly ProgramNeed[], { background }: Pick<Presentation, 'background'>): Tier[] {
   const samplesCamera = needs.some(({ capability }) => capability === 'camera-image');

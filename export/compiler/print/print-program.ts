@@ -8,7 +8,7 @@ import { collectCredits } from './collect-credits.ts';
 import { collectNeeds } from './collect-needs.ts';
 import { findTiers } from './find-tiers.ts';
 
-/** Last phase: the program. Equal projects give equal text, because everything in it has an order. */
+/** Last phase: assembles the program. Equal projects give equal text, because everything is sorted. */
 export function print(project: ProjectLogic, scheduled: Schedule, { operations, resources, shaders }: LinkedOperations): Program {
   const needs = collectNeeds(scheduled.nodes, scheduled.working);
   const controls = collectControls(scheduled);

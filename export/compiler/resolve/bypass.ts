@@ -3,35 +3,35 @@ import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-gra
 import type { Draft, DraftNode } from './flatten.ts';
 
 /**
- * Takes muted nodes out: what was wired to an output of theirs gets what comes into their first wired input of the same type; all of
- * it where several wires go, the first where one does.
+ * Removes muted nodes. A wire from an output of a muted node gets the source of its first connected input of the same type: all sources at
+ * ports that take several wires, else the first.
  */
-export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 'standIns'> {
+export function bypassMuted({ nodes, shown }: Draft): Pick<FlatGraph, 'nodes' | 'replacements'> {
   const passed = passedSources(nodes);
   const flat = new Map<string, FlatNode>();
   for (const { id, definition, muted, inputs, bindings } of nodes.values()) {
     if (muted) continue;
-    const cutOff = new Map<string, string>();
+    const muteBlocked = new Map<string, string>();
     const kept = new Map<string, readonly Source[]>();
     for (const [port, sources] of inputs) {
       const through = passThrough(sources, passed);
       const several = definition.inputs[port]?.multiple === true;
       if (through.length > 0) kept.set(port, several ? through : through.slice(0, 1));
-      else cutOff.set(port, sources[0]?.node ?? '');
+      else muteBlocked.set(port, sources[0]?.node ?? '');
     }
-    flat.set(id, { id, definition, inputs: kept, bindings, cutOff });
+    flat.set(id, { id, definition, inputs: kept, bindings, muteBlocked });
   }
-  const standIns = new Map<string, Source>();
+  const replacements = new Map<string, Source>();
   for (const [key, sources] of [...passed, ...[...shown].map(([key, source]) => [key, [source]] as const)]) {
     const [first] = passThrough(sources, passed);
-    if (first) standIns.set(key, first);
+    if (first) replacements.set(key, first);
   }
-  return { nodes: flat, standIns };
+  return { nodes: flat, replacements };
 }
 
 type Passed = ReadonlyMap<string, readonly Source[]>;
 
-/** For each output of a muted node, what stands in for it. In topological order, so that a chain of muted nodes needs no recursion. */
+/** The replacement of each output of a muted node. In topological order, so that chains of muted nodes need no recursion. */
 function passedSources(nodes: ReadonlyMap<string, DraftNode>): Passed {
   const muted = [...nodes.values()].filter((node) => node.muted);
   const passed = new Map<string, readonly Source[]>();
@@ -50,14 +50,14 @@ function passedSources(nodes: ReadonlyMap<string, DraftNode>): Passed {
   return passed;
 }
 
-/** What is wired to the first input of the output's type that has wires. */
+/** The sources of the first connected input that has the type of the output. */
 function sourcesLike({ definition, inputs }: DraftNode, output: string): readonly Source[] {
   const type = definition.outputs[output]?.type;
   const input = Object.keys(definition.inputs).find((name) => definition.inputs[name]?.type === type && inputs.has(name));
   return input === undefined ? [] : (inputs.get(input) ?? []);
 }
 
-/** Each source once: two muted nodes side by side may let the same one through. */
+/** Each source once, because two muted nodes may pass the same one through. */
 function passThrough(sources: readonly Source[], passed: Passed): readonly Source[] {
   const through = new Map<string, Source>();
   for (const source of sources) {

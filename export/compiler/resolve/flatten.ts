@@ -4,9 +4,9 @@ import type { InterfaceLookup } from '../../graph/library/node-interface.ts';
 import type { Binding, GraphNode } from '../../graph/project.ts';
 import { sortedEntries } from '../../graph/record.ts';
 import type { Source } from '../flat-graph.ts';
-import { createDescend, type Instance } from './instances.ts';
+import { createInnerPortLookup, type Instance } from './instances.ts';
 
-/** A node of the flat graph while it is put together. */
+/** A node of the flat graph under construction. */
 export interface DraftNode {
   readonly id: string;
   readonly definition: NodeDefinition;
@@ -18,13 +18,13 @@ export interface DraftNode {
 export interface Draft {
   readonly nodes: Map<string, DraftNode>;
   readonly aliases: Map<string, string>;
-  /** What subgraphs show outside: `outer.port` → the output behind it. */
+  /** Exposed outputs: `outer.port` → the output inside. */
   readonly shown: Map<string, Source>;
 }
 
 /**
- * Takes all instances apart into one graph. Where a port for several has wires from within its subgraph and from outside, those
- * from outside come first.
+ * Inlines all instances into one graph. If a port takes several wires from inside and outside of its subgraph, those from outside come
+ * first.
  */
 export function flatten(instances: readonly Instance[], interfaceOf: InterfaceLookup, library: NodeLibrary): Draft {
   const draft: Draft = { nodes: new Map(), aliases: new Map(), shown: new Map() };
@@ -44,15 +44,15 @@ function addNodes({ nodes }: Draft, { prefix, graph }: Instance, interfaceOf: In
   }
 }
 
-/** A subgraph that is muted stands there as one node until it is bypassed, so how it lowers does not matter. */
+/** The definition of a muted subgraph, which stays one node until it is bypassed, so its lowering does not matter. */
 function mutedSubgraph({ type, muted }: GraphNode, interfaceOf: InterfaceLookup): NodeDefinition | undefined {
   const nodeInterface = muted === true ? interfaceOf(type) : undefined;
   return nodeInterface && { ...nodeInterface, lowering: { kind: 'behavior' } };
 }
 
 function addWires({ nodes }: Draft, instances: readonly Instance[]): void {
-  const findSource = createDescend('outputs');
-  const findTarget = createDescend('inputs');
+  const findSource = createInnerPortLookup('outputs');
+  const findTarget = createInnerPortLookup('inputs');
   for (const instance of instances) {
     for (const { from, to } of instance.graph.wires) {
       const source = findSource(instance, from);
@@ -67,7 +67,7 @@ function addWires({ nodes }: Draft, instances: readonly Instance[]): void {
 }
 
 function addShownOutputs({ shown }: Draft, instances: readonly Instance[]): void {
-  const findSource = createDescend('outputs');
+  const findSource = createInnerPortLookup('outputs');
   for (const instance of instances) {
     for (const [id, child] of instance.children) {
       for (const { name } of child.graph.exposed.outputs) {
@@ -78,9 +78,9 @@ function addShownOutputs({ shown }: Draft, instances: readonly Instance[]): void
   }
 }
 
-/** What is set at a subgraph's node counts inside; the outermost where several do. */
+/** Applies bindings of subgraph instances to the nodes inside; those of the outermost instance win. */
 function addOuterBindings({ nodes, aliases }: Draft, instances: readonly Instance[]): void {
-  const findTarget = createDescend('inputs');
+  const findTarget = createInnerPortLookup('inputs');
   const set = new Set<string>();
   for (const instance of instances) {
     for (const [id, child] of instance.children) {

@@ -2,35 +2,35 @@ import { subgraphName } from '../../graph/document-names.ts';
 import { type ExposedPort, type Graph, type GraphNode, MAIN_GRAPH, type PortAddress, type ProjectLogic } from '../../graph/project.ts';
 import { getOwn, sortedEntries } from '../../graph/record.ts';
 
-/** One use of a graph: the main graph, or a subgraph in the place of one node. */
+/** One use of a graph: the main graph, or a subgraph in place of a node. */
 export interface Instance {
-  /** Goes before the ids of its nodes: empty, or `outer/`. */
+  /** Prefix of the ids of its nodes: empty, or `outer/`. */
   readonly prefix: string;
   readonly graph: Graph;
-  /** Instances in the place of its nodes, by their ids. */
+  /** Instances that replace its nodes, by node id. */
   readonly children: Map<string, Instance>;
 }
 
-/** A port of a node that is no subgraph. */
+/** A port of a node that is not a subgraph. */
 export interface Place {
   readonly node: string;
   readonly port: string;
 }
 
 /**
- * A few nested subgraphs that each use the next one twice make any number of nodes. Nobody draws so many, and neither a tab nor a
- * server should die of a file: this many compile in some 4 s and give a program of 35 MB.
+ * Maximum number of nodes after inlining. A few nested subgraphs that each use the next one twice give any number of nodes; the limit
+ * protects the editor and servers against such files. This many compile in about 4 s to a program of 35 MB.
  */
 export const MAX_FLAT_NODES = 40_000;
 
 export type Instances = { readonly ok: true; readonly list: readonly Instance[] } | { readonly ok: false };
 
-/** All uses of graphs, each before those within it. Not ok where they would be more than `MAX_FLAT_NODES`; must not be recursive. */
+/** All uses of graphs, each before those inside it. Not ok beyond `MAX_FLAT_NODES`. Subgraphs must not be recursive. */
 export function listInstances(project: ProjectLogic): Instances {
   const main = getOwn(project.graphs, MAIN_GRAPH);
   const list: Instance[] = main ? [{ prefix: '', graph: main, children: new Map() }] : [];
   let count = 0;
-  // The list grows while it is walked.
+  // The list grows during the iteration.
   for (const instance of list) {
     for (const [id, node] of sortedEntries(instance.graph.nodes)) {
       count++;
@@ -51,11 +51,11 @@ function subgraphOf(project: ProjectLogic, node: GraphNode): Graph | undefined {
   return name === null ? undefined : getOwn(project.graphs, name);
 }
 
-/** Finds the port behind one that may be shown by a subgraph, within however many; null where it leads nowhere. */
-export type Descend = (instance: Instance, address: PortAddress) => Place | null;
+/** Finds the port inside that an exposed port refers to, through nested subgraphs; null if it does not exist. */
+export type InnerPortLookup = (instance: Instance, address: PortAddress) => Place | null;
 
-/** Remembers the ports that each graph shows, by name. */
-export function createDescend(side: 'inputs' | 'outputs'): Descend {
+/** Creates a lookup that caches the exposed ports of each graph by name. */
+export function createInnerPortLookup(side: 'inputs' | 'outputs'): InnerPortLookup {
   const shown = new Map<Graph, ReadonlyMap<string, ExposedPort>>();
   const shownBy = (graph: Graph): ReadonlyMap<string, ExposedPort> => {
     const known = shown.get(graph) ?? new Map(graph.exposed[side].map((port) => [port.name, port]));

@@ -10,13 +10,13 @@ import { flatten } from './flatten.ts';
 import { listInstances, MAX_FLAT_NODES } from './instances.ts';
 
 export interface Resolved {
-  /** With the params of every node in the version that the library has. */
+  /** The project after migration of its params. */
   readonly project: ProjectLogic;
   readonly library: NodeLibrary;
   readonly graph: FlatGraph;
 }
 
-/** First phase: ids to definitions, old params to new ones, subgraphs inlined, muted nodes bypassed. */
+/** First phase: looks up node types, migrates params, inlines subgraphs and bypasses muted nodes. */
 export function resolve(project: ProjectLogic, library: NodeLibrary): Result<Resolved> {
   const migrated = migrateNodes(project, library);
   const recursive = checkGraphs(migrated.project);
@@ -24,10 +24,10 @@ export function resolve(project: ProjectLogic, library: NodeLibrary): Result<Res
   const instances = listInstances(migrated.project);
   if (!instances.ok) return { output: null, diagnostics: [tooMany(migrated.project)] };
   const draft = flatten(instances.list, createInterfaceLookup(migrated.project, library), library);
-  const { nodes, standIns } = bypassMuted(draft);
+  const { nodes, replacements } = bypassMuted(draft);
   const screens = [...nodes.values()].filter((node) => node.definition.lowering.kind === 'present');
   const [screen = null] = screens.length === 1 ? screens : [];
-  const graph: FlatGraph = { nodes, aliases: draft.aliases, standIns, screen };
+  const graph: FlatGraph = { nodes, aliases: draft.aliases, replacements, screen };
   return { output: { project: migrated.project, library, graph }, diagnostics: migrated.diagnostics };
 }
 

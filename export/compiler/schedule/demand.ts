@@ -1,55 +1,55 @@
 import { type FlatGraph, type FlatNode, portKey, type Source } from '../flat-graph.ts';
 import { drawBehind } from './layers.ts';
 
-/** What has to be there for some layers to be shown. */
+/** What must be computed to show some layers. */
 export interface Demand {
-  /** Nodes that have work to do. */
+  /** Nodes that need an operation. */
   readonly nodes: ReadonlySet<string>;
-  /** Layers that have to be pictures, as `node.port`. */
+  /** Layers that must be textures, as `node.port`. */
   readonly images: ReadonlySet<string>;
-  /** Occlusions that sink into the draw they hide a part of: occlusion → draw. */
-  readonly sunk: ReadonlyMap<string, FlatNode>;
+  /** Occlusions that are fused with the draw whose objects they hide: occlusion → draw. */
+  readonly fused: ReadonlyMap<string, FlatNode>;
 }
 
 export interface DemandStart {
   readonly nodes: readonly string[];
   readonly images: readonly Source[];
-  readonly sunk: readonly { readonly occlusion: FlatNode; readonly draw: FlatNode }[];
+  readonly fused: readonly { readonly occlusion: FlatNode; readonly draw: FlatNode }[];
 }
 
-/** Walks from what is shown to where it comes from. `order` is topological; what is in `already` is not asked for again. */
+/** Walks from the shown layers to their sources. `order` is topological; images in `already` are not demanded again. */
 export function findDemand(graph: FlatGraph, order: readonly FlatNode[], start: DemandStart, already: Demand | null = null): Demand {
   const nodes = new Set(start.nodes);
   const images = new Set<string>();
-  const sunk = new Map<string, FlatNode>();
+  const fused = new Map<string, FlatNode>();
   const demandImage = (source: Source) => {
     if (already?.images.has(portKey(source))) return;
     images.add(portKey(source));
     nodes.add(source.node);
   };
   for (const source of start.images) demandImage(source);
-  for (const { occlusion, draw } of start.sunk) {
-    sunk.set(occlusion.id, draw);
+  for (const { occlusion, draw } of start.fused) {
+    fused.set(occlusion.id, draw);
     nodes.add(occlusion.id).add(draw.id);
   }
   const walked = new Set<string>();
   const walk = (node: FlatNode) => {
     walked.add(node.id);
     const draw = drawBehind(graph, node);
-    if (draw && !sunk.has(node.id)) {
-      sunk.set(node.id, draw);
+    if (draw && !fused.has(node.id)) {
+      fused.set(node.id, draw);
       nodes.add(draw.id);
     }
     for (const [port, sources] of node.inputs) {
       const isLayer = node.definition.inputs[port]?.type === 'layer';
-      if (isLayer && sunk.has(node.id)) continue;
+      if (isLayer && fused.has(node.id)) continue;
       for (const source of sources) {
         if (isLayer) demandImage(source);
         else nodes.add(source.node);
       }
     }
   };
-  // Against the order of the graph one round reaches all, but for what only delays ask for, which may stand behind them.
+  // In reverse graph order one pass finds all, except what only delays demand, which may come later.
   for (let before = -1; before !== walked.size; ) {
     before = walked.size;
     for (let i = order.length - 1; i >= 0; i--) {
@@ -57,5 +57,5 @@ export function findDemand(graph: FlatGraph, order: readonly FlatNode[], start: 
       if (node && nodes.has(node.id) && !walked.has(node.id)) walk(node);
     }
   }
-  return { nodes, images, sunk };
+  return { nodes, images, fused };
 }

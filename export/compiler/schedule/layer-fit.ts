@@ -6,7 +6,7 @@ export type Fit = Exclude<PassSampler['fit'], 'none'>;
 
 const FITS: readonly Fit[] = ['cover', 'contain', 'stretch'];
 
-/** How a node lays pictures of their own size onto the view: by its structure param `fit`, else so that they cover it. */
+/** How a node fits images of their own size to the view: its structure param `fit`, or `cover`. */
 export function fitOf(node: FlatNode): Fit {
   const param = Object.hasOwn(node.definition.params, 'fit') ? node.definition.params.fit : undefined;
   const value = param?.stage === 'structure' ? startValue(node, 'fit', param) : undefined;

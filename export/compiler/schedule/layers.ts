@@ -1,19 +1,19 @@
 import type { LayerDomain } from '../../../nodes/kit/definition.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 
-/** What is known of a layer before anything is drawn. */
+/** Static properties of a layer. */
 export interface LayerInfo {
   readonly domain: LayerDomain;
   /**
-   * Where its depth comes from: the nearest layer on the way to its origin that has a depth of its own making, or may get one.
-   * Null where there is none, or where pixels have been moved since.
+   * Source of its depth: the nearest layer towards its origin that has or may get its own depth. Null if there is none, or if pixels were
+   * moved since.
    */
   readonly depth: Source | null;
 }
 
 export type LayerTable = ReadonlyMap<string, LayerInfo>;
 
-/** Over the nodes in topological order. */
+/** Computes the properties of all layers. `order` is topological. */
 export function describeLayers(order: Iterable<FlatNode>): LayerTable {
   const layers = new Map<string, LayerInfo>();
   for (const node of order) {
@@ -26,7 +26,7 @@ export function describeLayers(order: Iterable<FlatNode>): LayerTable {
   return layers;
 }
 
-/** Layers wired to a node, in the order of its ports. */
+/** Layers connected to a node, in the order of its ports. */
 export function layerInputs(node: FlatNode): Source[] {
   return Object.entries(node.definition.inputs).flatMap(([port, { type }]) => (type === 'layer' ? sourcesAt(node, port) : []));
 }
@@ -36,7 +36,7 @@ export function layerOutput({ definition, id }: FlatNode): Source | null {
   return port === undefined ? null : { node: id, port };
 }
 
-/** Draws objects: a geometry node that gives a layer. */
+/** Whether the node draws objects: a geometry node with a layer output. */
 export function isDraw(node: FlatNode): boolean {
   return node.definition.lowering.kind === 'geometry' && layerOutput(node) !== null;
 }
@@ -45,12 +45,12 @@ export function isWorld({ definition }: FlatNode): boolean {
   return definition.lowering.kind === 'source' && definition.lowering.background === 'world';
 }
 
-/** Hides what is behind the room, and can do so while its layer is drawn. */
+/** Whether the node is an occlusion that can be applied while its layer is drawn. */
 export function isEarlyOcclusion({ definition }: FlatNode): boolean {
   return definition.lowering.kind === 'image' && definition.lowering.early === 'occlusion';
 }
 
-/** The draw whose fragments an occlusion could discard itself, if what it hides is drawn at all. */
+/** The draw that the occlusion can be fused with, or null. */
 export function drawBehind(graph: FlatGraph, occlusion: FlatNode): FlatNode | null {
   if (!isEarlyOcclusion(occlusion)) return null;
   const [source] = layerInputs(occlusion);
@@ -58,7 +58,7 @@ export function drawBehind(graph: FlatGraph, occlusion: FlatNode): FlatNode | nu
   return node && isDraw(node) ? node : null;
 }
 
-/** Whatever meets the room or a view-aligned layer is view-aligned from there on. */
+/** The domain of an output. It is `view` if the room or a view-aligned layer contributes. */
 function domainOf(node: FlatNode, port: string, layers: LayerTable): LayerDomain {
   const { domain = 'same' } = node.definition.outputs[port] ?? {};
   if (domain !== 'same') return domain;
@@ -71,7 +71,7 @@ function domainOf(node: FlatNode, port: string, layers: LayerTable): LayerDomain
 function depthOf(node: FlatNode, output: Source, layers: LayerTable): Source | null {
   const { lowering, outputs } = node.definition;
   const { depth = false } = outputs[output.port] ?? {};
-  // An occlusion that sinks into a draw gets the depth of what is left of it.
+  // An occlusion that is fused with a draw has the depth of the visible fragments.
   if (depth === true || isEarlyOcclusion(node)) return output;
   if (depth === false) return null;
   // A displaced or resized layer loses its depth.

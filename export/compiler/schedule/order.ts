@@ -3,18 +3,16 @@ import type { ResourceId } from '../../program/program.ts';
 import type { ScheduledOperation, Step } from './scheduled.ts';
 
 /**
- * Puts the operations into the order in which the runtime plays them: once a frame, then once per view.
+ * Orders the operations for the runtime: those that run once per frame, then those per view.
  *
- * Once: kind by kind as far as they depend on each other, values first (docs/ARCHITECTURE.md, “Drawing”), and in the order of the
- * graph among equals.
+ * Once per frame: kind by kind as far as dependencies permit, values first (docs/ARCHITECTURE.md, “Drawing”), in graph order among equals.
  *
- * Per view: so that few pictures are kept at a time, because each is a target of the size of the view. Choosing the best order
- * is NP-complete for graphs that share results (Sethi 1975), so it is the rule of Sethi and Ullman (1970) for trees, used on the
- * graph as Blender's compositor does: of the pictures that an operation reads, the one that needs the most buffers itself is
- * made first, while none of the others takes up room. What goes onto the screen comes last, in painter's order and all at once:
- * leaving the session's framebuffer and coming back would make a tiled GPU store and load it. `onScreen` names those operations.
+ * Per view: in an order that keeps few textures alive, because each has the size of the view. The optimal order is NP-complete for graphs
+ * with shared results (Sethi 1975), so this uses the rule of Sethi and Ullman (1970) for trees, as Blender's compositor does: of the
+ * textures that an operation reads, the one that needs the most buffers is drawn first. Operations in `onScreen` come last, without
+ * interruption and in painter's order, because leaving and re-entering the session's framebuffer makes a tiled GPU store and load it.
  *
- * Last come the operations that write `delayed` images: until then these show the previous frame.
+ * Operations that write `delayed` images come at the very end: until then these contain the previous frame.
  */
 export function orderOperations(
   steps: readonly Step[],
@@ -54,7 +52,10 @@ function orderEach(steps: readonly Step[], onScreen: readonly string[]): Step[] 
   return [...pictures, ...screen];
 }
 
-/** A capture of what another one keeps comes before it, for the picture of this frame. Captures of each other alone never hold any. */
+/**
+ * A capture that reads the target of another one comes first, so that it reads the previous frame. Captures that read each other cannot be
+ * ordered.
+ */
 function orderCaptures(steps: readonly Step[]): Step[] {
   const readersOf = ({ operation }: Step) =>
     steps
@@ -63,7 +64,7 @@ function orderCaptures(steps: readonly Step[]): Step[] {
   return needsFirst(steps, stepsById(steps), readersOf);
 }
 
-/** How many pictures there are at most while that of a step is made, what it needs in the best order. Sethi and Ullman's labels. */
+/** Maximum number of textures alive while the texture of a step is drawn, with its inputs in the best order (Sethi–Ullman numbers). */
 function buffersNeeded(steps: readonly Step[], byId: ReadonlyMap<string, Step>): ReadonlyMap<string, number> {
   const followers = new Map<string, string[]>(steps.map(({ operation }) => [operation.id, []]));
   for (const { operation, after } of steps) for (const id of after) followers.get(id)?.push(operation.id);
@@ -75,7 +76,7 @@ function buffersNeeded(steps: readonly Step[], byId: ReadonlyMap<string, Step>):
   return buffers;
 }
 
-/** Each root after all that it needs, depth first; with a stack of its own, because chains can be long. */
+/** Depth-first order in which each root comes after its dependencies. Uses its own stack, because chains can be long. */
 function needsFirst(roots: readonly Step[], byId: ReadonlyMap<string, Step>, needs: (step: Step) => readonly string[]): Step[] {
   const ordered: Step[] = [];
   const seen = new Set<Step>();

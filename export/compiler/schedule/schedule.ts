@@ -8,7 +8,7 @@ import { type DemandStart, findDemand } from './demand.ts';
 import { describeLayers, layerOutput } from './layers.ts';
 import { isDelayed } from './lower/lower-delayed.ts';
 import { depthAt } from './lower/lower-depth.ts';
-import { lowerShown, lowerTapped } from './lower/lower-graph.ts';
+import { lowerShown, lowerViewed } from './lower/lower-graph.ts';
 import { lowerMovedParam } from './lower/lower-moved-param.ts';
 import { isLinkable } from './lower/lower-passes.ts';
 import { createLowering, type Lowering, layerAt } from './lower/lowering.ts';
@@ -24,43 +24,43 @@ export interface ScheduleOptions {
   readonly loopBudget: boolean;
 }
 
-/** The operations in order, with what they read and write, and all that is known of the program but its shaders' places. */
+/** The ordered operations with their resources: the program except for the indices of its shaders. */
 export interface Schedule {
   readonly operations: readonly ScheduledOperation[];
-  /** The `trial` of a technique is an index into `trials`; *link* puts its place among the shaders there. */
+  /** `trial` of a technique is an index into `trials`; *link* replaces it by an index of the shader table. */
   readonly resources: readonly Resource[];
   readonly trials: readonly ScheduledTrial[];
   readonly slots: SlotTable;
   readonly presentation: Presentation;
   readonly taps: Readonly<Record<string, LayerRef>>;
-  /** Nodes that the screen depends on, or what is looked at. */
+  /** Nodes that the output or a viewed layer depends on. */
   readonly nodes: readonly FlatNode[];
-  /** Those of them that have work to do: a world that is the background has none. */
+  /** Nodes among them that need an operation; a camera image that is only the background needs none. */
   readonly working: ReadonlySet<string>;
 }
 
 export interface ScheduleResult extends Result<Schedule> {
-  /** Where shaders have mistakes: what stands above them. */
+  /** The shader text above mistakes, for each node whose shader cannot be linked. */
   readonly above: readonly ScheduledAbove[];
 }
 
-/** What every device has. */
+/** Sample count that every WebGL 2 device supports. */
 const DRAW_SAMPLES = 4;
 
 /**
- * Third phase: nodes to operations with explicit resources, in order. Only what the screen needs; what is looked at besides gets
- * operations of its own, so that looking never changes the picture.
+ * Third phase: lowers nodes to ordered operations with explicit resources. Includes only what the output needs; viewed layers get
+ * additional operations, so that viewing never changes the output.
  */
 export function schedule(checked: Checked, options: ScheduleOptions): ScheduleResult {
-  const { graph, live, tapped, screen } = checked;
-  const order = [...new Map([...live, ...tapped].map((node) => [node.id, node])).values()];
+  const { graph, live, viewed, screen } = checked;
+  const order = [...new Map([...live, ...viewed].map((node) => [node.id, node])).values()];
   const layers = describeLayers(order);
   const uses = countUses(live);
   const plan = planScreen(graph, screen, layers, uses);
   const { antialias, around } = readScreen(screen);
   const samples = antialias ? DRAW_SAMPLES : 1;
   const lowering = createLowering({ graph, layers, order, compiledIn: plan.blended, onMoved: lowerMovedParam, samples, ...options });
-  const demand = findDemand(graph, live, startOf(plan));
+  const demand = findDemand(graph, live, demandStart(plan));
   const shown = lowerShown(lowering, live, plan.leaves, demand);
   const { diagnostics, above } = lowering;
   if (hasErrors(diagnostics)) return { output: null, diagnostics, above };
@@ -71,42 +71,42 @@ export function schedule(checked: Checked, options: ScheduleOptions): ScheduleRe
     graph,
     taps.map(({ source }) => source.node),
   );
-  const besides = tapped.filter(({ id }) => behind.has(id));
-  const looked = findDemand(graph, besides, { nodes: [], images: taps.map(({ source }) => source), sunk: [] }, demand);
-  lowerTapped(lowering, besides, looked, shown);
+  const viewedOrder = viewed.filter(({ id }) => behind.has(id));
+  const viewedDemand = findDemand(graph, viewedOrder, { nodes: [], images: taps.map(({ source }) => source), fused: [] }, demand);
+  lowerViewed(lowering, viewedOrder, viewedDemand, shown);
   const isLive = new Set(live.map(({ id }) => id));
-  const tappedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
+  const viewedLayers = taps.map(({ name, source }) => [name, layerAt(lowering, source, (layer) => depthAt(lowering, layer))] as const);
   const operations = orderOperations(lowering.steps, shown.onScreen, delayedPictures(order));
-  const lookedAt = new Set(tappedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
+  const viewedResources = new Set(viewedLayers.flatMap(([, { color, depth }]) => [color, depth?.resource ?? color]));
   return {
     output: {
       operations,
-      resources: shareTargets(operations, lowering.resources, lookedAt),
+      resources: shareTargets(operations, lowering.resources, viewedResources),
       trials: lowering.trials,
       slots: lowering.slots.table(),
       presentation,
-      taps: Object.fromEntries(tappedLayers),
+      taps: Object.fromEntries(viewedLayers),
       nodes: order.filter(({ id }) => isLive.has(id) || behind.has(id)),
-      working: new Set([...demand.nodes, ...looked.nodes]),
+      working: new Set([...demand.nodes, ...viewedDemand.nodes]),
     },
     diagnostics,
     above: [],
   };
 }
 
-function startOf({ leaves }: ScreenPlan): DemandStart {
+function demandStart({ leaves }: ScreenPlan): DemandStart {
   const of = <K extends Leaf['kind']>(kind: K) => leaves.filter((leaf): leaf is Extract<Leaf, { kind: K }> => leaf.kind === kind);
   return {
     nodes: [...of('draw'), ...of('passes')].map(({ node }) => node.id),
-    images: of('picture').map(({ source }) => source),
-    sunk: of('draw').flatMap(({ node, draw }) => (node === draw ? [] : [{ occlusion: node, draw }])),
+    images: of('texture').map(({ source }) => source),
+    fused: of('draw').flatMap(({ node, draw }) => (node === draw ? [] : [{ occlusion: node, draw }])),
   };
 }
 
 function presentationOf({ background }: ScreenPlan, { steps, samples }: Lowering): Presentation {
   const draws = steps.map(({ operation }) => operation).filter(isDrawOperation);
   const composed = steps.some(({ operation }) => isPass(operation)) || draws.some(({ target }) => target !== 'screen');
-  // Passes cover whole pixels: a multisampled framebuffer would cost them a resolve and show no difference.
+  // Full-screen passes cover whole pixels, so a multisampled framebuffer would only add the cost of resolving.
   const antialias = samples > 1 && draws.some(({ target }) => target === 'screen');
   return { mode: composed ? 'composed' : 'forward', antialias, background, blend: 'alpha' };
 }
@@ -121,10 +121,10 @@ function delayedPictures(order: readonly FlatNode[]): ReadonlySet<string> {
   );
 }
 
-/** A shader that cannot be linked takes the pictures behind it, and no others: the screen does not depend on it. */
-function linkableTaps(lowering: Lowering, { tapped, taps }: Checked): readonly Tap[] {
+/** Drops the viewed layers that depend on a shader that cannot be linked. */
+function linkableTaps(lowering: Lowering, { viewed, taps }: Checked): readonly Tap[] {
   const broken = new Set<string>();
-  for (const node of tapped) {
+  for (const node of viewed) {
     const after = [...node.inputs.values()].flat().some((source) => broken.has(source.node));
     if (after || !isLinkable(lowering, node)) broken.add(node.id);
     if (!after && broken.has(node.id)) lowering.diagnostics.push(brokenShader(node));

@@ -1,23 +1,23 @@
 import type { CpuOperation, DrawOperation, LinkedShader, NodeOperation, PassOperation, ShadowMapOperation } from '../../program/program.ts';
 import type { ShaderLink } from '../shaders/shader-link.ts';
 
-/** A pass that holds its shader itself; *link* puts an index in its place. */
+/** A pass that contains its shader; *link* replaces it by an index. */
 export type ScheduledPass = Omit<PassOperation, 'shader'> & { readonly shader: LinkedShader };
 
 export type ScheduledOperation = NodeOperation | DrawOperation | CpuOperation | ShadowMapOperation | ScheduledPass;
 
-/** A shader to try a technique with, and the technique's node. */
+/** A shader that tests a technique, and the node of the technique. */
 export interface ScheduledTrial {
   readonly shader: LinkedShader;
   readonly node: string;
 }
 
-/** Shaders of what stands above a mistake in the file of a node. */
+/** Shaders made of the text above a mistake, and the node of the shader. */
 export interface ScheduledAbove extends NonNullable<ShaderLink<unknown>['above']> {
   readonly node: string;
 }
 
-/** An operation and what has to run before it, as ids of operations. */
+/** An operation and the ids of the operations that must run before it. */
 export interface Step {
   readonly operation: ScheduledOperation;
   readonly after: readonly string[];

@@ -5,13 +5,13 @@ import { startValue } from './slot-allocator.ts';
 export interface ScreenOptions {
   readonly antialias: boolean;
   readonly background: Presentation['background'];
-  /** Absent where the designer has not said. */
+  /** Absent if it has the default value. */
   readonly around?: NonNullable<Presentation['around']>;
 }
 
 const AROUND = ['aroundHeightM', 'aroundAheadM', 'aroundDistanceM'] as const;
 
-/** What the screen's own params say. They are fixed before a session starts, so the program holds them as they are. */
+/** Reads the params of the output node. They are fixed before a session starts, so the program contains their values. */
 export function readScreen(screen: FlatNode): ScreenOptions {
   const read = (name: string) => {
     const param = Object.hasOwn(screen.definition.params, name) ? screen.definition.params[name] : undefined;

@@ -5,30 +5,30 @@ import { drawBehind, isDraw, isWorld, type LayerTable, layerInputs, layerOutput 
 import { readScreen } from './screen-options.ts';
 import { movingBinding, startValue } from './slot-allocator.ts';
 
-/** One thing laid onto the screen, over those before it. */
+/** One layer that is drawn to the screen, over the previous ones. */
 export type Leaf =
-  /** Drawn straight into the session's framebuffer: `draw` is the node itself, or what this occlusion hides a part of. */
+  /** Drawn to the session's framebuffer directly. `draw` is the node itself, or the draw that this occlusion is fused with. */
   | { readonly kind: 'draw'; readonly node: FlatNode; readonly draw: FlatNode }
-  /** An image node whose last pass draws there. */
+  /** An image node whose last pass draws to the screen. */
   | { readonly kind: 'passes'; readonly node: FlatNode }
-  /** A picture that has to be there first, and is then copied. */
-  | { readonly kind: 'picture'; readonly source: Source; readonly fit: Fit };
+  /** A texture that is drawn first and then copied. */
+  | { readonly kind: 'texture'; readonly source: Source; readonly fit: Fit };
 
 export interface ScreenPlan {
   /** In painter's order. */
   readonly leaves: readonly Leaf[];
   readonly background: Presentation['background'];
-  /** Nodes that blending stands for. Their params are compiled in: another value is another plan. */
+  /** Nodes that blending replaces. Their params are compiled in, because other values give another plan. */
   readonly blended: ReadonlySet<string>;
 }
 
-/** The library's own: blending does the same, so that on the way to the screen its layers need not be pictures. */
+/** The shader of the library's `over`, which blending can replace. */
 const OVER_SHADER = 'operators/over.fs';
 
 /**
- * Takes apart what the screen shows. A stack of `over` nodes is a list of layers, which can be laid over each other in the
- * session's framebuffer; whatever is drawn there directly needs no picture of its own, which saves a full-size target, its
- * resolve and its bandwidth (docs/ARCHITECTURE.md, “Drawing”). The world at the very bottom is the background and nothing to be drawn.
+ * Splits the content of the screen into leaves. A stack of `over` nodes becomes a list of layers that are blended in the session's
+ * framebuffer; a layer that is drawn there directly needs no texture, which saves a full-size target, its resolve and its bandwidth
+ * (docs/ARCHITECTURE.md, “Drawing”). The camera image at the very bottom is the background and needs no operation.
  */
 export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTable, uses: ReadonlyMap<string, number>): ScreenPlan {
   const [shown] = layerInputs(screen);
@@ -43,15 +43,15 @@ export function planScreen(graph: FlatGraph, screen: FlatNode, layers: LayerTabl
     if (node && over) {
       blended.add(node.id);
       open.push({ source: over.top, fit: fitOf(node) }, { source: over.bottom, fit: fitOf(node) });
-    } else leaves.push((node && once && directLeaf(graph, node, layers)) || { kind: 'picture', ...next });
+    } else leaves.push((node && once && directLeaf(graph, node, layers)) || { kind: 'texture', ...next });
   }
   const [lowest] = leaves;
-  const source = lowest?.kind === 'picture' ? graph.nodes.get(lowest.source.node) : undefined;
+  const source = lowest?.kind === 'texture' ? graph.nodes.get(lowest.source.node) : undefined;
   if (source && isWorld(source)) return { leaves: leaves.slice(1), background: 'world', blended };
   return { leaves, background: readScreen(screen).background, blended };
 }
 
-/** An `over` that blending can take the place of: nothing set that blending does not do. */
+/** The layers of an `over` that blending can replace, because its params have no other effect; else null. */
 function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: Source } | null {
   if (!isOver(node)) return null;
   const [top] = sourcesAt(node, 'top');
@@ -64,15 +64,15 @@ function layersOfOver(node: FlatNode): { readonly top: Source; readonly bottom: 
   return plain && top && bottom ? { top, bottom } : null;
 }
 
-/** What needs no picture on its way to the screen, if nobody else needs one of it. */
+/** The leaf for a node that can draw to the screen directly if nothing else needs its texture; else null. */
 function directLeaf(graph: FlatGraph, node: FlatNode, layers: LayerTable): Leaf | null {
   if (isDraw(node)) return { kind: 'draw', node, draw: node };
-  // A delayed picture has to be kept.
+  // The result of a delayed node must be kept.
   if (node.definition.lowering.kind !== 'image' || node.definition.delay) return null;
   const draw = drawBehind(graph, node);
   if (draw) return { kind: 'draw', node, draw };
   const output = layerOutput(node);
-  // A picture of its own size is drawn once for all views.
+  // An image of its own size is drawn once for all views.
   return output && layers.get(portKey(output))?.domain === 'view' ? { kind: 'passes', node } : null;
 }
 
@@ -80,7 +80,7 @@ function isOver({ definition: { lowering } }: FlatNode): boolean {
   return lowering.kind === 'image' && lowering.shader === OVER_SHADER;
 }
 
-/** How many wires each output has among `nodes`. */
+/** Counts the wires from each output to `nodes`. */
 export function countUses(nodes: Iterable<FlatNode>): ReadonlyMap<string, number> {
   const uses = new Map<string, number>();
   for (const node of nodes) {

@@ -41,11 +41,11 @@ describe('textures', () => {
     expect(textures(made)).toBe(3);
   });
 
-  test('what is looked at keeps its own, and so does what lasts', () => {
+  test('what is viewed at keeps its own, and so does what lasts', () => {
     const studio = chain(['filter/sepia', 'filter/sepia', 'filter/sepia', 'filter/trails', 'filter/sepia', 'filter/sepia']);
-    const looked = sharing(program(studio, { taps: ['f-2.layer'] }));
-    expect(Object.entries(looked).filter(([, texture]) => texture === 'f-2.layer')).toEqual([['f-2.layer', 'f-2.layer']]);
-    expect(Object.entries(looked).filter(([, texture]) => texture === 'f-3.trail')).toEqual([['f-3.trail', 'f-3.trail']]);
+    const viewed = sharing(program(studio, { taps: ['f-2.layer'] }));
+    expect(Object.entries(viewed).filter(([, texture]) => texture === 'f-2.layer')).toEqual([['f-2.layer', 'f-2.layer']]);
+    expect(Object.entries(viewed).filter(([, texture]) => texture === 'f-3.trail')).toEqual([['f-3.trail', 'f-3.trail']]);
   });
 
   test('pictures of other sizes, precisions or depths share with none', () => {

@@ -3,7 +3,7 @@ import type { ScheduledOperation } from './scheduled.ts';
 
 type Target = Extract<Resource, { kind: 'target' }>;
 
-/** When a picture is there: from the operation that draws it first to the last that reads it, as places in the order. */
+/** The time in which a texture is needed: from the operation that draws it first to the last that reads it, as indices of the order. */
 interface Lifetime {
   readonly target: Target;
   readonly first: number;
@@ -11,20 +11,19 @@ interface Lifetime {
 }
 
 /**
- * Lets pictures that are never there at the same time be drawn into the same texture: a chain of a hundred filters needs two, not a
- * hundred. Only equal ones share, because WebGL textures cannot be seen as others; each takes the one that was let go last, which
- * is the likeliest to be in a cache still. The order has been chosen so that few are there at a time (`order.ts`); for a fixed
- * order and equal textures, no assignment needs fewer than this one. Linear.
+ * Lets render targets with disjoint lifetimes share a texture: a chain of a hundred filters needs two. Only equal targets share, because
+ * WebGL textures cannot be reinterpreted; each takes the texture that was released last, which is most likely to be in a cache. For a fixed
+ * order and equal textures no assignment needs fewer; `order.ts` chooses the order. Linear time.
  *
- * A picture that lasts, or that is looked at, keeps a texture to itself. All others are drawn whole in every frame: passes cover
- * every pixel (the linker makes `discard` transparent), and objects are drawn into a cleared target.
+ * Persistent and viewed targets do not share. All others are drawn completely in every frame: passes cover every pixel (the linker makes
+ * `discard` transparent), and draws clear their target.
  */
 export function shareTargets(
   operations: readonly ScheduledOperation[],
   resources: readonly Resource[],
-  looked: ReadonlySet<ResourceId>,
+  viewed: ReadonlySet<ResourceId>,
 ): Resource[] {
-  const lifetimes = findLifetimes(operations, resources, looked);
+  const lifetimes = findLifetimes(operations, resources, viewed);
   const drawnAt = listBy(lifetimes, ({ first }) => first);
   const doneAt = listBy(lifetimes, ({ last }) => last);
   const textureOf = describeTextures(resources);
@@ -32,7 +31,7 @@ export function shareTargets(
   const owners = new Map<ResourceId, ResourceId>();
   for (const place of operations.keys()) {
     for (const { target } of drawnAt.get(place) ?? []) owners.set(target.id, free.get(textureOf(target))?.pop() ?? target.id);
-    // Only now, because an operation cannot draw into what it reads.
+    // Released after the operation, because an operation cannot draw to a texture that it reads.
     for (const { target } of doneAt.get(place) ?? []) {
       const texture = textureOf(target);
       const list = free.get(texture);
@@ -50,11 +49,11 @@ export function shareTargets(
 function findLifetimes(
   operations: readonly ScheduledOperation[],
   resources: readonly Resource[],
-  looked: ReadonlySet<ResourceId>,
+  viewed: ReadonlySet<ResourceId>,
 ): Lifetime[] {
   const targets = new Map<ResourceId, Target>();
   for (const resource of resources) {
-    if (resource.kind === 'target' && resource.lifetime === 'frame' && !looked.has(resource.id)) targets.set(resource.id, resource);
+    if (resource.kind === 'target' && resource.lifetime === 'frame' && !viewed.has(resource.id)) targets.set(resource.id, resource);
   }
   const lifetimes = new Map<ResourceId, Lifetime>();
   for (const [place, operation] of operations.entries()) {
@@ -62,7 +61,7 @@ function findLifetimes(
       const lifetime = lifetimes.get(id);
       // An operation that reads a target before it is drawn reads an earlier frame, so the target is not shared.
       if (!lifetime) targets.delete(id);
-      // What is drawn once is read for every view.
+      // A target that is drawn once per frame is read for every view.
       else
         lifetime.last =
           operation.view === 'each' && lifetime.target.domain === 'image' ? Number.POSITIVE_INFINITY : Math.max(lifetime.last, place);
@@ -78,15 +77,15 @@ function findLifetimes(
 }
 
 /**
- * Tells targets apart that no single texture could serve: equal answers, equal textures. A size that is that of another picture is
- * followed to where it comes from, so that a chain of pictures of a file's size is one kind.
+ * Returns a text for each target that is equal for targets that can share a texture. A size relative to another resource is followed to its
+ * origin, so that a chain of images with the size of one file is one class.
  */
 function describeTextures(resources: readonly Resource[]): (target: Target) => string {
   const sizes = new Map<ResourceId, TargetSize>();
   for (const resource of resources) {
     if (resource.kind !== 'target') continue;
     const { base, width, height } = resource.size;
-    // Whatever a size is relative to has been scheduled before.
+    // Resources that a size refers to come earlier.
     sizes.set(resource.id, (isWhole(width, 'width') && isWhole(height, 'height') && sizes.get(base)) || resource.size);
   }
   return ({ id, domain, format, depth, samples }) => JSON.stringify([domain, sizes.get(id), format, depth, samples]);

@@ -6,18 +6,18 @@ import type { Binding } from '../../graph/project.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 import { type FlatGraph, type FlatNode, portKey, type Source, sourcesAt } from '../flat-graph.ts';
 
-/** Gives every value of the program its place. */
+/** Assigns a slot to every value of the program. */
 export interface SlotAllocator {
-  /** The slot that an output writes; the same for every call. */
+  /** The slot that an output writes; repeated calls return the same one. */
   ofOutput(source: Source, type: ValueType): number;
-  /** The slot that a uniform param reads: its own, or that of the output wired to it. */
+  /** The slot that a uniform param reads: its own, or that of the connected output. */
   ofParam(node: FlatNode, name: string): number;
-  /** The slot of an output as another type that converts without loss. */
+  /** The slot of an output, read as another type that converts without loss. */
   ofInput(source: Source, type: ValueType): number;
   table(): SlotTable;
 }
 
-/** A uniform param that a track or an expression moves, and the slot to move it in. */
+/** A uniform param with a track or an expression, and the slot to write. */
 export interface MovedParam {
   readonly node: FlatNode;
   readonly name: string;
@@ -28,15 +28,15 @@ export interface MovedParam {
 
 export type MovingBinding = Extract<Binding, { track: unknown } | { expression: unknown }>;
 
-/** The track or expression of a param whose port is not connected. Null where the value is constant. */
+/** The track or expression of a param whose port is not connected; null if the value is constant. */
 export function movingBinding(node: FlatNode, name: string): MovingBinding | null {
   const binding = node.inputs.has(name) ? undefined : node.bindings.get(name);
   return binding && ('track' in binding || 'expression' in binding) ? binding : null;
 }
 
 /**
- * Params of `compiledIn` nodes get slots, but no names to be set by: the program does not follow them everywhere. Nor do params that
- * move by themselves; `onMoved` hears of each of these once, when its slot is first asked for.
+ * Params of `compiledIn` nodes get slots without a name, because setting them would not update all of the program. Params with a track or
+ * expression have no name either; `onMoved` is called once for each, when its slot is first requested.
  */
 export function createSlotAllocator(
   graph: FlatGraph,
@@ -68,7 +68,7 @@ export function createSlotAllocator(
     return slot;
   }
 
-  /** A toggle is 0 or 1 and a color four numbers, so the same place can be read as either type. */
+  /** A toggle is 0 or 1 and a color has four numbers, so the same slot can be read as either type. */
   function ofInput(source: Source, type: ValueType): number {
     const output = graph.nodes.get(source.node)?.definition.outputs[source.port];
     const slot = ofOutput(source, output?.type as ValueType);
@@ -104,7 +104,7 @@ export function createSlotAllocator(
   };
 }
 
-/** What a param that is not wired begins with; for those that are fixed, what it is. */
+/** Initial value of an unconnected param; for a structure param, its value. */
 export function startValue(node: FlatNode, name: string, definition: ParamDefinition): ParamValue {
   const binding = node.bindings.get(name);
   const value = (binding && boundValue(binding)) ?? definition.default;

@@ -1,4 +1,4 @@
-/** Shows a layer as it is. Lays those onto the screen that are drawn nowhere else on their way to it. */
+/** Copies a layer unchanged, for layers that no other pass draws to the screen. */
 export const COPY_FILE = 'scrim/copy.fs';
 
 export const COPY_SOURCE = `/*{

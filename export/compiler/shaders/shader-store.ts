@@ -12,29 +12,29 @@ import { isTechnique } from '../../glsl/technique/technique-shader.ts';
 import type { ShaderLink } from './shader-link.ts';
 import { createTechniqueStore, type TechniqueText } from './technique-store.ts';
 
-/** What of its inputs a shader has to do without. */
+/** The inputs that a shader must do without. */
 export interface LinkVariant {
   readonly loopBudget: boolean;
-  /** Optional inputs without a wire. */
+  /** Optional inputs that are not connected. */
   readonly absent: readonly string[];
   /** Image inputs whose layer has no depth. */
   readonly withoutDepth: readonly string[];
 }
 
 /**
- * All that the compiler asks of `export/glsl`, with a memory: a text is read, analyzed and linked once for as long as its file
- * holds it, however many nodes use it. So an edit recompiles in the time that the edited shader takes. Diagnostics name no
- * nodes, because they are everybody's who uses the shader.
+ * Caches everything that the compiler requests from `export/glsl`: a text is read, analyzed and linked once while its file has that text,
+ * however many nodes use it. An edit recompiles in the time that the edited shader takes. Diagnostics name no nodes, because several nodes
+ * may use the shader.
  */
 export interface ShaderStore {
-  /** The node type that an ISF file or a technique is. */
+  /** Reads the node type of an ISF shader or a technique. */
   readDefinition(file: string, source: string): Result<NodeDefinition>;
   read(file: string, source: string): Result<IsfShader>;
-  /** `vertex`: the text of the vertex shader beside it, where there is one. */
+  /** `vertex` is the text of its vertex shader, or null. */
   link(file: string, source: string, vertex: string | null, variant: LinkVariant): ShaderLink<readonly LinkedPass[]>;
-  /** Linked anew where a chunk that it includes has changed, too. */
+  /** Also linked again if an included chunk changed. */
   linkTechnique(file: string, source: string, options: TechniqueOptions): ShaderLink<TechniqueText>;
-  /** Only for shaders whose `depth` is `over`. */
+  /** For shaders whose header has `depth` “over” only. */
   linkDepth(file: string, source: string, variant: LinkVariant): LinkedPass;
 }
 
@@ -60,7 +60,7 @@ export function createShaderStore(): ShaderStore {
     return made;
   }
 
-  /** What a header says depends on no vertex shader: whichever entry there is will do. */
+  /** Any cached entry of the file, because the header does not depend on the vertex shader. */
   function headerOf(file: string, source: string): Entry {
     const known = entries.get(file);
     return known?.source === source ? known : entryOf(file, source, null);

@@ -7,7 +7,7 @@ import { techniqueDefinition } from '../../glsl/technique/technique-definition.t
 import type { TechniqueShader } from '../../glsl/technique/technique-shader.ts';
 import type { ShaderLink } from './shader-link.ts';
 
-/** A technique's header and its text. */
+/** A technique's header and linked text. */
 export interface TechniqueText {
   readonly technique: TechniqueShader;
   readonly linked: LinkedTechnique;
@@ -23,13 +23,13 @@ interface Entry {
   readonly source: string;
   readonly technique: Result<TechniqueShader>;
   definition: Result<NodeDefinition> | null;
-  /** By whether loops are bounded, and what has no wire. */
+  /** By loop budget and unconnected inputs. */
   readonly texts: Map<string, RememberedText>;
 }
 
 interface RememberedText {
   readonly text: ShaderLink<TechniqueText>;
-  /** The chunks that were asked for, with what they were. */
+  /** The included chunks with their texts. */
   readonly chunks: ReadonlyMap<string, string | undefined>;
 }
 

@@ -4,14 +4,14 @@ import type { Fit } from '../layer-fit.ts';
 import type { ScheduledPass } from '../scheduled.ts';
 import { addStep, type Lowering, resourceAt } from './lowering.ts';
 
-/** Lays a picture over what is on the screen; `id` names the operation. */
+/** Copies an image over the content of the screen; `id` is the id of the operation. */
 export function lowerCopyToScreen(lowering: Lowering, id: string, layer: Source, fit: Fit): void {
   const isImage = lowering.layers.get(portKey(layer))?.domain === 'image';
   const copy = copyOf(lowering, layer, isImage ? fit : 'none');
   addStep(lowering, { ...copy, id, node: layer.node, view: 'each', writes: [], target: 'screen', blend: 'over' });
 }
 
-/** A pass that copies a layer; where to, its maker says. */
+/** A pass that copies a layer; the caller adds the target. */
 export function copyOf(
   lowering: Lowering,
   layer: Source,

@@ -7,8 +7,8 @@ import { addResource, addStep, type Lowering, valueSteps } from './lowering.ts';
 import { sizeOf } from './pass-parts.ts';
 
 /**
- * A filter that works in a worker: a copy of its layer, as bytes can be read of it whatever the layer is, and the operation that sends
- * the copy away and draws what came back.
+ * Lowers a CPU filter to a copy of its layer, which can be read back for any kind of layer, and the operation that sends it to a worker and
+ * draws the result.
  */
 export function lowerCpu(lowering: Lowering, node: FlatNode): void {
   const output = layerOutput(node);

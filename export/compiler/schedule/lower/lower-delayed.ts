@@ -4,14 +4,14 @@ import { drawPasses, linkPasses } from './lower-passes.ts';
 import { addResource, type Lowering } from './lowering.ts';
 import { sizeOf } from './pass-parts.ts';
 
-/** An image node whose output is its result of the previous frame. */
+/** Whether this is an image node that outputs its result of the previous frame. */
 export function isDelayed({ definition: { lowering, delay } }: FlatNode): boolean {
   return lowering.kind === 'image' && delay === true;
 }
 
 /**
- * The picture of a delayed node: there before what it is made of, because that may be made of it. Nobody waits for it to be drawn;
- * it keeps what it has until the end of the frame (`captures` in `order.ts`), a picture of its own for each view.
+ * Adds the texture of a delayed node before its inputs are lowered, because they may depend on it. No operation waits for it: it keeps its
+ * content until the end of the frame (`captures` in `order.ts`), separately for each view.
  */
 export function lowerDelayed(lowering: Lowering, node: FlatNode): void {
   const output = layerOutput(node);
@@ -31,7 +31,7 @@ export function lowerDelayed(lowering: Lowering, node: FlatNode): void {
   lowering.delayed.push(node);
 }
 
-/** Draws the pictures for the next frame, when all that they are made of has been lowered. */
+/** Draws the content of delayed nodes for the next frame, after all other nodes are lowered. */
 export function lowerCaptures(lowering: Lowering): void {
   for (const node of lowering.delayed.splice(0)) {
     const output = layerOutput(node);

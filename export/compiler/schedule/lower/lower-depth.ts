@@ -5,8 +5,8 @@ import { addResource, addStep, type Lowering, nodeAt, valueSteps } from './lower
 import { passSamplers, passUniforms, shaderOf, sizeOf } from './pass-parts.ts';
 
 /**
- * Where the depth of a layer can be read, or null where it has none. A depth that has to be computed, as that of `over`, gets its
- * pass the first time somebody asks, because most pictures are never asked.
+ * The depth of a layer, or null if it has none. A computed depth, as of `over`, gets its pass at the first request, because most are never
+ * read.
  */
 export function depthAt(lowering: Lowering, layer: Source): LayerDepthRef | null {
   const origin = originOf(lowering, layer);
@@ -20,7 +20,7 @@ export function depthAt(lowering: Lowering, layer: Source): LayerDepthRef | null
 
 type DepthOrigin =
   | { readonly kind: 'drawn'; readonly depth: LayerDepthRef }
-  /** Of an image node that makes one of its inputs'. */
+  /** Of an image node that computes depth from its inputs. */
   | { readonly kind: 'computed'; readonly layer: Source };
 
 function originOf({ layers, graph, drawn, resourceOf }: Lowering, layer: Source): DepthOrigin | null {
@@ -32,17 +32,17 @@ function originOf({ layers, graph, drawn, resourceOf }: Lowering, layer: Source)
     const node = graph.nodes.get(at.node);
     if (node?.definition.lowering.kind !== 'image') return null;
     if (node.definition.outputs[at.port]?.depth === true) return { kind: 'computed', layer: at };
-    // An occlusion that did not sink hands on the depth of what it hides a part of.
+    // An occlusion that is not fused passes on the depth of its input.
     const [hidden] = layerInputs(node);
     at = hidden ? (layers.get(portKey(hidden))?.depth ?? null) : null;
   }
   return null;
 }
 
-/** Depths to be computed for that of `layer`, each after those it is made of. A list, because stacks of `over` can be deep. */
+/** Depths to compute for that of `layer`, each after those it depends on. A list, because stacks of `over` can be deep. */
 function missingDepths(lowering: Lowering, layer: Source): Source[] {
   const missing = new Map([[portKey(layer), layer]]);
-  // The map grows while it is walked.
+  // The map grows during the iteration.
   for (const { node } of missing.values()) {
     for (const input of layerInputs(nodeAt(lowering, node))) {
       const origin = originOf(lowering, input);
@@ -92,7 +92,7 @@ function lowerComputedDepth(lowering: Lowering, layer: Source): void {
   );
 }
 
-/** Whether the layer at a port of the node has depth at all, for shaders that ask. */
+/** Whether the layer at a port of the node has depth, for shaders that test it. */
 export function hasDepth(lowering: Lowering, node: FlatNode, port: string): boolean {
   const [source] = node.inputs.get(port) ?? [];
   return source !== undefined && originOf(lowering, source) !== null;

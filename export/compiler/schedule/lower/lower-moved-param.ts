@@ -8,8 +8,8 @@ import type { MovedParam } from '../slot-allocator.ts';
 import { addStep, type Lowering } from './lowering.ts';
 
 /**
- * A param bound to an expression or a track: an operation of values like any other, which writes the param's slot before the node
- * reads it. Its type names what plays it, `nodes/binding/…`, which is in a page only where something is bound so.
+ * Lowers the expression or track of a param to a value operation that writes the param's slot before the node reads it. Its type is
+ * `binding/expression` or `binding/track`, whose runtimes are bundled only if they are used.
  */
 export function lowerMovedParam(lowering: Lowering, { node, name, definition, binding, slot }: MovedParam): void {
   const kind = 'track' in binding ? 'track' : 'expression';
@@ -41,7 +41,7 @@ function expressionConfig(definition: ParamDefinition, expression: string): Node
   return { postfix, otherwise: numbersIn(definition, definition.default) };
 }
 
-/** As a value that is typed in, one that is computed is used as the nearest within the param's limits. */
+/** Clamps a computed value to the param's limits, as a typed value is. */
 function withinLimits(definition: ParamDefinition, postfix: string, part: number): string {
   if (paramWireType(definition) === 'toggle') return `${postfix} 0 !=`;
   const [low, high] = limitsOf(definition, part);
@@ -72,13 +72,13 @@ function trackConfig(definition: ParamDefinition, { keys, repeat }: Track): Node
     times: keys.map(({ timeS }) => timeS),
     values: keys.flatMap(({ value }) => numbersIn(definition, value)),
     easings: keys.map(({ easing }) => easing).join(' '),
-    // Else a track never leaves what lies between the values of two keys.
+    // Other tracks never exceed the values of their keys.
     ...(keys.some(({ easing }) => overshoots(easing)) ? { limits: limitsOfTrack(definition, keys[0]?.value) } : {}),
     repeat,
   };
 }
 
-/** Lowest and highest of each number; the largest that there are stand for none. */
+/** Lowest and highest value of each number; ±`Number.MAX_VALUE` for no limit. */
 function limitsOfTrack(definition: ParamDefinition, value: Track['keys'][number]['value'] = 0): readonly number[] {
   return numbersIn(definition, value).flatMap((_, i) => {
     const [low = -Number.MAX_VALUE, high = Number.MAX_VALUE] = limitsOf(definition, i);

@@ -12,7 +12,7 @@ import { addResource, addStep, type Lowering, layerAt, resourceAt, valueSteps } 
 
 type NodeKind = 'value' | 'source' | 'behavior' | 'geometry';
 
-/** A node that its runtime plays, and that draws nothing. */
+/** Lowers a node that its runtime plays and that draws nothing. */
 export function lowerNode(lowering: Lowering, node: FlatNode): void {
   const kind = playedKind(node);
   if (kind === null) throw new Error(`${node.id} is not played by a runtime of its own.`);
@@ -37,19 +37,19 @@ export function lowerNode(lowering: Lowering, node: FlatNode): void {
 
 export interface DrawRequest {
   readonly node: FlatNode;
-  /** Sinks into the draw. */
+  /** The occlusion that is fused with the draw, if any. */
   readonly occlusion: FlatNode | null;
-  readonly target: 'screen' | 'picture';
-  /** Of the operation. */
+  readonly target: 'screen' | 'texture';
+  /** Id of the operation. */
   readonly id: string;
 }
 
-/** A node that draws objects: straight onto the screen, or into a picture that stands for its layer, or its occlusion's. */
+/** Lowers a node that draws objects, to the screen or to a texture for its layer or its occlusion's. */
 export function lowerDraw(lowering: Lowering, { node, occlusion, target, id }: DrawRequest): DrawOperation {
   const shown = layerOutput(occlusion ?? node);
   const drawn = layerOutput(node);
   if (!shown || !drawn) throw new Error(`${node.id} draws no layer.`);
-  const picture = target === 'picture' ? addPicture(lowering, shown, id) : null;
+  const picture = target === 'texture' ? addPicture(lowering, shown, id) : null;
   const shadowMaps = shadowMapsOf(lowering, node);
   const base = nodeOperation(lowering, node, id, 'draw');
   const hiding = occlusion && drawOcclusion(lowering, occlusion);
@@ -101,7 +101,7 @@ function drawOcclusion(lowering: Lowering, occlusion: FlatNode): NonNullable<Dra
   return { node: occlusion.id, roomDepth: resourceAt(lowering, roomDepth), params: slots };
 }
 
-/** All of the operation but its outputs. */
+/** All of the operation except its outputs. */
 export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   lowering: Lowering,
   node: FlatNode,
@@ -109,7 +109,7 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   kind: K,
 ): NodeOperation & { readonly kind: K; readonly view: 'once' } {
   const { type, params, delay, stateful } = node.definition;
-  // A CPU filter has its one layer as a picture of its own.
+  // The layer of a CPU filter is its field `picture`, not an input.
   const ports = kind === 'cpu' ? {} : node.definition.inputs;
   const pulses = Object.keys(ports).filter((port) => ports[port]?.type === 'pulse');
   const inputs = Object.fromEntries(
@@ -145,7 +145,7 @@ export function nodeOperation<K extends NodeKind | 'draw' | 'cpu'>(
   };
 }
 
-/** A param that moves may go above any limit. */
+/** The value of a param with an expression or track may exceed any limit. */
 function stateOf(node: FlatNode, stateful: Stateful, slots: Readonly<Record<string, number>>): NodeOperation['stateful'] | null {
   if (stateful === true) return true;
   const moves = (name: string) => sourcesAt(node, name).length > 0 || movingBinding(node, name) !== null;
@@ -174,7 +174,7 @@ function inputRef(lowering: Lowering, source: Source, type: WireType): InputRef 
     case 'layer':
       return { kind: 'layer', layer: layerAt(lowering, source, (from) => depthAt(lowering, from)) };
     case 'pulse':
-      // A delay takes pulses of nodes that come after it.
+      // A delay reads pulses of nodes that come after it.
       return { kind: 'resource', resource: portKey(source) };
     case 'depth':
     case 'objects':
@@ -227,12 +227,12 @@ function outputResource({ layers }: Lowering, source: Source, type: Exclude<Wire
   }
 }
 
-/** Whether `lowerNode` lowers the node. */
+/** Whether the node is lowered by `lowerNode`. */
 export function isPlayed(node: FlatNode): boolean {
   return playedKind(node) !== null && !isDraw(node);
 }
 
-/** The kind of the operation with which the node's runtime plays it, or null where none does. */
+/** The kind of the operation that the node's runtime plays, or null if it has none. */
 function playedKind({ definition }: FlatNode): NodeKind | null {
   const { kind } = definition.lowering;
   switch (kind) {

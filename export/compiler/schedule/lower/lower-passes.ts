@@ -7,52 +7,52 @@ import { depthAt, hasDepth } from './lower-depth.ts';
 import { addResource, addStep, type Lowering, takeLink, valueSteps } from './lowering.ts';
 import { isBuffer, passSamplers, passUniforms, shaderOf, sizeOf } from './pass-parts.ts';
 
-/** An image node, linked, with its buffers in place. */
+/** A linked image node with its buffers. */
 export interface LoweredPasses {
   readonly passes: readonly LinkedPass[];
   readonly buffers: ReadonlyMap<string, ResourceId>;
 }
 
 /**
- * Links an image node and draws all of its passes, the last one into a picture or straight onto the screen. Where the shader
- * cannot be linked, diagnostics say why, and the picture exists in name alone.
+ * Links an image node and adds its passes; the last one draws to the node's texture or to the screen. If the shader cannot be linked, it
+ * adds diagnostics, and the texture is never drawn.
  */
-export function lowerPasses(lowering: Lowering, node: FlatNode, target: 'screen' | 'picture'): LoweredPasses {
+export function lowerPasses(lowering: Lowering, node: FlatNode, target: 'screen' | 'texture'): LoweredPasses {
   return drawPasses(lowering, node, linkPasses(lowering, node), (pass, id) => lastTarget(lowering, node, pass, id, target));
 }
 
-/** Draws linked passes; `outputOf` says what the node's own picture is drawn into. */
+/** Adds linked passes. `outputOf` returns the target of the pass that draws the node's output. */
 export function drawPasses(
   lowering: Lowering,
   node: FlatNode,
   passes: readonly LinkedPass[],
   outputOf: (pass: LinkedPass, id: string) => ResourceId | 'screen',
 ): LoweredPasses {
-  // Every uniform param can be set while running, whether a pass uses it or not.
+  // Every uniform param can be set at run time, even if no pass uses it.
   for (const [name, param] of Object.entries(node.definition.params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
   const lowered = { passes, buffers: addBuffers(lowering, node, passes) };
   let before: string | undefined;
   passes.forEach((pass, i) => {
     const id = `${node.id}.pass${i}`;
     const drawsInto = isBuffer(pass.target) ? bufferOf(lowered, pass.target) : outputOf(pass, id);
-    // The passes of a node run in their order, whichever buffers they read: a persistent buffer may be read before it is drawn.
+    // Passes of a node run in order, even if they share no buffers: a persistent buffer may be read before it is drawn.
     addPass(lowering, node, lowered, { pass, id, target: drawsInto, after: before });
     before = id;
   });
   return lowered;
 }
 
-/** Draws the last pass once more, into a picture, because the first time it went onto the screen. */
+/** Draws the last pass again to a texture, because the first time it drew to the screen. */
 export function lowerLastPassAgain(lowering: Lowering, node: FlatNode, lowered: LoweredPasses): void {
   const last = lowered.passes.length - 1;
   const pass = lowered.passes[last];
   if (!pass) return;
   const id = `${node.id}.pass${last}.tap`;
-  const target = lastTarget(lowering, node, pass, id, 'picture');
+  const target = lastTarget(lowering, node, pass, id, 'texture');
   addPass(lowering, node, lowered, { pass, id, target, after: last > 0 ? `${node.id}.pass${last - 1}` : undefined });
 }
 
-/** Whether the shader of a node can be linked; it is linked only once. */
+/** Whether the shader of a node can be linked. The result is cached. */
 export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
   if (node.definition.lowering.kind !== 'image') return true;
   const { file, source, vertex, variant } = shaderOf(lowering, node, () => true);
@@ -60,7 +60,7 @@ export function isLinkable(lowering: Lowering, node: FlatNode): boolean {
 }
 
 export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedPass[] {
-  // Linked as if every layer had depth, so that the samplers say whether the shader asks for it.
+  // Linked as if every layer had depth, so that the samplers show whether the shader reads it.
   const asking = shaderOf(lowering, node, () => true);
   const link = lowering.shaders.link(asking.file, asking.source, asking.vertex, asking.variant);
   const { output } = link;
@@ -79,7 +79,7 @@ export function linkPasses(lowering: Lowering, node: FlatNode): readonly LinkedP
   return lowering.shaders.link(asking.file, asking.source, asking.vertex, { ...asking.variant, withoutDepth: missing }).output ?? [];
 }
 
-/** Filters by distance take that of the room, where it is wired, for layers that have none. */
+/** Filters that read depth use the connected room depth for layers without depth. */
 function hasRoom(node: FlatNode): boolean {
   return Object.entries(node.definition.inputs).some(([port, { type }]) => type === 'depth' && sourcesAt(node, port).length > 0);
 }
@@ -98,7 +98,7 @@ function addBuffers(lowering: Lowering, node: FlatNode, passes: readonly LinkedP
     if (!isBuffer(target) || buffers.has(target.name)) continue;
     const id = `${node.id}.${target.name}`;
     const resource = addResource(lowering, {
-      // Authors may call a buffer as our ports are called.
+      // A buffer may have the name of an output.
       id: Object.hasOwn(node.definition.outputs, target.name) ? `${id}.buffer` : id,
       kind: 'target',
       domain,
@@ -124,7 +124,7 @@ function lastTarget(
   node: FlatNode,
   pass: LinkedPass,
   writer: string,
-  target: 'screen' | 'picture',
+  target: 'screen' | 'texture',
 ): ResourceId | 'screen' {
   const output = layerOutput(node);
   if (target === 'screen' || !output) return 'screen';

@@ -3,7 +3,7 @@ import { type FlatNode, sourcesAt } from '../../flat-graph.ts';
 import { startValue } from '../slot-allocator.ts';
 import { addResource, addStep, type Lowering, resourceAt } from './lowering.ts';
 
-/** The shadow maps that a draw reads, made when nobody has asked for the same casters and lights before; null for none. */
+/** The shadow maps that a draw reads, shared by draws with the same casters and lights; null for none. */
 export function shadowMapsOf(lowering: Lowering, node: FlatNode): ResourceId | null {
   const { lowering: kind, params } = node.definition;
   if (kind.kind !== 'geometry' || !kind.shadowMap) return null;
@@ -24,7 +24,7 @@ export function shadowMapsOf(lowering: Lowering, node: FlatNode): ResourceId | n
   return resource;
 }
 
-/** What is wired to the ports, each once. */
+/** The resources connected to the ports, without duplicates. */
 function resourcesAt(lowering: Lowering, node: FlatNode, ports: readonly string[]): ResourceId[] {
   return [...new Set(ports.flatMap((port) => sourcesAt(node, port)).map((source) => resourceAt(lowering, source)))];
 }

@@ -5,8 +5,8 @@ import { type FlatNode, portKey, sourcesAt } from '../../flat-graph.ts';
 import { addResource, type Lowering, resourceAt, takeLink } from './lowering.ts';
 
 /**
- * Adds the technique of `node` as a resource, once for any number of users. A technique needs no operation: the resource holds its
- * text and the slots of its values, for the operations that draw objects with it.
+ * Adds the technique of `node` as a resource, shared by all its users. It needs no operation: the resource contains its text and the slots
+ * of its values, for the operations that draw objects with it.
  */
 export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   const { lowering: kind, inputs, outputs, params } = node.definition;
@@ -24,7 +24,7 @@ export function lowerTechnique(lowering: Lowering, node: FlatNode): void {
   takeLink(lowering, node, link);
   lowering.resourceOf.set(id, id);
   if (output === null) return;
-  // Every uniform param can be set while running, whether the text uses it or not.
+  // Every uniform param can be set at run time, even if the text does not use it.
   for (const [name, param] of Object.entries(params)) if (param.stage === 'uniform') lowering.slots.ofParam(node, name);
   const { technique, linked } = output;
   const samplers = linked.samplers.map(({ name, input }) => sampler(lowering, node, name, input, technique.pictures.includes(input)));
@@ -64,7 +64,7 @@ function missingPicture({ id }: FlatNode, { file, imported }: TechniqueShader, p
   };
 }
 
-/** A layer that is drawn before whatever is drawn with the technique. A picture of its own size is laid onto the view, or is a texture. */
+/** A layer that is drawn before objects with the technique. An image of its own size is fitted to the view or is a texture. */
 function sampler(lowering: Lowering, node: FlatNode, name: string, input: string, isPicture: boolean) {
   const [layer] = sourcesAt(node, input);
   if (!layer) throw new Error(`The technique ${node.id} reads ${input}, which has no wire.`);
@@ -76,11 +76,11 @@ function sampler(lowering: Lowering, node: FlatNode, name: string, input: string
   } as const;
 }
 
-/** Layers that the techniques read with which a draw's objects are drawn: through all that leads to the draw but other layers. */
+/** Layers that the techniques of a draw's objects read, found through all nodes that lead to the draw except other layers. */
 export function layersOfTechniques({ graph, techniqueReads }: Lowering, draw: FlatNode): ResourceId[] {
   const reads = new Set<ResourceId>();
   const behind = new Set([draw]);
-  // The set grows while it is walked.
+  // The set grows during the iteration.
   for (const node of behind) {
     const own = techniqueReads.get(node.id);
     for (const resource of own ?? []) reads.add(resource);

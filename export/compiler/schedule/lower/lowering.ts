@@ -8,37 +8,37 @@ import type { LayerTable } from '../layers.ts';
 import type { ScheduledAbove, ScheduledOperation, ScheduledTrial, Step } from '../scheduled.ts';
 import { createSlotAllocator, type MovedParam, type SlotAllocator } from '../slot-allocator.ts';
 
-/** The program while it grows: what the lowering of one node leaves for that of the next. */
+/** The program under construction: state shared by the lowering of all nodes. */
 export interface Lowering {
   readonly graph: FlatGraph;
   readonly library: NodeLibrary;
   readonly shaders: ShaderStore;
   readonly loopBudget: boolean;
   readonly layers: LayerTable;
-  /** Place of every node in topological order. */
+  /** Index of every node in topological order. */
   readonly rank: ReadonlyMap<string, number>;
   readonly slots: SlotAllocator;
-  /** Of pictures that objects are drawn into. */
+  /** Samples of targets that objects are drawn into. */
   readonly samples: 1 | 4;
   readonly resources: Resource[];
   readonly steps: Step[];
-  /** Whole shaders that show whether a driver takes the text of a technique. */
+  /** Complete shaders for testing whether a driver accepts the text of a technique. */
   readonly trials: ScheduledTrial[];
-  /** What an output port is, as `node.port`: the color of a layer, a list, room depth. */
+  /** Resource of an output, as `node.port`: the color of a layer, a list, room depth. */
   readonly resourceOf: Map<string, ResourceId>;
-  /** Which of those are drawn into by a draw, and so have a depth buffer. */
+  /** Outputs that a draw writes, which therefore have a depth buffer. */
   readonly drawn: Set<string>;
-  /** Depth computed by a pass of its own. */
+  /** Outputs whose depth a separate pass computes. */
   readonly computedDepth: Map<string, LayerDepthRef | null>;
-  /** Resource → the operation that completes it. */
+  /** Resource → operation that completes it. */
   readonly writerOf: Map<ResourceId, string>;
-  /** Node → the operation that computes its values. */
+  /** Node → operation that computes its values. */
   readonly computedBy: Map<string, string>;
-  /** Delayed image nodes whose pictures are there and are still to be drawn. */
+  /** Delayed image nodes whose textures exist but are not drawn yet. */
   readonly delayed: FlatNode[];
-  /** Technique → the layers that draws with it read. */
+  /** Technique → layers that draws with it read. */
   readonly techniqueReads: Map<string, readonly ResourceId[]>;
-  /** Node → the operations that move params of its own. */
+  /** Node → operations that set its params from expressions or tracks. */
   readonly movedBy: Map<string, string[]>;
   /** What stands above mistakes in the shaders of nodes. */
   readonly above: ScheduledAbove[];
@@ -95,7 +95,7 @@ export function addStep(lowering: Lowering, operation: ScheduledOperation, after
   lowering.steps.push({ operation, after: [...waits] });
 }
 
-/** Operations that compute the values wired to a node, or move its params; a delay waits for none. */
+/** Operations that compute the values at a node's inputs or set its params; none for a delay. */
 export function valueSteps({ computedBy, movedBy }: Lowering, node: FlatNode): (string | undefined)[] {
   if (node.definition.delay) return [];
   const wired = [...node.inputs.values()].flatMap((sources) => sources.map((source) => computedBy.get(source.node)));

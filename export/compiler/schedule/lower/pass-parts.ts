@@ -9,16 +9,16 @@ import { fitOf } from '../layer-fit.ts';
 import { layerInputs, layerOutput } from '../layers.ts';
 import { addResource, type Lowering, resourceAt } from './lowering.ts';
 
-/** The text behind an image node and how it is to be linked there. */
+/** The shader of an image node and how to link it there. */
 export interface NodeShader {
   readonly file: string;
   readonly source: string;
-  /** Of the vertex shader beside it, where there is one. */
+  /** Text of its vertex shader, if any. */
   readonly vertex: string | null;
   readonly variant: LinkVariant;
 }
 
-/** What an image node reads as a picture. */
+/** Input types that an image node reads as textures. */
 const PICTURES: ReadonlySet<string> = new Set(['layer', 'depth', 'audio']);
 
 export function shaderOf(lowering: Lowering, node: FlatNode, hasDepth: (layer: Source) => boolean): NodeShader {
@@ -41,7 +41,7 @@ export interface PassSamplers {
   readonly reads: readonly ResourceId[];
 }
 
-/** Resources in the place of inputs and buffers. `buffers` names the node's own. */
+/** Resources for the inputs and buffers of a pass. `buffers` contains the node's own. */
 export function passSamplers(
   lowering: Lowering,
   node: FlatNode,
@@ -61,7 +61,7 @@ function resourcesOf(source: PassSampler['source']): ResourceId[] {
   return [source.kind === 'depth' ? source.depth.resource : source.resource];
 }
 
-/** The pictures that a shader brings along, by their paths in the project. */
+/** The images that a shader imports, by their paths in the project. */
 function importedAt(lowering: Lowering, node: FlatNode, name: string): PassSampler['source'] {
   const { file, source } = shaderOf(lowering, node, () => true);
   const imported = lowering.shaders.read(file, source).output?.imported.find((image) => image.name === name);
@@ -96,14 +96,14 @@ function sampled(
   return { source: { kind: 'color', resource }, fit: fitAt(lowering, node, input) };
 }
 
-/** The table of a curve, once for each node and param. */
+/** The table of a curve, one per node and param. */
 function curveAt(lowering: Lowering, node: FlatNode, param: string): ResourceId {
   const id = `${node.id}.${param}.curve`;
   const known = lowering.resources.some((resource) => resource.id === id);
   return known ? id : addResource(lowering, { id, kind: 'curve', slot: lowering.slots.ofParam(node, param) });
 }
 
-/** Slots in the place of params. */
+/** Slots for the params of a pass. */
 export function passUniforms({ slots }: Lowering, node: FlatNode, pass: LinkedPass): PassUniform[] {
   return pass.uniforms.map(({ name, type, source }) => ({
     name,
@@ -117,14 +117,14 @@ export function passUniforms({ slots }: Lowering, node: FlatNode, pass: LinkedPa
   }
 }
 
-/** A picture of its own size is laid onto the view where a node of the view reads it. */
+/** A node of the view domain fits an image of its own size to the view. */
 function fitAt({ layers }: Lowering, node: FlatNode, layer: Source): PassSampler['fit'] {
   const output = layerOutput(node);
   const isView = !output || layers.get(portKey(output))?.domain !== 'image';
   return isView && layers.get(portKey(layer))?.domain === 'image' ? fitOf(node) : 'none';
 }
 
-/** Pixels of a node's own pictures: the view's, or those of its first layer; or as an expression in its header says, of these. */
+/** Size of a node's textures: that of the view or of its first layer, or an expression over it from the shader's header. */
 export function sizeOf(lowering: Lowering, node: FlatNode, width: NamedSize | null, height: NamedSize | null): TargetSize {
   const output = layerOutput(node);
   const isImage = output && lowering.layers.get(portKey(output))?.domain === 'image';
