@@ -169,7 +169,7 @@ describe('scrim check', () => {
       'shaders/leak.png',
     ],
     ['a missing asset', () => rm(join(project, 'assets', 'robot.glb')), 'SCR030', 'assets/robot.glb'],
-    ['a model that is cut off', () => truncate(join(project, 'assets', 'robot.glb'), 1000), 'SCR032', 'cut off'],
+    ['a model that is cut off', () => truncate(join(project, 'assets', 'robot.glb'), 1000), 'SCR032', 'is incomplete'],
     ['a model that is none', () => writeFile(join(project, 'assets', 'robot.glb'), 'hello, world'), 'SCR032', 'not a glTF model'],
     [
       'an asset outside the project',

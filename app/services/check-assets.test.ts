@@ -70,22 +70,22 @@ test.each(['png', 'jpeg', 'webp', 'gif', 'avif'] as const)(
     expect(await said('image', bytes)).toEqual([]);
     // Nothing in the head of a GIF or AVIF tells its length.
     if (format === 'gif' || format === 'avif') return;
-    expect(await said('image', bytes.slice(0, bytes.length / 2))).toEqual(['error SCR032 assets/a is cut off: its end is missing.']);
+    expect(await said('image', bytes.slice(0, bytes.length / 2))).toEqual(['error SCR032 assets/a is incomplete.']);
   },
 );
 
-const TOO_WIDE = (size: string) => `error SCR032 assets/a is ${size} pixels; no device shows more than 16384 in a direction.`;
+const TOO_WIDE = (size: string) => `error SCR032 assets/a is ${size} pixels; the limit is 16384 in each direction.`;
 const NO_VIDEO = 'error SCR032 assets/a is broken: its content is not a video.';
-const CUT_VIDEO = 'error SCR032 assets/a is cut off: a part of it is longer than the file.';
+const CUT_VIDEO = 'error SCR032 assets/a is incomplete: a chunk is longer than the file.';
 
 test.each<[string, Asset['kind'], string, string]>([
   ['an image without pixels', 'image', png(0, 0), 'error SCR032 assets/a has no pixels: it is 0 × 0.'],
   ['an image of 50,000²', 'image', png(50_000, 50_000), TOO_WIDE('50000 × 50000')],
-  ['an image without an end', 'image', PNG.slice(0, -8), 'error SCR032 assets/a is cut off: its end is missing.'],
-  ['an image of a signature', 'image', SIGNATURE, 'error SCR032 assets/a is broken or of an unknown kind; PNG, JPEG and WebP are known.'],
+  ['an image without an end', 'image', PNG.slice(0, -8), 'error SCR032 assets/a is incomplete.'],
+  ['an image of a signature', 'image', SIGNATURE, 'error SCR032 assets/a is damaged or has an unsupported format. Use PNG, JPEG or WebP.'],
   ['a panorama without pixels', 'environment', `${hdr(0, 0)}\0`, 'error SCR032 assets/a has no pixels: it is 0 × 0.'],
   ['a panorama of 10⁹', 'environment', `${hdr(1e9, 1e9)}\0`, TOO_WIDE('1000000000 × 1000000000')],
-  ['a panorama of a head', 'environment', hdr(4, 2), 'error SCR032 assets/a is cut off: it has no pixels.'],
+  ['a panorama of a head', 'environment', hdr(4, 2), 'error SCR032 assets/a is incomplete: it has no pixels.'],
   [
     'a panorama of no size',
     'environment',
@@ -104,7 +104,7 @@ test.each<[string, Asset['kind'], string, string]>([
     'an MP4 of a head',
     'video',
     box('ftyp', 'isom\0\0\0\0'),
-    'error SCR032 assets/a is cut off, or not a video: its index (“moov”) is missing.',
+    'error SCR032 assets/a is incomplete or not a video: its index (“moov”) is missing.',
   ],
   ['an MP4 of sound', 'video', mp4('soun'), 'error SCR032 assets/a has no images in it.'],
   ['a WebM of junk', 'video', `${EBML}${'\x07junk\x01'.repeat(50)}`, NO_VIDEO],

@@ -77,11 +77,11 @@ async function contentFault(file: FileHandle, kind: AssetKind, head: Buffer, siz
 /** glTF 2.0 §4.4: magic, version, and the length of the whole file. JSON begins with a brace and is judged when it is loaded. */
 function wrongModel(head: Buffer, size: number): string | null {
   if (head.toString('latin1', 0, 4) !== 'glTF') return /^\s*\{/.test(head.toString('latin1')) ? null : 'is not a glTF model.';
-  if (size < 20) return 'is cut off: it has no more than a header.';
+  if (size < 20) return 'is incomplete: it contains only a header.';
   const version = head.readUInt32LE(4);
   if (version !== 2) return `is glTF version ${version}; only version 2 can be read.`;
   const length = head.readUInt32LE(8);
-  return size >= length ? null : `is cut off: it has ${size} of ${length} bytes.`;
+  return size >= length ? null : `is incomplete: it has ${size} of ${length} bytes.`;
 }
 
 /** What visitors load before they see it, bytes; a video is loaded whole, so that it can be sought and needs no network later. */

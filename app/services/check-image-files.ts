@@ -20,7 +20,7 @@ export async function radianceFault(file: FileHandle, size: number): Promise<str
   const head = (await readHead(file, Math.min(size, PANORAMA_HEAD_BYTES))).toString('latin1');
   const [line, y, x] = /\n[+-]Y (\d+) [+-]X (\d+)\n/.exec(head) ?? [];
   if (line === undefined) return NO_SIZE;
-  return sizeFault([Number(x), Number(y)]) ?? (head.indexOf(line) + line.length >= size ? 'is cut off: it has no pixels.' : null);
+  return sizeFault([Number(x), Number(y)]) ?? (head.indexOf(line) + line.length >= size ? 'is incomplete: it has no pixels.' : null);
 }
 
 /** Of an OpenEXR file: the attribute `dataWindow`, a box of four numbers (OpenEXR file layout, "Header"). */

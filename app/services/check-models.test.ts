@@ -63,13 +63,13 @@ describe('models in scrim check', () => {
     const sheet = await glb(new PlaneGeometry(1, 1, 2, 2));
     expect(await check('sheet.glb', sheet)).toEqual([]);
     expect(await check('sheet.glb', sheet, true)).toEqual([
-      'warning SCR035 The model "sheet.glb" stands for a real thing, but its surface is not closed: it has 8 edges at holes or rims.',
+      'warning SCR035 The model "sheet.glb" is a phantom, but its surface is not closed: it has 8 edges at holes or borders.',
     ]);
   });
 
   test('are told apart by what is broken in them', async () => {
     const whole = await glb(new BoxGeometry());
-    expect(await check('cut.glb', whole.subarray(0, 500))).toEqual([expect.stringMatching(/^error SCR032 .*cut off/)]);
+    expect(await check('cut.glb', whole.subarray(0, 500))).toEqual([expect.stringMatching(/^error SCR032 .*incomplete/)]);
     const gltf = (more: object) => JSON.stringify({ asset: { version: '2.0' }, scenes: [{}], ...more });
     expect(await check('loose.gltf', gltf({ buffers: [{ byteLength: 4, uri: 'loose.bin' }] }))).toEqual([
       'error SCR032 loose.gltf cannot be decoded: the file "loose.bin" that it refers to cannot be read (there is no such file). Put it beside the model, or export one .glb file.',
@@ -78,7 +78,7 @@ describe('models in scrim check', () => {
       expect.stringMatching(/^error SCR032 out.gltf cannot be decoded: it refers to "..\/..\/etc\/passwd", which is not in the project\./),
     ]);
     expect(await check('odd.gltf', gltf({ extensionsRequired: ['ACME_teapots'] }))).toEqual([
-      'error SCR032 odd.gltf cannot be decoded: it needs ACME_teapots, which Scrim cannot decode. Export it without, as a plain .glb.',
+      'error SCR032 odd.gltf cannot be decoded: it needs ACME_teapots, which Scrim cannot decode. Export it without them.',
     ]);
   });
 });

@@ -60,8 +60,8 @@ export async function webmFault(file: FileHandle, size: number): Promise<string 
   return isInSegment ? NO_IMAGES : CUT_OFF;
 }
 
-const CUT_OFF_HEAD = 'is cut off, or not a video:';
-const CUT_OFF = 'is cut off: a part of it is longer than the file.';
+const CUT_OFF_HEAD = 'is incomplete or not a video:';
+const CUT_OFF = 'is incomplete: a chunk is longer than the file.';
 const BROKEN = 'is broken: its content is not a video.';
 const NO_IMAGES = 'has no images in it.';
 

@@ -6,16 +6,16 @@ import type { ProgramUse } from './program-use.ts';
 
 export interface Script {
   readonly bytes: Uint8Array;
-  /** Source file, relative to the root → the bytes it has in the script. */
+  /** Source file relative to the root → its bytes in the script. */
   readonly parts: Readonly<Record<string, number>>;
 }
 
-/** What browsers with WebXR or ES modules of 2022 understand: no polyfills. */
+/** Browsers with WebXR or with ES modules of 2022; no polyfills. */
 const TARGET = 'es2022';
 
 /**
- * The page's one script: the player, the page around it, and the behavior of the nodes in use, nothing else. A classic script,
- * because browsers load no modules from a double-clicked file. esbuild gives the same bytes for the same sources.
+ * Bundles the page's only script: player, page and the runtimes of the used nodes. It is a classic script, because browsers load no modules
+ * from `file:` URLs. esbuild returns the same bytes for the same sources.
  */
 export async function bundleScript(root: string, use: ProgramUse, decoders: readonly DecoderName[]): Promise<Script> {
   const { outputFiles, metafile } = await build({
@@ -31,7 +31,7 @@ export async function bundleScript(root: string, use: ProgramUse, decoders: read
     charset: 'utf8',
     legalComments: 'eof',
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
-    // three's decoders name files beside their own module, which they are never asked for; a classic script has no such address.
+    // three.js decoders refer to files by `import.meta.url`, which classic scripts do not have. The URLs are not used.
     define: { 'process.env.NODE_ENV': '"production"', 'import.meta.url': 'document.baseURI' },
     logLevel: 'silent',
   });
@@ -40,7 +40,7 @@ export async function bundleScript(root: string, use: ProgramUse, decoders: read
   return { bytes: file.contents, parts: partsOf(metafile) };
 }
 
-/** The bundle's own style sheet. */
+/** Bundles the style sheet. */
 export async function bundleStyle(root: string): Promise<Uint8Array> {
   const { outputFiles } = await build({
     entryPoints: [resolve(root, 'export/page/page.css')],

@@ -16,31 +16,35 @@ import { type ExportReport, makeReport, REPORT_FILE, type ReportedFile, sizesOf 
 export interface BundleInput {
   readonly program: Program;
   readonly page: { readonly description: string; readonly language: string };
-  /** Name and version of the program that made the page: `Scrim 0.1.0`. */
+  /** Name and version of the exporting program, as in `Scrim 0.1.0`. */
   readonly generator: string;
-  /** Absolute folder with Scrim's sources and `node_modules`. */
+  /** Absolute path of the folder with Scrim's sources and `node_modules`. */
   readonly root: string;
-  /** Bytes of an asset by its project path. Rejects with an `Error` that says in plain words why there are none. */
+  /** Reads an asset by its project path. Rejects with an `Error` whose message is text for the user. */
   readonly readAsset: (path: string) => Promise<Uint8Array>;
   readonly sink: FileSink;
-  /** False leaves models as they are; true unless given. */
+  /** Whether to compress models. Default: true. */
   readonly compress?: boolean;
-  /** Keeps compressed models between exports. */
+  /** Stores compressed models between exports. */
   readonly cache?: AssetCache;
   /** Receives progress texts. */
   readonly say?: (text: string) => void;
-  /** A picture of the project, `POSTER_SIZE`; a neutral one takes its place. */
+  /** An image of the project of size `POSTER_SIZE`. Default: a neutral one. */
   readonly poster?: PosterPicture | null;
-  /** Everything in `index.html`, which then opens from a disk. */
+  /** Whether `index.html` contains everything, so that it opens without a server. */
   readonly singleFile?: boolean;
-  /** Where the page will be published, ending in `/`: those who show links to it ask for whole addresses. */
+  /** Address of the published page, ending in `/`, because link previews require absolute URLs. */
   readonly address?: string | null;
 }
 
 /**
- * A program as a static page: `index.html`, one script, one style sheet, the program, its assets, a poster, a service worker, and
- * `report.json`. The same input gives the same bytes. Assets that cannot be read are SCR030, sources that cannot be bundled SCR064;
- * the sink then has been given nothing.
+ * Exports a program as a static page: `index.html`, a script, a style sheet, the program, its assets, a poster, a service worker and
+ * `report.json`. The same input gives the same bytes.
+ *
+ * @returns The report; or null and nothing written, with SCR030 for unreadable assets or SCR064 if the sources cannot be bundled.
+ *
+ * @example
+ * const { output: report, diagnostics } = await bundlePage({ program, page, generator: 'Scrim 0.1.0', root, readAsset, sink });
  */
 export async function bundlePage(input: BundleInput): Promise<Result<ExportReport>> {
   const use = programUse(input.program);
@@ -92,7 +96,7 @@ function layOut(
   const programFile: PageFile = { path: hashedName('program.json', bytes), kind: 'program', bytes };
   const assetFiles = assets.map(({ asset, path, bytes }): PageFile => ({ path, kind: asset.kind, bytes }));
   const decoderContent = decoderFiles.map(({ path, bytes }): PageFile => ({ path, kind: 'decoder', bytes }));
-  // Two assets may be one file.
+  // Two assets may refer to the same file.
   const content = [...new Map([programFile, ...assetFiles, ...decoderContent].map((file) => [file.path, file])).values()];
   const layOutPage = singleFile ? layOutSingleFile : layOutFiles;
   const licences: PageFile = { path: LICENCES_FILE, kind: 'licences', bytes: toBytes(licencesText(program.title, credits)) };
@@ -122,7 +126,7 @@ function layOut(
   return credits.length > 0 && !singleFile ? [...files, licences] : files;
 }
 
-/** Without what only the editor looks at: source maps, taps, and assets that nothing uses. Credits stand on the page. */
+/** Removes what only the editor needs: source maps, viewed layers and unused assets. The page contains the credits. */
 function exportedProgram({ credits: _, ...program }: Program, assets: readonly PreparedAsset[]): Program {
   return {
     ...program,

@@ -1,4 +1,4 @@
-/** Where a page's files go. Paths are relative, `/` between parts, and each is written once. */
+/** Receives the files of a page. Paths are relative with `/` between folders; each is written once. */
 export interface FileSink {
   write(path: string, bytes: Uint8Array): Promise<void>;
 }

@@ -2,12 +2,12 @@ import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 import type { ProgramCredit } from '../program/program.ts';
 import type { PreparedAsset } from './assets/prepare-assets.ts';
 
-/** A work on the page, and its terms. */
+/** A work on the page and its license. */
 export type PageCredit = Omit<ProgramCredit, 'nodes'>;
 
 export const LICENCES_FILE = 'LICENSES.txt';
 
-/** The program's works, and what its models say of themselves (glTF's `asset.copyright`) where the project says nothing of them. */
+/** Credits of the program, and of its models (glTF's `asset.copyright`) if the project has no credit for them. */
 export function pageCredits(credits: readonly ProgramCredit[], assets: readonly PreparedAsset[]): ProgramCredit[] {
   const named = new Set(credits.filter(({ kind }) => kind === 'asset').map(({ title }) => title));
   const models = assets.flatMap(({ asset, copyright }): ProgramCredit[] =>
@@ -16,15 +16,15 @@ export function pageCredits(credits: readonly ProgramCredit[], assets: readonly 
   return [...credits, ...models];
 }
 
-/** Whether works under it may not be used for money. */
+/** Whether the license forbids commercial use. */
 export function isNonCommercial(licence: string): boolean {
   return /\bNC\b|non-?\s?commercial/i.test(licence);
 }
 
-/** A warning for each work that a page for money must not have. */
+/** A warning for each work with a non-commercial license. */
 export function licenceWarnings(credits: readonly ProgramCredit[]): Diagnostic[] {
   return credits.flatMap(({ title, credit, licence, nodes: [nodeId] }): Diagnostic[] => {
-    // glTF's copyright holds the terms, too.
+    // glTF's copyright contains the license too.
     const terms = licence || credit;
     if (!isNonCommercial(terms)) return [];
     const message = `“${title}” must not be used commercially: its license is ${terms}.`;

@@ -6,7 +6,7 @@ import type { PosterPicture } from './poster.ts';
 import type { FileKind } from './report.ts';
 import { OFFLINE_FILE, offlineScript } from './service-worker.ts';
 
-/** A file of the page, under the name that it has there. */
+/** A file of the page with its path there. */
 export interface PageFile {
   readonly path: string;
   readonly kind: FileKind;
@@ -17,18 +17,21 @@ export interface LayoutInput {
   readonly title: string;
   readonly description: string;
   readonly language: string;
-  /** Where the page will be published, ending in `/`, or null. */
+  /** Address of the published page, ending in `/`, or null. */
   readonly address: string | null;
   readonly script: Uint8Array;
   readonly style: Uint8Array;
   readonly poster: PosterPicture;
-  /** All that the script loads, the program included, in no order. */
+  /** Files that the script loads, including the program, in any order. */
   readonly content: readonly PageFile[];
   readonly config: Omit<PageConfig, 'bytes' | 'offline' | 'title' | 'description'>;
   readonly powers: PagePowers;
 }
 
-/** A page of several files: all but the page itself and its service worker are named by their content, for hosts to cache for ever. */
+/**
+ * Files of a page. Names contain a hash of the content, except for the page and its service worker, so that hosts can cache them without
+ * limit.
+ */
 export function layOutFiles(input: LayoutInput): PageFile[] {
   const { script, style, poster, content, address } = input;
   const page: PageFile = { path: hashedName('page.js', script), kind: 'script', bytes: script };
@@ -42,13 +45,13 @@ export function layOutFiles(input: LayoutInput): PageFile[] {
     config: configOf(input, OFFLINE_FILE),
   });
   const index: PageFile = { path: 'index.html', kind: 'page', bytes: toBytes(html) };
-  // Nobody sees the backdrop but those who link to the page.
+  // A neutral poster is used by link previews only.
   const shown = [page, sheet, ...(poster.drawn ? [picture] : []), ...content];
   const worker: PageFile = { path: OFFLINE_FILE, kind: 'offline', bytes: toBytes(offlineScript(index, shown)) };
   return [index, page, sheet, picture, worker, ...content];
 }
 
-/** The same in one file, which opens from a disk: it loads nothing, so there is nothing to keep for later. */
+/** The page as one file, which opens without a server. It loads nothing, so it needs no service worker. */
 export function layOutSingleFile(input: LayoutInput): PageFile[] {
   const { script, style, poster, content } = input;
   const html = pageHtml({
@@ -79,8 +82,8 @@ function configOf({ title, description, config, content }: LayoutInput, offline:
 }
 
 /**
- * Text that ends no script element and begins no comment in one: inside strings and regular expressions, the only places where a
- * minifier leaves such text, a backslash changes nothing.
+ * Escapes text that would end the script element or start a comment. Minified scripts contain it only in strings and regular expressions,
+ * where a backslash changes nothing.
  */
 function scriptText(text: string): string {
   return text

@@ -1,22 +1,22 @@
 import { encode } from 'fast-png';
 
-/** A picture of the page: for those who link to it, and, where it was drawn from the project, while the page loads. */
+/** An image of the page for link previews. If it was drawn from the project, it is also shown while the page loads. */
 export interface PosterPicture {
   readonly type: 'jpg' | 'png';
   readonly bytes: Uint8Array;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Shows what the page shows. */
+  /** Whether it was drawn from the project. */
   readonly drawn: boolean;
 }
 
-/** What those who show links expect: 1.91 to 1. */
+/** The size that link previews expect, 1.91 to 1. */
 export const POSTER_SIZE = { widthPx: 1200, heightPx: 630 } as const;
 
-/** Soft as it is, it needs no more: 120 kB instead of 290. */
+/** A blurred image needs no more pixels: 120 kB instead of 290. */
 const NEUTRAL_SIZE = { widthPx: 600, heightPx: 315 } as const;
 
-/** Red, green and blue of the page's background, dark and light, and of its accent; sRGB. */
+/** Red, green and blue of the page's dark and light background and of its accent; sRGB. */
 const CHANNELS = [
   [20, 66, 255],
   [22, 70, 207],
@@ -24,7 +24,7 @@ const CHANNELS = [
 ] as const;
 const FOLDS = 9;
 
-/** Where nothing can draw the project: a cloth in folds with a light behind it, the same for every page. */
+/** The poster if the project cannot be drawn: folds of a cloth with light behind it, the same for every page. */
 export function neutralPoster(): PosterPicture {
   const { widthPx, heightPx } = NEUTRAL_SIZE;
   const bell = (offset: number, width: number) => Math.exp(-((offset / width) ** 2));

@@ -1,18 +1,18 @@
 import type { Program, ProgramAsset } from '../program/program.ts';
 
-/** What of Scrim a program needs beside it. */
+/** The parts of Scrim that a program needs. */
 export interface ProgramUse {
-  /** Node types whose behavior is played, sorted. */
+  /** Node types whose runtimes are played, sorted. */
   readonly nodeTypes: readonly string[];
   /** Whether three.js is needed. */
   readonly scenes: boolean;
-  /** Whether panoramas are read. */
+  /** Whether it reads panoramas. */
   readonly panoramas: boolean;
-  /** Whether visitors can set something. */
+  /** Whether it has controls. */
   readonly controls: boolean;
-  /** Whether filters work in workers of their own. */
+  /** Whether it has filters in workers. */
   readonly workers: boolean;
-  /** Ids of the assets that some operation names. */
+  /** Ids of the assets that operations refer to. */
   readonly assets: ReadonlySet<string>;
 }
 

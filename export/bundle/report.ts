@@ -6,22 +6,22 @@ import type { PageCredit } from './page-credits.ts';
 
 export type FileKind = 'page' | 'script' | 'style' | 'offline' | 'poster' | 'program' | 'decoder' | 'licences' | ProgramAsset['kind'];
 
-/** `report.json` beside an exported page: what it is made of, and which files Scrim may replace there. */
+/** `report.json` of an exported page: its content, and the files that a later export may replace. */
 export interface ExportReport {
   readonly format: 'scrim-export';
   readonly version: 1;
   readonly title: string;
   readonly generator: string;
   readonly files: readonly ReportedFile[];
-  /** Without this report, which visitors never load. */
+  /** Without this report, which visitors do not load. */
   readonly bytes: Sizes & { readonly byKind: Readonly<Partial<Record<FileKind, Sizes>>> };
-  /** What the script holds: npm packages and Scrim's own folders → minified bytes. */
+  /** Content of the script: npm packages and Scrim's folders → minified bytes. */
   readonly script: Readonly<Record<string, number>>;
-  /** WebXR features that the page asks for when it enters AR. */
+  /** WebXR features that the page requests for AR. */
   readonly features: WebXrFeatures;
-  /** What the export made of each asset: compressed models, with their bytes before and after. */
+  /** Result of the export for each asset, with sizes before and after compression. */
   readonly assets: readonly ReportedAsset[];
-  /** Whose works the page is made of, and under which terms. */
+  /** Authors and licenses of the page's works. */
   readonly credits: readonly PageCredit[];
   readonly needs: readonly ProgramNeed[];
   readonly tiers: readonly Tier[];
@@ -34,7 +34,7 @@ export interface ReportedFile extends Sizes {
 
 export interface Sizes {
   readonly raw: number;
-  /** As most hosts send it; pictures and models are compressed in themselves, and counted all the same. */
+  /** Size after gzip, as most hosts send it. It is also computed for images and models, which are compressed already. */
   readonly gzip: number;
 }
 
@@ -78,7 +78,10 @@ function add(a: Sizes | undefined, b: Sizes): Sizes {
   return { raw: (a?.raw ?? 0) + b.raw, gzip: (a?.gzip ?? 0) + b.gzip };
 }
 
-/** `node_modules/three/build/x.js` → `three`; `export/runtime/passes/pass.ts` → `export/runtime`; `nodes/a/b/runtime.ts` → `nodes/a/b`. */
+/**
+ * Groups source files by package or folder: `node_modules/three/build/x.js` → `three`; `export/runtime/passes/pass.ts` → `export/runtime`;
+ * `nodes/a/b/runtime.ts` → `nodes/a/b`.
+ */
 function groupParts(parts: Readonly<Record<string, number>>): Record<string, number> {
   const groups = new Map<string, number>();
   for (const [path, bytes] of Object.entries(parts)) {

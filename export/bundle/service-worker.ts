@@ -1,6 +1,6 @@
 import { createHash } from 'node:crypto';
 
-/** Beside `index.html`: a service worker may answer only for its own folder. */
+/** Path beside `index.html`, because the scope of a service worker is its folder. */
 export const OFFLINE_FILE = 'offline.js';
 
 interface KeptFile {
@@ -9,9 +9,9 @@ interface KeptFile {
 }
 
 /**
- * Text of the service worker that keeps a page for later. All files are fetched when it is installed and kept under a version that is
- * the hash of all of them; a new version throws the old away when no page uses it any more. Files are named by their content, so what
- * is kept is right for ever; the page itself is asked for first, so that a new one is seen at once.
+ * Text of the service worker for offline use. On installation it fetches all files into a cache named by the hash of their contents; a new
+ * version deletes the old cache when no page uses it. Files are named by their content, so cached ones are always valid; the page itself is
+ * fetched from the network first, so that updates appear at once.
  */
 export function offlineScript(index: KeptFile, files: readonly KeptFile[]): string {
   const hash = createHash('sha256');
@@ -24,7 +24,7 @@ const FILES = ${JSON.stringify(paths)};
 ${WORKER}`;
 }
 
-/** Plain JavaScript, because it is read by nobody but the browser. Caches belong to the whole host: their names say whose they are. */
+/** Plain JavaScript. Caches are shared by all pages of a host, so their names contain the scope. */
 const WORKER = `const SCOPE = self.registration.scope;
 const OWN = 'scrim ' + SCOPE + ' ';
 const CACHE = OWN + VERSION;
@@ -72,7 +72,7 @@ async function openFile(request, href) {
   const range = /^bytes=(\\d+)-(\\d*)$/.exec(request.headers.get('range') ?? '');
   if (!file) return fetch(request);
   if (!range) return file;
-  // Safari plays a video only where it gets the parts that it asks for.
+  // Safari plays videos only if range requests are answered.
   const bytes = await file.arrayBuffer();
   const from = Number(range[1]);
   const to = Math.min(range[2] === '' ? bytes.byteLength : Number(range[2]) + 1, bytes.byteLength);

@@ -1,6 +1,6 @@
 import type { GltfDocument } from './document.ts';
 
-/** What a model may need beside three's own loader. */
+/** Decoders of compressed models, which three.js loads separately. */
 export const DECODERS = ['draco', 'meshopt', 'ktx2'] as const;
 export type DecoderName = (typeof DECODERS)[number];
 
@@ -11,7 +11,7 @@ const DECODER_OF: Readonly<Record<string, DecoderName>> = {
   KHR_texture_basisu: 'ktx2',
 };
 
-/** In the order of `DECODERS`. */
+/** The decoders that a model needs, in the order of `DECODERS`. */
 export function neededDecoders({ extensionsUsed = [] }: GltfDocument): DecoderName[] {
   const needed = new Set(extensionsUsed.map((name) => DECODER_OF[name]));
   return DECODERS.filter((name) => needed.has(name));
@@ -22,8 +22,8 @@ export function isDecoded(extension: string): boolean {
 }
 
 /**
- * Files that a decoder loads while the page runs, in `node_modules/three/examples/jsm/libs`. meshopt's is a part of the script.
- * File names are unique, so that all of them can be served from one folder.
+ * Files that a decoder loads at run time, in `node_modules/three/examples/jsm/libs`. meshopt is part of the script. File names are unique,
+ * so that all can be served from one folder.
  */
 export const DECODER_FILES = {
   draco: ['draco/gltf/draco_wasm_wrapper.js', 'draco/gltf/draco_decoder.wasm'],

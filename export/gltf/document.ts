@@ -1,4 +1,4 @@
-/** What Scrim reads of a glTF document by itself (Khronos glTF 2.0 specification, §5). */
+/** The properties of a glTF document that Scrim reads (Khronos glTF 2.0 specification, §5). */
 export interface GltfDocument {
   readonly asset?: { readonly version?: string; readonly copyright?: string };
   readonly extensionsUsed?: readonly string[];
@@ -26,7 +26,7 @@ export interface GltfMesh {
 export interface GltfPrimitive {
   readonly attributes: Readonly<Record<string, number>>;
   readonly indices?: number;
-  /** 4, triangles, where it is missing. */
+  /** Default: 4, triangles. */
   readonly mode?: number;
   readonly targets?: readonly Readonly<Record<string, number>>[];
   readonly extensions?: Readonly<Record<string, unknown>>;
@@ -61,14 +61,14 @@ export interface GltfImage {
   readonly mimeType?: string;
 }
 
-/** A file as read: its document, and the content of a GLB's own buffer. */
+/** A parsed file: its document, and the binary chunk of a GLB. */
 export interface Gltf {
   readonly document: GltfDocument;
   /** Null for a `.gltf`. */
   readonly binary: Uint8Array | null;
 }
 
-/** The message says what is wrong with a model and what to do. It follows "cannot be decoded: ". */
+/** A problem of a model. The message has the problem and its remedy and follows “cannot be decoded: ”. */
 export class ModelError extends Error {}
 
 export function damaged(what: string): ModelError {
@@ -78,14 +78,14 @@ export function damaged(what: string): ModelError {
 const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 const COMPONENTS: Readonly<Record<string, number>> = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4, MAT2: 4, MAT3: 9, MAT4: 16 };
 
-/** Bytes of one element, without padding; null for kinds that glTF does not know. */
+/** Bytes of one element without padding; null for invalid types. */
 export function elementBytes({ componentType, type }: GltfAccessor): number | null {
   const bytes = COMPONENT_BYTES[componentType];
   const count = COMPONENTS[type];
   return bytes === undefined || count === undefined ? null : bytes * count;
 }
 
-/** Its content is packed by an extension, so that its own length says nothing of what is in it. */
+/** Whether an extension compresses the buffer view, so that its length does not limit the content. */
 export function isPacked(view: GltfBufferView): boolean {
   return view.extensions !== undefined && ('EXT_meshopt_compression' in view.extensions || 'KHR_meshopt_compression' in view.extensions);
 }

@@ -77,7 +77,7 @@ describe('the findings on a model', () => {
     const sheet = await model(new PlaneGeometry(1, 1, 5, 5));
     expect(findingsOf(sheet, 'wall.glb', 2000, false)).toEqual([]);
     expect(findingsOf(sheet, 'wall.glb', 2000, true)).toMatchObject([
-      { code: 'SCR035', severity: 'warning', message: expect.stringContaining('it has 20 edges at holes or rims.') },
+      { code: 'SCR035', severity: 'warning', message: expect.stringContaining('it has 20 edges at holes or borders.') },
     ]);
   });
 

@@ -3,12 +3,12 @@ import type { Gltf } from './document.ts';
 import { measureModel } from './measure.ts';
 import { findEdgeFaults } from './open-edges.ts';
 
-/** What a model can do without harm on a phone of 2022; beyond, it is shown, and said. */
+/** Sizes that phones of 2022 can show. Larger models are shown with a warning. */
 export const LIMITS = {
   triangles: 300_000,
-  /** 4,096 × 4,096: the largest texture that all phones take. */
+  /** 4,096 × 4,096: the largest texture that all phones support. */
   picturePx: 4096 * 4096,
-  /** A third of what browsers on phones give a page before they reload it. */
+  /** A third of the memory that browsers on phones give to a page. */
   gpuBytes: 256 * 2 ** 20,
   /** A minute at 4 Mbit/s. */
   fileBytes: 32 * 10 ** 6,
@@ -17,8 +17,8 @@ export const LIMITS = {
 type Finding = Pick<Diagnostic, 'code' | 'severity' | 'message' | 'fix'>;
 
 /**
- * What a designer should know of a model that loads well: that it is huge (SCR034), or, where it stands for a real thing, no closed
- * surface (SCR035). Elsewhere holes do no harm, and most models have some.
+ * Warnings about a valid model: it is too large (SCR034), or it is a phantom whose surface is not closed (SCR035). For other objects, holes
+ * do not matter.
  */
 export function findingsOf(gltf: Gltf, path: string, fileBytes: number, standsForReal: boolean): Finding[] {
   return [...hugeness(gltf, path, fileBytes), ...(standsForReal ? holes(gltf, path) : [])];
@@ -60,14 +60,14 @@ function holes(gltf: Gltf, path: string): Finding[] {
   const faults = findEdgeFaults(gltf);
   if (!faults || faults.open + faults.branching === 0) return [];
   const parts = [
-    ...(faults.open > 0 ? [`${count(faults.open)} edges at holes or rims`] : []),
+    ...(faults.open > 0 ? [`${count(faults.open)} edges at holes or borders`] : []),
     ...(faults.branching > 0 ? [`${count(faults.branching)} edges where more than two triangles meet`] : []),
   ];
   return [
     {
       code: 'SCR035',
       severity: 'warning',
-      message: `The model "${path}" stands for a real thing, but its surface is not closed: it has ${parts.join(' and ')}.`,
+      message: `The model "${path}" is a phantom, but its surface is not closed: it has ${parts.join(' and ')}.`,
       fix: 'Close holes that visitors can see in a 3D program, such as with Fill Holes in Blender. Light and objects behind show through holes.',
     },
   ];

@@ -1,29 +1,29 @@
 import { imageSize } from './image-size.ts';
 
-/** The widest and highest texture that any WebGL device takes (`MAX_TEXTURE_SIZE` of desktop GPUs). */
+/** Largest texture size of any WebGL device (`MAX_TEXTURE_SIZE` of desktop GPUs). */
 export const MAX_IMAGE_SIDE_PX = 16_384;
 
-/** What is wrong with the bytes of an image, going on after its name; null where nothing is found without decoding it. */
+/** What is wrong with an image file, as a clause that follows its name; null if nothing is found without decoding it. */
 export function imageFault(bytes: Uint8Array): string | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   try {
     const size = sizeOf(bytes, view);
-    if (size === null) return 'is broken or of an unknown kind; PNG, JPEG and WebP are known.';
-    return sizeFault(size) ?? (isCutOff(bytes, view) ? 'is cut off: its end is missing.' : null);
+    if (size === null) return 'is damaged or has an unsupported format. Use PNG, JPEG or WebP.';
+    return sizeFault(size) ?? (isCutOff(bytes, view) ? 'is incomplete.' : null);
   } catch (error) {
-    // A read beyond the end.
-    if (error instanceof RangeError) return 'is cut off: its end is missing.';
+    // Read beyond the end.
+    if (error instanceof RangeError) return 'is incomplete.';
     throw error;
   }
 }
 
 type Size = readonly [widthPx: number, heightPx: number];
 
-/** Null where the size can be shown. */
+/** Null if the size is supported. */
 export function sizeFault([widthPx, heightPx]: Size): string | null {
   if (widthPx < 1 || heightPx < 1) return `has no pixels: it is ${widthPx} × ${heightPx}.`;
   if (Math.max(widthPx, heightPx) <= MAX_IMAGE_SIDE_PX) return null;
-  return `is ${widthPx} × ${heightPx} pixels; no device shows more than ${MAX_IMAGE_SIDE_PX} in a direction.`;
+  return `is ${widthPx} × ${heightPx} pixels; the limit is ${MAX_IMAGE_SIDE_PX} in each direction.`;
 }
 
 function sizeOf(bytes: Uint8Array, view: DataView): Size | null {
@@ -39,7 +39,7 @@ function sizeOf(bytes: Uint8Array, view: DataView): Size | null {
   return tag(bytes, 4) === 'ftyp' ? avifSize(bytes, view) : null;
 }
 
-/** ISO/IEC 23008-12 §6.5.3: `ispe` boxes; the largest belongs to the picture, others to its tiles and thumbnail. */
+/** ISO/IEC 23008-12 §6.5.3: `ispe` boxes; the largest is the image, others are tiles and thumbnails. */
 function avifSize(bytes: Uint8Array, view: DataView): Size | null {
   let largest: Size | null = null;
   for (let at = bytes.indexOf(0x69); at >= 0 && at + 16 <= bytes.length; at = bytes.indexOf(0x69, at + 1)) {
@@ -57,13 +57,13 @@ function isCutOff(bytes: Uint8Array, view: DataView): boolean {
   return false;
 }
 
-/** PNG specification, §11.2.5: the chunks end with IEND. */
+/** PNG specification, §11.2.5: the last chunk is IEND. */
 function hasPngEnd(bytes: Uint8Array, view: DataView): boolean {
   for (let at = 8; at + 12 <= bytes.length; at += 12 + view.getUint32(at)) if (tag(bytes, at + 4) === 'IEND') return true;
   return false;
 }
 
-/** ITU T.81, §B.2.1: EOI. Cameras put more behind it, and a preview with an EOI of its own before the frame's data. */
+/** ITU T.81, §B.2.1: EOI. Cameras append data, and may embed a preview with its own EOI before the frame. */
 function hasJpegEnd(bytes: Uint8Array): boolean {
   for (let at = bytes.lastIndexOf(0xd9); at > 0; at = bytes.lastIndexOf(0xd9, at - 1)) {
     if (bytes[at - 1] === 0xff) return at > startOfScan(bytes);

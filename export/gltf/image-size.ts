@@ -1,18 +1,18 @@
 export interface ImageSize {
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Packed for the GPU, with mip maps of its own or none. */
+  /** Compressed for the GPU, with its number of mip levels. */
   readonly ktx2: { readonly levels: number } | null;
 }
 
-/** What the head of a PNG, JPEG, WebP or KTX2 file says; null for other files and broken ones. */
+/** Reads the size from the header of a PNG, JPEG, WebP or KTX2 file; null for other and invalid files. */
 export function imageSize(bytes: Uint8Array): ImageSize | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   try {
     const size = pngSize(view) ?? jpegSize(view) ?? webpSize(view);
     return size ? { widthPx: size[0], heightPx: size[1], ktx2: null } : ktx2Size(view);
   } catch (error) {
-    // A read beyond the end: cut off.
+    // Read beyond the end: the file is truncated.
     if (error instanceof RangeError) return null;
     throw error;
   }
@@ -20,12 +20,12 @@ export function imageSize(bytes: Uint8Array): ImageSize | null {
 
 type Size = readonly [widthPx: number, heightPx: number];
 
-/** PNG specification, §11.2.2: IHDR comes first. */
+/** PNG specification, §11.2.2: IHDR is the first chunk. */
 function pngSize(view: DataView): Size | null {
   return view.getUint32(0) === 0x89504e47 ? [view.getUint32(16), view.getUint32(20)] : null;
 }
 
-/** ITU T.81, §B.2.2: the frame header is in the first segment SOF0 to SOF15 that is neither DHT, JPG nor DAC. */
+/** ITU T.81, §B.2.2: the frame header is the first segment SOF0 to SOF15 that is not DHT, JPG or DAC. */
 function jpegSize(view: DataView): Size | null {
   if (view.getUint16(0) !== 0xffd8) return null;
   for (let at = 2; ; at += 2 + view.getUint16(at + 2)) {
@@ -37,7 +37,7 @@ function jpegSize(view: DataView): Size | null {
   }
 }
 
-/** RFC 9649, §2: lossy, lossless, and extended files. */
+/** RFC 9649, §2: lossy, lossless and extended files. */
 function webpSize(view: DataView): Size | null {
   if (view.getUint32(0) !== 0x52494646 || view.getUint32(8) !== 0x57454250) return null;
   const uint24 = (at: number) => view.getUint16(at, true) + (view.getUint8(at + 2) << 16);

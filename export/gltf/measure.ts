@@ -1,23 +1,25 @@
 import { elementBytes, type Gltf, type GltfDocument } from './document.ts';
 import { imageSize } from './image-size.ts';
 
-/** How much a model is, estimated from what its file says, without decoding it. */
+/** Size of a model, estimated from its document without decoding. */
 export interface ModelMeasure {
   readonly triangles: number;
-  /** Pixels of the largest picture. */
+  /** Pixels of the largest image. */
   readonly largestPicturePx: number;
   /** Bytes of vertices, indices and morph targets on the GPU. */
   readonly geometryBytes: number;
-  /** Bytes of pictures on the GPU, mip maps included. */
+  /** Bytes of images on the GPU, including mipmaps. */
   readonly textureBytes: number;
 }
 
-/** Mip maps add a quarter, a sixteenth and so on. */
+/** Factor of a full mip chain: 1 + 1/4 + 1/16 + … */
 const MIPS = 4 / 3;
 const RGBA8_BYTES = 4;
-/** Of what KTX2 is turned into on most GPUs: ASTC 4×4, BC7 and ETC2 with alpha have 16 bytes per 4×4 pixels. */
+/**
+ * Bytes per pixel of the formats that KTX2 is transcoded to on most GPUs: ASTC 4×4, BC7 and ETC2 with alpha have 16 bytes per 4×4 pixels.
+ */
 const BLOCK_BYTES = 1;
-/** three keeps morph targets as 32-bit RGBA texels, one per attribute, vertex and target (`WebGLMorphtargets`). */
+/** three.js stores morph targets as 32-bit RGBA texels, one per attribute, vertex and target (`WebGLMorphtargets`). */
 const MORPH_TEXEL_BYTES = 16;
 
 export function measureModel({ document, binary }: Gltf): ModelMeasure {
@@ -30,7 +32,7 @@ export function measureModel({ document, binary }: Gltf): ModelMeasure {
     if (!size) continue;
     const pixels = size.widthPx * size.heightPx;
     largestPicturePx = Math.max(largestPicturePx, pixels);
-    // A KTX2 file with one level is drawn without mip maps.
+    // A KTX2 file with one level is drawn without mipmaps.
     textureBytes += pixels * (size.ktx2 ? BLOCK_BYTES * (size.ktx2.levels === 1 ? 1 : MIPS) : RGBA8_BYTES * MIPS);
   }
   return { ...measureGeometry(document), largestPicturePx, textureBytes: Math.round(textureBytes) };
@@ -52,7 +54,7 @@ function measureGeometry({ meshes = [], accessors = [] }: GltfDocument): Pick<Mo
   let geometryBytes = morphBytes;
   for (const index of lists) {
     const accessor = accessors[index];
-    // Padded to 4 bytes, as WebGL's vertices have to be aligned.
+    // Padded to 4 bytes, the alignment of vertices in WebGL.
     if (accessor) geometryBytes += accessor.count * paddedBytes(elementBytes(accessor) ?? 0, accessor.type === 'SCALAR');
   }
   return { triangles, geometryBytes };

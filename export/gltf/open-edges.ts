@@ -1,19 +1,19 @@
 import { type Gltf, type GltfAccessor, type GltfPrimitive, isPacked } from './document.ts';
 
-/** Edges of a model's surfaces that are not between exactly two triangles. */
+/** Edges of a model's surfaces that do not belong to exactly two triangles. */
 export interface EdgeFaults {
-  /** At a hole or a rim: one triangle only. */
+  /** Edges with one triangle, at holes or borders. */
   readonly open: number;
-  /** More than two triangles meet. */
+  /** Edges with more than two triangles. */
   readonly branching: number;
 }
 
-/** About 0.2 s of work; larger models are not judged. */
+/** About 0.2 s of work. Larger models are not checked. */
 const MAX_TRIANGLES = 300_000;
 
 /**
- * Counts the edges by which a model's meshes are no closed surfaces. Vertices at the same place count as one, since files split
- * them at seams. Null where that cannot be told cheaply: packed or huge geometry.
+ * Counts the edges at which a model's meshes are not closed. Vertices at the same position count as one, because files split them at seams.
+ * Returns null if the geometry is compressed or too large.
  */
 export function findEdgeFaults(gltf: Gltf): EdgeFaults | null {
   let open = 0;
@@ -38,17 +38,17 @@ export function findEdgeFaults(gltf: Gltf): EdgeFaults | null {
   return { open, branching };
 }
 
-/** Distinct places from the origin to the farthest vertex: seams differ by rounding, such as sin 2π from sin 0. */
+/** Distinct coordinates from the origin to the farthest vertex. Vertices at seams differ by rounding errors. */
 const PLACES = 2 ** 20;
 
-/** Beyond any number of vertices that can be judged. */
+/** Larger than any number of vertices that is checked. */
 const STRIDE = 2 ** 24;
 
 function countEdges(corners: Uint32Array, edges: Map<number, number>): void {
   for (let i = 0; i + 2 < corners.length; i += 3) {
     const triangle = [corners[i] as number, corners[i + 1] as number, corners[i + 2] as number] as const;
     const [a, b, c] = triangle;
-    // Without area: it closes nothing.
+    // A degenerate triangle closes nothing.
     if (a === b || b === c || c === a) continue;
     for (const [from, to] of [
       [a, b],
@@ -61,7 +61,7 @@ function countEdges(corners: Uint32Array, edges: Map<number, number>): void {
   }
 }
 
-/** Number of the place, one per distinct position, of every triangle's corner. */
+/** The index of each triangle corner's position, equal for equal positions. */
 function cornerPlaces(gltf: Gltf, { attributes, indices, extensions }: GltfPrimitive, places: Map<string, number>): Uint32Array | null {
   if (extensions && 'KHR_draco_mesh_compression' in extensions) return null;
   const positions = readNumbers(gltf, attributes.POSITION);
@@ -91,7 +91,7 @@ const READERS = {
   5126: { bytes: 4, read: (view: DataView, at: number) => view.getFloat32(at, true) },
 } as const;
 
-/** The numbers of a plain list, as they stand in the file: normalized integers are not divided. */
+/** The values of an uncompressed accessor. Normalized integers are not converted. */
 function readNumbers({ document, binary }: Gltf, index: number | undefined): Float64Array | null {
   const accessor = index === undefined ? undefined : document.accessors?.[index];
   const view = accessor?.bufferView === undefined ? undefined : document.bufferViews?.[accessor.bufferView];

@@ -2,10 +2,11 @@ import { decodeDataUrl } from './data-url.ts';
 import { damaged, type Gltf, type GltfBufferView, type GltfDocument, ModelError } from './document.ts';
 
 /**
- * The files that a model refers to, as paths below the folder that its own path is relative to: `assets/cup.gltf` with
- * `textures/wood.png` in it gives `assets/textures/wood.png`.
+ * Paths of the files that a model refers to, in the folder that `path` is relative to: `assets/cup.gltf` with `textures/wood.png` gives
+ * `assets/textures/wood.png`.
  *
- * @throws ModelError for what leads anywhere else: addresses, absolute paths, `..` beyond the top
+ * @returns Reference in the document → path.
+ * @throws ModelError for references outside: URLs, absolute paths, `..` beyond the top.
  */
 export function externalFiles({ buffers = [], images = [] }: GltfDocument, path: string): ReadonlyMap<string, string> {
   const uris = [...buffers, ...images].flatMap(({ uri }) => (uri === undefined || uri.startsWith('data:') ? [] : [uri]));
@@ -13,7 +14,7 @@ export function externalFiles({ buffers = [], images = [] }: GltfDocument, path:
 }
 
 function pathBeside(path: string, uri: string): string {
-  const outside = new ModelError(`it refers to "${uri}", which is not in the project. Export it as one .glb file with everything in it.`);
+  const outside = new ModelError(`it refers to "${uri}", which is not in the project. Export it as one .glb file.`);
   if (/^[a-z][a-z0-9+.-]*:|^[\\/]|[\\?#]/i.test(uri)) throw outside;
   const parts = path.split('/').slice(0, -1);
   for (const part of decodeParts(uri, outside)) {
@@ -24,13 +25,13 @@ function pathBeside(path: string, uri: string): string {
   return parts.join('/');
 }
 
-/** References are percent-encoded (§2.8); what decoding brings to light is judged like any other name. */
+/** References are percent-encoded (§2.8); the decoded names are checked too. */
 function decodeParts(uri: string, outside: ModelError): string[] {
   try {
     const parts = uri.split('/').map(decodeURIComponent);
     if (parts.every((part) => part !== '' && !/[\\/\0:]/.test(part))) return parts;
   } catch {
-    // Said below.
+    // Reported below.
   }
   throw outside;
 }
@@ -38,10 +39,10 @@ function decodeParts(uri: string, outside: ModelError): string[] {
 const CHUNK = { json: 0x4e4f534a, binary: 0x004e4942 } as const;
 
 /**
- * A model in one GLB file (§4.4), with the contents of `data:` URLs and of other files in its one buffer. Nothing is decoded, so
- * that nothing gets lost.
+ * Packs a model into one GLB (§4.4) with the contents of `data:` URLs and external files in its buffer. Nothing is decoded, so nothing is
+ * lost.
  *
- * @param files contents of `externalFiles`, by reference
+ * @param files Contents of `externalFiles`, by reference.
  */
 export function packGlb({ document, binary }: Gltf, files: ReadonlyMap<string, Uint8Array>): Uint8Array<ArrayBuffer> {
   const parts: Uint8Array[] = [];
@@ -64,7 +65,7 @@ export function packGlb({ document, binary }: Gltf, files: ReadonlyMap<string, U
   const starts = buffers.map(({ uri, byteLength = 0, extensions }, i) => {
     if (uri === undefined && extensions !== undefined && !(i === 0 && binary)) return null;
     const bytes = uri === undefined ? binary : contentOf(uri).bytes;
-    if (!bytes || bytes.length < byteLength) throw damaged(`its buffer ${i} is shorter than it should be`);
+    if (!bytes || bytes.length < byteLength) throw damaged(`buffer ${i} is too short`);
     return add(bytes.subarray(0, byteLength));
   });
   const kept = buffers.flatMap((buffer, i) => (starts[i] === null ? [{ buffer, i }] : []));
@@ -91,7 +92,7 @@ export function packGlb({ document, binary }: Gltf, files: ReadonlyMap<string, U
   return writeGlb(packed, parts, length);
 }
 
-/** meshopt's packed parts name a buffer of their own, beside the one that they stand for. */
+/** Buffer views of meshopt refer to a second buffer with the compressed data. */
 function movedView(view: GltfBufferView, moved: <T extends { buffer: number; byteOffset?: number }>(part: T) => T): GltfBufferView {
   const extensions = Object.entries(view.extensions ?? {}).map(([name, value]) => [
     name,

@@ -11,7 +11,7 @@ const BINARY_CHUNK = 0x004e4942;
 const HEADER_BYTES = 12;
 const CHUNK_HEADER_BYTES = 8;
 
-/** Extensions that three's loader applies by itself. Others may be used, but not required. */
+/** Extensions that the loader of three.js supports. Others may be used, but not required. */
 const SUPPORTED = new Set([
   ...['KHR_lights_punctual', 'KHR_materials_anisotropy', 'KHR_materials_clearcoat', 'KHR_materials_diffuse_roughness'],
   ...['KHR_materials_dispersion', 'KHR_materials_emissive_strength', 'KHR_materials_ior', 'KHR_materials_iridescence'],
@@ -21,10 +21,9 @@ const SUPPORTED = new Set([
 ]);
 
 /**
- * Reads a `.glb` or `.gltf` file without decoding what is in it, and refuses what cannot be shown. Files that it refers to are
- * for the caller to find (`externalFiles`).
+ * Reads and checks a `.glb` or `.gltf` file without decoding its data. The caller loads external files (`externalFiles`).
  *
- * @throws ModelError
+ * @throws ModelError if the file is invalid or cannot be shown.
  */
 export function readGltf(bytes: Uint8Array): Gltf {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -36,7 +35,7 @@ export function readGltf(bytes: Uint8Array): Gltf {
   checkBuffers(document, isBinary ? (chunks?.binary?.length ?? 0) : null);
   checkAccessors(document);
   checkSceneGraph(document);
-  if (!document.scenes?.length) throw new ModelError('it holds no scene, so there is nothing to show.');
+  if (!document.scenes?.length) throw new ModelError('it contains no scene. Export it with a scene.');
   const gltf = { document, binary: chunks?.binary ?? null };
   checkPacked(gltf);
   checkImages(gltf);
@@ -48,29 +47,29 @@ interface Chunks {
   readonly binary: Uint8Array | null;
 }
 
-/** A GLB file: 12 bytes of header, then chunks of length, type and content (§4.4). */
+/** A GLB file: a header of 12 bytes, then chunks with length, type and content (§4.4). */
 function readChunks(bytes: Uint8Array, view: DataView): Chunks {
   if (bytes.length < HEADER_BYTES + CHUNK_HEADER_BYTES) throw truncated(bytes.length, HEADER_BYTES + CHUNK_HEADER_BYTES);
   const version = view.getUint32(4, true);
   if (version !== 2)
-    throw new ModelError(`it is a GLB file of version ${version}, and only version 2 can be read. Export it again as glTF 2.0.`);
+    throw new ModelError(`it is a GLB file of version ${version}, but only version 2 is supported. Export it again as glTF 2.0.`);
   const length = view.getUint32(8, true);
   if (bytes.length < length) throw truncated(bytes.length, length);
   let json: Uint8Array | null = null;
   let binary: Uint8Array | null = null;
   for (let at = HEADER_BYTES; at < length; ) {
-    if (at + CHUNK_HEADER_BYTES > length) throw damaged('a part of it ends in the middle');
+    if (at + CHUNK_HEADER_BYTES > length) throw damaged('a chunk is incomplete');
     const chunkBytes = view.getUint32(at, true);
     const type = view.getUint32(at + 4, true);
     const start = at + CHUNK_HEADER_BYTES;
-    if (start + chunkBytes > length) throw damaged('a part of it is longer than the file');
-    if (json === null && type !== JSON_CHUNK) throw damaged('it does not begin with its description');
+    if (start + chunkBytes > length) throw damaged('a chunk is longer than the file');
+    if (json === null && type !== JSON_CHUNK) throw damaged('the first chunk is not JSON');
     const chunk = bytes.subarray(start, start + chunkBytes);
     if (type === JSON_CHUNK) json ??= chunk;
     else if (type === BINARY_CHUNK) binary ??= chunk;
     at = start + chunkBytes;
   }
-  if (json === null) throw damaged('its description is missing');
+  if (json === null) throw damaged('the JSON chunk is missing');
   return { json, binary };
 }
 
@@ -79,35 +78,36 @@ function parse(text: string, isBinary: boolean): GltfDocument {
     const json: unknown = JSON.parse(text);
     if (typeof json === 'object' && json !== null && 'asset' in json) return json as GltfDocument;
   } catch {
-    // Said below, in words for people who never saw a parser.
+    // Reported below.
   }
-  throw isBinary ? damaged('its description is not valid JSON') : new ModelError('it is neither a .glb nor a .gltf file.');
+  throw isBinary ? damaged('its JSON is invalid') : new ModelError('it is neither a .glb nor a .gltf file.');
 }
 
 function checkVersion({ asset }: GltfDocument): void {
   const version = String(asset?.version ?? 'unknown');
-  if (!version.startsWith('2.')) throw new ModelError(`it is glTF ${version}, and only glTF 2.0 can be read. Export it again as glTF 2.0.`);
+  if (!version.startsWith('2.'))
+    throw new ModelError(`it is glTF ${version}, but only glTF 2.0 is supported. Export it again as glTF 2.0.`);
 }
 
 function checkExtensions({ extensionsRequired = [] }: GltfDocument): void {
   const missing = extensionsRequired.filter((name) => !SUPPORTED.has(name) && !isDecoded(name));
   if (missing.length === 0) return;
-  throw new ModelError(`it needs ${missing.join(', ')}, which Scrim cannot decode. Export it without, as a plain .glb.`);
+  throw new ModelError(`it needs ${missing.join(', ')}, which Scrim cannot decode. Export it without them.`);
 }
 
-/** Every buffer has its content somewhere, and every part of one lies inside. `ownBytes` are in the file itself, where it can have some. */
+/** Every buffer must have content, and every buffer view must be inside its buffer. `ownBytes` is the length of the binary chunk. */
 function checkBuffers({ buffers = [], bufferViews = [] }: GltfDocument, ownBytes: number | null): void {
   buffers.forEach(({ uri, extensions }, i) => {
-    // Buffers that meshopt's packed parts take the place of have no content (EXT_meshopt_compression, "Fallback buffers").
-    if (uri === undefined && extensions === undefined && !(ownBytes !== null && i === 0)) throw damaged(`its buffer ${i} has no content`);
+    // Fallback buffers of meshopt have no content (EXT_meshopt_compression, “Fallback buffers”).
+    if (uri === undefined && extensions === undefined && !(ownBytes !== null && i === 0)) throw damaged(`buffer ${i} has no content`);
   });
   bufferViews.forEach(({ buffer, byteOffset = 0, byteLength }, i) => {
     const size = buffers[buffer]?.byteLength ?? 0;
-    if (byteOffset + byteLength > size) throw damaged(`its part ${i} lies outside its buffer`);
+    if (byteOffset + byteLength > size) throw damaged(`buffer view ${i} exceeds its buffer`);
   });
   const [own] = buffers;
   if (ownBytes === null || own === undefined || own.uri !== undefined || own.extensions !== undefined) return;
-  if ((own.byteLength ?? 0) > ownBytes) throw damaged('its buffer 0 is longer than the file');
+  if ((own.byteLength ?? 0) > ownBytes) throw damaged('buffer 0 is longer than the file');
 }
 
 function decode(bytes: Uint8Array): string {
@@ -115,5 +115,5 @@ function decode(bytes: Uint8Array): string {
 }
 
 function truncated(actual: number, expected: number): ModelError {
-  return new ModelError(`the file is cut off: it should have ${expected} bytes and has ${actual}. Copy or export it again.`);
+  return new ModelError(`the file is incomplete: it has ${actual} of ${expected} bytes. Copy or export it again.`);
 }

@@ -87,7 +87,7 @@ describe('a model in several files', () => {
   test('is refused where a file of it is too short', async () => {
     const found = gltf({ buffers: [{ byteLength: 40, uri: 'a.bin' }] });
     found.set('models/a.bin', new Uint8Array(10));
-    await expect(read(found)).rejects.toThrow('the file is damaged: its buffer 0 is shorter than it should be. Export it again.');
+    await expect(read(found)).rejects.toThrow('the file is damaged: buffer 0 is too short. Export it again.');
   });
 
   test.each<[string, Uint8Array]>([
@@ -96,7 +96,7 @@ describe('a model in several files', () => {
   ])('is refused when a picture in it is %s', async (_what, picture) => {
     const found = (await files()).set('models/wood.png', Uint8Array.from(picture));
     await expect(read(found)).rejects.toThrow(
-      'the file is damaged: its picture 0 is broken or of an unknown kind; PNG, JPEG and WebP are known. Export it again.',
+      'the file is damaged: image 0 is damaged or has an unsupported format. Use PNG, JPEG or WebP. Export it again.',
     );
   });
 

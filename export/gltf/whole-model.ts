@@ -2,9 +2,9 @@ import { type Gltf, ModelError } from './document.ts';
 import { externalFiles, packGlb } from './pack-glb.ts';
 import { readGltf } from './read-gltf.ts';
 
-/** A model with everything that belongs to it. */
+/** A model with all of its data. */
 export interface WholeModel {
-  /** The file itself where nothing was outside of its one buffer, else a GLB made of it. */
+  /** The file itself, or a GLB with the external files. */
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly gltf: Gltf;
 }
@@ -12,9 +12,9 @@ export interface WholeModel {
 /**
  * Reads a model and the files that it refers to.
  *
- * @param path of the model; those of the files stand beside it
- * @param readFile rejects with an `Error` that says why there is no such file
- * @throws ModelError
+ * @param path Path of the model; references are relative to it.
+ * @param readFile Rejects with an `Error` whose message is text for the user.
+ * @throws ModelError if the model is invalid.
  */
 export async function readWholeModel(
   bytes: Uint8Array<ArrayBuffer>,

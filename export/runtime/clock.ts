@@ -1,16 +1,16 @@
 /**
- * Time as the runtime sees it, and the only file of the runtime that touches the browser's clocks. Everything else is handed
- * one of these, so that a render repeats and a test needs no sleep.
+ * Time for the runtime. This is the only file of the runtime that uses the browser's clocks; everything else gets a clock, so that renders
+ * repeat and tests need no sleep.
  */
 export interface FrameClock {
-  /** Seconds from an arbitrary origin, never running backwards. */
+  /** Seconds from an arbitrary origin, never decreasing. */
   nowS(): number;
-  /** Before the next repaint; the callback gets `nowS` of that moment. */
+  /** Calls back before the next display frame with `nowS` of that moment. */
   requestFrame(callback: (timeS: number) => void): number;
   cancelFrame(handle: number): void;
-  /** Resolves after `delayS` seconds, also while nothing is repainted. */
+  /** Resolves after `delayS` seconds, also without display frames. */
   delay(delayS: number): Promise<void>;
-  /** Local date and time into `out`: year, month from 1, day, seconds since midnight, as ISF's `DATE` has them. */
+  /** Writes local date and time: year, month from 1, day, seconds since midnight, as ISF's `DATE`. */
   readDate(out: Float64Array): void;
 }
 
@@ -25,9 +25,9 @@ export function createBrowserClock(): FrameClock {
   };
 }
 
-/** A clock that moves only when told to. */
+/** A clock that only `advance` moves. */
 export interface ManualClock extends FrameClock {
-  /** Moves time on, wakes delays that are over, then runs the frames asked for until now. */
+  /** Advances the time, resolves delays that have ended, then runs the requested frames. */
   advance(deltaS: number): void;
 }
 
@@ -62,10 +62,10 @@ export function createManualClock(startS = 0, localEpochMs = 0): ManualClock {
   };
 }
 
-/** 1 January 2024, 12:00, whatever the machine's clock says. */
+/** 1 January 2024, 12:00, independent of the machine's clock. */
 const RENDER_DATE_MS = /* @__PURE__ */ Date.UTC(2024, 0, 1, 12);
 
-/** Of renders, whose frames bring their own time: waiting for drivers and files is not part of it. */
+/** The clock of renders, whose frames have their own time. Only `delay` uses real time. */
 export function createRenderClock(): FrameClock {
   const { delay } = createBrowserClock();
   return { ...createManualClock(0, RENDER_DATE_MS), delay };
@@ -74,8 +74,8 @@ export function createRenderClock(): FrameClock {
 const DAY_MS = 86_400_000;
 
 /**
- * Milliseconds since 1970 in local time → ISF's `DATE`, without making a `Date` every frame. Days to civil date after
- * Howard Hinnant, "chrono-Compatible Low-Level Date Algorithms", `civil_from_days`.
+ * Converts milliseconds since 1970 in local time to ISF's `DATE` without allocating a `Date`. Uses `civil_from_days` of Howard Hinnant,
+ * “chrono-Compatible Low-Level Date Algorithms”.
  */
 function writeDate(localMs: number, out: Float64Array): void {
   const days = Math.floor(localMs / DAY_MS);

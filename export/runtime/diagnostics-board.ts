@@ -1,8 +1,8 @@
 import type { Diagnostic } from '../../nodes/kit/diagnostics.ts';
 
-/** What is wrong with the running program, node by node; told to the host whenever it changes. */
+/** Diagnostics of the running program by node; the host is notified of each change. */
 export interface DiagnosticsBoard {
-  /** The same report again changes nothing, so a node may report every frame. */
+  /** Adds a diagnostic. Equal ones are added once, so a node may report in every frame. */
   report(node: string, diagnostic: Omit<Diagnostic, 'nodeId'>): void;
   clear(node: string): void;
 }

@@ -16,14 +16,14 @@ import type { PlayState } from './play-state.ts';
 import type { OperationTimer } from './program-instance/operation-timer.ts';
 import type { CreateSceneBackend, SceneBackend } from './scene-backend.ts';
 
-/** Everything that lives as long as the graphics context does, whatever program is played. */
+/** Everything that exists once per WebGL context, independent of the program. */
 export interface Engine {
   readonly objects: GlObjects;
   readonly programs: ProgramCache;
   readonly drawer: PassDrawer;
-  /** Linked beside the first program of the page. */
+  /** Linked together with the first program. */
   readonly copy: GlProgram;
-  /** A program for work outside of frames: linked when first asked for, and kept. */
+  /** A program for work outside of frames, linked at the first request and kept. */
   tool(shader: LinkedShader): GlProgram;
   readonly assets: AssetStore;
   readonly pictures: PictureStore;
@@ -31,13 +31,13 @@ export interface Engine {
   readonly state: PlayState;
   readonly timer: OperationTimer | null;
   readonly host: NodeHost;
-  /** Null until something drew objects or loaded a model. */
+  /** Null until a node has drawn objects or loaded a model. */
   scenesIfMade(): SceneBackend | null;
   counts(): PlayerCounts;
   dispose(): void;
 }
 
-/** GPU objects alive: the player's own by kind, and three.js's. */
+/** Number of GPU objects: the player's own by kind, and those of three.js. */
 export interface PlayerCounts extends GlCounts {
   readonly scenes: ReturnType<SceneBackend['counts']> | null;
 }

@@ -3,12 +3,15 @@ import type { Engine } from './engine.ts';
 import type { LiveResources } from './resources/resources.ts';
 import type { Slots } from './values/slots.ts';
 
-/** What an editor's tools look at after a frame: `readColor`, `readDepth`, `showLayer`, `probeDepth`, `placedObjects`, `pickObject`. They stand beside the player, so that pages need not carry them. */
+/**
+ * The last frame for tools of the editor: `readColor`, `readDepth`, `showLayer`, `probeDepth`, `placedObjects`, `pickObject`. They are
+ * separate functions, so that pages do not bundle them.
+ */
 export interface Inspected {
   readonly engine: Engine;
   readonly program: Program;
   readonly slots: Slots;
   readonly resources: LiveResources;
-  /** Null where no layer was asked for, or it is not tapped. */
+  /** The requested layer; null if none was requested or it is not viewed. */
   readonly layer: LayerRef | null;
 }

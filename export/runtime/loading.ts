@@ -2,7 +2,7 @@ import type { Program } from '../program/program.ts';
 import type { Engine } from './engine.ts';
 import type { GlProgram, ShaderError } from './gl/program-cache.ts';
 
-/** What a program needs before its first frame: linked GL programs in the order of its shaders, and its assets. */
+/** What a program needs before its first frame: linked GL programs, in the order of its shaders, and its assets. */
 export interface LoadedProgram {
   readonly program: Program;
   readonly glPrograms: readonly GlProgram[];
@@ -11,15 +11,15 @@ export interface LoadedProgram {
 }
 
 export interface Loading {
-  /** Null where it was cancelled. */
+  /** Null if it was canceled. */
   readonly done: Promise<LoadedProgram | null>;
   cancel(): void;
 }
 
-/** How often drivers are asked whether they have finished, seconds: about the shortest that browsers' timers keep. */
+/** Interval for polling the driver, seconds: about the shortest that browsers' timers support. */
 const POLL_S = 0.004;
 
-/** Loads beside whatever is playing: frames go on between the questions to the driver. */
+/** Loads a program while another one plays; frames continue between polls. */
 export function loadProgram(engine: Engine, program: Program): Loading {
   const glPrograms = program.shaders.map((shader) => engine.programs.acquire(shader));
   const assets = engine.assets.hold(program.assets);

@@ -1,10 +1,10 @@
 import type { SessionFrame, ViewFrame } from '../../nodes/kit/session.ts';
 import { createSessionInput } from './sessions/input/session-input.ts';
 
-/** Where the player is within a frame; one object, changed as it goes on. */
+/** Current position of the player within a frame; one object that is changed in place. */
 export interface PlayState {
   frame: SessionFrame;
-  /** During the once-operations: the first view. */
+  /** During operations that run once: the first view. */
   viewIndex: number;
   view: ViewFrame | null;
   /** Size of the view, pixels. */

@@ -83,7 +83,7 @@ export interface Player {
    * @param node Id of the node in the program.
    * @param param Name of the param.
    * @param value In the param's stored unit, as the node's definition names it.
-   * @returns False where the running program has no such param, or the value does not fit its type.
+   * @returns False if the running program has no such param, or the value does not fit its type.
    */
   setParam(node: string, param: string, value: ParamValue): boolean;
   /**
@@ -99,7 +99,7 @@ export interface Player {
    * What `readColor`, `readDepth`, `showLayer` and `probeDepth` read. Valid after `draw` until the frame ends.
    *
    * @param tap A viewed layer as `node.port`, or null for none.
-   * @returns Null where nothing was drawn.
+   * @returns Null if nothing was drawn.
    */
   inspect(tap: string | null): Inspected | null;
   counts(): PlayerCounts;
@@ -118,7 +118,7 @@ export interface Player {
  *
  * @param options The context, the program, the runtimes of its node types and the source of its assets.
  * @returns The player. `ready` resolves when the program can be drawn; `dispose` releases everything that the player created.
- * @throws Error from `draw` or `ready` where `modules` lacks a node type of the program, or `createScenes` is null and it draws objects.
+ * @throws Error from `draw` or `ready` if `modules` lacks a node type of the program, or `createScenes` is null and it draws objects.
  */
 export function createPlayer(options: PlayerOptions): Player {
   const clock = options.clock ?? createBrowserClock();
@@ -134,16 +134,16 @@ export function createPlayer(options: PlayerOptions): Player {
   let instance: ProgramInstance | null = null;
   let instanceIsGood = false;
   /** State of the instance that was lost with the context. */
-  let left: RetainedState | null = null;
+  let retained: RetainedState | null = null;
   let loading: Loading | null = null;
-  /** While the first instance compiles its materials, it is not drawn. */
+  /** True while the first instance compiles its materials; it is not drawn then. */
   let preparing = false;
   let session: SessionTraits | null = null;
-  /** Neither lost nor disposed. */
+  /** False while the context is lost and after `dispose`. */
   let live = true;
-  /** What to set up again when the context comes back: the newest program that is not known to be broken. */
-  let wanted = options.program;
-  /** Values set since the newest program came, which may have been made before them. */
+  /** The program to set up when the context is restored: the newest whose shaders are not known to be broken. */
+  let restorable = options.program;
+  /** Values set since the newest program was passed, which may have been compiled before they were set. */
   const values = new Map<string, ParamValue>();
 
   const setValue = (target: ProgramInstance, name: string, value: ParamValue): boolean => {
@@ -152,22 +152,22 @@ export function createPlayer(options: PlayerOptions): Player {
   };
   const play = async (program: Program): Promise<PlayResult> => {
     loading?.cancel();
-    const mine = loadProgram(engine, program);
-    loading = mine;
-    const loaded = await mine.done;
-    if (!loaded || loading !== mine) return { outcome: 'superseded', shaderErrors: [] };
+    const current = loadProgram(engine, program);
+    loading = current;
+    const loaded = await current.done;
+    if (!loaded || loading !== current) return { outcome: 'superseded', shaderErrors: [] };
     loading = null;
     const good = loaded.errors.length === 0;
     if (!good && instance && instanceIsGood) {
-      wanted = instance.program;
+      restorable = instance.program;
       loaded.release();
       return { outcome: 'kept', shaderErrors: loaded.errors };
     }
     const before = instance;
-    const isFirst = before === null && left === null;
-    const next = createProgramInstance(engine, loaded, before ?? left, loopGuard);
+    const isFirst = before === null && retained === null;
+    const next = createProgramInstance(engine, loaded, before ?? retained, loopGuard);
     instance = next;
-    left = null;
+    retained = null;
     instanceIsGood = good;
     before?.release(next);
     for (const [name, value] of values) setValue(next, name, value);
@@ -184,7 +184,7 @@ export function createPlayer(options: PlayerOptions): Player {
     live = false;
     loading?.cancel();
     loading = null;
-    if (contextLost) left = instance?.outlive() ?? left;
+    if (contextLost) retained = instance?.outlive() ?? retained;
     else instance?.release(null);
     instance = null;
     instanceIsGood = false;
@@ -192,11 +192,11 @@ export function createPlayer(options: PlayerOptions): Player {
     engine.dispose();
   };
   const forget = (): void => {
-    if (left) disposeNodeInstances(left.instances);
-    left = null;
+    if (retained) disposeNodeInstances(retained.instances);
+    retained = null;
   };
   return {
-    ready: play(wanted),
+    ready: play(restorable),
     setSession: (next) => {
       session = next;
     },
@@ -208,12 +208,12 @@ export function createPlayer(options: PlayerOptions): Player {
     },
     drawSettled: async (frame) => {
       if (!live || !instance || preparing) return;
-      const mine = instance;
+      const current = instance;
       state.frame = frame;
-      mine.update();
-      await mine.settle();
-      // The context may be lost by now, or another program be playing.
-      if (live && instance === mine) mine.draw(session);
+      current.update();
+      await current.settle();
+      // Meanwhile the context may be lost, or another program may play.
+      if (live && instance === current) current.draw(session);
     },
     settle: async () => {
       await instance?.settle();
@@ -225,7 +225,7 @@ export function createPlayer(options: PlayerOptions): Player {
       return instance !== null && setValue(instance, name, value);
     },
     replaceProgram: (program) => {
-      wanted = program;
+      restorable = program;
       values.clear();
       return live ? play(program) : Promise.resolve({ outcome: 'superseded', shaderErrors: [] });
     },
@@ -245,7 +245,7 @@ export function createPlayer(options: PlayerOptions): Player {
     restore: () => {
       setUp();
       live = true;
-      return play(wanted);
+      return play(restorable);
     },
     dispose: () => {
       if (live) tearDown(false);

@@ -6,7 +6,7 @@ import { setDecode } from './passes/depth-decode.ts';
 import { DEPTH_SHADER, drawn, readRows } from './readback.ts';
 import type { LiveResources } from './resources/resources.ts';
 
-/** What has depth at a point of a view. */
+/** Depth at a point of a view. */
 export interface ProbedDepth {
   readonly of: 'layer' | 'room';
   /** Along the view's axis. */
@@ -15,8 +15,8 @@ export interface ProbedDepth {
 }
 
 /**
- * The nearer of a layer and the room at a point of a view, parts of its size from the bottom left; null where nothing is known to be.
- * The room's depth is taken to be the view's own: where a device measures it from beside, it is as good as the two are near.
+ * The nearer of a layer and the room at a point of a view; `u` and `v` are fractions of its size from the bottom left. Null if neither is
+ * known. Room depth is treated as aligned with the view.
  */
 export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: number, u: number, v: number): ProbedDepth | null {
   const view = engine.state.frame.views[viewIndex];
@@ -29,7 +29,7 @@ export function probeDepth({ engine, resources, layer }: Inspected, viewIndex: n
   return { of: isLayer ? 'layer' : 'room', meters, positionWorld: worldAt(view.clipFromView, view.worldFromView, u, v, meters) };
 }
 
-/** Inverse of a projection whose rows for x and y mix nothing but z in, as all of WebXR's do. */
+/** Inverts a projection whose rows for x and y depend on no other coordinate than z, as all of WebXR's do. */
 export function worldAt(
   clipFromView: Float32Array,
   worldFromView: Float32Array,

@@ -5,13 +5,13 @@ export interface SeededRandom {
   reset(): void;
 }
 
-/** A sequence of its own for each node, so that adding one node leaves the others' chances alone. */
+/** Creates a separate sequence for each node, so that adding a node does not change the random numbers of others. */
 export function createRandom(seed: number, name: string): SeededRandom {
   const start = hash(name, seed);
   let state = start;
   return {
     next: () => {
-      // Mulberry32 (Tommy Ettinger, public domain): 32 bits of state are plenty for scattering and jitter.
+      // Mulberry32 (Tommy Ettinger, public domain): 32 bits of state suffice for scattering and jitter.
       state = (state + 0x6d2b79f5) | 0;
       let t = Math.imul(state ^ (state >>> 15), 1 | state);
       t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
@@ -23,7 +23,7 @@ export function createRandom(seed: number, name: string): SeededRandom {
   };
 }
 
-/** FNV-1a over the name's UTF-16 units. */
+/** FNV-1a over the name's UTF-16 code units. */
 function hash(name: string, seed: number): number {
   let h = 0x811c9dc5 ^ seed;
   for (let i = 0; i < name.length; i++) h = Math.imul(h ^ name.charCodeAt(i), 0x01000193);

@@ -24,7 +24,7 @@ export interface LayerDepth {
   readonly meters: Float32Array<ArrayBuffer>;
 }
 
-/** Meters of a depth texture into the red channel, through the UV matrix of `COPY_SHADER`. */
+/** Writes meters of a depth texture to the red channel, through the UV matrix of `COPY_SHADER`. */
 export const DEPTH_SHADER: LinkedShader = {
   id: 'scrim:read-depth',
   vertex: COPY_SHADER.vertex,
@@ -44,7 +44,7 @@ void main() {
 `,
 };
 
-/** What was drawn into the context's own framebuffer, within the frame. */
+/** Reads the context's default framebuffer, within the frame. */
 export function readScreen(gl: WebGL2RenderingContext): LayerPixels {
   const { drawingBufferWidth: widthPx, drawingBufferHeight: heightPx } = gl;
   const rows = new Uint8Array(widthPx * heightPx * 4);
@@ -59,8 +59,8 @@ export function readScreen(gl: WebGL2RenderingContext): LayerPixels {
 }
 
 /**
- * What a layer shows now; null where it is not tapped or has not been drawn. `heightPx` scales it, keeping its shape. Camera pictures
- * of WebXR can only be read before the frame's callback ends.
+ * The current image of a layer; null if it is not viewed or was not drawn. `heightPx` scales it with its aspect ratio. Camera images of
+ * WebXR are readable only until the frame's callback ends.
  */
 export function readColor(inspected: Inspected | null, viewIndex: number, heightPx?: number): LayerPixels | null {
   if (!inspected?.layer) return null;
@@ -75,7 +75,7 @@ export function readColor(inspected: Inspected | null, viewIndex: number, height
     readRows(engine.objects.gl, framebuffer, width, height, pixels);
     return { widthPx: width, heightPx: height, pixels };
   };
-  // As it is, where it can be read as it is: sampling could round differently.
+  // Reads the framebuffer directly if possible, because sampling could round differently.
   if (picture.framebuffer && scale === 1) return read(picture.framebuffer);
   return drawn(engine, COPY_SHADER, 'rgba8', width, height, read, (program) => {
     const { gl } = engine.objects;
@@ -85,7 +85,11 @@ export function readColor(inspected: Inspected | null, viewIndex: number, height
   });
 }
 
-/** How far what a layer shows is away; null where it has no depth or has not been drawn. Throws where the GPU cannot draw 32-bit floats. */
+/**
+ * The depth of a layer; null if it has none or was not drawn.
+ *
+ * @throws Error if the GPU cannot render to 32-bit floats.
+ */
 export function readDepth(inspected: Inspected | null, viewIndex: number): LayerDepth | null {
   if (!inspected?.layer) return null;
   const { engine, resources, layer } = inspected;
@@ -98,7 +102,7 @@ export function readDepth(inspected: Inspected | null, viewIndex: number): Layer
   if (!depth || !buffer || !texture) return null;
   const { widthPx, heightPx } = buffer;
   const read = (framebuffer: WebGLFramebuffer): LayerDepth => {
-    // Red alone may not be readable; RGBA float always is.
+    // The format RED may not be readable; RGBA float always is.
     const rgba = new Float32Array(widthPx * heightPx * 4);
     readRows(gl, framebuffer, widthPx, heightPx, rgba);
     return { widthPx, heightPx, meters: Float32Array.from({ length: widthPx * heightPx }, (_, i) => rgba[i * 4] ?? 0) };
@@ -114,14 +118,14 @@ export function readDepth(inspected: Inspected | null, viewIndex: number): Layer
 
 export interface Picture {
   readonly texture: WebGLTexture;
-  /** Where its bytes can be read without drawing. */
+  /** For reading the bytes without drawing; null if not possible. */
   readonly framebuffer: WebGLFramebuffer | null;
   readonly widthPx: number;
   readonly heightPx: number;
   readonly uvFromViewUv: Float32Array;
 }
 
-/** The texture that a layer is now; null where it has not been drawn. */
+/** The current texture of a layer; null if it was not drawn. */
 export function findPicture(state: PlayState, resources: LiveResources, id: ResourceId, viewIndex: number): Picture | null {
   const resource = resources.get(id);
   if (resource?.kind === 'target') {
@@ -134,13 +138,13 @@ export function findPicture(state: PlayState, resources: LiveResources, id: Reso
   if (resource?.kind !== 'external') return null;
   const view = resource.layer.views[resource.domain === 'view' ? viewIndex : 0];
   if (!view?.texture) return null;
-  // A layer of the view domain has the view's size, whatever that of its texture.
+  // A layer of the view domain has the size of the view, whatever that of its texture.
   const viewport = resource.domain === 'view' ? state.frame.views[viewIndex]?.viewport : undefined;
   const { widthPx, heightPx } = viewport ?? view;
   return { texture: view.texture, framebuffer: null, widthPx, heightPx, uvFromViewUv: view.uvFromViewUv };
 }
 
-/** Draws into a target that lives as long as `read` takes. */
+/** Draws to a temporary target and passes its framebuffer to `read`. */
 export function drawn<T>(
   engine: Engine,
   shader: LinkedShader,
@@ -168,7 +172,7 @@ function scratchTarget(format: TargetResource['format']): TargetResource {
   return { id: 'scrim:read', kind: 'target', domain: 'image', size, format, depth: 'none', samples: 1, lifetime: 'frame' };
 }
 
-/** RGBA rows into `out`, the top one first. */
+/** Reads RGBA rows, top row first. */
 export function readRows<T extends Uint8Array | Float32Array>(
   gl: WebGL2RenderingContext,
   framebuffer: WebGLFramebuffer,

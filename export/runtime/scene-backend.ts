@@ -5,11 +5,11 @@ import type { LightList, ObjectList, RoomDepthOutput } from '../../nodes/kit/sce
 import type { NumberView } from '../../nodes/kit/value-views.ts';
 
 /**
- * What the player asks of three.js. Types only: the player never imports three, so that a page without objects carries none of
- * it; `scenes/create-scenes.ts` implements this and is handed in by pages whose program draws objects.
+ * Interface of the player to three.js. It has types only, so that pages without objects do not bundle three.js; `scenes/create-scenes.ts`
+ * implements it, and pages with objects pass it to the player.
  *
- * GL state: passes set all state they depend on and assume nothing; the backend resets three's idea of the state before its
- * first draw after any pass. Framebuffers are the player's: three draws into them as XR targets (ADR 7).
+ * GL state: passes set all state that they depend on; the backend resets the state cache of three.js before its first draw after a pass.
+ * The player owns the framebuffers; three.js draws to them as XR targets (ADR 7).
  */
 export type CreateSceneBackend = (host: SceneHost) => SceneBackend;
 
@@ -19,31 +19,29 @@ export interface SceneHost {
 }
 
 export interface SceneBackend {
-  /** The service that one drawing operation sees as `ctx.scenes`. */
+  /** The service `ctx.scenes` of one drawing operation. */
   serviceFor(binding: DrawBinding): SceneService;
   createShadowMaps(casters: readonly ObjectList[], lights: readonly LightList[]): ShadowMaps;
   /**
-   * Rejects with an `Error` that says what is wrong with the file.
+   * Loads a model. Rejects with an `Error` whose message is text for the user.
    *
-   * @param readFile bytes of another file, by its path in the project, for models in several
+   * @param readFile Reads another file by its path in the project, for models of several files.
    */
   loadModel(bytes: ArrayBuffer, path: string, readFile: (path: string) => Promise<ArrayBuffer>): Promise<LoadedModel>;
-  /** A panorama, filtered for lighting. Rejects with an `Error` that says what is wrong with the file. */
+  /** Loads a panorama and filters it for lighting. Rejects with an `Error` whose message is text for the user. */
   loadEnvironment(bytes: ArrayBuffer): Promise<LoadedEnvironment>;
-  /**
-   * Runs draws that compile all they need, and draw nothing. Resolves when the driver has done so; nobody waits for it.
-   */
+  /** Runs draws that only compile their shaders. Resolves when the driver has finished, without blocking. */
   prepare(draws: () => void): Promise<void>;
-  /** Called when passes have drawn since three last did. */
+  /** Resets the state cache of three.js, after passes have drawn. */
   invalidateState(): void;
-  /** GPU objects alive, for leak tests. */
+  /** Number of GPU objects, for leak tests. */
   counts(): { readonly geometries: number; readonly textures: number; readonly programs: number };
   dispose(): void;
 }
 
-/** A model as the asset service holds it: freed when the last handle is released. */
+/** A loaded model, disposed when its last handle is released. */
 export interface LoadedModel extends ModelAsset {
-  /** What to know of it although it loaded well; told at the nodes that use it. */
+  /** Warnings about the model, reported at the nodes that use it. */
   readonly findings: readonly ModelFinding[];
   dispose(): void;
 }
@@ -54,11 +52,11 @@ export interface LoadedEnvironment extends EnvironmentAsset {
   dispose(): void;
 }
 
-/** Bound before the first draw and read in every draw. */
+/** Set before the first draw and read in every draw. */
 export interface DrawBinding {
   readonly shadowMaps: ShadowMaps | null;
   readonly occlusion: OcclusionBinding | null;
-  /** Where limits are told that what is wired goes beyond. */
+  /** Reports warnings about exceeded limits. */
   readonly report?: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void;
 }
 
@@ -68,7 +66,7 @@ export interface ShadowMaps {
   dispose(): void;
 }
 
-/** Params of `layer/depth-occlusion`, live. */
+/** Current values of the params of `layer/depth-occlusion`. */
 export interface OcclusionBinding {
   readonly roomDepth: RoomDepthOutput;
   readonly params: Readonly<Record<string, NumberView>>;

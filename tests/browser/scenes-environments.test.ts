@@ -74,7 +74,7 @@ describe('light from a panorama', () => {
 
 test('a file that is no panorama is refused with what to do', async () => {
   expect(await page.call('refusals')).toEqual({
-    cutHdr: 'the file is cut off. Copy or export it again',
+    cutHdr: 'the file is incomplete. Copy or export it again',
     cutExr: expect.stringMatching(/^the file is damaged .*Export it again$/),
     hugeHdr: 'it has 100000 × 50000 pixels, and at most 8192 a side can be shown. 4096 × 2048 is sharp enough for a sky',
     turned: 'its rows are not stored from the top left. Open it in another program and save it again',

@@ -33,7 +33,7 @@ describeWithData('real models', 'models', () => {
 
     test('is refused with its size when it is cut off', async () => {
       expect(await page.call('refusal', `/models/${name}`, 20_000)).toMatch(
-        /^Error: the file is cut off: it should have \d{5,7} bytes and has 20000\. Copy or export it again\.$/,
+        /^Error: the file is incomplete: it has 20000 of \d{5,7} bytes\. Copy or export it again\.$/,
       );
     });
   });
@@ -57,7 +57,7 @@ test('a .gltf with everything in it loads too; broken pictures are named', async
   expect(await page.call('embedded')).toEqual({
     // An opaque material takes no alpha from its picture.
     color: [255, 128, 0, 255],
-    broken: 'Error: the file is damaged: its picture 0 is broken or of an unknown kind; PNG, JPEG and WebP are known. Export it again.',
+    broken: 'Error: the file is damaged: image 0 is damaged or has an unsupported format. Use PNG, JPEG or WebP. Export it again.',
     error: 0,
   });
 });

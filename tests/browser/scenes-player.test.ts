@@ -35,8 +35,7 @@ test('a broken model is told at its node', async () => {
     expect.objectContaining({
       code: 'SCR032',
       nodeId: 'fox',
-      message:
-        'The model "assets/fox.glb" cannot be decoded: the file is cut off: it should have 20 bytes and has 8. Copy or export it again.',
+      message: 'The model "assets/fox.glb" cannot be decoded: the file is incomplete: it has 8 of 20 bytes. Copy or export it again.',
     }),
   ]);
 });

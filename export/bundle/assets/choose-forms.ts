@@ -16,8 +16,8 @@ export interface ChosenForm {
 }
 
 /**
- * Which form of each model a page should have: the ones that cost its visitors least, in bytes to download and graphics memory, with the
- * decoders that they need. A decoder pays for itself over all models or is left out.
+ * Chooses the form of each model with the lowest total cost for visitors: bytes to download and graphics memory, including the required
+ * decoders. A decoder is used only if it saves more over all models than it costs.
  */
 export function chooseForms(models: readonly ModelForms[]): readonly ChosenForm[] {
   const priced = models.map(price);
@@ -44,7 +44,7 @@ function price({ original, compressed }: ModelForms): readonly PricedForm[] {
 
 const ORDER: readonly Form[] = ['original', 'meshopt', 'ktx2'];
 
-/** Of the forms up to `best`. */
+/** The cheapest form that needs no decoder beyond `best`. */
 function cheapest(forms: readonly PricedForm[], best: Form): PricedForm {
   const allowed = forms.filter(({ form }) => ORDER.indexOf(form) <= ORDER.indexOf(best));
   return allowed.reduce((a, b) => (b.cost < a.cost ? b : a));

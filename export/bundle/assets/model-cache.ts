@@ -1,17 +1,17 @@
 import { createHash } from 'node:crypto';
 import type { CompressedModel } from '../compress/compressed-model.ts';
 
-/** Keeps results of slow work between exports. Where `read` or `write` rejects, the export does the work again. */
+/** Stores results of slow work between exports. If `read` or `write` rejects, the export repeats the work. */
 export interface AssetCache {
-  /** Null where there is nothing under this name: letters, digits and dashes. */
+  /** Null if there is no entry. Names have letters, digits and dashes. */
   read(name: string): Promise<Uint8Array | null>;
   write(name: string, bytes: Uint8Array): Promise<void>;
 }
 
-/** To be raised whenever the compressor, or a package that it uses, makes other bytes of the same model. */
+/** Increase it if the compressor or its packages return different bytes for the same model. */
 const COMPRESSOR_VERSION = 1;
 
-/** The model's compressed forms from the cache, else from `make`. */
+/** Returns the compressed forms of a model from the cache, or creates them by `make`. */
 export async function remembered(
   cache: AssetCache | null,
   bytes: Uint8Array,
@@ -22,14 +22,14 @@ export async function remembered(
   const kept = unpack(await cache.read(name).catch(() => null));
   if (kept) return kept;
   const made = await make();
-  // A folder that cannot be written only costs time.
+  // A cache that cannot be written only costs time.
   await cache.write(name, pack(made)).catch(() => {});
   return made;
 }
 
 const HEAD_BYTES = 44;
 
-/** Hash of the rest, length of the first form, both forms: a file that was cut off or changed is none. */
+/** Hash of the content, length of the first form, both forms. A truncated or changed file is rejected. */
 function pack({ meshopt, ktx2 }: CompressedModel): Uint8Array {
   const forms = Buffer.concat([meshopt ?? new Uint8Array(), ktx2 ?? new Uint8Array()]);
   const head = Buffer.alloc(HEAD_BYTES);

@@ -89,7 +89,10 @@ describe('the assets of a page', () => {
     const missing = await prepare({ readAsset: () => Promise.reject(new Error('there is no such file')) }, [PICTURE]);
     expect([missing.output, missing.diagnostics]).toMatchObject([null, [{ code: 'SCR030', file: 'assets/a picture.png' }]]);
     const broken = await prepare({ readAsset: async () => ball.subarray(0, 1000) }, [BALL]);
-    expect([broken.output, broken.diagnostics]).toMatchObject([null, [{ code: 'SCR032', message: expect.stringContaining('is cut off') }]]);
+    expect([broken.output, broken.diagnostics]).toMatchObject([
+      null,
+      [{ code: 'SCR032', message: expect.stringContaining('is incomplete') }],
+    ]);
   });
 });
 

@@ -14,32 +14,32 @@ import { chooseForms, type Form, gpuBytesOf } from './choose-forms.ts';
 import { type AssetCache, remembered } from './model-cache.ts';
 
 export interface AssetOptions {
-  /** Absolute folder with Scrim's sources and `node_modules`. */
+  /** Absolute path of the folder with Scrim's sources and `node_modules`. */
   readonly root: string;
-  /** Bytes of a file by its project path. Rejects with an `Error` that says in plain words why there are none. */
+  /** Reads a file by its project path. Rejects with an `Error` whose message is text for the user. */
   readonly readAsset: (path: string) => Promise<Uint8Array>;
-  /** False: as they are, but for models in several files, which become one. */
+  /** Whether to compress models. Models of several files become one in any case. */
   readonly compress: boolean;
   readonly cache: AssetCache | null;
-  /** Hears what takes its time. */
+  /** Receives progress texts. */
   readonly say: (text: string) => void;
 }
 
 export interface PreparedAsset {
   readonly asset: ProgramAsset;
-  /** In the page. */
+  /** Path in the page. */
   readonly path: string;
   readonly bytes: Uint8Array;
-  /** What a model says of its author and terms (glTF's `asset.copyright`); empty for all else. */
+  /** Author and license of a model (glTF's `asset.copyright`); otherwise empty. */
   readonly copyright: string;
   readonly report: ReportedAsset;
 }
 
-/** What export made of an asset. Bytes on the GPU are estimated: vertices, indices, and pictures with their mip maps. */
+/** Result of the export for an asset. Bytes on the GPU are estimated: vertices, indices, and images with their mipmaps. */
 export interface ReportedAsset {
-  /** In the project. */
+  /** Path in the project. */
   readonly source: string;
-  /** In the page. */
+  /** Path in the page. */
   readonly path: string;
   readonly kind: ProgramAsset['kind'];
   readonly form: Form;
@@ -54,26 +54,26 @@ export interface BeforeAfter {
 
 export interface PreparedAssets {
   readonly assets: readonly PreparedAsset[];
-  /** What the models need to be read. */
+  /** Decoders that the models need. */
   readonly decoders: readonly DecoderName[];
-  /** Their files, under the names that they have in the page. */
+  /** Files of the decoders with their paths in the page. */
   readonly decoderFiles: readonly { readonly file: DecoderFile; readonly path: string; readonly bytes: Uint8Array }[];
 }
 
 interface ReadAsset {
   readonly asset: ProgramAsset;
-  /** One GLB, for models in several files. */
+  /** One GLB, also for models of several files. */
   readonly bytes: Uint8Array;
-  /** All files of it in the project. */
+  /** Size of all its files in the project. */
   readonly fileBytes: number;
 }
 
-/** Below this, no model is worth the decoder that a smaller one would need. */
+/** Smaller models are not compressed, because the decoder would cost more. */
 const MIN_MODEL_BYTES = 16_000;
 
 /**
- * Reads a page's assets and makes its models as small as they can be without anything to see. What cannot be read is SCR030, what is no
- * model SCR032; a model that cannot be compressed stays as it is, with a warning (SCR036).
+ * Reads the assets of a page and compresses its models without visible loss. SCR030 for an unreadable file, SCR032 for an invalid model,
+ * SCR036 (warning) for a model that cannot be compressed and is used as it is.
  */
 export async function prepareAssets(assets: readonly ProgramAsset[], options: AssetOptions): Promise<Result<PreparedAssets>> {
   const read: ReadAsset[] = [];
@@ -153,7 +153,7 @@ function prepare(
   return { asset, path, bytes, copyright, report };
 }
 
-/** Pictures on their own are drawn without mip maps. */
+/** GPU memory of an image asset, which has no mipmaps. */
 function picturesGpuBytes(bytes: Uint8Array): number {
   const size = imageSize(bytes);
   return size ? size.widthPx * size.heightPx * 4 : 0;
@@ -187,7 +187,7 @@ function uncompressed({ path }: ProgramAsset, error: unknown): Diagnostic {
   };
 }
 
-/** Letters that every host and every file system carries unchanged. */
+/** Restricts a name to characters that every host and file system supports. */
 function fileName(path: string): string {
   return path.slice(path.lastIndexOf('/') + 1).replace(/[^A-Za-z0-9._-]+/g, '-');
 }

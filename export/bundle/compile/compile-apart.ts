@@ -6,7 +6,7 @@ import type { Result } from '../../../nodes/kit/diagnostics.ts';
 import type { CompileInput, CompileOptions } from '../../compiler/compile.ts';
 import type { Program } from '../../program/program.ts';
 
-/** All of it is data, which crosses to a thread. */
+/** Input of the compiler as data that can be sent to a thread. */
 export interface CompileWork {
   readonly project: CompileInput['project'];
   readonly definitions: readonly NodeDefinition[];
@@ -15,10 +15,10 @@ export interface CompileWork {
 }
 
 /**
- * Compiles in a thread of its own, so that a server answers others meanwhile. Rejects with the signal's reason once it is
- * interrupted, and ends the thread.
+ * Compiles in a worker thread, so that a server can handle other requests. If interrupted, ends the thread and rejects with the reason of
+ * the signal.
  *
- * @param root Absolute folder with Scrim's sources
+ * @param root Absolute path of the folder with Scrim's sources.
  */
 export async function compileApart(root: string, work: CompileWork, interrupted?: AbortSignal): Promise<Result<Program>> {
   const script = await bundleWorker(root);
@@ -47,7 +47,7 @@ async function bundleWorker(root: string): Promise<string> {
     format: 'cjs',
     platform: 'node',
     target: 'node16',
-    // The CommonJS entries of some packages find their parts in ways that bundlers cannot follow.
+    // The CommonJS entries of some packages load parts in ways that bundlers cannot follow.
     mainFields: ['module', 'main'],
     loader: { '.fs': 'text', '.vs': 'text', '.glsl': 'text' },
     logLevel: 'silent',

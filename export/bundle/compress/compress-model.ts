@@ -10,19 +10,19 @@ import { encodeKtx2 } from './encode-ktx2.ts';
 import { GPU_BYTES_PER_FILE_BYTE } from './texture-cost.ts';
 
 /**
- * Steps between which positions are rounded, per axis and mesh: 1/16,384 of its size, a tenth of a millimeter for a piece of
- * furniture. Texture coordinates keep a quarter of a pixel of a 4,096 texture, normals 0.1°.
+ * Bits of quantization. Positions have 1/16,384 of the size of a mesh, a tenth of a millimeter for furniture; texture coordinates a quarter
+ * of a texel of a 4,096 texture; normals 0.1°.
  */
 const PRECISION = { quantizePosition: 14, quantizeTexcoord: 14, quantizeNormal: 10, quantizeColor: 8, quantizeWeight: 8 } as const;
 
 /**
- * Compresses a whole model (one GLB, nothing beside it) without anything to see: duplicates and what nothing refers to go, equal
- * vertices are merged, the rest is packed. Key frames stay: leaving out those that lie between others (`resample`) moved RobotExpressive's
- * head by pixels. Nodes, clips, skins and morph targets stay, with their names. The same bytes give the same bytes. Rejects where glTF-Transform cannot read the model.
+ * Compresses a model (one GLB without external files) without visible loss: removes duplicates and unused data, merges equal vertices and
+ * packs the rest. Keyframes are not resampled, because that moved the head of RobotExpressive by pixels. Nodes, clips, skins and morph
+ * targets keep their names. The same input gives the same bytes. Rejects if glTF-Transform cannot read the model.
  */
 export async function compressModel(bytes: Uint8Array): Promise<CompressedModel> {
   const { document } = readGltf(bytes);
-  // Somebody else has chosen how; unpacking and packing again would lose precision twice.
+  // The model is compressed already; repacking would lose precision again.
   if (neededDecoders(document).length > 0) return { meshopt: null, ktx2: null };
   if (document.extensionsUsed?.some((name) => !KNOWN.has(name))) return { meshopt: null, ktx2: null };
   await MeshoptEncoder.ready;
@@ -33,7 +33,7 @@ export async function compressModel(bytes: Uint8Array): Promise<CompressedModel>
     prune({ keepLeaves: true, keepAttributes: true, keepSolidTextures: true, keepExtras: true }),
     weld(),
     reorder({ encoder: MeshoptEncoder, target: 'size' }),
-    // Its own cleaning up would take nodes without a mesh away, which clips and constraints may name.
+    // The cleanup of `quantize` would remove nodes without a mesh, which clips and constraints may refer to.
     quantize({ ...PRECISION, cleanup: false }),
   );
   const method = EXTMeshoptCompression.EncoderMethod.QUANTIZE;
@@ -43,10 +43,10 @@ export async function compressModel(bytes: Uint8Array): Promise<CompressedModel>
   return { meshopt: owned(packed), ktx2: encoded ? owned(await io.writeBinary(doc)) : null };
 }
 
-/** What glTF-Transform does not know it would drop. */
+/** glTF-Transform drops extensions that it does not support. */
 const KNOWN = new Set(ALL_EXTENSIONS.map(({ EXTENSION_NAME }) => EXTENSION_NAME));
 
-/** False where no picture gains by it. */
+/** Encodes the textures that become smaller. Returns false if there are none. */
 async function encodeTextures(doc: Document): Promise<boolean> {
   let encoded = false;
   for (const texture of doc.getRoot().listTextures()) {
@@ -65,10 +65,10 @@ async function encodeTextures(doc: Document): Promise<boolean> {
   return encoded;
 }
 
-/** What the encoder takes, in pixels. */
+/** Maximum number of pixels of the encoder. */
 const MAX_PIXELS = 12 * 2 ** 20;
 
-/** `KHR_texture_basisu` asks for sides that are multiples of the block's. */
+/** `KHR_texture_basisu` requires sides that are multiples of the block size. */
 function isEncodable(image: Uint8Array): boolean {
   const size = imageSize(image);
   return size !== null && size.widthPx % 4 === 0 && size.heightPx % 4 === 0 && size.widthPx * size.heightPx <= MAX_PIXELS;
@@ -76,7 +76,7 @@ function isEncodable(image: Uint8Array): boolean {
 
 function isWorthIt(texture: Texture, image: Uint8Array, ktx2: Uint8Array): boolean {
   const { widthPx, heightPx } = imageSize(image) ?? { widthPx: 0, heightPx: 0 };
-  // 4 bytes a pixel become 1, mip maps included.
+  // 4 bytes per pixel become 1, including mipmaps.
   const savedBytes = widthPx * heightPx * 3 * (4 / 3);
   if ((ktx2.length - image.length) * GPU_BYTES_PER_FILE_BYTE >= savedBytes) return false;
   texture.setImage(ktx2).setMimeType('image/ktx2');
@@ -84,7 +84,7 @@ function isWorthIt(texture: Texture, image: Uint8Array, ktx2: Uint8Array): boole
   return true;
 }
 
-/** Bytes alone in their buffer can be handed over between threads. */
+/** Copies bytes to their own buffer, so that they can be transferred between threads. */
 function owned(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(bytes);
 }

@@ -2,7 +2,7 @@ import { parentPort } from 'node:worker_threads';
 import { compressModel } from './compress-model.ts';
 import type { WorkerAnswer } from './compressed-model.ts';
 
-/** The entry of a worker thread: one model in, one answer out, in turn. */
+/** Entry of the worker thread, which compresses one model per message. */
 parentPort?.on('message', (bytes: Uint8Array) => {
   void answer(bytes).then((reply) => parentPort?.postMessage(reply));
 });

@@ -1,10 +1,10 @@
-/** A model made smaller, once for each way; null where a way does nothing for it. */
+/** The compressed forms of a model; null if a form saves nothing. */
 export interface CompressedModel {
-  /** Packed geometry and animation; its pictures as they were. */
+  /** Packed geometry and animation with the original images. */
   readonly meshopt: Uint8Array<ArrayBuffer> | null;
-  /** The same with pictures packed for the GPU. */
+  /** The same with images as KTX2. */
   readonly ktx2: Uint8Array<ArrayBuffer> | null;
 }
 
-/** What a worker answers: the model, or why there is none. */
+/** Answer of the worker: the model, or why it could not be compressed. */
 export type WorkerAnswer = { readonly ok: true; readonly model: CompressedModel } | { readonly ok: false; readonly reason: string };

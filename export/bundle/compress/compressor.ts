@@ -4,14 +4,14 @@ import { Worker } from 'node:worker_threads';
 import { build, type Plugin } from 'esbuild';
 import type { CompressedModel, WorkerAnswer } from './compressed-model.ts';
 
-/** Compresses models beside the program that asks: one worker thread, made for the first model. */
+/** Compresses models in a worker thread, which starts with the first model. */
 export interface Compressor {
-  /** Rejects with an `Error` that says why the model cannot be compressed. One at a time. */
+  /** Compresses one model; call it for one at a time. Rejects with an `Error` whose message is text for the user. */
   compress(bytes: Uint8Array): Promise<CompressedModel>;
   dispose(): Promise<void>;
 }
 
-/** @param root Absolute folder with Scrim's sources and `node_modules` */
+/** @param root Absolute path of the folder with Scrim's sources and `node_modules`. */
 export function createCompressor(root: string): Compressor {
   let worker: Promise<Worker> | null = null;
   const drop = async () => {
@@ -23,7 +23,7 @@ export function createCompressor(root: string): Compressor {
     compress: async (bytes) => {
       worker ??= bundleWorker(root).then(startWorker);
       const answer = await ask(await worker, bytes).catch(async (error: unknown) => {
-        // What ended a worker, such as memory it did not get, must not end the next model.
+        // Start a new worker for the next model, because this one may have run out of memory.
         await drop();
         throw error;
       });
@@ -44,7 +44,7 @@ async function bundleWorker(root: string): Promise<string> {
     format: 'cjs',
     platform: 'node',
     target: 'node16',
-    // The encoder finds its WebAssembly beside its own file.
+    // The encoder loads its WebAssembly from the folder of its own file.
     define: { 'import.meta.url': JSON.stringify(pathToFileURL(encoder).href) },
     plugins: [WITHOUT_SHARP],
     logLevel: 'silent',
@@ -54,10 +54,7 @@ async function bundleWorker(root: string): Promise<string> {
   return file.text;
 }
 
-/**
- * glTF-Transform brings a picture library of native code, which refuses Electron's older Node as soon as it is loaded. Nothing that
- * is called here draws pictures by it.
- */
+/** Replaces sharp, a native image library that glTF-Transform imports but does not use here. It fails to load in Electron's older Node. */
 const WITHOUT_SHARP: Plugin = {
   name: 'without-sharp',
   setup: ({ onResolve, onLoad }) => {
@@ -67,7 +64,7 @@ const WITHOUT_SHARP: Plugin = {
 };
 
 function startWorker(script: string): Worker {
-  // The encoder prints what it does; standard output may be a program's.
+  // The encoder prints to standard output, which may belong to a program.
   const worker = new Worker(script, { eval: true, stdout: true, stderr: true });
   worker.unref();
   return worker;

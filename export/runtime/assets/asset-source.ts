@@ -1,10 +1,10 @@
-/** Where the bytes of assets come from. */
+/** Loads the bytes of assets. */
 export interface AssetSource {
-  /** `path` is that of the program's asset table. Rejects with an `Error` that says why, in plain words. */
+  /** Loads a path of the program's asset table. Rejects with an `Error` whose message is text for the user. */
   load(path: string): Promise<ArrayBuffer>;
 }
 
-/** Assets beside a page: paths are relative to `baseUrl`. */
+/** Assets on a server: paths are relative to `baseUrl`. */
 export function createFetchAssetSource(baseUrl: string, fetchFile: typeof fetch): AssetSource {
   return {
     load: async (path) => {

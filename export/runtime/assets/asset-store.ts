@@ -13,17 +13,17 @@ import { type LoadedImage, loadImage } from './load-image.ts';
 import { type LoadedVideo, loadVideo } from './video/load-video.ts';
 import { VideoError } from './video/video-element.ts';
 
-/** All assets of a player: each file is loaded once, shared by all who use it, and freed with its last user. */
+/** The assets of a player. Each file is loaded once, shared by its users, and disposed with its last user. */
 export interface AssetStore {
-  /** Keeps assets loaded, from before the nodes that use them are made until the program is gone. */
+  /** Keeps assets loaded, from before the nodes that use them are created until the program is released. */
   hold(assets: readonly ProgramAsset[]): AssetHold;
-  /** What one node sees; it finds assets by their id in `assets`. */
+  /** The service for one node, which finds assets by their id in `assets`. */
   serviceFor(assets: readonly ProgramAsset[], report: (diagnostic: Omit<Diagnostic, 'nodeId'>) => void): AssetService;
   dispose(): void;
 }
 
 export interface AssetHold {
-  /** Resolves when all have loaded or failed; never rejects. */
+  /** Resolves when all are loaded or failed; never rejects. */
   readonly settled: Promise<void>;
   release(): void;
 }
@@ -38,7 +38,7 @@ interface Entry {
   readonly settled: Promise<void>;
 }
 
-/** What files are loaded and decoded with. */
+/** What the store needs to load and decode files. */
 export interface AssetMeans {
   readonly objects: GlObjects;
   readonly source: AssetSource;
@@ -69,7 +69,7 @@ export function createAssetStore(means: AssetMeans): AssetStore {
     const entry: Entry = { asset, users: 0, value: null, failure: null, settled: load(asset, means).then(finish) };
     function finish(result: LoadResult): void {
       if (result.kind === 'failed') entry.failure = result.failure;
-      // All users may be gone before the file is here.
+      // All users may have released it while it was loading.
       else if (entry.users > 0) entry.value = result.value;
       else result.value.dispose();
     }

@@ -5,13 +5,13 @@ export interface LoadedAudio extends AudioAsset {
   dispose(): void;
 }
 
-/** What most hardware plays at; files of another rate are converted as they are decoded. */
+/** The rate of most hardware; files with another rate are resampled by the decoder. */
 const SAMPLE_RATE_HZ = 48_000;
 
-/** Decodes a whole file, without an audio device and before any gesture. Rejects where the browser cannot decode it. */
+/** Decodes a whole file without an audio device or a user gesture. Rejects if the browser cannot decode it. */
 export async function loadAudio(bytes: ArrayBuffer): Promise<LoadedAudio> {
   const context = new OfflineAudioContext(1, 1, SAMPLE_RATE_HZ);
-  // `decodeAudioData` detaches its buffer, so it gets a copy: others may still use `bytes`.
+  // `decodeAudioData` detaches its buffer, so it gets a copy; others may still use `bytes`.
   const buffer = await context.decodeAudioData(bytes.slice(0)).catch(() => {
     throw new Error('it is no sound that this browser can decode');
   });

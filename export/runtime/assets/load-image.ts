@@ -8,8 +8,8 @@ export interface LoadedImage extends ImageAsset {
 }
 
 /**
- * Decodes a picture as layers want it: premultiplied, its numbers as they are in the file whatever profile it has, first row at
- * the bottom. A picture larger than the GPU takes is made smaller. Rejects where the browser cannot decode it.
+ * Decodes an image to premultiplied RGBA with the first row at the bottom, without color conversion. An image above the GPU's size limit is
+ * reduced. Rejects if the browser cannot decode it.
  */
 export async function loadImage(objects: GlObjects, bytes: ArrayBuffer): Promise<LoadedImage> {
   const options: ImageBitmapOptions = { premultiplyAlpha: 'premultiply', colorSpaceConversion: 'none', imageOrientation: 'flipY' };

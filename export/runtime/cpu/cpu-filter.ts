@@ -11,17 +11,17 @@ import type { TargetBuffer } from '../targets/target-buffer.ts';
 import { createViewExchange } from './view-exchange.ts';
 import type { CpuWorker, StartWorker } from './worker-source.ts';
 
-/** Plays a node whose pixels a worker changes (ADR 21). */
+/** Plays a node whose pixels are computed by a worker (ADR 21). */
 export interface CpuFilter extends NodeRuntime {
-  /** Once per view and frame: draws what came back last, or the picture itself, and sends the picture if the worker is free. */
+  /** Called once per view and frame: draws the last result, or the input if there is none, and sends the input if the worker is idle. */
   exchange(viewIndex: number, picture: TargetBuffer, into: TargetBuffer): void;
 }
 
-/** What it draws and works with, of the engine. */
+/** What a CPU filter needs of the engine. */
 export interface CpuMeans {
   readonly objects: GlObjects;
   readonly drawer: PassDrawer;
-  /** Linked. */
+  /** A linked program. */
   readonly copy: GlProgram;
   readonly clock: FrameClock;
   readonly startWorker: StartWorker;
@@ -29,18 +29,18 @@ export interface CpuMeans {
 
 export interface CpuNode {
   readonly id: string;
-  /** Live values of the uniform params. */
+  /** Current values of the uniform params. */
   readonly params: Readonly<Record<string, { readonly value: unknown }>>;
   /** Values of the structure params. */
   readonly config: Readonly<Record<string, unknown>>;
-  /** Frames wait for what they show, as in a render. */
+  /** Whether frames wait for their result, as in a render. */
   readonly held: boolean;
   readonly report: NodeContext<never>['report'];
 }
 
-/** How often the GPU is asked between frames whether it has read a picture: about the shortest that browsers' timers keep. */
+/** Interval for polling the GPU between frames, about the shortest that browsers' timers support. */
 const POLL_S = 0.004;
-/** A worker that has not answered over so many frames, or in a render for so long, never will. */
+/** Frames, or in a render seconds, after which a worker without an answer is given up. */
 const PATIENCE_FRAMES = 600;
 const PATIENCE_S = 30;
 
@@ -51,9 +51,9 @@ export function createCpuFilter({ worker: text }: WorkerModule, node: CpuNode, m
   const values: Record<string, unknown> = { ...node.config };
   const task = { view: 0, turn: 0, buffer: new ArrayBuffer(0), widthPx: 0, heightPx: 0, params: values };
   let worker: CpuWorker | null = null;
-  /** It failed, or is disposed: pictures stay as they are. */
+  /** Failed or disposed: the input is passed through. */
   let ended = false;
-  /** Raised by a reset: what was sent before is no result after it. */
+  /** Incremented by a reset: results of earlier tasks are dropped. */
   let turn = 0;
   let polling = false;
   const waiting: (() => void)[] = [];

@@ -8,7 +8,7 @@ export function isCpu(operation: NodeOperation): operation is CpuOperation {
   return operation.kind === 'cpu';
 }
 
-/** Lets a CPU filter exchange the picture of one view, or the one of all views. */
+/** A step that exchanges the image of a CPU filter, per view or once for all views. */
 export function createCpuStep(operation: CpuOperation, runtime: NodeRuntime, resources: LiveResources): Step {
   if (!isCpuFilter(runtime)) throw new Error(`The node type ${operation.type} has no worker.`);
   const picture = liveResource(resources, operation.picture, 'target');

@@ -4,23 +4,20 @@ import { prepareReadback, prepareUpload } from '../gl/upload.ts';
 import type { TargetBuffer } from '../targets/target-buffer.ts';
 
 /**
- * The way of one view's pictures from the GPU to a worker and back: `read` into a buffer of the GPU, `collect` into one of ours, which is
- * `away` with the worker until it comes `back`, and `show`. One picture is under way at a time, and its buffer is used for the next, so a
- * slow worker costs pictures and neither time nor memory.
+ * Transfers the images of one view from the GPU to a worker and back: `read` to a GPU buffer, `collect` to a CPU buffer, which is `away`
+ * while the worker has it and `back` afterwards, and `show`. One image is in transit at a time and its buffer is reused, so a slow worker
+ * skips images instead of using more time or memory.
  */
 export interface ViewExchange {
   readonly state: 'idle' | 'reading' | 'away' | 'back';
-  /** Has the picture read, without waiting for it. */
+  /** Starts reading the image without waiting. */
   read(picture: TargetBuffer): void;
-  /**
-   * Its bytes, once the GPU has come that far; with `wait` at once, however long that takes. Null until then. They are ours no more
-   * until `giveBack`.
-   */
+  /** The bytes once the GPU has read them, else null; with `wait` it blocks until then. The caller owns the buffer until `giveBack`. */
   collect(wait: boolean): ViewBytes | null;
   giveBack(buffer: ArrayBuffer, isResult: boolean): void;
-  /** The newest result, or null while there is none. */
+  /** The newest result, or null if there is none. */
   show(): WebGLTexture | null;
-  /** Forgets the result, and one that is not there yet; what is away has to be given back as no result. */
+  /** Drops the result, and the one in transit; the latter must still be given back. */
   forget(): void;
   dispose(): void;
 }
@@ -37,10 +34,10 @@ export function createViewExchange(objects: GlObjects): ViewExchange {
   let packBytes = 0;
   let fence: WebGLSync | null = null;
   let state: ViewExchange['state'] = 'idle';
-  /** Of the picture under way. */
+  /** Size of the image in transit. */
   let widthPx = 0;
   let heightPx = 0;
-  /** What bytes are copied into; null while it is away. */
+  /** Buffer for the bytes; null while the worker has it. */
   let room: Uint8Array<ArrayBuffer> | null = null;
   let result: { readonly texture: WebGLTexture; readonly widthPx: number; readonly heightPx: number } | null = null;
   let hasResult = false;

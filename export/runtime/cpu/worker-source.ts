@@ -2,21 +2,21 @@ import type { CpuAnswer, CpuTask } from '../../../nodes/kit/cpu-filter.ts';
 
 /** A worker that answers every task. */
 export interface CpuWorker {
-  /** Takes the task's buffer away until its answer. */
+  /** Sends a task and transfers its buffer until the answer. */
   post(task: CpuTask): void;
   dispose(): void;
 }
 
 export interface CpuListener {
   onAnswer(answer: CpuAnswer): void;
-  /** It will not answer any more. */
+  /** The worker will not answer any more. */
   onFailure(message: string): void;
 }
 
-/** Starts a worker from its text; injected, so that a test sees one fail. Throws where the browser gives none. */
+/** Starts a worker from its text. It is injected, so that tests can simulate failures. Throws if the browser does not start it. */
 export type StartWorker = (text: string, listener: CpuListener) => CpuWorker;
 
-/** From a blob, because pages opened from a disk get no worker from a file (`worker-src blob:` in the page's policy). */
+/** Starts a worker from a blob, because pages opened from a disk cannot start one from a file (`worker-src blob:` in the page's policy). */
 export const startBlobWorker: StartWorker = (text, { onAnswer, onFailure }) => {
   const url = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
   const worker = new Worker(url);

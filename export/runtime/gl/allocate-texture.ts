@@ -1,4 +1,4 @@
-/** Gives a new texture its storage: one level, clamped at the edges, all zero. Leaves it bound to unit 0. */
+/** Allocates storage for a new texture: one level, clamped to the edge, all zero. Leaves it bound to unit 0. */
 export function allocateTexture(
   gl: WebGL2RenderingContext,
   texture: WebGLTexture,

@@ -1,7 +1,7 @@
 const TRANSPARENT = new Float32Array(4);
 const FARTHEST = new Float32Array([1]);
 
-/** Clears a whole framebuffer to transparent, and its depth to as far as it goes. */
+/** Clears a whole framebuffer to transparent, and its depth to the maximum. */
 export function clearAll(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuffer, withDepth: boolean): void {
   prepareClear(gl, framebuffer);
   gl.disable(gl.SCISSOR_TEST);
@@ -9,7 +9,7 @@ export function clearAll(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuff
   if (withDepth) gl.clearBufferfv(gl.DEPTH, 0, FARTHEST);
 }
 
-/** Clears depth, and color where one is given (premultiplied), inside a rectangle. */
+/** Clears the depth of a rectangle, and its color if one is given (premultiplied). */
 export function clearRectangle(
   gl: WebGL2RenderingContext,
   framebuffer: WebGLFramebuffer | null,
@@ -27,7 +27,7 @@ export function clearRectangle(
   gl.disable(gl.SCISSOR_TEST);
 }
 
-/** Masks, and a discard that few know of, hold for clearing too. */
+/** Resets masks and RASTERIZER_DISCARD, which affect clears. */
 function prepareClear(gl: WebGL2RenderingContext, framebuffer: WebGLFramebuffer | null): void {
   gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
   gl.disable(gl.RASTERIZER_DISCARD);

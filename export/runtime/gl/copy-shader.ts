@@ -2,8 +2,8 @@ import { GATE_TEXT } from '../../program/loop-budget.ts';
 import type { LinkedShader } from '../../program/program.ts';
 
 /**
- * Copies a picture through its UV matrix: the camera's picture behind everything, what a pass draws while its own shader does
- * not compile, and layers that are read back.
+ * Copies an image through its UV matrix. Used for the camera image in the background, for passes whose shader does not compile, and for
+ * readback of layers.
  */
 export const COPY_SHADER: LinkedShader = {
   id: 'scrim:copy',
@@ -21,7 +21,7 @@ void main() {
 `,
 };
 
-/** The same behind a gate: what a pass draws while its loops do not end. */
+/** The same with a gate, for passes whose loops exceed the budget. */
 export const GATED_COPY_SHADER: LinkedShader = {
   id: 'scrim:gated-copy',
   vertex: vertexShader(`${GATE_TEXT}\n`, 'scrim_isShut() ? vec4(2.0, 2.0, 2.0, 1.0) : vec4(viewUv * 2.0 - 1.0, 0.0, 1.0)'),

@@ -1,4 +1,4 @@
-/** GPU objects alive that were made through one `GlObjects`. */
+/** Number of existing GPU objects that were created by one `GlObjects`. */
 export interface GlCounts {
   readonly textures: number;
   readonly framebuffers: number;
@@ -9,7 +9,7 @@ export interface GlCounts {
   readonly vertexArrays: number;
 }
 
-/** Makes and frees GPU objects, and knows how many live: every object of the player goes through here. */
+/** Creates and deletes GPU objects and counts them. The player creates every object with it. */
 export interface GlObjects {
   readonly gl: WebGL2RenderingContext;
   readonly limits: GlLimits;
@@ -30,15 +30,15 @@ export interface GlObjects {
   counts(): GlCounts;
 }
 
-/** What the context can do, asked once: each question is a round trip to the GPU process. */
+/** Capabilities of the context, queried once, because each query is a round trip to the GPU process. */
 export interface GlLimits {
   readonly maxTextureSizePx: number;
   readonly maxSamples: number;
-  /** Renders to 32-bit and 16-bit float. */
+  /** Can render to 32-bit and 16-bit float. */
   readonly floatTargets: boolean;
-  /** Smooths between 32-bit floats. */
+  /** Can filter 32-bit float textures. */
   readonly floatLinear: boolean;
-  /** Renders to 16-bit float at least. */
+  /** Can render to 16-bit float at least. */
   readonly halfFloatTargets: boolean;
   /** `KHR_parallel_shader_compile`, or null. */
   readonly parallelCompile: KHR_parallel_shader_compile | null;

@@ -2,25 +2,25 @@ import { PROBE_ATTACHMENT, PROBE_SIDE_PX, readProbe } from '../../program/loop-b
 import { allocateTexture } from './allocate-texture.ts';
 import type { GlObjects } from './gl-objects.ts';
 
-/** Waits for what a probe found. */
+/** Receives the result of a probe. */
 export interface Asker {
-  /** The last of the probe's rounds in which it was asked for. */
+  /** The last round in which it asked. */
   round: number;
   answer(line: number | null): void;
 }
 
 /**
- * Where bounded shaders tell whether their loops end (`export/program/loop-budget.ts`). One texture serves all passes, one after
- * the other, because the GPU works in order. Answers for the user come later and one at a time: nobody waits for the GPU.
+ * Probes whether the loops of bounded shaders end (`export/program/loop-budget.ts`). All passes share one texture, because the GPU works in
+ * order. Results for the user are read back later, one at a time, without waiting for the GPU.
  */
 export interface LoopProbe {
   readonly texture: WebGLTexture;
   readonly framebuffer: WebGLFramebuffer;
-  /** With the framebuffer bound: makes it all zero. A pixel that is discarded would keep what another shader left. */
+  /** Clears the texture; requires its framebuffer to be bound. Otherwise discarded pixels would keep the result of another shader. */
   clear(): void;
-  /** Right after a probe was drawn, its framebuffer still bound: takes down what it holds, if it is this asker's turn. */
+  /** Starts reading the result of the probe that was just drawn, if it is this asker's turn. Requires the framebuffer to be bound. */
   ask(asker: Asker): void;
-  /** Before each frame: passes an answer on where the GPU has come that far. */
+  /** Called before each frame: delivers a result if the GPU has finished. */
   poll(): void;
   dispose(): void;
 }
@@ -42,7 +42,7 @@ export function createLoopProbe(objects: GlObjects): LoopProbe {
   gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
   const bytes = new Uint8Array(BYTES);
   let pending: { readonly asker: Asker; readonly fence: WebGLSync } | null = null;
-  /** Each asker has one turn in a round; one is over when a whole frame went by without a question. */
+  /** In a round each asker is read once; a round ends with a frame in which nobody asks. */
   let round = 1;
   return {
     texture,

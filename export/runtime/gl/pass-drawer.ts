@@ -2,30 +2,30 @@ import { setPassState, setSampler } from '../../../nodes/kit/pass-state.ts';
 import type { GlObjects } from './gl-objects.ts';
 import type { GlProgram } from './program-cache.ts';
 
-/** As `LinkedShader.geometry` says. */
+/** Vertices by `LinkedShader.geometry`. */
 const TRIANGLE_VERTICES = 3;
 const QUAD_VERTICES = 6;
 
 export type PassBlend = 'replace' | 'over';
 
-/** Draws full-screen triangles and quads, whatever state the context is in. */
+/** Draws full-screen triangles and quads, independent of the current GL state. */
 export interface PassDrawer {
-  /** Everything drawn until `end` goes here. */
+  /** Sets the target of draws until `end`. */
   begin(framebuffer: WebGLFramebuffer | null, x: number, y: number, widthPx: number, heightPx: number, blend: PassBlend): void;
   use(program: GlProgram): void;
-  /** A null texture stands for transparent, or for unknown depth. `nearest` for anything that is not color. */
+  /** Binds a texture; null binds a transparent one, which means unknown depth. Use `nearest` for anything but color. */
   texture(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
-  /** The six sides of a cube; null stands for transparent. */
+  /** Binds a cube map; null binds a transparent one. */
   cube(unit: number, location: WebGLUniformLocation, texture: WebGLTexture | null): void;
   draw(): void;
-  /** Takes its samplers off the units again: three.js sets texture parameters and knows no samplers. */
+  /** Unbinds its samplers, because three.js sets texture parameters, which samplers override. */
   end(): void;
   dispose(): void;
 }
 
 export function createPassDrawer(objects: GlObjects): PassDrawer {
   const { gl } = objects;
-  // The vertex shader makes the triangle from gl_VertexID; an array of its own keeps attributes of others out of the draw.
+  // The vertex shader computes the triangle from gl_VertexID. A separate vertex array excludes other attributes.
   const vertexArray = objects.createVertexArray();
   const linear = objects.createSampler();
   const nearest = objects.createSampler();

@@ -1,11 +1,11 @@
 import type { Program } from '../../program/program.ts';
 import type { GlObjects } from './gl-objects.ts';
 
-/** Textures of the pictures that techniques carry in their program: each decoded once, freed when nobody holds it. */
+/** Textures of the images in a program's techniques. Each is decoded once and deleted when no program holds it. */
 export interface PictureStore {
-  /** What a program carries. `settled` never rejects: a picture that cannot be read stays away. */
+  /** Holds the images of a program. `settled` never rejects; an invalid image has no texture. */
   hold(program: Program): { readonly settled: Promise<void>; release(): void };
-  /** Null while it is decoded, and where it cannot be. */
+  /** Null while the image is decoded, or if it is invalid. */
   texture(data: string): WebGLTexture | null;
 }
 
@@ -62,10 +62,10 @@ export function createPictureStore(objects: GlObjects): PictureStore {
   };
 }
 
-/** The levels of a PNG that has them side by side, the largest first, each a square of half the side before. */
+/** Decodes the mip levels of a PNG, which are side by side, the largest first, each a square with half the side of the previous. */
 async function decode(data: string): Promise<readonly ImageBitmap[]> {
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-  // The numbers in the file are what counts, whatever the screen's colors.
+  // The values in the file are used without color conversion.
   const options = { premultiplyAlpha: 'none', colorSpaceConversion: 'none' } as const;
   const whole = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), options);
   const levels: Promise<ImageBitmap>[] = [];
@@ -75,7 +75,7 @@ async function decode(data: string): Promise<readonly ImageBitmap[]> {
   return Promise.all(levels).finally(() => whole.close());
 }
 
-/** Repeats itself; the levels are as they were drawn, not computed. */
+/** Uploads a repeating texture with the given levels, which are not generated. */
 function upload({ gl, createTexture }: GlObjects, levels: readonly ImageBitmap[]): WebGLTexture {
   const texture = createTexture();
   gl.activeTexture(gl.TEXTURE0);
@@ -92,5 +92,5 @@ function upload({ gl, createTexture }: GlObjects, levels: readonly ImageBitmap[]
   return texture;
 }
 
-/** Strokes on surfaces seen aslant stay as dark as they are dense, instead of turning into a gray of fewer of them. */
+/** Keeps strokes on surfaces at grazing angles as dark as they are dense; otherwise lower mip levels with fewer strokes would be used. */
 const ANISOTROPY = 4;

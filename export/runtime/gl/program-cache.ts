@@ -1,36 +1,36 @@
 import type { LinkedShader } from '../../program/program.ts';
 import type { GlObjects } from './gl-objects.ts';
 
-/** What the driver said; the editor maps it back through the shader's source map. */
+/** Message of the driver. The editor maps its lines through the shader's source map. */
 export interface ShaderError {
   readonly shaderId: string;
   readonly stage: 'vertex' | 'fragment' | 'link';
   readonly log: string;
 }
 
-/** A GL program on its way; shared by all passes with equal source. */
+/** A GL program that may still be linking; shared by all passes with equal source. */
 export interface GlProgram {
   readonly state: 'linking' | 'linked' | 'broken';
   /** What it was made of. */
   readonly shader: LinkedShader;
   readonly program: WebGLProgram;
-  /** Not empty when broken. */
+  /** Empty unless the state is `broken`. */
   readonly errors: readonly ShaderError[];
-  /** Null where the linked program has no such uniform; asked of the driver once. */
+  /** Null if the linked program has no such uniform. The location is queried once. */
   uniform(name: string): WebGLUniformLocation | null;
 }
 
 /**
- * Links GL programs without waiting for them, and keeps each as long as someone uses it. Sources are told apart by their id,
- * so a program that a new version of the page's graph still uses is not linked again.
+ * Links GL programs without waiting and keeps each while it has users. Programs are identified by the hash of their source, so a recompiled
+ * project reuses them.
  */
 export interface ProgramCache {
-  /** Starts linking where this is the first user. Each call needs a `release`. */
+  /** Starts linking for the first user. Each call needs a `release`. */
   acquire(shader: LinkedShader): GlProgram;
   release(program: GlProgram): void;
   /**
-   * Takes note of programs that have become ready. Where the driver can tell without waiting, never waits; elsewhere it
-   * finishes one program per call, so that frames come in between.
+   * Updates the states. With `KHR_parallel_shader_compile` it never waits; otherwise it finishes one program per call, so that frames come
+   * in between.
    */
   poll(): void;
   /** Waits for one program, for work outside of frames. */
@@ -98,10 +98,10 @@ class Entry implements GlProgram {
     gl.linkProgram(this.program);
   }
 
-  /** Waits for the driver where it has not finished. */
+  /** Waits for the driver if necessary. */
   finish(): void {
     const { gl } = this.objects;
-    // A lost context answers "done" to everything; it says nothing about the shader.
+    // A lost context reports all programs as complete, without a meaning for the shader.
     if (gl.isContextLost()) return;
     if (gl.getProgramParameter(this.program, gl.LINK_STATUS)) {
       this.state = 'linked';

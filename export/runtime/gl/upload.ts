@@ -1,6 +1,6 @@
 /**
- * Sets everything an upload from an array or a picture depends on, to WebGL's defaults and no color conversion: other code on
- * the same context leaves these as it likes. ImageBitmaps ignore flip and premultiplication; they are decoded as wanted.
+ * Sets all state that uploads depend on to WebGL's defaults without color conversion, because other code on the context may have changed
+ * it. ImageBitmaps ignore flip and premultiplication; they are decoded with both.
  */
 export function prepareUpload(gl: WebGL2RenderingContext, alignment: 1 | 4): void {
   gl.bindBuffer(gl.PIXEL_UNPACK_BUFFER, null);
@@ -15,7 +15,7 @@ export function prepareUpload(gl: WebGL2RenderingContext, alignment: 1 | 4): voi
   gl.pixelStorei(gl.UNPACK_SKIP_IMAGES, 0);
 }
 
-/** The same for reading back. */
+/** Sets all state that readback depends on. */
 export function prepareReadback(gl: WebGL2RenderingContext): void {
   gl.bindBuffer(gl.PIXEL_PACK_BUFFER, null);
   gl.pixelStorei(gl.PACK_ALIGNMENT, 1);

@@ -7,14 +7,17 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import { prepareReadback } from '../gl/upload.ts';
 
-/** Measures the mean color of what the camera sees. */
+/** Measures the mean color of the camera image. */
 export interface CameraMean {
-  /** Linear-sRGB; null before the first measurement, and where the frame has no camera image. Asked twice in a frame, it measures once. */
+  /**
+   * Linear-sRGB; null before the first measurement and for frames without a camera image. A second call in the same frame returns the same
+   * result.
+   */
   read(frame: SessionFrame): Readonly<Float32Array> | null;
   dispose(): void;
 }
 
-/** 8 × 8 means of 8 × 8 samples each: 4,096 points of the picture. */
+/** 8 × 8 means of 8 × 8 samples each: 4,096 points of the image. */
 const SIDE_PX = 8;
 const BYTES = SIDE_PX ** 2 * 4;
 
@@ -40,17 +43,17 @@ void main() {
 `,
 };
 
-/** The value of each encoded byte, linear. */
+/** Linear value of each encoded byte. */
 const LINEAR = Float32Array.from({ length: 256 }, (_, i) => (i <= 10 ? i / 255 / 12.92 : ((i / 255 + 0.055) / 1.055) ** 2.4));
 
-/** What it draws with; all of it is the engine's. */
+/** What it needs of the engine. */
 export interface CameraMeanTools {
   readonly objects: GlObjects;
   readonly drawer: PassDrawer;
   tool(shader: LinkedShader): GlProgram;
 }
 
-/** `held`: frames come one by one and have to repeat, so each waits for its own measurement; else nobody waits for the GPU. */
+/** If `held`, each frame waits for its own measurement, so that renders repeat; otherwise nothing waits for the GPU. */
 export function createCameraMean(tools: CameraMeanTools, held: boolean): CameraMean {
   const { objects, drawer } = tools;
   const { gl } = objects;
@@ -70,7 +73,7 @@ export function createCameraMean(tools: CameraMeanTools, held: boolean): CameraM
   let askedIndex = -1;
   let askedS = -1;
 
-  /** False where there is no picture. */
+  /** Returns false if there is no image. */
   function draw(frame: SessionFrame): boolean {
     const image = frame.viewCount > 0 ? (frame.views[0]?.cameraImage ?? null) : null;
     const location = program.uniform(COPY_SAMPLER);

@@ -18,13 +18,13 @@ import { createNodePorts } from './node-ports.ts';
 export interface NodeInstance {
   readonly key: string;
   readonly runtime: NodeRuntime;
-  /** Maps that a drawing node was bound to when it was made. */
+  /** Shadow maps that a drawing node was created with. */
   readonly shadowMaps: ShadowMaps | null;
-  /** It has asked for something that is gone with the context. */
+  /** Whether it has requested something that is lost with the context. */
   readonly usesGpu: boolean;
-  /** Lives on in a recompiled program, whose operation has the same key. */
+  /** Connects the node to a recompiled program, whose operation has the same key. */
   point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
-  /** Back to the first frame. */
+  /** Resets the node to the first frame. */
   reset(): void;
   dispose(): void;
 }
@@ -39,7 +39,7 @@ export interface NodeHost {
   readonly assets: AssetStore;
   readonly board: DiagnosticsBoard;
   readonly cpu: CpuMeans;
-  /** Makes the backend when the first node asks. */
+  /** Creates the backend at the first call. */
   scenes(): SceneBackend;
 }
 
@@ -80,7 +80,7 @@ export function createNodeInstance(
     get assets() {
       return onGpu(host.assets.serviceFor(assets, report));
     },
-    // Nodes that draw nothing never ask, so that a page without objects needs no three.js.
+    // A getter, so that pages without objects need no three.js.
     get scenes() {
       scenes ??= host.scenes().serviceFor({ shadowMaps, occlusion: occlusion?.binding ?? null, report });
       return onGpu(scenes);

@@ -1,8 +1,8 @@
 import type { DrawOperation, InputRef, NodeOperation, ShadowMapOperation } from '../../program/program.ts';
 
 /**
- * Equal keys: the node behind the operation can live on over a recompile, with its state. Slot numbers and where pulses come
- * from are left out, because views are pointed anew, and so is the target of a draw, because every draw is told where to go.
+ * Key of a node. If it is equal after a recompile, the node is kept with its state. Slot numbers and sources of pulses are excluded,
+ * because views are connected again; so is the target of a draw, because it is passed with every draw.
  */
 export function nodeKey(
   operation: NodeOperation,

@@ -3,18 +3,18 @@ import { type LiveResources, liveResource } from '../resources/resources.ts';
 import { createMergedPulses, type PulseQueue } from '../values/pulses.ts';
 import { type AnySlotView, createSlotView, type Slots } from '../values/slots.ts';
 
-/** What a node sees behind its ports: live views, one object each for as long as the node lives. */
+/** The inputs, outputs and params of a node as live views: one object each for the lifetime of the node. */
 export interface NodePorts {
   readonly inputs: Readonly<Record<string, unknown>>;
   readonly outputs: Readonly<Record<string, unknown>>;
   readonly params: Readonly<Record<string, unknown>>;
   readonly pulseOutputs: readonly (readonly [port: string, queue: PulseQueue])[];
-  /** After a recompile: the same values in other slots, pulses by other wires. Else the operation is the same. */
+  /** Connects the views to the slots and wires of a recompiled program; the operation is otherwise the same. */
   point(operation: NodeOperation, resources: LiveResources, slots: Slots): void;
 }
 
 export function createNodePorts(operation: NodeOperation, resources: LiveResources, slots: Slots): NodePorts {
-  /** Views of slots with the way to find the slot's number in a later version of the operation. */
+  /** Views of slots, with a function that finds the slot's number in a later version of the operation. */
   const slotViews: { readonly view: AnySlotView; readonly slotIn: (operation: NodeOperation) => number }[] = [];
   const slotView = (slotIn: (operation: NodeOperation) => number): AnySlotView => {
     const view = createSlotView(slots, slotIn(operation));
@@ -62,13 +62,13 @@ function slotOf(ref: InputRef | undefined): number {
   return ref?.kind === 'slot' ? ref.slot : -1;
 }
 
-/** Null for a target: the runtime itself draws into it and reads it, nodes do not. */
+/** Null for a target, which only the runtime draws and reads. */
 function layerOf(id: string, resources: LiveResources): unknown {
   const resource = resources.get(id);
   return resource?.kind === 'external' ? resource.layer : null;
 }
 
-/** What nodes see of a resource; a program that names another kind is broken. */
+/** The view of a resource for nodes. A resource of another kind is a programming error. */
 function viewOf(id: string, resources: LiveResources): object {
   const resource = resources.get(id);
   switch (resource?.kind) {

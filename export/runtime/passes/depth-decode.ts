@@ -5,8 +5,8 @@ const scratchDecode = new Float32Array([0, 0, 0, 1]);
 const METERS = new Float32Array([1, 0, 0, 0]);
 
 /**
- * `NAME_decode` of a depth sampler, as `scrim_meters` in `export/glsl/link/images.ts` reads it: scale and offset where the
- * texture holds meters, else two numbers of the projection that the depth buffer was drawn with.
+ * Sets `NAME_decode` of a depth sampler, which `scrim_meters` in `export/glsl/link/images.ts` reads: scale and offset for a texture in
+ * meters, else two numbers of the projection that the depth buffer was drawn with.
  */
 export function setDecode(
   gl: WebGL2RenderingContext,

@@ -9,19 +9,22 @@ import type { Imports } from './imports.ts';
 import { createSamplers, type Sampler } from './samplers.ts';
 import type { SetUniform } from './uniforms.ts';
 
-/** Values of the gate in bounded shaders, see `export/program/loop-budget.ts`. */
+/** Values of the gate uniform in bounded shaders, see `export/program/loop-budget.ts`. */
 export const GATE = { open: 0, unlessExceeded: 1, ifExceeded: 2 } as const;
 export type Gate = (typeof GATE)[keyof typeof GATE];
 
-/** One full-screen triangle with all that its program is given; the caller begins and ends the pass. */
+/** A full-screen draw with all inputs of its program. The caller begins and ends the pass. */
 export interface Drawing {
-  /** Before a framebuffer is bound. */
+  /** Prepares its textures, before a framebuffer is bound. */
   prepare(state: PlayState): void;
-  /** `widthPx` and `heightPx`: the picture that is drawn, whatever it is drawn into. Programs without a gate draw in any case. */
+  /**
+   * Draws. `widthPx` and `heightPx` are the size of the pass, which may differ from that of the framebuffer. Programs without a gate always
+   * draw.
+   */
   draw(state: PlayState, widthPx: number, heightPx: number, gate: Gate): void;
 }
 
-/** `probe`: what the gate looks at. */
+/** `probe` is the texture that the gate reads. */
 export function createDrawing(
   gl: WebGL2RenderingContext,
   drawer: PassDrawer,
@@ -41,14 +44,14 @@ export function createDrawing(
       for (let i = 0; i < samplers.length; i++) samplers[i]?.bind(state);
       for (let i = 0; i < uniforms.length; i++) uniforms[i]?.(state, widthPx, heightPx);
       if (gateUniform) gl.uniform1i(gateUniform, gate);
-      // While a probe is drawn its texture must not be bound to be read.
+      // The probe must not be bound for reading while it is drawn.
       if (gateSampler) drawer.texture(samplers.length, gateSampler, gate === GATE.open ? null : probe, 'nearest');
       drawer.draw();
     },
   };
 }
 
-/** Hands the first picture on, as a muted node would; a generator has none, and hands on nothing. */
+/** Copies the first input image, as a muted node does. A generator has none and stays transparent. */
 export function createHandOn(
   gl: WebGL2RenderingContext,
   drawer: PassDrawer,

@@ -4,8 +4,8 @@ import type { PassSampler } from '../../program/program.ts';
 const scratchUv = new Float32Array(9);
 
 /**
- * Column-major 3×3: texture UV from view UV of a picture laid onto a view. `uv` is the picture's own, texture UV from picture
- * UV. `contain` leaves [0, 1] beside the picture.
+ * Texture UV from view UV of an image that is fitted to a view, column-major 3×3. `uv` is texture UV from image UV. With `contain` the
+ * result is outside of [0, 1] beside the image.
  */
 export function fitted(
   uv: Float32Array,
@@ -19,7 +19,7 @@ export function fitted(
   const picture = widthPx / heightPx;
   const view = viewWidthPx / viewHeightPx;
   if (!(picture > 0) || !(view > 0) || !Number.isFinite(picture / view)) return uv;
-  // Cover cuts the longer side of the picture off; contain adds to the shorter one. Picture UV = 0.5 + scale * (view UV - 0.5).
+  // `cover` crops the longer side of the image, `contain` extends the shorter one: image UV = 0.5 + scale * (view UV − 0.5).
   const alongX = picture > view === (fit === 'cover');
   const scaleX = alongX ? view / picture : 1;
   const scaleY = alongX ? 1 : picture / view;

@@ -3,22 +3,22 @@ import type { PassOperation, Program } from '../../program/program.ts';
 import type { Engine } from '../engine.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 
-/** A picture, or a cube of six, that a shader brings along. */
+/** An image or a cube map that a shader imports. */
 export interface ImportedPicture {
-  /** Null until all of it is there, and for ever where it cannot be read. */
+  /** Null until it is loaded completely, or if it is invalid. */
   readonly texture: WebGLTexture | null;
   readonly widthPx: number;
   readonly heightPx: number;
   readonly cube: boolean;
 }
 
-/** Those of one program. */
+/** The imports of one program. */
 export interface Imports {
   find(assets: readonly string[], cube: boolean): ImportedPicture;
   release(): void;
 }
 
-/** What cannot be loaded is reported at the node whose shader asks for it first. */
+/** Failures are reported at the first node whose shader imports the file. */
 export function createImports(engine: Engine, program: Program): Imports {
   const pictures = new Map<string, ImportedPicture & { release(): void }>();
   for (const operation of program.operations) {
@@ -71,7 +71,7 @@ function createPicture(handles: readonly AssetHandle<ImageAsset>[]): ImportedPic
   };
 }
 
-/** The sides are scaled to the size of the first: they have to be alike. */
+/** The faces are scaled to the size of the first, because they must be equal. */
 function createCube(objects: GlObjects, handles: readonly AssetHandle<ImageAsset>[]): ImportedPicture & { release(): void } {
   let texture: WebGLTexture | null = null;
   let sidePx = 1;
@@ -99,7 +99,7 @@ function createCube(objects: GlObjects, handles: readonly AssetHandle<ImageAsset
   };
 }
 
-/** Pictures are kept with their first row at the bottom, the sides of a cube with theirs at the top (OpenGL ES 3.0 §3.8.10). */
+/** Images have their first row at the bottom, faces of a cube map at the top (OpenGL ES 3.0 §3.8.10). */
 function assembleCube(objects: GlObjects, sides: readonly ImageAsset[], sidePx: number): WebGLTexture {
   const { gl } = objects;
   const texture = objects.createTexture();

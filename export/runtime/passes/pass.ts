@@ -12,7 +12,7 @@ import type { Imports } from './imports.ts';
 import { createSamplers } from './samplers.ts';
 import { createUniforms } from './uniforms.ts';
 
-/** A full-screen pass, ready to be drawn once per view or frame. */
+/** A full-screen pass, drawn once per view or frame. */
 export interface Pass {
   run(state: PlayState): void;
 }
@@ -24,28 +24,28 @@ export interface PassParts {
   readonly resources: LiveResources;
   readonly slots: Slots;
   readonly imports: Imports;
-  /** Linked. */
+  /** A linked program. */
   readonly copy: GlProgram;
 }
 
 const TRANSPARENT = new Float32Array(4);
 
-/** Stands over a pass of a node whose loops are bounded (`export/program/loop-budget.ts`). */
+/** Guards a pass of a node with bounded loops (`export/program/loop-budget.ts`). */
 export interface PassGuard {
-  /** The loops of the node exceed their budget, in this pass or another: every pass copies its first input. */
+  /** Whether loops of the node exceed their budget, in this pass or another: every pass then copies its first input. */
   readonly bypassed: boolean;
-  /** Null for a pass that has no loops itself. */
+  /** Null for a pass without loops. */
   readonly loops: {
     readonly probe: LoopProbe;
-    /** Linked: `COPY_SHADER` behind a gate. */
+    /** A linked program: `COPY_SHADER` with a gate. */
     readonly gatedCopy: GlProgram;
     readonly asker: Asker;
-    /** Whether to look at the loops in this frame. */
+    /** Whether to probe the loops in this frame. */
     readonly due: boolean;
   } | null;
 }
 
-/** A pass whose shader does not compile hands its first picture on, and so does one that its guard stops. */
+/** Creates a pass. It copies its first input if its shader does not compile or its guard bypasses it. */
 export function createPass(operation: PassOperation, program: GlProgram, parts: PassParts, guard: PassGuard | null): Pass {
   const { gl, drawer, resources } = parts;
   const loops = guard?.loops ?? null;
@@ -66,7 +66,7 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
     if (guard?.bypassed) {
       handOn.draw(state, widthPx, heightPx, GATE.open);
     } else {
-      // One of the two draws; which, the GPU knows before we do.
+      // The gate lets one of the two draw, which only the GPU can decide without waiting.
       if (loops) handOn.draw(state, widthPx, heightPx, GATE.ifExceeded);
       own.draw(state, widthPx, heightPx, loops ? GATE.unlessExceeded : GATE.open);
     }
@@ -80,7 +80,7 @@ export function createPass(operation: PassOperation, program: GlProgram, parts: 
         const { framebuffer, widthPx, heightPx } = destination.target.back(viewIndex);
         drawProbe(state, widthPx, heightPx);
         drawer.begin(framebuffer, 0, 0, widthPx, heightPx, operation.blend);
-        // What an author's vertex shader leaves out is transparent.
+        // Pixels that an author's vertex shader does not cover are transparent.
         if (program.shader.geometry === 'moved-quad') gl.clearBufferfv(gl.COLOR, 0, TRANSPARENT);
         drawPicture(state, widthPx, heightPx);
         destination.target.finish(viewIndex);

@@ -13,24 +13,24 @@ import { setDecode } from './depth-decode.ts';
 import { fitted } from './fit.ts';
 import type { ImportedPicture, Imports } from './imports.ts';
 
-/** Uniforms are copied when they are set. */
+/** Valid within one call; uniforms are copied when they are set. */
 const scratchSize = new Float32Array(2);
 
 /** One texture that a pass reads. */
 export interface Sampler {
-  /** Before the pass's framebuffer is bound: carries multisampled pictures into their textures. */
+  /** Resolves multisampled images, before the framebuffer of the pass is bound. */
   prepare(state: PlayState): void;
-  /** Sets texture, UV matrix, size and depth decoding of the program in use. */
+  /** Sets texture, UV matrix, size and depth decoding of the current program. */
   bind(state: PlayState): void;
 }
 
-/** Null for what the linked shader does not use: each stays without the others, so that an image can be asked for its size alone. */
+/** Null for uniforms that the linked shader does not use. Each is independent, so that a shader can read only the size of an image. */
 interface Locations {
   readonly texture: WebGLUniformLocation | null;
   readonly uv: WebGLUniformLocation | null;
   readonly size: WebGLUniformLocation | null;
   readonly decode: WebGLUniformLocation | null;
-  /** Of room depth. */
+  /** For room depth. */
   readonly interpolate: WebGLUniformLocation | null;
 }
 
@@ -127,7 +127,7 @@ function external(
     bind: (state) => {
       const view = layer.views[domain === 'view' ? state.viewIndex : 0];
       if (locations.texture) drawer.texture(unit, locations.texture, view?.texture ?? null, 'linear');
-      // A layer of the view domain is pixel-aligned with the view, whatever the size of the camera's picture.
+      // A layer of the view domain is aligned with the view, whatever the size of the camera image.
       const widthPx = domain === 'view' ? state.widthPx : (view?.widthPx ?? 0);
       const heightPx = domain === 'view' ? state.heightPx : (view?.heightPx ?? 0);
       setPlacement(gl, locations, view?.uvFromViewUv ?? IDENTITY, widthPx, heightPx, fit, state);
@@ -189,7 +189,7 @@ function drawn(drawer: PassDrawer, unit: number, locations: Locations, curve: Li
 
 function imported(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, locations: Locations, picture: ImportedPicture): Sampler {
   return {
-    // A cube is put together when it is first asked for.
+    // Creates a cube map at its first use.
     prepare: () => picture.texture,
     bind: () => {
       if (locations.texture && picture.cube) drawer.cube(unit, locations.texture, picture.texture);
@@ -199,7 +199,7 @@ function imported(gl: WebGL2RenderingContext, drawer: PassDrawer, unit: number, 
   };
 }
 
-/** A fitted picture is a layer of the view from here on, and has its size. */
+/** Sets UV matrix and size. A fitted image is a layer of the view and has its size. */
 function setPlacement(
   gl: WebGL2RenderingContext,
   locations: Locations,

@@ -5,13 +5,13 @@ import type { PlayState } from '../play-state.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Slots } from '../values/slots.ts';
 
-/** Sets one uniform of the program in use. `widthPx` and `heightPx` are what the pass draws into. */
+/** Sets one uniform of the current program. `widthPx` and `heightPx` are the size of the pass. */
 export type SetUniform = (state: PlayState, widthPx: number, heightPx: number) => void;
 
-/** Filled and read within one call. */
+/** Valid within one call. */
 const scratchDate = new Float64Array(4);
 
-/** Uniforms that the driver threw out are left out here. */
+/** Setters for the uniforms that the linked program has. */
 export function createUniforms(
   gl: WebGL2RenderingContext,
   program: GlProgram,
@@ -32,10 +32,7 @@ export function createUniforms(
   return setters;
 }
 
-/**
- * Numbers go through an array of the uniform's own: an engine makes a heap object of every fraction that it hands to the
- * browser as a plain argument.
- */
+/** Numbers are passed in an array, because JavaScript engines allocate a heap object for each fraction that is passed to the browser. */
 function fromSlot(
   gl: WebGL2RenderingContext,
   location: WebGLUniformLocation,
@@ -71,7 +68,7 @@ function sender(gl: WebGL2RenderingContext, location: WebGLUniformLocation, valu
   }
 }
 
-/** True in the frames in which something happened. */
+/** True in frames with a pulse. */
 function fromPulses(
   gl: WebGL2RenderingContext,
   location: WebGLUniformLocation,

@@ -6,18 +6,18 @@ import type { PassDrawer } from '../gl/pass-drawer.ts';
 import type { GlProgram } from '../gl/program-cache.ts';
 import type { PlayState } from '../play-state.ts';
 
-/** What the player has to know of the session it draws for. */
+/** What the player needs of the session. */
 export type SessionTraits = Pick<Session, 'world' | 'blend'>;
 
-/** What lies behind everything in a view. */
+/** The background of a view. */
 export interface Background {
-  /** Clears the view's part of the screen, depth included. */
+  /** Clears the view's part of the screen, including depth, and draws the background. */
   draw(state: PlayState, session: SessionTraits | null): void;
 }
 
 /**
- * A color; or the camera's picture, where the session shows the world as one; else transparent, through which a device shows
- * the world and a page its own background.
+ * Creates the background: a color; or the camera image, if the session provides the world as one; else transparent, so that the device
+ * shows the world or the page its own background.
  */
 export function createBackground(
   gl: WebGL2RenderingContext,

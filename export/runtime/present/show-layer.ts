@@ -6,8 +6,8 @@ import { findPicture } from '../readback.ts';
 const CLEAR = new Float32Array(4);
 
 /**
- * Draws a layer over a view of the frame's framebuffer, between two parts of its width; pictures of another shape lie in its middle,
- * whole. False where the layer is not tapped or has not been drawn: the screen stays as it is.
+ * Draws a layer over a part of a view, between `from` and `to` as fractions of its width. Images of another aspect ratio are centered and
+ * fully visible. Returns false, and draws nothing, if the layer is not viewed or was not drawn.
  */
 export function showLayer({ engine, resources, layer }: Inspected, viewIndex: number, from: number, to: number): boolean {
   const { state, objects, drawer, copy } = engine;

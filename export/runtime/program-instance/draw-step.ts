@@ -8,7 +8,7 @@ import type { NodeInstance } from '../operations/node-instance.ts';
 import { type LiveResources, liveResource } from '../resources/resources.ts';
 import type { Step } from './step.ts';
 
-/** Lets a node draw one view, into its target or over what the screen already shows. */
+/** A step in which a node draws one view, to its target or over the screen. */
 export function createDrawStep(engine: Engine, operation: DrawOperation, instance: NodeInstance, resources: LiveResources): Step {
   const { gl } = engine.objects;
   const { runtime } = instance;
@@ -44,7 +44,7 @@ export function createDrawStep(engine: Engine, operation: DrawOperation, instanc
     run: (state) => {
       const { view, viewIndex } = state;
       if (!view) return;
-      // Before a framebuffer is bound: carries multisampled pictures into the textures that techniques read.
+      // Resolves multisampled images that techniques read, before a framebuffer is bound.
       for (let i = 0; i < sampled.length; i++) sampled[i]?.target.front(sampled[i]?.domain === 'view' ? viewIndex : 0);
       if (destination) {
         const buffer = destination.target.back(viewIndex);

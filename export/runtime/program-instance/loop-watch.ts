@@ -30,7 +30,7 @@ interface WatchedPass {
   readonly shader: LinkedShader | undefined;
   /** The author's line of the loop that spent the last iteration of the budget; null where none did. */
   line: number | null;
-  /** Probed although its node is bypassed. */
+  /** Whether it is probed although its node is bypassed. */
   onTrial: boolean;
 }
 

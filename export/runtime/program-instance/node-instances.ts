@@ -73,7 +73,7 @@ function findKept(program: Program, resources: LiveResources, before: NodeInstan
   return { nodes, shadowMaps };
 }
 
-/** The maps that a drawing operation names. */
+/** The shadow maps of a drawing operation. */
 function mapsOf(operation: NodeOperation, shadowMaps: NodeInstances['shadowMaps']): ShadowMaps | null {
   if (!isDraw(operation) || operation.shadowMaps === null) return null;
   for (const { resource, maps } of shadowMaps.values()) if (resource === operation.shadowMaps) return maps;
@@ -94,7 +94,10 @@ export function isShadowMaps(operation: Operation): operation is ShadowMapOperat
   return operation.kind === 'shadow-maps';
 }
 
-/** A node is bound to its lists and layers; targets are handed to it with each draw, and pulses pointed anew. */
+/**
+ * Whether the resources of a node are unchanged. A node keeps its lists and layers; targets are passed with each draw, and pulses are
+ * connected again.
+ */
 function sameResources(operation: Operation, resources: LiveResources, before: NodeInstances): boolean {
   const stays = (id: string): boolean => {
     const resource = resources.get(id);

@@ -106,7 +106,7 @@ export function createProgramInstance(
       run(once);
       for (let i = 0; i < frame.viewCount; i++) {
         enterView(state, i);
-        // The emulator gives a monoscopic device a second view of no width.
+        // Emulators give a monoscopic device a second view of zero width.
         if (state.widthPx < 1 || state.heightPx < 1) continue;
         sizes.resizeViews(state);
         background.draw(state, session);
@@ -170,12 +170,12 @@ function createEmptyWorld(): SessionFrame {
   return frame;
 }
 
-/** Others hold what three.js has put on the GPU, if only in the objects that they pass on. */
+/** Whether the node is a value node. The others hold GPU objects of three.js, if only through their outputs. */
 function makesValues({ operations }: Program, id: string): boolean {
   return operations.some((operation) => operation.id === id && (operation.kind === 'value' || operation.kind === 'behavior'));
 }
 
-/** What draws, in order; nodes that draw nothing have done their work in `update`. */
+/** The steps of all operations that draw, in order; other nodes are complete after `update`. */
 function createSteps(
   engine: Engine,
   loaded: LoadedProgram,

@@ -1,8 +1,8 @@
 import type { PlayState } from '../play-state.ts';
 
-/** One operation that draws, ready to run. */
+/** One operation that draws. */
 export interface Step {
   run(state: PlayState): void;
-  /** For steps that draw objects: what `SceneBackend.prepare` runs. */
+  /** Present for steps that draw objects: called by `SceneBackend.prepare`. */
   prepare?(state: PlayState): void;
 }

@@ -1,2 +1,2 @@
-/** 3 × 3, column by column: a picture that lies on the view as it is. */
+/** 3 × 3, column-major: an image that is aligned with the view. */
 export const IDENTITY: Float32Array = Float32Array.of(1, 0, 0, 0, 1, 0, 0, 0, 1);

@@ -5,23 +5,23 @@ import type { GlObjects } from '../gl/gl-objects.ts';
 import { prepareUpload } from '../gl/upload.ts';
 import type { Slots } from '../values/slots.ts';
 
-/** The curve of a param as a texture of its heights, which is computed anew when the curve has changed. */
+/** The curve of a param as a texture of heights, updated when the curve changes. */
 export interface LiveCurve {
   /** Half floats, linear. */
   readonly texture: WebGLTexture;
-  /** Where the curve is, in a program that is about to be drawn. */
+  /** Connects it to the slot of a program, before the program is drawn. */
   point(slots: Slots, slot: number): void;
-  /** Brings the table up to date, outside of a pass. */
+  /** Updates the texture if the curve changed, outside of a pass. */
   update(): void;
   dispose(): void;
 }
 
-/** A curve is computed at once, and by one table after the other. */
+/** Valid within one update; updates do not nest. */
 const scratchHeights = new Float32Array(CURVE_WIDTH_PX);
 
 export function createLiveCurve(objects: GlObjects): LiveCurve {
   const { gl } = objects;
-  // Half floats can be filtered everywhere, and tell 2,048 heights apart even at the top.
+  // Half floats can be filtered on all devices and distinguish 2,048 heights near 1.
   const texture = allocateTexture(gl, objects.createTexture(), gl.R16F, gl.LINEAR, CURVE_WIDTH_PX, 1);
   const shown = new Float64Array(CURVE_NUMBERS).fill(Number.NaN);
   let points: Float64Array = shown;

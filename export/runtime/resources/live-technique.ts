@@ -79,7 +79,7 @@ function uniformView({ name, slot }: TechniqueUniform, slots: Slots): TechniqueU
   }
 }
 
-// Read by the call that asked for it, before anything else can.
+// Valid until the next call.
 const scratchImage: Writable<TechniqueImage> = { texture: null, uvFromViewUv: IDENTITY, widthPx: 1, heightPx: 1 };
 
 function pictureImage(texture: WebGLTexture | null): TechniqueImage {
@@ -100,7 +100,7 @@ function layerView({ name, source, fit }: PassSampler, layer: TechniqueParts['la
         scratchImage.heightPx = resource.domain === 'view' ? viewHeightPx : (layer?.heightPx ?? 0);
         scratchImage.uvFromViewUv = layer?.uvFromViewUv ?? IDENTITY;
       } else {
-        // Targets have no size while programs are only compiled.
+        // Targets have no size while a program is only compiled.
         const buffer = resource.target.peek(index) && resource.target.front(index);
         scratchImage.texture = buffer?.color ?? null;
         scratchImage.widthPx = buffer?.widthPx ?? 0;

@@ -10,7 +10,7 @@ import { IDENTITY } from './identity.ts';
 import { createLiveCurve, type LiveCurve } from './live-curve.ts';
 import { createLiveTechnique, type LiveLayer, type LiveTechnique, type TechniqueParts } from './live-technique.ts';
 
-/** What stands behind a resource of the program while it is played. */
+/** The runtime object of a program's resource. */
 export type LiveResource =
   | LiveLayer
   | { readonly kind: 'room-depth'; readonly depth: RoomDepthOutput }
@@ -21,12 +21,12 @@ export type LiveResource =
   | { readonly kind: 'curve'; readonly curve: LiveCurve }
   | { readonly kind: 'pulses'; readonly queue: PulseQueue }
   | { readonly kind: 'technique'; readonly technique: LiveTechnique }
-  /** Made by its operation. */
+  /** Created by its operation. */
   | { readonly kind: 'shadow-maps' };
 
 export type LiveResources = ReadonlyMap<ResourceId, LiveResource>;
 
-/** Takes over from `before` whatever is still the same. The caller disposes what is left of it with `disposeUnused`. */
+/** Creates the resources of a program and reuses unchanged ones of `before`. The caller disposes the rest with `disposeUnused`. */
 export function createResources(program: Program, objects: GlObjects, before: LiveResources | null): LiveResources {
   const tapped = new Set(Object.values(program.taps).flatMap((layer) => [layer.color, layer.depth?.resource ?? layer.color]));
   const live = new Map<ResourceId, LiveResource>();
@@ -34,7 +34,7 @@ export function createResources(program: Program, objects: GlObjects, before: Li
   for (const resource of program.resources) {
     if (sharedWith(resource) !== null) continue;
     const old = before?.get(resource.id);
-    // Two that shared a texture before may each have one of their own now.
+    // Two resources that shared a texture may have separate ones now.
     const kept = old && !taken.has(old) && isSame(old, resource, tapped.has(resource.id));
     const made = kept ? old : create(resource, objects, tapped.has(resource.id));
     taken.add(made);
@@ -51,7 +51,7 @@ function sharedWith(resource: Resource): ResourceId | null {
   return (resource.kind === 'target' && resource.shares) || null;
 }
 
-/** Gives techniques and curves their texts and values of a program that is about to be drawn. */
+/** Connects techniques and curves to the texts and values of a program, before it is drawn. */
 export function pointResources(
   program: Program,
   live: LiveResources,
@@ -80,7 +80,7 @@ export function disposeUnused(before: LiveResources, after: LiveResources | null
   }
 }
 
-/** Empties what a node had put there, when that node is gone; readers see a new version. */
+/** Clears the output of a node that was disposed; readers get a new version. */
 export function clearOutput(resource: LiveResource): void {
   switch (resource.kind) {
     case 'objects':
@@ -157,9 +157,9 @@ function isSame(old: LiveResource, resource: Resource, tapped: boolean): boolean
   if (old.kind === 'external' && resource.kind === 'external') return old.domain === resource.domain;
   if (old.kind !== 'target' || resource.kind !== 'target') return true;
   const was = old.target.resource;
-  // The size is not compared: a target takes on any size.
+  // The size is not compared: a target can be resized.
   return (
-    // Persistent pictures are kept per view in any case.
+    // Persistent targets have buffers per view in any case.
     (old.tapped === tapped || was.lifetime === 'persistent') &&
     was.domain === resource.domain &&
     was.format === resource.format &&
@@ -169,7 +169,7 @@ function isSame(old: LiveResource, resource: Resource, tapped: boolean): boolean
   );
 }
 
-/** The resource of that kind; a program that names another is broken. */
+/** Returns a resource of the given kind. A resource of another kind is a programming error. */
 export function liveResource<K extends LiveResource['kind']>(
   resources: LiveResources,
   id: ResourceId,

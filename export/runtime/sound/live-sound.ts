@@ -3,7 +3,7 @@ import { MAX_CHANNELS, SOUND_WINDOW } from '../../program/sound-limits.ts';
 import type { GlObjects } from '../gl/gl-objects.ts';
 import { createSoundPicture, type SoundAnalysis, type SoundPicture } from './sound-picture.ts';
 
-/** A sound of the running program with its pictures, which all passes share that want the same. */
+/** A sound of the running program with its textures, which passes share. */
 export interface LiveSound {
   readonly sound: SoundOutput;
   picture(analysis: SoundAnalysis, count: number): SoundPicture;

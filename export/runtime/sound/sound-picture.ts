@@ -7,21 +7,21 @@ import { createSpectrum, type Spectrum } from './spectrum.ts';
 
 export type SoundAnalysis = 'waveform' | 'spectrum';
 
-/** What was heard last as shaders read it (ISF `audio` and `audioFFT`): one row per channel, in the red channel. */
+/** The most recent sound as a texture (ISF `audio` and `audioFFT`): one row per channel, in the red channel. */
 export interface SoundPicture {
   /** Half floats, linear. */
   readonly texture: WebGLTexture;
   readonly widthPx: number;
-  /** One where there is silence. */
+  /** 1 for silence. */
   readonly heightPx: number;
-  /** Brings the picture up to date, outside of a pass. */
+  /** Updates the texture, outside of a pass. */
   update(): void;
   dispose(): void;
 }
 
 /**
- * `waveform`: the last `count` samples, oldest first, around 0.5. `spectrum`: how loud `count` equal parts of 0 Hz to half the
- * sample rate are; where that is no power of two, each shows the loudest of the bins in it.
+ * `waveform`: the last `count` samples, oldest first, around 0.5. `spectrum`: the amplitude in `count` equal bands from 0 Hz to half the
+ * sample rate; if `count` is not a power of two, each has the maximum of its bins.
  */
 export function createSoundPicture(objects: GlObjects, sound: SoundOutput, analysis: SoundAnalysis, count: number): SoundPicture {
   const { gl } = objects;
@@ -49,7 +49,7 @@ export function createSoundPicture(objects: GlObjects, sound: SoundOutput, analy
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, texture);
       for (let channel = 0; channel < MAX_CHANNELS; channel++) {
-        // A single channel fills both rows, so that it is read wherever a shader looks.
+        // A single channel fills both rows, so that shaders may read either.
         const samples = sound.samples[Math.min(channel, heightPx - 1)];
         if (sound.channelCount > 0 && samples) writeRow(samples, row);
         else row.fill(analysis === 'waveform' ? 0.5 : 0);
@@ -80,5 +80,5 @@ function createSpectrumRows(count: number): (samples: Float32Array, row: Float32
   };
 }
 
-/** With fewer, a piece of sound is too short to hold a low tone. */
+/** With fewer bins the window would be too short for low tones. */
 const MIN_BINS = 256;

@@ -1,13 +1,13 @@
-/** How loud each frequency is in a piece of sound. */
+/** Computes the amplitudes of frequencies. */
 export interface Spectrum {
-  /** Writes the amplitudes of `bins.length` equal parts of 0 Hz to half the sample rate, from the last samples of `samples`. */
+  /** Writes the amplitudes of `bins.length` equal bands from 0 Hz to half the sample rate, from the last samples of `samples`. */
   measure(samples: Float32Array, bins: Float32Array): void;
 }
 
 /**
- * The discrete Fourier transform of the last `2 × binCount` samples under a Hann window, by Cooley and Tukey's radix-2 algorithm
- * (Mathematics of Computation 19, 1965). A sine of amplitude a that fits the window gives a at its bin and a / 2 at the two beside
- * it: what the window takes away is given back. `binCount` is a power of two.
+ * Creates a discrete Fourier transform of the last `2 × binCount` samples under a Hann window, by Cooley and Tukey's radix-2 algorithm
+ * (Mathematics of Computation 19, 1965). A sine of amplitude a that fits the window gives a at its bin and a / 2 at both neighbors; the
+ * gain of the window is compensated. `binCount` must be a power of two.
  */
 export function createSpectrum(binCount: number): Spectrum {
   const size = binCount * 2;
@@ -48,7 +48,7 @@ export function createSpectrum(binCount: number): Spectrum {
         imaginary[i] = 0;
       }
       transform();
-      // The window's values add up to half its length, and a sine is shared by two frequencies, one of them negative.
+      // The values of the window add up to half its length, and a sine has two frequencies, one of them negative.
       for (let bin = 0; bin < binCount; bin++) {
         const scale = bin === 0 ? 2 / size : 4 / size;
         bins[bin] = Math.hypot(real[bin] ?? 0, imaginary[bin] ?? 0) * scale;

@@ -4,23 +4,23 @@ import type { GlLimits, GlObjects } from '../gl/gl-objects.ts';
 
 export type TargetResource = Extract<Resource, { kind: 'target' }>;
 
-/** What a target is drawn into: textures of one size, and renderbuffers before them where it is multisampled. */
+/** Textures and framebuffers of a target with one size, including renderbuffers if it is multisampled. */
 export interface TargetBuffer {
   readonly widthPx: number;
   readonly heightPx: number;
   readonly color: WebGLTexture;
-  /** Window depth, or null where the target has none. */
+  /** Window-space depth; null if the target has none. */
   readonly depth: WebGLTexture | null;
-  /** Where to draw. */
+  /** The framebuffer to draw to. */
   readonly framebuffer: WebGLFramebuffer;
-  /** With `color` and `depth` attached; the same as `framebuffer` without multisampling. */
+  /** Framebuffer with `color` and `depth`; the same as `framebuffer` without multisampling. */
   readonly resolvedFramebuffer: WebGLFramebuffer;
-  /** Carries the multisampled picture into the textures; does nothing without multisampling. */
+  /** Resolves the multisampled image to the textures; does nothing without multisampling. */
   resolve(): void;
   dispose(): void;
 }
 
-/** Transparent until drawn. Leaves its framebuffer bound. */
+/** Creates a transparent buffer. Leaves its framebuffer bound. */
 export function createTargetBuffer(objects: GlObjects, resource: TargetResource, widthPx: number, heightPx: number): TargetBuffer {
   const { gl, limits } = objects;
   const format = colorFormat(gl, resource, limits);
@@ -44,7 +44,7 @@ export function createTargetBuffer(objects: GlObjects, resource: TargetResource,
     resolvedFramebuffer,
     resolve: () => {
       if (!multisampled) return;
-      // A blit is cut by the scissor, so that has to be off.
+      // The scissor test also limits a blit.
       gl.disable(gl.SCISSOR_TEST);
       gl.bindFramebuffer(gl.READ_FRAMEBUFFER, multisampled.framebuffer);
       gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, resolvedFramebuffer);
@@ -60,8 +60,8 @@ export function createTargetBuffer(objects: GlObjects, resource: TargetResource,
 }
 
 /**
- * Numbers are kept in 32 bits where such can be smoothed, too; else in 16. Without 32-bit float targets, depth in meters is kept in 16 bits (1 mm at 1 m); without any float targets color is clamped,
- * and depth too. Every WebGL 2 device seen since 2020 renders to 16-bit float.
+ * Numbers are stored in 32-bit floats if those can be filtered, else in 16. Without 32-bit float targets, meters are stored in 16 bits (1
+ * mm at 1 m); without any float targets, color and depth are clamped. Every WebGL 2 device seen since 2020 renders to 16-bit float.
  */
 function colorFormat(gl: WebGL2RenderingContext, resource: TargetResource, limits: GlLimits): { internal: GLenum; filter: GLenum } {
   switch (resource.format) {

@@ -5,16 +5,16 @@ import type { Slots } from '../values/slots.ts';
 import { evaluateSize } from './size.ts';
 import type { Target } from './target.ts';
 
-/** Gives every target of a domain its size, before the operations that draw into it. */
+/** Resizes the targets of each domain before operations draw to them. */
 export interface TargetSizes {
-  /** Image domain: once a frame, for all views. */
+  /** Image domain: called once per frame. */
   resizeImages(state: PlayState): void;
-  /** View domain: at the start of each view. */
+  /** View domain: called at the start of each view. */
   resizeViews(state: PlayState): void;
   trim(viewCount: number): void;
 }
 
-/** What sizes are relative to: the view, a picture, or another target. */
+/** What a size is relative to: the view, an image or another target. */
 type Base =
   | { readonly kind: 'view' }
   | { readonly kind: 'external'; readonly resource: Extract<LiveResource, { kind: 'external' }> }
@@ -52,7 +52,7 @@ export function createTargetSizes(program: Program, resources: LiveResources, sl
   };
 }
 
-/** A view-domain source is pixel-aligned with the view, whatever its texture's size. */
+/** A source of the view domain is aligned with the view, whatever the size of its texture. */
 function baseWidth(base: Base, state: PlayState): number {
   if (base.kind === 'target') return base.widthPx;
   if (base.kind === 'view' || base.resource.domain === 'view') return state.widthPx;

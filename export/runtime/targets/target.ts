@@ -3,35 +3,34 @@ import type { GlObjects } from '../gl/gl-objects.ts';
 import { createTargetBuffer, type TargetBuffer, type TargetResource } from './target-buffer.ts';
 
 /**
- * A target of the program with the buffers behind it. The views of a frame are drawn one after the other, so they share one
- * buffer where their sizes agree; a persistent target has two per view, because its last picture is read while the next is
- * drawn, and a target that is looked at has one per view.
+ * A render target of the program with its buffers. Views are drawn one after the other, so they share one buffer if their sizes are equal.
+ * A persistent target has two per view, because the previous image is read while the next is drawn; a viewed target has one per view.
  */
 export interface Target {
   readonly resource: TargetResource;
-  /** Before the first use in a view. A persistent picture is scaled to the new size; others start transparent. */
+  /** Called before the first use in a view. A persistent image is scaled to the new size; others start transparent. */
   resize(viewIndex: number, widthPx: number, heightPx: number): void;
-  /** What to draw into; what `front` gave so far stays readable until `finish`. */
+  /** The buffer to draw to. The current `front` stays readable until `finish`. */
   back(viewIndex: number): TargetBuffer;
-  /** What was drawn last, ready to be read. May bind framebuffers and turn the scissor off. */
+  /** The buffer drawn last, resolved for reading. May bind framebuffers and disable the scissor test. */
   front(viewIndex: number): TargetBuffer;
-  /** What readers were given in the last frame, or null while nothing has a size: of a persistent picture, the one before. */
+  /** The buffer that readers got in the last frame, or null without a size. For a persistent target it is the previous image. */
   peek(viewIndex: number): TargetBuffer | null;
-  /** The picture in `back` is complete. */
+  /** Completes the image in `back`. */
   finish(viewIndex: number): void;
-  /** Forgets the pictures. */
+  /** Clears all images. */
   clear(): void;
-  /** Frees what views from `viewCount` on had for themselves. */
+  /** Disposes the buffers of views from `viewCount` on. */
   trim(viewCount: number): void;
   dispose(): void;
 }
 
-/** All views of a session. */
+/** Maximum number of views of a session. */
 export const MAX_VIEWS = 2;
 
 interface ViewState {
   front: TargetBuffer | null;
-  /** Only for a persistent target; otherwise front and back are the same buffer. */
+  /** For a persistent target only; otherwise front and back are the same buffer. */
   back: TargetBuffer | null;
   unresolved: boolean;
 }
@@ -42,7 +41,7 @@ export function createTarget(objects: GlObjects, resource: TargetResource, ownPe
   const separate = persistent || ownPerView;
   const states: ViewState[] = Array.from({ length: MAX_VIEWS }, () => ({ front: null, back: null, unresolved: false }));
   const [first] = states as [ViewState];
-  /** Which state each view draws into at present. */
+  /** The state that each view draws to. */
   const stateOf: ViewState[] = states.map(() => first);
 
   const at = (viewIndex: number): ViewState => stateOf[viewIndex] ?? first;

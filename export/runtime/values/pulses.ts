@@ -3,7 +3,7 @@ import type { NewPulse, Pulse, PulseList, PulseOutput } from '../../../nodes/kit
 
 /** The pulses of one output. */
 export interface PulseQueue extends PulseOutput {
-  /** Called for each pulse that found no room. */
+  /** Called for each pulse beyond the limit. */
   onOverflow: (() => void) | null;
   clear(): void;
 }
@@ -12,9 +12,9 @@ export function createPulseQueue(): PulseQueue {
   return new FixedQueue();
 }
 
-/** What a port sees of the outputs wired to it, in the order of the wires. */
+/** The pulses of all outputs that are connected to a port, in the order of the wires. */
 export interface MergedPulses extends PulseList {
-  /** After a recompile: other wires. */
+  /** Connects it to the wires of a recompiled program. */
   point(lists: readonly PulseList[]): void;
 }
 
@@ -47,7 +47,7 @@ class FixedQueue implements PulseQueue {
   count = 0;
   onOverflow: (() => void) | null = null;
   private readonly events = Array.from({ length: PULSE_CAPACITY }, () => new Event());
-  /** Takes what is dropped. */
+  /** Receives dropped pulses. */
   private readonly spare = new Event();
 
   at(index: number): Pulse {

@@ -3,16 +3,16 @@ import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { NumberView, TextView, ToggleView, VectorView, Writable } from '../../../nodes/kit/value-views.ts';
 import type { Slot, SlotTable, SlotType } from '../../program/program.ts';
 
-/** The running values of a program: one flat array of numbers and one of texts. */
+/** Current values of a program: one flat array of numbers and one of texts. */
 export interface Slots {
   readonly numbers: Float64Array;
   readonly texts: string[];
   readonly slots: readonly Slot[];
-  /** Slot of `node.param`, or undefined where the program has no such value. */
+  /** The slot of `node.param`, or undefined if the program has no such value. */
   find(name: string): number | undefined;
-  /** Where a slot's numbers begin, or its text's place. */
+  /** Index of the slot's first number, or of its text. */
   offset(slot: number): number;
-  /** False where the value does not fit the slot's type or is not finite; the slot then keeps what it had. */
+  /** Returns false, and keeps the value, if the new one does not fit the slot's type or is not finite. */
   set(slot: number, value: ParamValue): boolean;
 }
 
@@ -59,8 +59,8 @@ const NUMBERS_IN: Readonly<Record<Exclude<SlotType, 'text'>, number>> = {
 };
 
 /**
- * What a node holds of a slot. A recompile moves values to other slots while the node lives on, so a view can be pointed
- * anew: the object stays, `value` then reads the new place. Nodes therefore keep views, never a vector's array.
+ * A node's view of a slot. A recompile moves values to other slots while the node continues, so the view can be connected to another slot.
+ * Nodes therefore keep views instead of arrays.
  */
 export interface SlotView {
   point(slots: Slots, slot: number): void;
@@ -136,7 +136,7 @@ class TextSlot implements SlotView, TextView {
   }
 }
 
-/** Assigning an array copies its numbers into the slot. */
+/** Assigning an array copies its numbers to the slot. */
 class VectorSlot implements SlotView, VectorView {
   private numbers: Float64Array = new Float64Array(4);
   get value(): Readonly<Float64Array> {

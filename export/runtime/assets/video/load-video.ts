@@ -9,10 +9,10 @@ export interface LoadedVideo extends VideoAsset {
 }
 
 /**
- * Holds a video in memory and reads how long and large it is; pictures are decoded as they are played. A file in memory can be sought
- * on any host, and goes on without a network.
+ * Keeps a video file in memory and reads its duration and size; frames are decoded during playback. A file in memory supports seeking on
+ * any host and needs no network.
  *
- * @throws VideoError, by rejection, where the browser cannot play it
+ * @throws VideoError, as a rejection, if the browser cannot play it.
  */
 export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer, delay: FrameClock['delay']): Promise<LoadedVideo> {
   const url = URL.createObjectURL(new Blob([bytes], { type: mediaTypeOf(bytes) }));
@@ -31,7 +31,7 @@ export async function loadVideo(objects: GlObjects, bytes: ArrayBuffer, delay: F
   }
 }
 
-/** ISO 14496-12 §4.3 and RFC 8794 §11.2: browsers go by the type they are told. */
+/** ISO 14496-12 §4.3 and RFC 8794 §11.2. Browsers rely on the given type. */
 function mediaTypeOf(bytes: ArrayBuffer): string {
   const view = new DataView(bytes);
   if (bytes.byteLength > 12 && view.getUint32(4) === 0x66747970) return 'video/mp4';
@@ -45,7 +45,7 @@ interface Measured {
   readonly heightPx: number;
 }
 
-/** Later than any video ends. */
+/** A time after the end of any video. */
 const BEYOND_THE_END_S = 1e7;
 
 async function measure(url: string): Promise<Measured> {
@@ -55,7 +55,7 @@ async function measure(url: string): Promise<Measured> {
     const { videoWidth: widthPx, videoHeight: heightPx } = video.element;
     if (widthPx === 0 || heightPx === 0) throw new VideoError('it holds no picture that this browser can decode');
     if (video.element.duration === Number.POSITIVE_INFINITY) {
-      // Recorded by a browser: the file does not say where it ends until somebody has been there.
+      // Files recorded by a browser do not contain the duration; it is known after a seek to the end.
       const known = until(video, 'durationchange');
       video.element.currentTime = BEYOND_THE_END_S;
       await known;

@@ -1,11 +1,11 @@
-/** Says what is wrong with a video, going on after "cannot be decoded: ", and what to do. */
+/** A problem of a video. The message follows “cannot be decoded: ” and includes the remedy. */
 export class VideoError extends Error {
   readonly fix = 'Save it as MP4 with H.264, or as WebM with VP9, which browsers play everywhere.';
 }
 
-/** Why a `<video>` gave up, for people. */
+/** The reason why a `<video>` failed, as text for the user. */
 export function videoError(error: MediaError | null): VideoError {
-  // The codes of the HTML standard, "Media error codes": 3 is MEDIA_ERR_DECODE, 4 MEDIA_ERR_SRC_NOT_SUPPORTED.
+  // Media error codes of the HTML standard: 3 is MEDIA_ERR_DECODE, 4 MEDIA_ERR_SRC_NOT_SUPPORTED.
   if (error?.code === 4) return new VideoError('this browser has no decoder for it');
   return new VideoError(error?.code === 3 ? 'a part of it is damaged' : 'the browser gave it up');
 }
@@ -15,7 +15,7 @@ export interface VideoElement {
   dispose(): void;
 }
 
-/** Off the page and silent, as browsers ask of videos that start by themselves. */
+/** A detached and muted element, which browsers allow to start without a gesture. */
 export function createVideoElement(url: string): VideoElement {
   const element = document.createElement('video');
   element.muted = true;
@@ -27,7 +27,7 @@ export function createVideoElement(url: string): VideoElement {
     element,
     dispose: () => {
       element.pause();
-      // The decoder is freed at once, not when the element is collected.
+      // Frees the decoder at once instead of at garbage collection.
       element.removeAttribute('src');
       element.load();
     },

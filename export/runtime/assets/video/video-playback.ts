@@ -4,15 +4,15 @@ import type { GlObjects } from '../../gl/gl-objects.ts';
 import { createVideoElement, videoError } from './video-element.ts';
 import { createVideoTexture } from './video-texture.ts';
 
-/** What browsers play at without stumbling; beyond, pictures are sought one by one. */
+/** Lowest playback rate that browsers play smoothly; below it, frames are sought one by one. */
 const MIN_RATE = 0.0625;
 const MAX_RATE = 16;
-/** How far a running video may stray from the clock, seconds: a seek is seen, less than this is not. */
+/** Drift of a playing video from the clock that causes a seek, seconds. Seeks are visible, smaller drifts are not. */
 const MAX_DRIFT_S = 0.25;
-/** How long to wait for word of a picture that was sought, seconds, before it is sought again; then twice as long, up to the most. */
+/** Timeout for the frame of a seek, seconds. Then the seek is repeated with the double timeout, up to the maximum. */
 const PATIENCE_S = 0.2;
 const MAX_PATIENCE_S = 2;
-/** WebM rounds times to milliseconds: a picture asked for at its exact time could be the one before. */
+/** WebM rounds times to milliseconds, so a seek to an exact time could show the previous frame. */
 const ROUNDING_S = 0.001;
 
 type Problem = Parameters<Parameters<VideoAsset['open']>[0]>[0];
@@ -24,27 +24,27 @@ export interface VideoSource {
   readonly delay: FrameClock['delay'];
 }
 
-/** Plays one video in one `<video>`, whose newest picture is in a texture. */
+/** Plays one video in a `<video>` whose current frame is in a texture. */
 export function createPlayback(source: VideoSource, onProblem: (problem: Problem) => void): VideoPlayback {
   const { objects, url, durationS, delay } = source;
   const { element, dispose } = createVideoElement(url);
   const texture = createVideoTexture(objects);
-  /** Firefox before 132 does not tell of new pictures. */
+  /** Firefox before 132 does not report new frames. */
   const tells = 'requestVideoFrameCallback' in element;
   let failed = false;
-  /** What is asked for while the video is held, and what the element was last told to seek. */
+  /** The time requested while the video is held, and the time of the last seek. */
   let wantedS: number | null = null;
-  // What it shows once it has loaded.
+  // The frame shown after loading.
   let soughtS: number | null = 0;
   let tries = 0;
   /**
-   * What the element has yet to say of what it was told to load or seek: that it is there, and that its picture is, which often comes
-   * later. Nothing else may be asked of it meanwhile.
+   * Events that the element has not dispatched since the last load or seek: the seek itself and its frame, which often comes later. No
+   * other seek may start before.
    */
   const awaited = { event: true, picture: tells };
-  /** A picture from before the seek may still have been on its way when the video ran: it is sought twice then. */
+  /** Whether the video was playing before the seek. A frame from before may then arrive late, so the seek is repeated. */
   let ran = false;
-  /** The element has a picture that the texture has not. */
+  /** Whether the element has a frame that the texture does not have. */
   let fresh = false;
   let starting = false;
   let blocked = false;
@@ -59,11 +59,11 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     element.currentTime = Math.min(timeS + ROUNDING_S, durationS);
     void insist(++tries, PATIENCE_S);
   };
-  /** Now and then Chromium forgets to tell of a picture, most often when it is the one that was there before. */
+  /** Repeats the seek. Chromium sometimes does not report a frame, mostly if it is the same as before. */
   const insist = async (mine: number, patienceS: number): Promise<void> => {
     await delay(patienceS);
     if (mine !== tries || !awaited.picture || failed) return;
-    // At the very end there may be none to tell of.
+    // At the very end there may be no frame.
     if (patienceS > MAX_PATIENCE_S || (element.ended && !awaited.event)) {
       awaited.picture = false;
       arrive();
@@ -75,7 +75,7 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     }
     void insist(mine, patienceS * 2);
   };
-  /** One seek at a time: a newer wish waits for the one under way, so that dragging a slider shows pictures at all. */
+  /** Starts the next seek. Seeks run one at a time; a newer request waits for the current one, so dragging a slider shows frames. */
   const proceed = (): void => {
     if (isIdle() && !failed && wantedS !== null && soughtS !== wantedS) seek(wantedS);
     if (!isThere()) return;
@@ -131,7 +131,7 @@ export function createPlayback(source: VideoSource, onProblem: (problem: Problem
     element
       .play()
       .catch((error: unknown) => {
-        // A pause that came before the video had begun is no refusal.
+        // A pause before the start is not a refusal.
         if (!(error instanceof DOMException) || error.name !== 'NotAllowedError') return;
         blocked = true;
         document.addEventListener('pointerdown', unblock, { once: true });

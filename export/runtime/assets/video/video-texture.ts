@@ -3,9 +3,9 @@ import { allocateTexture } from '../../gl/allocate-texture.ts';
 import type { GlObjects } from '../../gl/gl-objects.ts';
 import { prepareUpload } from '../../gl/upload.ts';
 
-/** The newest picture of a video as layers want it: premultiplied, first row at the bottom. */
+/** The current frame of a video: premultiplied, first row at the bottom. */
 export interface VideoTexture {
-  /** Null before the first; another one when the video changes its size. */
+  /** Null before the first frame; another object if the size of the video changes. */
   readonly picture: ImageAsset | null;
   upload(video: HTMLVideoElement): void;
   dispose(): void;
@@ -37,7 +37,7 @@ export function createVideoTexture(objects: GlObjects): VideoTexture {
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, texture);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE, video);
-      // three.js sets only what it has changed itself.
+      // three.js only sets the state that it has changed itself.
       gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
       gl.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     },

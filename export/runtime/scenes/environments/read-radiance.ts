@@ -12,7 +12,7 @@ import { isCutOff, PanoramaError, type RadianceHeader } from './radiance-header.
 export type ReadRadiance = (bytes: ArrayBuffer, header: RadianceHeader) => DataTexture;
 
 export const readRadiance: ReadRadiance = (bytes, header) => {
-  if (isCutOff(bytes, header)) throw new PanoramaError('the file is cut off. Copy or export it again');
+  if (isCutOff(bytes, header)) throw new PanoramaError('the file is incomplete. Copy or export it again');
   const { data, width, height, format, flipY } = parse(bytes, header.format);
   if (!(data instanceof Uint16Array) || !width || !height) throw new PanoramaError('it holds no picture. Export it again');
   tame(data);

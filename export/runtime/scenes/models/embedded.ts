@@ -42,7 +42,7 @@ export function embeddedPictures({ document, bitmaps, decodeKtx2 }: EmbeddedPict
       colorSpaceConversion: 'none',
       premultiplyAlpha: 'none',
     }).catch(() => {
-      throw new ModelError(`image ${index + 1} in it is broken or of an unknown kind. Use PNG, JPEG or WebP images.`);
+      throw new ModelError(`image ${index + 1} in it is damaged or has an unsupported format. Use PNG, JPEG or WebP.`);
     });
     bitmaps.push(bitmap);
     const texture = new Texture(bitmap);
