@@ -36,14 +36,11 @@ export interface Compiler {
 
 /** A program, or null with at least one error. */
 export interface Compiled extends Result<Program> {
-  /**
-   * Where there is no program because shaders cannot be read: their texts above the mistakes. Only a driver finds most of the mistakes in
-   * these. Empty otherwise.
-   */
+  /** If shaders cannot be read: their texts above the mistakes, so that a driver can check these. Empty if there is a program. */
   readonly above: readonly ShaderAbove[];
 }
 
-/** A whole shader of the text above a mistake, which is for compiling alone. */
+/** A complete shader made of the text above a mistake. It is only compiled, never drawn. */
 export interface ShaderAbove {
   readonly shader: LinkedShader;
   readonly before: Before;

@@ -40,7 +40,7 @@ export interface Lowering {
   readonly techniqueReads: Map<string, readonly ResourceId[]>;
   /** Node → operations that set its params from expressions or tracks. */
   readonly movedBy: Map<string, string[]>;
-  /** What stands above mistakes in the shaders of nodes. */
+  /** The text above mistakes in shaders that cannot be linked, by node. */
   readonly above: ScheduledAbove[];
   readonly diagnostics: Diagnostic[];
 }
