@@ -2,7 +2,14 @@ import type { AnimationClip, Object3D, Texture } from 'three';
 import type { AssetKind } from './definition.ts';
 import type { AudioAsset } from './sound.ts';
 
-/** Loads each asset once and shares it; handles are counted, and the last release frees it. */
+/**
+ * Loads the project's assets. Each asset is loaded once and shared by all its handles; it is disposed when the last handle is released.
+ *
+ * @example
+ * const image = ctx.assetIds.file === null ? null : ctx.assets.image(ctx.assetIds.file);
+ * // In `update`: image?.value is null until the file has loaded.
+ * // In `dispose`: image?.release();
+ */
 export interface AssetService {
   image(id: string): AssetHandle<ImageAsset>;
   model(id: string): AssetHandle<ModelAsset>;
@@ -11,51 +18,63 @@ export interface AssetService {
   audio(id: string): AssetHandle<AudioAsset>;
 }
 
+/** One node's claim on an asset. Every handle must be released, in the node's `dispose`. */
 export interface AssetHandle<T> {
   readonly kind: AssetKind;
-  /** Null until loaded, and for ever when it failed: the failure is reported once, at the node. */
+  /** Null until the asset has loaded, and if loading fails. A failure is reported once, at the node. */
   readonly value: T | null;
-  /** Resolves when loading ended, well or badly; never rejects. */
+  /** Resolves when loading has succeeded or failed; never rejects. */
   readonly settled: Promise<void>;
   release(): void;
 }
 
+/** A decoded image: premultiplied display-referred sRGB, RGBA8, rows from the bottom. */
 export interface ImageAsset {
   readonly texture: WebGLTexture;
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
+/** A decoded glTF model, in meters, y up. */
 export interface ModelAsset {
-  /** Each call makes a new subtree with bones of its own, sharing geometries, materials and textures. */
+  /** Creates a subtree with its own bones; geometries, materials and textures are shared. */
   instantiate(): Object3D;
   readonly clips: readonly AnimationClip[];
 }
 
-/** Equirectangular radiance, linear where it is sampled; its middle is `u` 0.5, and `v` 1 is the zenith. */
+/** An equirectangular panorama. Samples are linear-sRGB radiance; the center is at `u` 0.5, the zenith at `v` 1. */
 export interface EnvironmentAsset {
   readonly texture: Texture;
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
+/** A video file that can be played. */
 export interface VideoAsset {
   readonly durationS: number;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Each call makes a playback with a time of its own. `onProblem` is told what hinders it, in words, and what to do. */
+  /**
+   * Creates a playback with its own position.
+   *
+   * @param onProblem Called when the video cannot play: what is wrong, and the remedy, as sentences for users.
+   */
   open(onProblem: (problem: { readonly message: string; readonly fix: string }) => void): VideoPlayback;
 }
 
+/** One playback of a video. */
 export interface VideoPlayback {
-  /** The newest picture that is there; null before the first. */
+  /** The newest decoded frame; null before the first. */
   readonly picture: ImageAsset | null;
   /**
-   * Asks for the picture at `timeS` of the file, in [0, durationS]; every frame. A `rate` above 0 lets the video run on by itself
-   * at this speed, `loop` from its end to its start, and puts it right where it strays; 0 asks for exactly this picture.
+   * Requests the frame at a position. Call it every frame.
+   *
+   * @param timeS Position in the file, seconds, in [0, durationS].
+   * @param rate Above 0: the video plays on at this speed and is corrected when it deviates from `timeS`. 0: exactly this frame.
+   * @param loop Whether playback continues from the end to the start.
    */
   follow(timeS: number, rate: number, loop: boolean): void;
-  /** As `NodeRuntime.settle`. */
+  /** See `NodeRuntime.settle`. */
   settle(): Promise<void> | null;
   dispose(): void;
 }

@@ -2,22 +2,32 @@ import type { Clock } from './runtime.ts';
 import type { NumberView, ToggleView, VectorView, Writable } from './value-views.ts';
 
 /**
- * What the runtimes in `nodes/binding/` see: they play params that are bound to an expression or a track, and are no nodes that a
- * designer places. The compiler makes their operations and knows what is in `config`.
+ * The context of the runtimes in `nodes/binding/`, which play params that are bound to an expression or a track. They are not nodes:
+ * the compiler creates their operations and writes `config`.
  */
 export interface BindingContext {
-  /** `value` is the param's own. */
+  /** `value` is the value of the param. */
   readonly outputs: Readonly<Record<string, unknown>>;
   readonly config: Readonly<Record<string, unknown>>;
   readonly clock: Pick<Clock, 'timeS' | 'frame'>;
 }
 
-/** Whatever type a param has, its value is made of numbers. */
+/** The value of a bound param: one or more numbers, for every type of param. */
 export type BoundValue = Writable<NumberView> | Writable<ToggleView> | Writable<VectorView>;
 
 /**
- * What carries the numbers to the param, as many as its value has. One function per type, decided beforehand: were it decided in
- * every frame, an engine would make a heap object of each number to look at.
+ * Creates the function that copies computed numbers to a param.
+ *
+ * The type of the value is decided once, not every frame: a generic assignment would allocate a heap number per frame.
+ *
+ * @param bound The value of the param.
+ * @param numbers As many numbers as the value has; read at every call of the result. A toggle is on where the number is not 0.
+ * @returns Writes the numbers to the value; allocates nothing.
+ *
+ * @example
+ * const write = createWriter(value, expression.results);
+ * // Every frame, after `numbers` has changed:
+ * write();
  */
 export function createWriter(bound: BoundValue, numbers: Float64Array): () => void {
   switch (typeof bound.value) {

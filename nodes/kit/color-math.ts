@@ -1,6 +1,5 @@
 /**
- * Color arithmetic on display-referred sRGB, three numbers in [0, 1]. Results are written into `out`, which may be one of the
- * arguments.
+ * Three components of a color, written in place. The functions of this file allocate nothing: they write their result into `out`.
  */
 export type Triple = { [index: number]: number } & ArrayLike<number>;
 
@@ -8,6 +7,7 @@ export type Triple = { [index: number]: number } & ArrayLike<number>;
  * Converts RGB to HSV by the hexcone model (Smith 1978).
  *
  * @param out Receives hue in turns, [0, 1), saturation and value in [0, 1]. Grays have the hue 0.
+ * @param r Red, display-referred sRGB in [0, 1]; likewise `g` and `b`.
  *
  * @example
  * hsvFromRgb(out, 1, 0, 0); // out = [0, 1, 1]
@@ -25,6 +25,8 @@ export function hsvFromRgb(out: Triple, r: number, g: number, b: number): void {
  *
  * @param out Receives display-referred sRGB in [0, 1].
  * @param hue In turns; any number.
+ * @param saturation In [0, 1].
+ * @param value In [0, 1].
  *
  * @example
  * rgbFromHsv(out, 1 / 3, 1, 1); // out = [0, 1, 0]
@@ -38,6 +40,7 @@ export function rgbFromHsv(out: Triple, hue: number, saturation: number, value: 
  * Converts RGB to HSL as CSS Color 4, §7.
  *
  * @param out Receives hue in turns, [0, 1), saturation and lightness in [0, 1].
+ * @param r Red, display-referred sRGB in [0, 1]; likewise `g` and `b`.
  *
  * @example
  * hslFromRgb(out, 1, 1, 1); // out = [0, 0, 1]
@@ -51,6 +54,17 @@ export function hslFromRgb(out: Triple, r: number, g: number, b: number): void {
   out[2] = lightness;
 }
 
+/**
+ * Converts HSL to RGB as CSS Color 4, §7.
+ *
+ * @param out Receives display-referred sRGB in [0, 1].
+ * @param hue In turns; any number.
+ * @param saturation In [0, 1].
+ * @param lightness In [0, 1].
+ *
+ * @example
+ * rgbFromHsl(out, 0, 1, 0.5); // out = [1, 0, 0]
+ */
 export function rgbFromHsl(out: Triple, hue: number, saturation: number, lightness: number): void {
   const chroma = (1 - Math.abs(2 * lightness - 1)) * saturation;
   writeHue(out, hue, chroma, lightness - chroma / 2);
@@ -69,11 +83,28 @@ export function linearFromSrgb(c: number): number {
   return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 }
 
+/**
+ * Encodes one channel as sRGB (IEC 61966-2-1).
+ *
+ * @param c Linear, in [0, 1].
+ * @returns Display-referred, in [0, 1].
+ *
+ * @example
+ * srgbFromLinear(0.214); // 0.5
+ */
 export function srgbFromLinear(c: number): number {
   return c <= 0.0031308 ? c * 12.92 : 1.055 * c ** (1 / 2.4) - 0.055;
 }
 
-/** Björn Ottosson, "A perceptual color space for image processing" (2020), from linear-sRGB. */
+/**
+ * Converts linear-sRGB to Oklab (Björn Ottosson, "A perceptual color space for image processing", 2020).
+ *
+ * @param out Receives lightness in [0, 1], `a` and `b`.
+ * @param r Red, linear-sRGB in [0, 1]; likewise `g` and `b`.
+ *
+ * @example
+ * oklabFromLinear(out, 1, 1, 1); // out = [1, 0, 0]
+ */
 export function oklabFromLinear(out: Triple, r: number, g: number, b: number): void {
   const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
   const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
@@ -83,6 +114,15 @@ export function oklabFromLinear(out: Triple, r: number, g: number, b: number): v
   out[2] = 0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s;
 }
 
+/**
+ * Converts Oklab to linear-sRGB.
+ *
+ * @param out Receives linear-sRGB; outside [0, 1] where sRGB does not contain the color.
+ * @param lightness In [0, 1].
+ *
+ * @example
+ * linearFromOklab(out, 1, 0, 0); // out = [1, 1, 1]
+ */
 export function linearFromOklab(out: Triple, lightness: number, a: number, b: number): void {
   const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
   const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
@@ -98,7 +138,7 @@ function hueOf(r: number, g: number, b: number, most: number, chroma: number): n
   return most === g ? (b - r) / chroma / 6 + 1 / 3 : (r - g) / chroma / 6 + 2 / 3;
 }
 
-/** Each channel is a trapezoid over the hue, a third of a turn apart. */
+/** Each channel is a trapezoid function of the hue; the channels are a third of a turn apart. */
 function writeHue(out: Triple, hue: number, chroma: number, base: number): void {
   for (let i = 0; i < 3; i++) {
     const turn = hue - i / 3;

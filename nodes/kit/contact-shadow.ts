@@ -1,18 +1,21 @@
 import type { LightShadow } from './light-shadow.ts';
 import type { DirectionalLightItem, LightList } from './scene-lists.ts';
 
-/** The shadow that light from all sides leaves where things touch, besides that of the light itself. */
+/** The shadow of ambient light where objects touch, besides the shadow of a light itself. */
 export interface ContactShadow {
   /**
-   * Once per frame. `strength`: how much light comes from all sides, as a part of the light itself; at 0 there is no such shadow.
-   * `areaM`: as of the light's own shadow.
+   * Call it once per frame.
+   *
+   * @param strength Ambient light as a fraction of the light itself; 0 removes the contact shadow.
+   * @param areaM Side of the square that the shadow map covers, meters; the same as that of the light's own shadow.
+   * @param radiance Radiance of the light itself, linear-sRGB.
    */
   update(strength: number, areaM: number, radiance: Float32Array): void;
 }
 
-/** Its edges are wide and are seen near by alone; finer would be wasted. */
+/** The edges are wide, so a larger map would not be visible. */
 const MAP_SIZE_PX = 512;
-/** What a surface sees of the sky that matters: 80°. Wider, and taps of the filter lie too far apart. */
+/** The part of the sky that is taken into account: 80°. With a wider angle the samples of the filter are too far apart. */
 const SOURCE_RAD = 1.4;
 const BIAS_PX = 1;
 
@@ -20,10 +23,12 @@ const BIAS_PX = 1;
  * Adds a light for contact shadows to a list. A uniform sky is approximated by a wide light straight above: its contact-hardening
  * shadow is dark below an object and fades a little above the ground.
  *
- * @param lights The node's own light list.
+ * @param lights The node's own light list; the light is in it while the strength is above 0.
  *
  * @example
  * const contact = createContactShadow(ctx.outputs.lights);
+ * // Every frame:
+ * contact.update(0.3, 5, light.radiance);
  */
 export function createContactShadow(lights: LightList): ContactShadow {
   const shadow: LightShadow = { areaM: 0, mapSizePx: MAP_SIZE_PX, bias: 0, normalBiasM: 0, filter: 'pcss', sourceRad: SOURCE_RAD };

@@ -2,8 +2,8 @@ import type { NodeDefinition } from './definition.ts';
 import type { NodeContext, NodeModule } from './runtime.ts';
 
 /**
- * Between a CPU filter, which works in a worker, and the runtime that carries pictures there and back (ADR 21). A filter is a folder
- * `nodes/filter/cpu-NAME` with `definition.ts` (lowering `cpu`) and `worker.ts`, which exports `process`.
+ * The image that a CPU filter changes in place, in a worker (ADR 21). A filter is a folder `nodes/filter/cpu-NAME` with `definition.ts`
+ * (lowering `cpu`) and `worker.ts`, which exports `process`.
  *
  * @example
  * export function process({ data }: Pixels, { amount }: CpuParams<typeof definition>): void {
@@ -11,29 +11,29 @@ import type { NodeContext, NodeModule } from './runtime.ts';
  * }
  */
 export interface Pixels {
-  /** Premultiplied display-referred sRGB, RGBA, rows from the bottom: to be changed in place. */
+  /** Premultiplied display-referred sRGB, RGBA8, rows from the bottom. */
   readonly data: Uint8Array<ArrayBuffer>;
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
-/** Values of the frame in which the picture was taken, by the names of the params. */
+/** The values of the params in the frame of the image, by name. */
 export type CpuParams<D extends NodeDefinition> = {
   readonly [K in keyof NodeContext<D>['params']]: NodeContext<D>['params'][K] extends { readonly value: infer V } ? V : never;
 } & NodeContext<D>['config'];
 
-/** The text of a worker, as `npm run gen` makes it of `worker.ts`. */
+/** The text of a worker, which `npm run gen` bundles from `worker.ts`. */
 export interface WorkerModule {
   readonly worker: string;
 }
 
-/** What plays a node: its behavior in the page, or in a worker. */
+/** The module that plays a node: a runtime in the page, or a worker. */
 export type PlayedModule = NodeModule | WorkerModule;
 
-/** To the worker; `buffer` is transferred. */
+/** The message to the worker; `buffer` is transferred. */
 export interface CpuTask {
   readonly view: number;
-  /** Given back with the answer, so that one from before a reset is known. */
+  /** Returned with the answer, so that answers from before a reset can be dropped. */
   readonly turn: number;
   readonly buffer: ArrayBuffer;
   readonly widthPx: number;
@@ -41,11 +41,11 @@ export interface CpuTask {
   readonly params: Readonly<Record<string, unknown>>;
 }
 
-/** From the worker; the same buffer, transferred back. */
+/** The message from the worker; the same buffer, transferred back. */
 export interface CpuAnswer {
   readonly view: number;
   readonly turn: number;
   readonly buffer: ArrayBuffer;
-  /** What went wrong, as the message of the error that was thrown, or null. */
+  /** The message of the error that `process` threw, or null. */
   readonly failure: string | null;
 }

@@ -1,25 +1,29 @@
 /**
- * A curve as a param's value: the points `[x, y, x, y, …]` that it goes through, both from 0 to 1, from left to right. Before its first
- * point and after its last it stays level.
+ * A curve as the value of a param: the points `[x, y, x, y, …]` that it passes through, in [0, 1], sorted by x. Before the first point
+ * and after the last it is constant.
  *
- * Between points it is a cubic that never goes beyond the two it leads between, so that no picture gets bands or clipped tones that
- * nobody drew: F. N. Fritsch, R. E. Carlson 1980, Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17, 238, with the slopes
+ * Between points it is a monotone cubic, which does not overshoot, so that images get no bands or clipped tones that the points do not
+ * contain: F. N. Fritsch, R. E. Carlson 1980, Monotone Piecewise Cubic Interpolation, SIAM J. Numer. Anal. 17, 238, with the slopes
  * of F. N. Fritsch, J. Butland 1984, SIAM J. Sci. Stat. Comput. 5, 300. SciPy's `PchipInterpolator` is the same.
  */
 export type Curve = readonly number[];
 
-/** From what is below to itself. */
+/** The identity curve. */
 export const DIAGONAL: Curve = [0, 0, 1, 1];
 
+/** The fewest points of a curve. */
 export const MIN_CURVE_POINTS = 2;
+
+/** The most points of a curve. */
 export const MAX_CURVE_POINTS = 8;
 
-/** What a curve takes in the program's slots. One of fewer points has its last point again at the end. */
+/** How many numbers a curve takes in the program's slots. A curve with fewer points repeats its last point. */
 export const CURVE_NUMBERS = 2 * MAX_CURVE_POINTS;
 
 /**
  * Checks whether a value is a curve.
  *
+ * @param value Any value, such as one from a project file.
  * @returns Null for a curve; else what the value must be, in words for a diagnostic.
  *
  * @example
@@ -39,6 +43,8 @@ export function curveMisfit(value: unknown): string | null {
 /**
  * Pads a curve to `CURVE_NUMBERS` numbers by repeating its last point.
  *
+ * @returns A new array; `curve` is not changed.
+ *
  * @example
  * paddedCurve(DIAGONAL).length; // CURVE_NUMBERS
  */
@@ -48,13 +54,14 @@ export function paddedCurve(curve: Curve): Curve {
   return padded;
 }
 
-/** A curve belongs to one call. */
+// Filled and read within one call.
 const scratchSlopes = new Float64Array(MAX_CURVE_POINTS);
 
 /**
  * Samples a curve at evenly spaced positions, the first at x = 0 and the last at x = 1.
  *
- * @param heights Receives one height per element, in [0, 1].
+ * @param curve A curve, padded or not.
+ * @param heights Receives one height per element, in [0, 1]; at least two elements.
  *
  * @example
  * sampleCurve(DIAGONAL, new Float32Array(3)); // [0, 0.5, 1]
@@ -68,7 +75,8 @@ export function sampleCurve(curve: ArrayLike<number>, heights: Float32Array): vo
 /**
  * The height of a curve at one position.
  *
- * @param x In [0, 1]; outside its points the curve is level.
+ * @param curve A curve, padded or not.
+ * @param x In [0, 1]; outside its points the curve is constant.
  * @returns In [0, 1].
  *
  * @example
@@ -78,7 +86,16 @@ export function curveAt(curve: ArrayLike<number>, x: number): number {
   return heightAt(curve, findSlopes(curve, scratchSlopes), scratchSlopes, x);
 }
 
-/** Writes the slope of the curve at each of its points, and gives their count. */
+/**
+ * Computes the slope of a curve at each of its points.
+ *
+ * @param curve A curve, padded or not.
+ * @param slopes Receives one slope per point; at least `MAX_CURVE_POINTS` elements.
+ * @returns The number of points, without padding.
+ *
+ * @example
+ * findSlopes(DIAGONAL, slopes); // 2; slopes = [1, 1, …]
+ */
 export function findSlopes(curve: ArrayLike<number>, slopes: Float64Array): number {
   const last = countPoints(curve) - 1;
   for (let i = 0; i <= last; i++) {
@@ -90,14 +107,14 @@ export function findSlopes(curve: ArrayLike<number>, slopes: Float64Array): numb
   return last + 1;
 }
 
-/** A point that is not further right repeats the last one. */
+/** The padding begins with the first point whose x does not increase. */
 function countPoints(curve: ArrayLike<number>): number {
   let count = 1;
   while (2 * count < curve.length && width(curve, count - 1) > 0) count++;
   return count;
 }
 
-/** From one point to the next. */
+/** The distance along x from one point to the next. */
 function width(curve: ArrayLike<number>, i: number): number {
   return (curve[2 * i + 2] ?? 0) - (curve[2 * i] ?? 0);
 }
@@ -114,14 +131,14 @@ function slopeBetween(widthBefore: number, widthAfter: number, before: number, a
   return (a + b) / (a / before + b / after);
 }
 
-/** That of the parabola through the three points at an end, as far as the curve does not overshoot with it. */
+/** The slope of the parabola through the three points at an end, limited so that the curve does not overshoot. */
 function slopeAtEnd(widthHere: number, widthNext: number, here: number, next: number): number {
   const slope = ((2 * widthHere + widthNext) * here - widthHere * next) / (widthHere + widthNext);
   if (Math.sign(slope) !== Math.sign(here)) return 0;
   return Math.sign(here) !== Math.sign(next) && Math.abs(slope) > 3 * Math.abs(here) ? 3 * here : slope;
 }
 
-/** Hermite's cubic between the points on either side. */
+/** Evaluates the cubic Hermite spline between the two points around `x`. */
 function heightAt(curve: ArrayLike<number>, count: number, slopes: Float64Array, x: number): number {
   let i = 0;
   while (i < count && (curve[2 * i] ?? 0) <= x) i++;

@@ -2,87 +2,101 @@ import type { Curve } from './curve.ts';
 import type { ValueType, WireType } from './wire-types.ts';
 
 /**
- * What a node type is, as data: ports, params, how it lowers and what it needs. Nothing here runs.
+ * A node type as data: ports, params, lowering and needs.
  *
- * A definition is shared by the editor (canvas, inspector), the compiler (checks, lowering) and the docs; the behavior is in
- * `runtime.ts` beside it, which only the runtime loads.
+ * The editor (canvas, inspector), the compiler (checks, lowering) and the docs share definitions; the behavior is in `runtime.ts`
+ * beside it, which only the runtime loads.
+ *
+ * @example
+ * export const definition = defineNode({
+ *   type: 'value/double',
+ *   version: 1,
+ *   title: 'Double',
+ *   doc: 'Doubles a number.',
+ *   inputs: {},
+ *   outputs: { result: { type: 'number', label: 'Result', doc: 'The doubled number.' } },
+ *   params: { number: { type: 'number', stage: 'uniform', label: 'Number', doc: 'The number to double.', default: 1 } },
+ *   lowering: { kind: 'value' },
+ * });
  */
 export interface NodeDefinition {
-  /** `category/name`, the folder below `nodes/`, or `filter|operator|generator/NAME` for an ISF file. */
+  /** `category/name`: the folder below `nodes/`, or `filter|operator|generator/NAME` for an ISF file. Projects store it. */
   readonly type: string;
-  /** Raised by one whenever saved params would mean something else; each raise ships a migration. */
+  /** Increased by one when the meaning of saved params changes; each increase needs a migration. */
   readonly version: number;
   readonly title: string;
-  /** First sentence: what it makes. Then how designers use it. Markdown without headings. */
+  /** What the node does, then when to use it. Markdown without headings. */
   readonly doc: string;
-  /** Other words people search for. */
+  /** Other words that users search for. */
   readonly keywords?: readonly string[];
-  /** Ports that only a wire can fill. Names are unique over inputs and params together. */
+  /** Ports without a param. Names are unique across inputs and params. */
   readonly inputs: Readonly<Record<string, InputPort>>;
   readonly outputs: Readonly<Record<string, OutputPort>>;
-  /** Values edited in the inspector. A `uniform` param of a value type is also an input port: a wire to it binds it. */
+  /** Values in the inspector. A `uniform` param of a value type is also an input port: a wire binds it. */
   readonly params: Readonly<Record<string, ParamDefinition>>;
   readonly lowering: Lowering;
   /**
-   * Outputs what its inputs had in the previous frame, or earlier: its inputs are read when the frame's values are all there (`remember` of its
-   * runtime), so that wires into it may close a loop. No other node may be the one that closes a loop.
+   * The outputs depend only on inputs of earlier frames. The runtime reads the inputs in `remember`, after all nodes have updated, so
+   * wires may form a loop through the node. Every loop needs such a node.
    */
   readonly delay?: true;
   /**
-   * What it gives depends on more frames than this one and the one before, so that a render has to play all earlier frames. Absent: it
-   * does not. An `image` lowering says the same by `access: 'persistent'`.
+   * The outputs depend on frames before the previous one, so a render has to play all earlier frames. Absent: they do not. An `image`
+   * lowering with `access: 'persistent'` is stateful too.
    */
   readonly stateful?: Stateful;
   /**
-   * Visitors set it on screen. Such a node has params by these names: `label` (structure text) and `place` (structure number) all of
-   * them; `value` (uniform: number, toggle) all but buttons, which count their `presses` (uniform number); `min`, `max` and `step`
-   * (structure numbers) sliders; `options` (structure text, parted by commas) choices, whose value is the place from 0.
+   * A control on the visitor's screen. The node needs params of these names: `label` (structure text) and `place` (structure number);
+   * `value` (uniform number or toggle), except buttons, which have `presses` (uniform number); sliders also `min`, `max` and `step`
+   * (structure numbers); choices also `options` (structure text, separated by commas), whose value is the index from 0.
    */
   readonly control?: 'slider' | 'toggle' | 'button' | 'choice';
   readonly needs?: readonly Need[];
-  /** Step `i` lifts saved params from version `i + 1` to `i + 2`. */
+  /** Element `i` migrates saved params from version `i + 1` to `i + 2`. */
   readonly migrations?: readonly Migration[];
-  /** The same for shader files, whose definitions are data alone (`SCRIM_RENAMED` in a header): step `i` gives params other names. */
+  /** Migrations of shader files, which contain no code (`SCRIM_RENAMED` in a header): element `i` renames params. */
   readonly renamed?: readonly Readonly<Record<string, Renamed>>[];
-  /** Who made it, shown in the docs and in the exported page's credits. */
+  /** The author, shown in the docs and in the credits of exported pages. */
   readonly credit?: string;
-  /** Under which terms, where they are not Scrim's own; shown in the same places. */
+  /** The license, if it is not that of Scrim; shown in the same places. */
   readonly licence?: string;
 }
 
 /**
- * When a node is stateful: always, where a uniform number is above a limit, or where one of the params moves, by a wire, a track or an
- * expression: at a steady speed, time is a function of the clock.
+ * When a node is stateful: always; if a uniform number is above a limit; or if one of the params changes over time, by a wire, a track
+ * or an expression. (With a constant speed, for example, time is a function of the clock.)
  */
 export type Stateful = true | { readonly param: string; readonly above: number } | { readonly moves: readonly string[] };
 
+/** An input that is not a param. */
 export interface InputPort {
   readonly type: WireType;
   readonly label: string;
   readonly doc: string;
-  /** A required port without a wire is an error; an optional one has a stated meaning in `doc`. */
+  /** A required input that is not connected is an error; for an optional one, `doc` says what happens then. */
   readonly required: boolean;
-  /** Takes several wires, in the document's order. */
+  /** Accepts several wires, in the order of the document. */
   readonly multiple?: boolean;
 }
 
+/** An output. */
 export interface OutputPort {
   readonly type: WireType;
   readonly label: string;
   readonly doc: string;
-  /** For layers; `same` means that of the first layer input. */
+  /** Of layers; `same` is the domain of the first layer input. */
   readonly domain?: LayerDomain | 'same';
-  /** For layers: whether it has depth; `same` means that of the first layer input. */
+  /** Of layers: whether the layer has depth; `same` is that of the first layer input. */
   readonly depth?: boolean | 'same';
 }
 
-/** `view`: pixel-aligned, one texture per view. `image`: its own size, one texture for all views. */
+/** `view`: aligned with the pixels of the view, one texture per view. `image`: its own size, one texture for all views. */
 export type LayerDomain = 'view' | 'image';
 
-/** `uniform`: set while running. `structure`: needs a recompile. `asset`: names an entry of the project's asset table. */
+/** When a param takes effect. `uniform`: at once. `structure`: recompiles. `asset`: recompiles; names an entry of the asset table. */
 export type ParamStage = 'uniform' | 'structure' | 'asset';
 
-/** The unit of the stored value. The inspector shows `rad` in degrees; everything else as stored. */
+/** The unit of the stored value. The inspector shows `rad` in degrees and the others as stored. */
 export type Unit = 'm' | 's' | 'rad' | 'px' | 'K' | 'Hz' | 'cd' | 'ratio' | 'none';
 
 interface ParamBase {
@@ -91,16 +105,17 @@ interface ParamBase {
 }
 
 /**
- * The gizmo handles in the preview that change params, besides the inspector. `position`, `rotation` and `scale` are of the
- * frame that the node puts things in: meters; angles about x, y and z, turned first about z, then x, then y; factors, or sizes. `aim` is
- * a point that the node is turned towards from its position. `azimuth` and `elevation` say where light comes from.
+ * The part of the gizmo that changes a param. `position`, `rotation` and `scale` are those of the node's transform: meters; angles
+ * about x, y and z, applied in the order z, x, y; factors or sizes. `aim` is a point that the node faces. `azimuth` and `elevation` are
+ * the direction that light comes from.
  */
 export type Handle = 'position' | 'rotation' | 'scale' | 'aim' | 'azimuth' | 'elevation';
 
+/** A number, shown as a slider or a field. */
 export interface NumberParam extends ParamBase {
   readonly type: 'number';
   readonly stage: 'uniform' | 'structure';
-  /** Of uniform params. */
+  /** Only of uniform params. */
   readonly handle?: 'scale' | 'azimuth' | 'elevation';
   readonly default: number;
   readonly min?: number;
@@ -109,10 +124,11 @@ export interface NumberParam extends ParamBase {
   readonly unit?: Unit;
 }
 
+/** Two to four numbers. */
 export interface VectorParam extends ParamBase {
   readonly type: 'vector2' | 'vector3' | 'vector4';
   readonly stage: 'uniform';
-  /** Of vectors of three. */
+  /** Only of `vector3`. */
   readonly handle?: 'position' | 'rotation' | 'scale' | 'aim';
   readonly default: readonly number[];
   readonly min?: readonly number[];
@@ -120,28 +136,30 @@ export interface VectorParam extends ParamBase {
   readonly unit?: Unit;
 }
 
-/** Display-referred sRGB, straight alpha, `[r, g, b, a]` in [0, 1]. */
+/** A color: display-referred sRGB, straight alpha, `[r, g, b, a]` in [0, 1]. */
 export interface ColorParam extends ParamBase {
   readonly type: 'color';
   readonly stage: 'uniform' | 'structure';
   readonly default: readonly [number, number, number, number];
 }
 
+/** On or off. */
 export interface ToggleParam extends ParamBase {
   readonly type: 'toggle';
   readonly stage: 'uniform' | 'structure';
   readonly default: boolean;
 }
 
+/** A text. */
 export interface TextParam extends ParamBase {
   readonly type: 'text';
   readonly stage: 'uniform' | 'structure';
   readonly default: string;
-  /** The text is an expression (`expression.ts`) over these numbers of the node's own; its runtime gets the postfix. */
+  /** The text is an expression (`expression.ts`) with these params as names; the runtime gets it in postfix notation. */
   readonly expression?: { readonly names: readonly string[] };
 }
 
-/** One of a list. A `uniform` choice holds numbers (ISF `long`), a `structure` choice holds words. */
+/** One of several options. A `uniform` choice has numbers (ISF `long`), a `structure` choice has words. Projects store the value. */
 export interface ChoiceParam extends ParamBase {
   readonly type: 'choice';
   readonly stage: 'uniform' | 'structure';
@@ -149,30 +167,30 @@ export interface ChoiceParam extends ParamBase {
   readonly options: readonly { readonly value: string | number; readonly label: string }[];
 }
 
-/**
- * A curve over the square from (0, 0) to (1, 1), as `curve.ts` says. It is set while the project runs, but no wire, track or expression
- * carries one.
- */
+/** A curve over the unit square (`curve.ts`). It takes effect at once, but cannot be bound to a wire, a track or an expression. */
 export interface CurveParam extends ParamBase {
   readonly type: 'curve';
   readonly stage: 'uniform';
   readonly default: Curve;
 }
 
-/** The id of an entry in the project's asset table; the empty string means none chosen. */
+/** The id of an entry of the project's asset table; empty means none. */
 export interface AssetParam extends ParamBase {
   readonly type: 'asset';
   readonly stage: 'asset';
   readonly default: '';
   readonly accept: AssetKind;
-  /** Needed only where a structure param has this value. */
+  /** The asset is used only if a structure param has this value. */
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
 }
 
+/** The kinds of files in the asset table. */
 export const ASSET_KINDS = ['image', 'model', 'video', 'audio', 'environment'] as const;
 
+/** The kind of a file in the asset table. */
 export type AssetKind = (typeof ASSET_KINDS)[number];
 
+/** A param of any type. */
 export type ParamDefinition = NumberParam | VectorParam | ColorParam | ToggleParam | TextParam | ChoiceParam | CurveParam | AssetParam;
 
 /**
@@ -182,46 +200,47 @@ export type ParamDefinition = NumberParam | VectorParam | ColorParam | TogglePar
 export type ParamValue = number | boolean | string | readonly number[];
 
 /**
- * What an image operation reads of its inputs, from the cheapest: `pointwise` the pixel itself; `displaced` one other pixel;
+ * Which pixels of its inputs an image operation reads, from the cheapest: `pointwise` the same pixel; `displaced` one other pixel;
  * `neighborhood` several; `persistent` its own earlier output; `resize` inputs or targets of another size.
  */
 export type Access = 'pointwise' | 'displaced' | 'neighborhood' | 'persistent' | 'resize';
 
+/** How the compiler translates the node to operations of the program. */
 export type Lowering =
-  /** One or more full-screen passes of an ISF shader; needs no three.js. `shader` names it in the library or the project. */
+  /** One or more full-screen passes of an ISF shader, without three.js. `shader` is its name in the library or the project. */
   | {
       readonly kind: 'image';
       readonly shader: string;
       readonly access: Access;
-      /** The same result can be had by discarding fragments while a scene is drawn, when what this node takes in is that scene. */
+      /** If the input is a Scene, the compiler can get the same result by discarding fragments while drawing it (ADR 26). */
       readonly early?: 'occlusion';
     }
-  /** Pixels of one layer, changed by the processor in a worker (`worker.ts` of the node): its layer is a frame late (ADR 21). */
+  /** Pixels of one layer, changed on the CPU in a worker (`worker.ts` of the node); the output is one frame late (ADR 21). */
   | { readonly kind: 'cpu' }
-  /** Makes, arranges or draws objects and lights (three.js). Draws when it has a layer output. */
+  /** Creates, arranges or draws objects and lights (three.js). It draws if it has a layer output. */
   | { readonly kind: 'geometry'; readonly shadowMap?: ShadowMapUse }
-  /** A way to draw objects, made of a technique file. `shader` names it in the library or the project. */
+  /** A custom material from a technique file. `shader` is its name in the library or the project. */
   | { readonly kind: 'technique'; readonly shader: string }
-  /** A function of values, evaluated on the CPU once a frame. */
+  /** A function of values, evaluated on the CPU once per frame. */
   | { readonly kind: 'value' }
-  /** Brings something in from outside: files, camera, room. */
+  /** An input from outside the graph: files, the camera, the room. */
   | { readonly kind: 'source'; readonly background?: 'world' }
-  /** Reads and writes over time: physics, placing, logic. */
+  /** Behavior over time, such as physics or placement. */
   | { readonly kind: 'behavior' }
-  /** What the visitor sees; one per graph. */
+  /** The Output node; one per graph. */
   | { readonly kind: 'present' };
 
-/** Which of a node's ports decide its shadow maps; equal wires share one map. */
+/** The ports that determine the shadow maps of a node; nodes with equal wires share the maps. */
 export interface ShadowMapUse {
   readonly casters: readonly string[];
   readonly lights: string;
   /** A structure toggle that turns the maps off. */
   readonly enabledBy?: string;
-  /** A structure choice, and the one of its values at which the node uses maps; at others it does without. */
+  /** A structure choice, and the value with which the node uses shadow maps. */
   readonly chosenBy?: { readonly param: string; readonly value: string };
 }
 
-/** What a session may offer beyond drawing. */
+/** A feature of a session. */
 export type Capability =
   | 'camera-image'
   | 'depth'
@@ -233,41 +252,52 @@ export type Capability =
   | 'hands'
   | 'microphone';
 
+/** A feature that a node uses. */
 export interface Need {
   readonly capability: Capability;
   /**
-   * A required need refuses the session; an optional one degrades as `without` says. `alone`: required where the screen shows
-   * nothing but what comes from such nodes, because nothing would be left.
+   * Required: without the feature no session starts. Optional: the session starts, with the effect of `without`. `alone`: required if
+   * the output shows only layers of such nodes.
    */
   readonly required: boolean | 'alone';
-  /** `sampled`: only when some node reads the layer as an image, not when it is merely the background. */
+  /** `sampled`: only if a node reads the layer as an image, not if it is only the background. */
   readonly when: 'always' | 'sampled';
-  /** Only where a structure param has this value. */
+  /** Only if a structure param has this value. */
   readonly where?: { readonly param: string; readonly is: string | number | boolean };
-  /** Shown to the visitor before the browser asks, in the form "to …". */
+  /** The purpose, shown to the visitor before the browser asks: “to …”. */
   readonly why: string;
-  /** What the picture does without it. */
+  /** What happens without the feature, as a sentence. */
   readonly without: string;
 }
 
-/** What became of a param. Its numbers are multiplied with `times`, where it is measured otherwise now. */
+/** The new name of a param, and the factor on its numbers if its unit has changed. */
 export interface Renamed {
   readonly to: string;
   readonly times: number;
 }
 
+/** Params as a project file stores them. */
 export type SavedParams = Record<string, unknown>;
+
+/** Converts saved params from one version of a node type to the next; returns a new object. */
 export type Migration = (params: SavedParams) => SavedParams;
 
-/** Where definitions and shader texts come from: the generated library, with a project's own shaders before it. */
+/** Definitions and shader texts: the generated library, overridden by a project's own shaders. */
 export interface NodeLibrary {
   definition(type: string): NodeDefinition | undefined;
-  /** ISF source of an `image` lowering, the text of a technique or chunk, or a picture that techniques carry, as base64. */
+  /** The source of an ISF file, a technique or a chunk, or an image of a technique as base64; undefined if there is none. */
   shader(name: string): string | undefined;
   types(): Iterable<string>;
 }
 
-/** A library of what `nodes/generated` lists, or of a part of that. */
+/**
+ * Creates a library from definitions and shader texts.
+ *
+ * @param shaders Texts by name, as `SHADERS` of `nodes/generated`.
+ *
+ * @example
+ * const library = libraryOf(DEFINITIONS, SHADERS);
+ */
 export function libraryOf(definitions: readonly NodeDefinition[], shaders: Readonly<Record<string, string>>): NodeLibrary {
   const byType = new Map(definitions.map((definition) => [definition.type, definition]));
   return {
@@ -277,12 +307,24 @@ export function libraryOf(definitions: readonly NodeDefinition[], shaders: Reado
   };
 }
 
-/** Keeps the literal types, so that a runtime can be typed from its definition; adds nothing. */
+/**
+ * Returns a definition with its literal types, from which `NodeContext` derives the types of the runtime.
+ *
+ * @example
+ * export const definition = defineNode({ type: 'value/double', … });
+ */
 export function defineNode<const D extends NodeDefinition>(definition: D): D {
   return definition;
 }
 
-/** The value type under which a param can be wired, or undefined where it cannot. */
+/**
+ * The type of the port of a param.
+ *
+ * @returns Undefined if no wire can be connected: curves, assets and params that recompile.
+ *
+ * @example
+ * paramWireType({ type: 'choice', stage: 'uniform', … }); // 'number'
+ */
 export function paramWireType(param: ParamDefinition): ValueType | undefined {
   if (param.stage !== 'uniform' || param.type === 'curve') return undefined;
   return param.type === 'choice' ? 'number' : param.type;

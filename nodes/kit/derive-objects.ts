@@ -1,18 +1,23 @@
 import type { ObjectItem, ObjectList } from './scene-lists.ts';
 import { createVersionWatch } from './version-watch.ts';
 
-/** Keeps an output list in step with the lists that it is made from. */
+/** An output list that follows the lists it is derived from. */
 export interface DerivedObjects {
-  /** Once per frame: takes over items that came or went, and matrices and flags of all. */
+  /** Call it once per frame: copies added and removed items, and the matrices and flags of all items. */
   update(inputs: readonly ObjectList[]): void;
 }
 
 /**
- * Strings several lists together in one of the node's own, in order. `adjust` is called for every item and frame, when the item
- * has its source's matrix and flags, and changes what the node is there to change.
+ * Concatenates object lists into an output list of the node. Items are copies, so the inputs do not change.
+ *
+ * @param output The node's output.
+ * @param adjust Called for each item in every frame, after the matrix and the flags of its source have been copied. Makes the changes
+ * that the node is for; must allocate nothing.
  *
  * @example
  * const derived = deriveObjects(ctx.outputs.objects, (item) => { item.castsShadow = false; });
+ * // Every frame:
+ * derived.update(ctx.inputs.objects);
  */
 export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => void): DerivedObjects {
   const sources: ObjectItem[] = [];
@@ -24,7 +29,7 @@ export function deriveObjects(output: ObjectList, adjust: (item: ObjectItem) => 
     inputs.forEach((list, i) => {
       for (const source of list.items) {
         sources.push(source);
-        // A list may be wired in twice.
+        // The same list can be connected twice, so the index makes the key unique.
         output.items.push({ ...source, key: `${i}/${source.key}`, worldFromObject: source.worldFromObject.clone() });
       }
     });

@@ -1,22 +1,27 @@
 /**
- * Mistakes a user can make, as values. The message says what, where and what to do; the code finds its page in
- * `docs/diagnostics.md`, which is made from this table. Programmers' mistakes throw instead.
+ * A mistake of a user, as a value. Programmer mistakes throw instead.
+ *
+ * @example
+ * ctx.report({ code: 'SCR018', severity: 'warning', message: 'The model has no animation “walk”.', fix: 'Choose another one.' });
  */
 export interface Diagnostic {
   readonly code: DiagnosticCode;
   readonly severity: 'error' | 'warning' | 'info';
+  /** What is wrong, and where, as a sentence. */
   readonly message: string;
   readonly nodeId?: string;
   readonly port?: string;
-  /** Which file, for diagnostics in text: `project.scrim.json`, `shaders/edge.fs`. */
+  /** The file of a diagnostic in text: `project.scrim.json`, `shaders/edge.fs`. */
   readonly file?: string;
   /** From 1. */
   readonly line?: number;
   /** From 1. */
   readonly column?: number;
+  /** The remedy, as an imperative sentence. */
   readonly fix?: string;
 }
 
+/** The title of each code; `docs/diagnostics.md` is generated from this table. */
 export const DIAGNOSTICS = {
   // Documents
   SCR001: 'The file is not valid JSON',
@@ -86,8 +91,15 @@ export const DIAGNOSTICS = {
   SCR075: 'The link of the session was opened a second time',
 } as const;
 
+/** The code of a diagnostic. */
 export type DiagnosticCode = keyof typeof DIAGNOSTICS;
 
+/**
+ * Whether any of the diagnostics is an error.
+ *
+ * @example
+ * if (hasErrors(result.diagnostics)) return null;
+ */
 export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
   return diagnostics.some((d) => d.severity === 'error');
 }
@@ -95,13 +107,15 @@ export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
 /**
  * Formats a diagnostic as one line: `file:line:column: error SCR042: message`, or `node.port:column: …`.
  *
- * @returns Without the parts that are unknown.
+ * @param d Parts that are absent are left out of the line.
+ * @returns One line, with the remedy at its end.
  *
  * @example
  * formatDiagnostic({ code: 'SCR042', severity: 'error', file: 'shaders/edge.fs', line: 3, message: 'No.' });
+ * // 'shaders/edge.fs:3: error SCR042: No.'
  */
 export function formatDiagnostic(d: Diagnostic): string {
-  // Without a file and a line, a column is one of the text at the port.
+  // Without a file and a line, the column refers to the text at the port.
   const alone = d.file === undefined && d.line === undefined;
   const place = [d.file, d.line, alone ? undefined : d.column].filter((part) => part !== undefined).join(':');
   const column = alone && d.column !== undefined ? `:${d.column}` : '';
@@ -111,7 +125,7 @@ export function formatDiagnostic(d: Diagnostic): string {
   return `${where === '' ? '' : `${where}: `}${d.severity} ${d.code}: ${d.message}${fix}`;
 }
 
-/** How every phase answers: what it could make, or null, and what it has to say. */
+/** The result of a phase: its output, or null if there are errors, and its diagnostics. */
 export interface Result<T> {
   readonly output: T | null;
   readonly diagnostics: readonly Diagnostic[];

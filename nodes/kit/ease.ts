@@ -1,15 +1,16 @@
-/** Words of a project's file for how a value goes on to the next key: curves as CSS has them; `step` waits until the next key. */
+/** The named interpolations of a keyframe, as project files store them: the curves of CSS; `step` holds until the next keyframe. */
 export const NAMED_EASINGS = ['linear', 'step', 'ease-in', 'ease-out', 'ease-in-out'] as const;
 
 /**
- * A curve of its own: the two inner points of a cubic Bézier curve from (0, 0) to (1, 1), `[x1, y1, x2, y2]` as in CSS
- * `cubic-bezier()` (css-easing-1, section 2.2). Across is time, from 0 to 1; up is how far it has gone, which may be beyond both ends.
+ * The control points of a cubic Bézier easing from (0, 0) to (1, 1), `[x1, y1, x2, y2]` as in CSS `cubic-bezier()` (css-easing-1,
+ * section 2.2). x is time, in [0, 1]; y is progress, in [-OVERSHOOT, 1 + OVERSHOOT].
  */
 export type Handles = readonly [x1: number, y1: number, x2: number, y2: number];
 
+/** The interpolation from a keyframe to the next. */
 export type Easing = (typeof NAMED_EASINGS)[number] | Handles;
 
-/** How far beyond both ends handles may lead: what other programs call “back” needs 0.56. */
+/** How far the y of a control point may be outside [0, 1]. The “back” easings of other programs need 0.56. */
 export const OVERSHOOT = 0.6;
 
 const HANDLES: Readonly<Record<Exclude<(typeof NAMED_EASINGS)[number], 'step'>, Handles>> = {
@@ -19,12 +20,28 @@ const HANDLES: Readonly<Record<Exclude<(typeof NAMED_EASINGS)[number], 'step'>, 
   'ease-in-out': [0.42, 0, 0.58, 1],
 };
 
-/** Those that an easing has or could be drawn with; null for a step. */
+/**
+ * The control points of an easing.
+ *
+ * @returns Null for `step`, which is not a Bézier curve.
+ *
+ * @example
+ * handlesOf('ease-in'); // [0.42, 0, 1, 1]
+ */
 export function handlesOf(easing: Easing): Handles | null {
   if (typeof easing !== 'string') return easing;
   return easing === 'step' ? null : HANDLES[easing];
 }
 
+/**
+ * Whether a value is an easing.
+ *
+ * @param value Any value, such as one from a project file.
+ *
+ * @example
+ * isEasing([0.3, 1.5, 0.7, 1]); // true: y may overshoot
+ * isEasing([1.2, 0, 1, 1]); // false: x is outside [0, 1]
+ */
 export function isEasing(value: unknown): value is Easing {
   if (!Array.isArray(value)) return NAMED_EASINGS.some((name) => name === value);
   const isIn = (number: unknown, beyond: number) => typeof number === 'number' && number >= -beyond && number <= 1 + beyond;
@@ -59,17 +76,17 @@ export function ease(easing: Easing, x: number): number {
   return bezier(t, handles[1], handles[3]);
 }
 
-/** One coordinate of a cubic Bézier curve from 0 over two others to 1. */
+/** One coordinate of a cubic Bézier curve from 0 to 1 with two control points. */
 function bezier(t: number, first: number, second: number): number {
   const rest = 1 - t;
   return 3 * rest * rest * t * first + 3 * rest * t * t * second + t * t * t;
 }
 
-/** Enough halvings for every bit of the answer, should Newton's steps ever lead out of the range. */
+/** Enough bisections for full precision, should Newton's method leave the range. */
 const MOST_STEPS = 60;
 const CLOSE = 1e-9;
 
-/** The parameter at which the curve has gone `x` to the right. It never goes back, so there is one. */
+/** The curve parameter at which the curve has the given x. x is monotone, so there is exactly one. */
 function parameterAt(x: number, x1: number, x2: number): number {
   let low = 0;
   let high = 1;

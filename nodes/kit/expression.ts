@@ -1,19 +1,19 @@
 /**
- * The words of expressions: what designers write into a param, or into an expression node, instead of a number. Numbers are the
- * only values; a comparison gives 1 or 0, and whatever is not 0 counts as true.
+ * The constants of expressions, which users type into a param or an Expression node instead of a number. All values are numbers: a
+ * comparison results in 1 or 0, and every number except 0 is true.
  *
- * The compiler turns an expression into postfix, words and numbers with spaces between, and the runtime plays that:
- * `1 + sin(time * tau)` becomes `1 time 6.283185307179586 * sin +`. Names stand for their values, everything else for an
- * operation on what the words before it have left. A list of three, `[time, 0, 1]`, leaves three numbers: `time 0 1`.
+ * The compiler translates an expression to postfix notation, words and numbers separated by spaces, which the runtime evaluates:
+ * `1 + sin(time * tau)` becomes `1 time 6.283185307179586 * sin +`. A list, `[time, 0, 1]`, results in several numbers: `time 0 1`.
  */
 export const EXPRESSION_CONSTANTS = { pi: Math.PI, tau: 2 * Math.PI } as const;
 
-/** What every expression may read, besides the numbers of its node: seconds since the session began, and the count of frames. */
+/** Names that every expression can read: `time`, seconds since the session began, and `frame`, the number of frames. */
 export const EXPRESSION_CLOCK = ['time', 'frame'] as const;
 
+/** A name that reads the clock. */
 export type ClockWord = (typeof EXPRESSION_CLOCK)[number];
 
-/** Functions, with what they take. As in GLSL, angles in radians; `log` is the natural one. */
+/** The functions with the names of their arguments, as in GLSL: angles are in radians, `log` is the natural logarithm. */
 export const EXPRESSION_FUNCTIONS = {
   sin: ['angle'],
   cos: ['angle'],
@@ -41,17 +41,18 @@ export const EXPRESSION_FUNCTIONS = {
   smoothstep: ['edge0', 'edge1', 'x'],
 } as const satisfies Record<string, readonly string[]>;
 
-/** Operations of two numbers, the signs as they are written. `%` is `mod`: it has the sign of the divisor. `^` is `pow`. */
+/** The binary operators. `%` is `mod`, whose result has the sign of the divisor; `^` is `pow`. */
 export const EXPRESSION_OPERATORS = ['+', '-', '*', '/', '%', '^', '<', '<=', '>', '>=', '==', '!=', '&&', '||'] as const;
 
+/** A binary operator. */
 export type ExpressionOperator = (typeof EXPRESSION_OPERATORS)[number];
 
-/** What the postfix is made of, besides numbers and the names of the node's own. */
+/** A word of the postfix notation, other than numbers and the names of the node. */
 export type ExpressionWord =
   | ClockWord
   | ExpressionOperator
   | Exclude<keyof typeof EXPRESSION_FUNCTIONS, 'mod' | 'pow'>
   | 'negate'
   | '!'
-  /** The second or the third of three numbers, as the first says. */
+  /** The conditional: the second of three numbers if the first is not 0, otherwise the third. */
   | '?:';

@@ -10,24 +10,45 @@ import {
 } from './definition.ts';
 import { WIRE_TYPES } from './wire-types.ts';
 
-/** What is known of ports, params and needs, in a few words each: for the help beside the graph and for `docs/nodes.md`. */
-
+/**
+ * The facts of an input in a few words each, as the help panel and `docs/nodes.md` show them.
+ *
+ * @example
+ * inputFacts({ type: 'layer', label: 'Layer', doc: '', required: true }); // ['layer', 'required']
+ */
 export function inputFacts(port: InputPort): readonly string[] {
   const several = port.multiple ? ['several wires'] : [];
   return [WIRE_TYPES[port.type].label.toLowerCase(), port.required ? 'required' : 'optional', ...several];
 }
 
+/**
+ * The facts of an output in a few words each.
+ *
+ * @example
+ * outputFacts({ type: 'layer', label: 'Layer', doc: '', domain: 'view', depth: true }); // ['layer', 'with depth']
+ */
 export function outputFacts({ type, depth }: OutputPort): readonly string[] {
   const words = depth === true ? ['with depth'] : depth === 'same' ? ['depth of the first input'] : [];
   return [WIRE_TYPES[type].label.toLowerCase(), ...(type === 'layer' ? words : [])];
 }
 
-/** Whether a wire can bind it. */
+/**
+ * Whether a wire can be connected to a param.
+ *
+ * @example
+ * canBeWired(definition.params.radiusPx); // true for a uniform number
+ */
 export function canBeWired(param: ParamDefinition): boolean {
   return paramWireType(param) !== undefined;
 }
 
-/** Kind, default and range, in the units that the inspector shows. */
+/**
+ * The type, default and range of a param, in the units of the inspector.
+ *
+ * @example
+ * paramFacts({ type: 'number', stage: 'uniform', label: '', doc: '', default: 1, min: 0, max: 5, unit: 'm' });
+ * // ['number', 'default 1 m', '0 to 5 m']
+ */
 export function paramFacts(param: ParamDefinition): readonly string[] {
   switch (param.type) {
     case 'number':
@@ -44,7 +65,7 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
       return ['text', param.default === '' ? 'empty by default' : `default "${param.default}"`];
     case 'choice':
       return [
-        // Both: people choose the label, project files hold the value.
+        // Users choose the label; project files contain the value.
         `one of ${param.options.map((option) => `"${option.label}" = ${JSON.stringify(option.value)}`).join(', ')}`,
         `default "${param.options.find((option) => option.value === param.default)?.label ?? param.default}"`,
       ];
@@ -55,7 +76,14 @@ export function paramFacts(param: ParamDefinition): readonly string[] {
   }
 }
 
-/** Whether it is required, and with which choices. */
+/**
+ * Whether a feature is required, and under which conditions.
+ *
+ * @param definition The definition that contains the need.
+ *
+ * @example
+ * needFacts(definition, { capability: 'planes', required: false, when: 'always', why: '', without: '' }); // ['optional']
+ */
 export function needFacts(definition: NodeDefinition, { required, when, where }: Need): readonly string[] {
   return [
     required === 'alone' ? 'required if nothing else is shown' : required ? 'required' : 'optional',
@@ -89,7 +117,7 @@ const SUFFIX: Readonly<Record<Unit, string>> = {
   none: '',
 };
 
-/** `scaledBy` converts without naming the unit, for the first end of a range. */
+/** `scaledBy` converts the value without showing the unit, for the start of a range. */
 function quantity(value: number, unit: Unit | undefined, scaledBy: Unit | undefined = unit): string {
   const shown = scaledBy === 'rad' ? (value * 180) / Math.PI : value;
   return `${Number(shown.toPrecision(6))}${unit === undefined ? '' : SUFFIX[unit]}`;

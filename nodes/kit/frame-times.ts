@@ -1,18 +1,19 @@
-/** When the frames of a recording begin. After the last it begins anew, so that its frames can be counted on without end. */
+/** The start times of the frames of a recording. The recording loops, so frame numbers are unlimited. */
 export interface FrameTimes {
-  /** Seconds since the first, rising; at least one. */
+  /** Seconds since the first frame, ascending; at least one element. */
   readonly timesS: readonly number[];
-  /** From the first to the end of the last, seconds. */
+  /** From the start of the first frame to the end of the last, seconds. */
   readonly durationS: number;
 }
 
-/** Sums of frame times are off by less; no two frames are as near to each other. */
+/** More than the rounding error of summed frame times, and less than the distance of any two frames. */
 const ROUNDING_S = 1e-6;
 
 /**
  * When a frame begins. The recording loops, so numbers beyond its end continue in the next iteration.
  *
- * @param number From 0.
+ * @param times The recording.
+ * @param number Frame number, from 0.
  * @returns Seconds since the first frame.
  *
  * @example
@@ -26,8 +27,9 @@ export function timeOfFrame({ timesS, durationS }: FrameTimes, number: number): 
 /**
  * The frame that is shown at a time, counted on through the iterations of the loop.
  *
+ * @param times The recording.
  * @param timeS Seconds since the first frame.
- * @returns From 0; 0 before the first frame.
+ * @returns Frame number, from 0; 0 before the first frame.
  *
  * @example
  * frameAtTime({ timesS: [0, 0.1], durationS: 0.2 }, 0.35); // 3

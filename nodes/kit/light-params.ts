@@ -1,4 +1,4 @@
-/** Params that several lights share: one word and one range for the same thing. */
+/** Params that several lights share, so that the same param has the same label and range everywhere. */
 
 /** The range of a spot or point light, meters. */
 export const LOCAL_LIGHT_RANGE_M = {
@@ -13,7 +13,7 @@ export const LOCAL_LIGHT_RANGE_M = {
   unit: 'm',
 } as const;
 
-/** Of spot and point lights. The limit is that of `export/runtime/scenes/lights/light-limits.ts`. */
+/** Whether a spot or point light casts shadows. The limit in the text is that of `export/runtime/scenes/lights/light-limits.ts`. */
 export const LOCAL_LIGHT_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
@@ -22,7 +22,7 @@ export const LOCAL_LIGHT_CASTS_SHADOW = {
   default: true,
 } as const;
 
-/** How far shadows are held off their surfaces, pixels of the shadow map. */
+/** The offset of receivers along their normals against shadow acne, pixels of the shadow map. */
 export const SHADOW_BIAS_PX = {
   type: 'number',
   stage: 'uniform',
@@ -35,7 +35,7 @@ export const SHADOW_BIAS_PX = {
   unit: 'px',
 } as const;
 
-/** What a map of parallel light covers. */
+/** The area that a shadow map of a directional light covers. */
 const SHADOW_AREA_M = {
   type: 'number',
   stage: 'uniform',
@@ -65,10 +65,10 @@ const MAP_SIZES = {
 const MAP_SIZE_DOC =
   'Side of the shadow map in pixels. A larger map takes more memory and time: 2048 needs 20 MB, or 170 MB with “Variance”; each step up needs four times as much. A device that does not support the size uses the largest that it supports. With “Variance” the maximum is 4096.';
 
-/** Of parallel light. */
+/** The map size of a directional light. */
 const SHADOW_MAP_SIZE = { ...MAP_SIZES, doc: MAP_SIZE_DOC, default: '2048' } as const;
 
-/** Of a light in a cone. */
+/** The map size of a spot light. */
 export const CONE_MAP_SIZE = {
   ...MAP_SIZES,
   doc: `${MAP_SIZE_DOC} The map covers the whole cone, so a narrow cone gives sharper shadows.`,
@@ -86,17 +86,17 @@ const FILTER_DOC =
 
 const FILTER = { type: 'choice', stage: 'structure', label: 'Shadow edges', default: 'soft' } as const;
 
-/** Of lights with one map: on virtual things, shadows are always a little soft. */
+/** The shadow filter of lights with one map. */
 export const SHADOW_FILTER = {
   ...FILTER,
   doc: `${FILTER_DOC} “Variance” blurs evenly and is the slowest. “Contact-hardening” is sharp where the object touches the receiver and softer with distance, as real shadows are.`,
   options: [...FILTERS, { value: 'vsm', label: 'Variance' }, { value: 'pcss', label: 'Contact-hardening' }],
 } as const;
 
-/** Of lights with six. */
+/** The shadow filter of lights with six maps. */
 export const POINT_SHADOW_FILTER = { ...FILTER, doc: FILTER_DOC, options: FILTERS } as const;
 
-/** How large parallel light seems. */
+/** The angular size of a directional light. */
 const SHADOW_SOURCE_RAD = {
   type: 'number',
   stage: 'uniform',
@@ -122,7 +122,7 @@ export const SHADOW_SOURCE_M = {
   unit: 'm',
 } as const;
 
-/** How dark it is where things touch. */
+/** The strength of the contact shadow. */
 const CONTACT_SHADOW = {
   type: 'number',
   stage: 'uniform',
@@ -135,7 +135,12 @@ const CONTACT_SHADOW = {
   unit: 'ratio',
 } as const;
 
-/** How parallel light throws shadows, all of it: one node's worth of params. */
+/**
+ * All shadow params of a directional light; `createSunShadow` reads them.
+ *
+ * @example
+ * params: { castShadow: …, ...SUN_SHADOW },
+ */
 export const SUN_SHADOW = {
   areaM: SHADOW_AREA_M,
   mapSize: SHADOW_MAP_SIZE,

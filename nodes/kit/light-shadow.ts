@@ -1,31 +1,32 @@
 /**
- * How receivers read a shadow map. `basic`: one texel, whose edges show. `pcf`: four, weighted (Reeves et al. 1987). `soft`: nine
- * times four. `vsm`: blurred moments of depth (Donnelly and Lauritzen 2006). `pcss`: the wider, the farther the receiver is from
- * what casts (Fernando 2005).
+ * How receivers sample a shadow map. `basic`: one texel, without filtering. `pcf`: four texels, weighted (Reeves et al. 1987). `soft`:
+ * nine times four texels. `vsm`: blurred moments of depth (Donnelly and Lauritzen 2006). `pcss`: a filter width that grows with the
+ * distance of the receiver from the caster (Fernando 2005).
  */
 export type ShadowFilter = 'basic' | 'pcf' | 'soft' | 'vsm' | 'pcss';
 
 interface AnyShadow {
-  /** Side of the map; a point light has six. */
+  /** Side of the map; a point light has six maps. */
   mapSizePx: number;
-  /** Absent: `soft`. Point lights have the first three. */
+  /** Absent: `soft`. Point lights support the first three. */
   filter?: ShadowFilter;
 }
 
-/** The shadow of parallel light. */
+/** The shadow of a directional light. */
 export interface LightShadow extends AnyShadow {
   /** Side of the square that the map covers around the casters, meters. */
   areaM: number;
-  /** Normalized depth added against acne, and meters along the normal. */
+  /** Offset in normalized depth, against shadow acne. */
   bias: number;
+  /** Offset of receivers along their normal, against shadow acne. */
   normalBiasM: number;
-  /** Of `pcss`: the angle that the light fills in the sky. */
+  /** Of `pcss`: the angular diameter of the light. */
   sourceRad?: number;
 }
 
-/** The shadow of a spot or point light: its map covers everything that the light reaches. */
+/** The shadow of a spot or point light. Its map covers everything that the light reaches. */
 export interface LocalLightShadow extends AnyShadow {
-  /** How far the shadow is held off its surface, in the map's pixels there. */
+  /** Offset of receivers along their normal, in pixels of the map at their distance. */
   biasPx: number;
   /** Of `pcss`: diameter of the light, meters. */
   sourceM?: number;

@@ -1,4 +1,13 @@
-/** A program of our own texts, which are known to compile: what is wrong with it all the same is seen in the picture alone. */
+/**
+ * Links a program from shaders that are known to compile. Errors are not checked.
+ *
+ * @param vertexText GLSL ES 3.00.
+ * @param fragmentText GLSL ES 3.00.
+ * @returns The caller deletes it.
+ *
+ * @example
+ * const program = linkProgram(ctx.gl, VERTEX, FRAGMENT);
+ */
 export function linkProgram(gl: WebGL2RenderingContext, vertexText: string, fragmentText: string): WebGLProgram {
   const program = gl.createProgram();
   for (const [type, text] of [

@@ -1,9 +1,7 @@
-/** Column-major matrices, written into arrays that the caller owns. */
-
 /**
- * Multiplies two 4×4 matrices: `out = a * b`.
+ * Multiplies two column-major 4×4 matrices: `out = a * b`.
  *
- * @param out Receives the product; it must be neither `a` nor `b`.
+ * @param out Receives the product, 16 numbers; it must be neither `a` nor `b`.
  *
  * @example
  * multiplyMatrices(clipFromWorld, clipFromView, viewFromWorld);
@@ -19,9 +17,9 @@ export function multiplyMatrices(out: Float32Array, a: Float32Array, b: Float32A
 }
 
 /**
- * Inverts a 3×3 matrix by its adjugate.
+ * Inverts a column-major 3×3 matrix by its adjugate.
  *
- * @param out Receives the inverse, or zeros where `m` has none; it must not be `m`.
+ * @param out Receives the inverse, 9 numbers, or zeros if `m` is singular; it must not be `m`.
  *
  * @example
  * setInverse3(viewUvFromUv, uvFromViewUv);

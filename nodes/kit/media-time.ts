@@ -2,7 +2,15 @@ import type { Clock } from './runtime.ts';
 
 /** The playback position of a video or sound. */
 export interface MediaTime {
-  /** The position in this frame, seconds in [0, durationS]. A `speed` of 0 pauses. */
+  /**
+   * The position in this frame. Call it every frame.
+   *
+   * @param durationS Length of the file, seconds.
+   * @param speed Factor on the playback speed; 0 pauses, a negative one plays backwards.
+   * @param startS Position at which playback starts, seconds.
+   * @param loop Whether playback continues at the start after the end.
+   * @returns Seconds, in [0, durationS].
+   */
   at(durationS: number, speed: number, startS: number, loop: boolean): number;
   /** Returns to the start. */
   reset(): void;
@@ -19,7 +27,7 @@ export interface MediaTime {
  * const positionS = time.at(video.durationS, 1, 0, true);
  */
 export function createMediaTime(clock: Clock): MediaTime {
-  // It had run for `anchorRunS` when the clock showed `anchorS`, and has run at `rate` since.
+  // The position was `anchorRunS` at the time `anchorS` of the clock, and has advanced at `rate` since.
   let anchorS = 0;
   let anchorRunS = 0;
   let rate: number | null = null;

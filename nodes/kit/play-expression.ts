@@ -1,22 +1,23 @@
 import { ARITHMETIC, type ArithmeticOperation, calculate } from './arithmetic.ts';
 import { type ClockWord, EXPRESSION_CLOCK, EXPRESSION_FUNCTIONS, type ExpressionWord } from './expression.ts';
 
-/** What `time` and `frame` stand for; the runtime's clock is one. */
+/** The values of `time` and `frame`; `NodeContext.clock` is one. */
 export interface ExpressionClock {
   readonly timeS: number;
   readonly frame: number;
 }
 
-/** An expression as the compiler prints it, ready to be played. The editor plays those that come to a number while they are typed. */
+/** An expression, ready to be evaluated every frame. The editor also evaluates typed expressions that result in a number. */
 export interface PlayedExpression {
-  /** What it left at the last `update`; the same array every time. */
+  /** The results of the last `update`; always the same array. */
   readonly results: Readonly<Float64Array>;
+  /** Evaluates the expression; allocates nothing. */
   update(clock: ExpressionClock): void;
 }
 
 type Operation = Exclude<ExpressionWord, ClockWord> | ArithmeticOperation;
 
-/** How many numbers each operation takes; it leaves one. */
+/** The number of operands of each operation; each has one result. */
 const OPERANDS: Readonly<Record<string, number>> = {
   ...Object.fromEntries(Object.entries(EXPRESSION_FUNCTIONS).map(([name, operands]) => [name, operands.length])),
   ...ARITHMETIC,
@@ -25,13 +26,22 @@ const OPERANDS: Readonly<Record<string, number>> = {
 const MOST_OPERANDS = 3;
 
 /**
- * Reads postfix (`nodes/kit/expression.ts`); `numbers` are the node's own, by name. Throws where the text is no postfix that the
- * compiler prints. `update` allocates nothing: its numbers live in arrays of its own, because an engine makes a heap object of a
- * fraction that a function hands back.
+ * Prepares an expression in postfix notation (`expression.ts`).
+ *
+ * The stack is an array, not return values: JavaScript engines allocate a heap object for a fraction that a function returns.
+ *
+ * @param postfix The expression as the compiler prints it.
+ * @param numbers Live values of names, such as the params of the node; read at every update.
+ * @throws If the text is not valid postfix notation.
+ *
+ * @example
+ * const expression = playExpression('time 2 *');
+ * expression.update(ctx.clock);
+ * expression.results[0]; // twice the time in seconds
  */
 export function playExpression(postfix: string, numbers: Readonly<Record<string, { readonly value: number }>> = {}): PlayedExpression {
   const words = postfix.split(' ');
-  /** Numbers as they are written, and the clock's, which change. */
+  /** The literals, and the values of the clock, which change. */
   const known = Float64Array.from(words, Number);
   const views = words.map((word) => (Object.hasOwn(numbers, word) ? numbers[word] : undefined));
   const places = (name: string) => words.flatMap((word, i) => (word === name ? [i] : []));
@@ -40,17 +50,17 @@ export function playExpression(postfix: string, numbers: Readonly<Record<string,
   const isKnown = words.map((word, i) => !Number.isNaN(known[i]) || EXPRESSION_CLOCK.some((name) => name === word));
   const takes = words.map((word, i) => {
     if (views[i] || isKnown[i]) return 0;
-    if (!Object.hasOwn(OPERANDS, word)) throw new Error(`"${word}" is no word of an expression: ${postfix}`);
+    if (!Object.hasOwn(OPERANDS, word)) throw new Error(`"${word}" is not a word of an expression: ${postfix}`);
     return OPERANDS[word] ?? 0;
   });
   let depth = 0;
   let deepest = 0;
   for (const count of takes) {
-    if (count > depth) throw new Error(`An operation lacks a number: ${postfix}`);
+    if (count > depth) throw new Error(`An operation has too few operands: ${postfix}`);
     depth += 1 - count;
     deepest = Math.max(deepest, depth);
   }
-  // Above it, room for the numbers that an operation looks at before it leaves one.
+  // Additional elements, because `operate` reads operands beyond the top of the stack.
   const stack = new Float64Array(deepest + MOST_OPERANDS);
   return {
     results: stack.subarray(0, depth),

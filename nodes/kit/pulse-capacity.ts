@@ -1,2 +1,2 @@
-/** Pulses that an output can pass on in one frame. Fixed, so that a frame allocates nothing. */
+/** The number of pulses that an output can emit in one frame. It is fixed so that a frame allocates nothing. */
 export const PULSE_CAPACITY = 16;

@@ -10,7 +10,7 @@ import type { NumberView, ValueViews, Writable } from './value-views.ts';
 import type { WireType } from './wire-types.ts';
 
 /**
- * The contract between a node's `runtime.ts` and the player. Types only.
+ * The module of a node's `runtime.ts`, as the player loads it. This file contains only types.
  *
  * @example
  * export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -18,78 +18,98 @@ import type { WireType } from './wire-types.ts';
  * }
  */
 export interface NodeModule {
+  /** Called once when the program starts, and again after a recompile that changes the node. */
   create(ctx: NodeContext<NodeDefinition>): NodeRuntime;
 }
 
+/** A running node. */
 export interface NodeRuntime {
   /** Once per frame, in program order, before anything is drawn. Allocates nothing. */
   update(frame: SessionFrame): void;
   /**
-   * For nodes that bring something in which takes time to get, such as a moment of a video: resolves when what the last `update`
-   * asked for is there, and is null when it is already. Asked only while the clock is held (`Clock.held`); the frame is drawn then.
+   * For nodes whose content loads asynchronously, such as a frame of a video. Called only while the clock is held (`Clock.held`); the
+   * frame is drawn after the promise resolves.
+   *
+   * @returns Resolves when the content that the last `update` requested is available; null if it is available already.
    */
   settle?(): Promise<void> | null;
   /**
-   * For definitions with `delay`: once per frame, after the `update` of all nodes. Reads the inputs for the frames to come, while
-   * `update` reads none of them.
+   * For definitions with `delay`: called once per frame, after the `update` of all nodes. It reads the inputs for later frames;
+   * `update` of such a node reads no inputs.
    */
   remember?(): void;
-  /** For nodes that draw: once per view, with the target bound and cleared. */
+  /** For nodes that draw: called once per view, with the target bound and cleared. */
   draw?(view: DrawView): void;
-  /** Back to the first frame: the transport's reset, or poses became void. */
+  /** Returns to the initial state: playback was reset, or poses are no longer valid. */
   reset?(): void;
+  /** Releases all that `create` and later calls have acquired. */
   dispose(): void;
 }
 
+/**
+ * What a runtime reads and writes. The types of ports and params are derived from the definition.
+ *
+ * @example
+ * export function create(ctx: NodeContext<typeof definition>): NodeRuntime { … }
+ */
 export interface NodeContext<D extends NodeDefinition> {
   /** Id of the node in the graph, for messages. */
   readonly node: string;
+  /** Null, or an empty list, where no wire is connected. */
   readonly inputs: { readonly [K in keyof D['inputs']]: InputView<D['inputs'][K]> };
   readonly outputs: { readonly [K in keyof D['outputs']]: OutputView<D['outputs'][K]['type']> };
+  /** Live values of the `uniform` params. */
   readonly params: {
     readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'uniform' ? K : never]: ParamView<D['params'][K]>;
   };
+  /** Values of the `structure` params; constant. */
   readonly config: {
     readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'structure' ? K : never]: ConfigValue<D['params'][K]>;
   };
+  /** Ids of the `asset` params; null where none is chosen. */
   readonly assetIds: { readonly [K in keyof D['params'] as D['params'][K]['stage'] extends 'asset' ? K : never]: string | null };
   readonly gl: WebGL2RenderingContext;
   readonly clock: Clock;
-  /** Uniform in [0, 1), seeded per node, so that a render repeats. */
+  /** A pseudorandom number in [0, 1), seeded per node, so that renders are reproducible. */
   readonly random: () => number;
   readonly assets: AssetService;
   readonly scenes: SceneService;
   readonly session: SessionService;
-  /** A problem the user can mend, shown at the node; the frame goes on without the node's work. */
+  /** Shows a problem at the node. Use it for mistakes of users; the frame continues. */
   report(diagnostic: Omit<Diagnostic, 'nodeId'>): void;
 }
 
 // --- Pulses -----------------------------------------------------------------------------------------------------------
 
-/** Something that happened in this frame. What it does not bring is 0, empty or null. */
+/** An event of this frame. Fields that it does not use are 0, empty or null. */
 export interface Pulse {
   readonly number: number;
   readonly text: string;
-  /** Column-major 4×4; of a ray, its -z axis points along it. */
+  /** Column-major 4×4; the -z axis of the pose points along a ray. */
   readonly worldFromPose: Readonly<Float32Array> | null;
-  /** Which physics body it is about. */
+  /** The key of a physics body. */
   readonly bodyKey: string;
 }
 
 /**
- * What happened in this frame, oldest first: of a port with several wires, wire by wire. An unwired port has an empty one. The
- * same objects every frame: read them during the frame, keep none.
+ * The pulses of this frame, oldest first; for an input with several wires, in the order of the wires. It is empty where no wire is
+ * connected. The objects are reused every frame: do not keep them.
  */
 export interface PulseList {
   readonly count: number;
-  /** From 0 to `count - 1`. */
+  /**
+   * @param index From 0 to `count - 1`.
+   */
   at(index: number): Pulse;
 }
 
-/** Emptied by the player before each frame. Beyond 16 pulses a frame the rest are dropped, which the user is told once. */
+/** A pulse output. The player clears it before each frame. Pulses beyond 16 per frame are dropped, with one diagnostic (SCR056). */
 export interface PulseOutput extends PulseList {
   /**
-   * Adds a pulse, with all that `like` brings, and returns it to be completed.
+   * Adds a pulse.
+   *
+   * @param like A pulse to copy.
+   * @returns The new pulse, to set its fields.
    *
    * @example
    * ctx.outputs.pulse.emit().number = count;
@@ -97,20 +117,24 @@ export interface PulseOutput extends PulseList {
   emit(like?: Pulse): NewPulse;
 }
 
+/** A pulse that was just emitted. */
 export interface NewPulse extends Writable<Omit<Pulse, 'worldFromPose'>> {
-  /** Copies the matrix. */
+  /**
+   * @param worldFromPose Column-major 4×4; copied.
+   */
   setPose(worldFromPose: ArrayLike<number>): void;
 }
 
 // --- What other wires carry -------------------------------------------------------------------------------------------
 
-/** A layer brought in from outside. View domain: one entry per view; image domain: entry 0 serves all. */
+/** The layer of a source. View domain: one entry per view. Image domain: entry 0 is for all views. */
 export interface LayerOutput {
   readonly views: readonly Writable<LayerTexture>[];
 }
 
+/** The texture of a layer in one view. */
 export interface LayerTexture {
-  /** Premultiplied display-referred sRGB, RGBA8; null stands for transparent. */
+  /** Premultiplied display-referred sRGB, RGBA8; null is transparent. */
   readonly texture: WebGLTexture | null;
   readonly widthPx: number;
   readonly heightPx: number;
@@ -118,6 +142,7 @@ export interface LayerTexture {
   readonly uvFromViewUv: Float32Array;
 }
 
+/** What a runtime reads from an input, by wire type. */
 export interface WireViews extends ValueViews {
   layer: LayerOutput;
   depth: RoomDepthOutput;
@@ -139,7 +164,7 @@ type InputView<P extends InputPort> = P extends { readonly type: 'pulse' }
   ? PulseList
   : P extends { readonly multiple: true }
     ? readonly WireView<P['type']>[]
-    : // Of a port that is not known, either.
+    : // If the type of the port is not known statically, all are possible.
       InputPort extends P
       ? readonly WireView<P['type']>[] | WireView<P['type']> | null
       : WireView<P['type']> | null;
@@ -163,25 +188,30 @@ type ConfigValue<P extends ParamDefinition> = P extends { type: 'choice'; option
 
 // --- Services ---------------------------------------------------------------------------------------------------------
 
+/** The time of the program. It pauses and seeks with the preview. */
 export interface Clock {
+  /** Seconds since the session began. */
   readonly timeS: number;
+  /** Seconds since the previous frame. */
   readonly deltaS: number;
+  /** The number of frames since the session began. */
   readonly frame: number;
-  /** Frames come one by one, however long each takes, as in a render: what takes time is waited for (`NodeRuntime.settle`). */
+  /** Frames are drawn one by one, independent of real time, as in a frame render: asynchronous content is awaited (`NodeRuntime.settle`). */
   readonly held: boolean;
 }
 
+/** What the session provides, besides the frame that `update` receives. */
 export interface SessionService {
   readonly frame: SessionFrame;
   readonly light: LightEstimate | null;
   /**
-   * Mean linear-sRGB color of what the camera of the first view sees, where the session has its image; null where it has none, and
-   * until it has been measured. Measured while somebody asks, some frames late; at once while the clock is held.
+   * Mean linear-sRGB color of the camera image of the first view. It is measured only while it is read, with a delay of some frames;
+   * without delay while the clock is held. Null without a camera image and until the first measurement.
    */
   readonly cameraMean: Readonly<Float32Array> | null;
 }
 
-/** Where `draw` draws. */
+/** The view and the target of a `draw` call. */
 export interface DrawView {
   readonly view: ViewFrame;
   readonly viewIndex: number;
@@ -189,16 +219,28 @@ export interface DrawView {
   readonly viewport: { readonly x: number; readonly y: number; readonly widthPx: number; readonly heightPx: number };
 }
 
-/** three.js, for nodes that draw objects; one renderer serves all. */
+/**
+ * Draws objects with three.js; all nodes share one renderer.
+ *
+ * @example
+ * const scene = ctx.scenes.createScene({ kind: 'shaded' });
+ * return { update: () => scene.update(objects, lights), draw: (view) => scene.draw(view), dispose: () => scene.dispose() };
+ */
 export interface SceneService {
-  /** A scene of flat proxies for the given lists. `look` decides what each object is drawn with. */
+  /**
+   * Creates a scene of flat proxies (ADR 6).
+   *
+   * @param look What each object is drawn with.
+   * @returns The caller disposes it.
+   */
   createScene(look: SceneLook): DrawnScene;
 }
 
+/** A scene of proxies for object lists. */
 export interface DrawnScene {
-  /** Takes over changed lists and this frame's matrices. */
+  /** Updates the proxies from the lists. Call it once per frame. */
   update(objects: readonly ObjectList[], lights: readonly LightList[]): void;
-  /** Draws into the bound target; shadow maps and occlusion come from the operation. */
+  /** Draws into the bound target. The operation provides shadow maps and occlusion. */
   draw(view: DrawView): void;
   dispose(): void;
 }

@@ -5,118 +5,128 @@ import type { ReflectionCube, RoomDepth } from './session.ts';
 import type { AppliedTechnique } from './technique-view.ts';
 
 /**
- * Placed objects. A list is owned and changed by the node whose output it is; its readers rebuild what they derived from it
- * when `version` has changed, and read the matrices anew every frame.
+ * A list of placed objects. Only the node that outputs a list changes it. Readers rebuild what they derive from the items when
+ * `version` has changed, and read matrices and flags every frame.
+ *
+ * @example
+ * ctx.outputs.objects.items.push(item);
+ * ctx.outputs.objects.version++;
  */
 export interface ObjectList {
   version: number;
   readonly items: ObjectItem[];
 }
 
+/** An object with its transform. */
 export interface ObjectItem {
   /** Unique within the list and stable over frames. */
   key: string;
   /**
-   * The subtree in object space, with up-to-date world matrices as if it stood at the origin. It is never put into a drawn
-   * scene: those that draw make flat proxies sharing its geometries and materials (ADR 6).
+   * The subtree in object space. Its world matrices are current, as if the object were at the origin. It is not part of a drawn scene:
+   * scenes draw flat proxies that share its geometries and materials (ADR 6).
    */
   root: Object3D;
   readonly worldFromObject: Matrix4;
+  /** A phantom stands for a real object: it occludes and takes shadows, and is not visible. */
   role: 'virtual' | 'phantom';
   castsShadow: boolean;
   receivesShadow: boolean;
+  /** Custom materials instead of its own. */
   techniques?: readonly AppliedTechnique[];
 }
 
+/** A list of lights; `version` as in `ObjectList`. */
 export interface LightList {
   version: number;
   readonly items: LightItem[];
 }
 
+/** A light of any kind. */
 export type LightItem = DirectLightItem | EnvironmentLightItem | ProbeLightItem;
 
-/** What shines from one place or direction, and may throw shadows. */
+/** A light with a position or direction, which can cast shadows. */
 export type DirectLightItem = DirectionalLightItem | PointLightItem | SpotLightItem;
 
-/** Light from one direction everywhere. */
+/** A directional light. */
 export interface DirectionalLightItem {
   key: string;
   readonly kind: 'directional';
-  /** It lights nothing, and is there for its shadow on real things. */
+  /** The light only casts shadows on real objects, and does not light anything. */
   readonly onlyShadows?: true;
-  /** Linear-sRGB, times intensity in lux-like three.js units. */
+  /** Linear-sRGB color times intensity, in the lux-like units of three.js. */
   readonly radiance: Float32Array;
   /** Unit vector from the scene towards the light, world space. */
   readonly towardsLightWorld: Float32Array;
   shadow: LightShadow | null;
 }
 
-/** A lamp that shines alike in all directions: at d meters a surface that faces it receives intensity / d². */
+/** A point light: at a distance of d meters, a surface that faces it receives intensity / d². */
 export interface PointLightItem {
   key: string;
   readonly kind: 'point';
   /** Candela per channel of linear-sRGB. */
   readonly intensityCd: Float32Array;
   readonly positionWorld: Float32Array;
-  /** Where its light ends, meters: it is faded out on the way there (`getDistanceAttenuation` of three.js). 0: it has no end. */
+  /** Distance at which the light has faded to 0, meters (`getDistanceAttenuation` of three.js). 0: unlimited. */
   rangeM: number;
   shadow: LocalLightShadow | null;
 }
 
-/** A lamp that shines in a cone. */
+/** A spot light. */
 export interface SpotLightItem {
   key: string;
   readonly kind: 'spot';
-  /** Candela per channel of linear-sRGB, in the middle of the cone. */
+  /** Candela per channel of linear-sRGB, on the axis of the cone. */
   readonly intensityCd: Float32Array;
   readonly positionWorld: Float32Array;
-  /** Unit vector against the beam, world space. */
+  /** Unit vector from the target towards the light, world space. */
   readonly towardsLightWorld: Float32Array;
-  /** As of a point light. */
+  /** As `PointLightItem.rangeM`. */
   rangeM: number;
-  /** From the cone's axis to its edge, below a quarter turn. */
+  /** Angle from the axis of the cone to its edge, less than π / 2. */
   halfAngleRad: number;
-  /** The part of that angle, from the edge inwards, over which the light comes up: 0 is a sharp edge. */
+  /** The fraction of the angle, from the edge inwards, over which the light rises to full intensity; 0 is a hard edge. */
   penumbra: number;
   shadow: LocalLightShadow | null;
 }
 
-/** Surroundings that light a scene from all sides; without shadows. */
+/** A panorama that lights a scene from all sides, without shadows. */
 export interface EnvironmentLightItem {
   key: string;
   readonly kind: 'environment';
-  /** Null while it loads. */
+  /** Null until it has loaded. */
   environment: EnvironmentAsset | null;
   /** Factor on its radiance. */
   intensity: number;
-  /** About the world's y axis. At 0 the middle of the panorama lies towards -z. */
+  /** Rotation about the y axis of world space. At 0 the center of the panorama is towards -z. */
   rotationRad: number;
-  /** Whether it shows behind the objects. */
+  /** Whether it is visible behind the objects. */
   visible: boolean;
 }
 
-/** Light from all sides as it was measured or guessed; without shadows. It takes the place of an environment. */
+/** Measured or estimated light from all sides, without shadows. It replaces an environment. */
 export interface ProbeLightItem {
   key: string;
   readonly kind: 'probe';
   /** 9 coefficients × RGB, coefficient by coefficient: linear-sRGB radiance in world space (WebXR Lighting Estimation §3.2). */
   readonly sphericalHarmonics: Float32Array;
-  /** What shiny surfaces mirror; null: what the coefficients say. */
+  /** The reflections of shiny surfaces; null: the coefficients. */
   reflection: ReflectionCube | null;
-  /** Factor on all its radiance. */
+  /** Factor on the radiance. */
   intensity: number;
 }
 
-/** A panorama on its way to the lights. */
+/** The output of a Panorama node. */
 export interface EnvironmentOutput {
-  /** Null while it loads, and where none is chosen. */
+  /** Null until it has loaded, and if none is chosen. */
   asset: EnvironmentAsset | null;
   /** Factor on its radiance. */
   intensity: number;
-  /** About the world's y axis. At 0 the middle of the panorama lies towards -z. */
+  /** Rotation about the y axis of world space. At 0 the center of the panorama is towards -z. */
   rotationRad: number;
 }
 
+/** Room depth, one entry per view; null where the view has none. */
 export interface RoomDepthOutput {
   readonly views: (RoomDepth | null)[];
 }

@@ -1,12 +1,20 @@
 import type { CpuAnswer, CpuTask, Pixels } from './cpu-filter.ts';
 
-/** The worker's own scope, as far as it is used. */
+/** The part of a worker's global scope that is used. */
 export interface WorkerScope {
   onmessage: ((event: { readonly data: CpuTask }) => void) | null;
   postMessage(answer: CpuAnswer, transfer: ArrayBuffer[]): void;
 }
 
-/** What a worker does that plays a CPU filter: one picture after the other, each in the buffer that it came in. */
+/**
+ * Runs a CPU filter in a worker: processes one image after the other, each in the buffer of its message.
+ *
+ * @param scope The global scope of the worker.
+ * @param process Changes the image in place. An error that it throws is returned with the answer.
+ *
+ * @example
+ * servePixels(self, process);
+ */
 export function servePixels(scope: WorkerScope, process: (pixels: Pixels, params: never) => void): void {
   scope.onmessage = ({ data: { view, turn, buffer, widthPx, heightPx, params } }) => {
     let failure: string | null = null;

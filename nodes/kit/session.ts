@@ -1,41 +1,45 @@
 import type { Capability } from './definition.ts';
 
 /**
- * What a session tells the runtime each frame (docs/ARCHITECTURE.md, “Sessions”). Types only: sessions live in `export/runtime/sessions` and
- * `export/emulator`. Objects are reused from frame to frame: read them during the frame, keep none.
+ * A source of frames (docs/ARCHITECTURE.md, “Sessions”). This file contains only types; sessions are in `export/runtime/sessions` and
+ * `export/emulator`. All objects of a frame are reused for the next: do not keep them.
  *
- * Spaces: world is right-handed, y up, meters, gravity-aligned, floor at y = 0 where the session knows it. View space looks
- * down -z. Matrices are column-major. View UV has its origin at the bottom left, as GL and ISF have it.
+ * Spaces: world space is right-handed, y up, in meters, aligned with gravity, with the floor at y = 0 if the session provides it. View
+ * space looks down -z. Matrices are column-major. The origin of view UV is at the bottom left, as in GL and ISF.
  */
 export interface Session {
   readonly kind: 'webxr' | 'recorded' | 'camera' | 'orbit';
   readonly capabilities: ReadonlySet<Capability>;
-  /** `device`: the display shows the world behind transparent pixels. `image`: the runtime draws each view's camera image. */
+  /** `device`: the display shows the world behind transparent pixels. `image`: the runtime draws the camera image of each view. */
   readonly world: 'device' | 'image' | 'none';
   /** `additive` displays cannot darken: black is transparent. */
   readonly blend: 'opaque' | 'alpha' | 'additive';
-  /** Nothing of the page is seen while it runs, as in headsets, which have no DOM overlay. */
+  /** The page is not visible during the session, as in headsets, which have no DOM overlay. */
   readonly hidesPage?: boolean;
-  /** Begins delivering frames to `onFrame`, and events to `onEvent`, until `end`. */
+  /** Starts to call `onFrame` for each frame and `onEvent` for each event, until `end`. */
   start(onFrame: (frame: SessionFrame) => void, onEvent: (event: SessionEvent) => void): void;
-  /** Ends the session and frees what it made; safe to call twice. */
+  /** Ends the session and disposes its resources; may be called twice. */
   end(): Promise<void>;
 }
 
+/** An event of a session, between two frames. */
 export type SessionEvent =
   | { readonly kind: 'ended'; readonly by: 'user' | 'system' | 'page' }
   | { readonly kind: 'visibility'; readonly visible: boolean }
   | { readonly kind: 'tracking'; readonly tracked: boolean }
-  /** A capability that was granted has brought nothing for a while, or brings it again. */
+  /** A granted feature has returned no data for a while, or returns data again. */
   | { readonly kind: 'sensing'; readonly capability: Capability; readonly working: boolean }
-  /** World space was re-centered or the recording started over: state that depends on poses is void. */
+  /** World space was re-centered or the recording restarted: state that depends on poses is no longer valid. */
   | { readonly kind: 'reset' }
   | { readonly kind: 'problem'; readonly message: string };
 
+/** One frame of a session. */
 export interface SessionFrame {
-  /** Of a recording: its own frame, later rounds counted on; else counted up. A frame that is drawn again while time stands keeps it. */
+  /** Of a recording: the recorded frame, counted on through its loops; otherwise a counter. A frame that is drawn again keeps it. */
   readonly index: number;
+  /** Seconds since the session began. */
   readonly timeS: number;
+  /** Seconds since the previous frame. */
   readonly deltaS: number;
   /** One or two; only the first `viewCount` entries of `views` are valid. */
   readonly viewCount: number;
@@ -45,22 +49,22 @@ export interface SessionFrame {
   readonly framebufferWidthPx: number;
   readonly framebufferHeightPx: number;
   readonly light: LightEstimate | null;
-  /** Absent or null where the session detects none. */
+  /** Absent or null if the session does not detect surfaces. */
   readonly surfaces?: DetectedSurfaces | null;
   readonly input: SessionInput;
 }
 
-/** Real surfaces as the device has found them so far; they grow, join and go while it looks around. */
+/** The real surfaces that the device has detected so far. They change while the device moves. */
 export interface DetectedSurfaces {
   readonly planes: readonly DetectedPlane[];
   readonly meshes: readonly DetectedMesh[];
 }
 
-/** What all detected surfaces have. The object is the same as long as the device takes the surface for the same. */
+/** A detected surface. The object is the same as long as the device tracks the surface. */
 export interface DetectedSurface {
   /** Unique within the session. */
   readonly id: string;
-  /** Raised when its shape changes; its pose may change in every frame. */
+  /** Increased when its shape changes; its pose can change in every frame. */
   readonly version: number;
   /** WebXR's semantic label (`floor`, `wall`, `table`, …), or empty. */
   readonly label: string;
@@ -68,22 +72,22 @@ export interface DetectedSurface {
   readonly worldFromSurface: Float32Array;
 }
 
-/** A flat part of a real surface: its y axis is the normal, its outline lies in its own x–z plane. */
+/** A flat part of a real surface. Its y axis is the normal; its outline is in its x–z plane. */
 export interface DetectedPlane extends DetectedSurface {
   readonly orientation: 'horizontal' | 'vertical' | 'other';
-  /** Corners in order, x and z in turn, meters. */
+  /** Corners in order, alternating x and z, meters. */
   readonly outlineXZ: Float32Array;
 }
 
-/** A scanned real thing, or a whole room. */
+/** The mesh of a scanned object or of a whole room. */
 export interface DetectedMesh extends DetectedSurface {
-  /** x, y, z in turn, meters. */
+  /** x, y, z of each vertex, meters. */
   readonly positions: Float32Array;
-  /** Three for each triangle; which side is its front is not said. */
+  /** Three per triangle; the winding is not specified. */
   readonly indices: Uint32Array;
 }
 
-/** What the visitor did since the previous frame, and holds now. */
+/** The input of the visitor: taps since the previous frame and the current state of the controllers. */
 export interface SessionInput {
   /** Taps, clicks and selections by controllers or hands, oldest first; only the first `tapCount` entries are valid. */
   readonly taps: readonly Tap[];
@@ -93,26 +97,30 @@ export interface SessionInput {
   readonly right: Controller;
 }
 
+/** A select action. */
 export interface Tap {
-  /** Column-major 4×4, rigid: its origin is the eye or the hand, its -z axis points along the ray. */
+  /** Column-major 4×4, rigid. The origin is at the camera or the hand; the -z axis points along the ray. */
   readonly worldFromRay: Float32Array;
   readonly by: 'screen' | 'left' | 'right' | 'other';
 }
 
+/** The current state of a controller. */
 export interface Controller {
   readonly connected: boolean;
-  /** In [-1, 1], to the right and up. */
+  /** x to the right and y up, in [-1, 1]. */
   readonly stick: Float32Array;
   /** In [0, 1]. */
   readonly trigger: number;
   readonly squeeze: number;
-  /** The lower and the upper of two buttons: A and B on the right, X and Y on the left. */
+  /** The lower button: A on the right, X on the left. */
   readonly primary: boolean;
+  /** The upper button: B on the right, Y on the left. */
   readonly secondary: boolean;
-  /** As of a tap; null for gamepads, and while it is not tracked. */
+  /** As `Tap.worldFromRay`; null for gamepads, and while the controller is not tracked. */
   readonly worldFromRay: Float32Array | null;
 }
 
+/** One view of a frame: an eye, or the screen. */
 export interface ViewFrame {
   readonly eye: 'none' | 'left' | 'right';
   /** Column-major 4×4. */
@@ -127,6 +135,7 @@ export interface ViewFrame {
   readonly depth: RoomDepth | null;
 }
 
+/** A rectangle of a framebuffer, pixels, origin bottom left. */
 export interface Viewport {
   readonly x: number;
   readonly y: number;
@@ -134,7 +143,7 @@ export interface Viewport {
   readonly heightPx: number;
 }
 
-/** Display-referred sRGB in RGBA8, opaque, valid during the frame. */
+/** The camera image of a view: display-referred sRGB, RGBA8, opaque, valid during the frame. */
 export interface CameraImage {
   readonly texture: WebGLTexture;
   readonly widthPx: number;
@@ -143,20 +152,20 @@ export interface CameraImage {
   readonly uvFromViewUv: Float32Array;
 }
 
-/** Meters along the view's axis in the red channel (R32F or R16F, nearest), 0 where unknown. */
+/** Room depth of a view: meters along the view axis in the red channel (R32F or R16F, nearest), 0 where unknown. */
 export interface RoomDepth {
   readonly texture: WebGLTexture;
   readonly widthPx: number;
   readonly heightPx: number;
   /** Column-major 3×3, homogeneous: texture UV from view UV; any rotation, flip or crop. */
   readonly uvFromViewUv: Float32Array;
-  /** Pose of the view that it is aligned with. */
+  /** Pose of the view that the depth is aligned with; column-major 4×4. */
   readonly worldFromDepth: Float32Array;
-  /** Readers blend the four samples around, as far as these are known; else they take the nearest, known or not. */
+  /** True: readers interpolate the four nearest samples that are known. Otherwise they read the nearest sample. */
   readonly interpolate?: boolean;
 }
 
-/** Light around the viewer. Spherical harmonics as WebXR Lighting Estimation §3.2 orders them. */
+/** The estimated light of the room. Spherical harmonics are in the order of WebXR Lighting Estimation §3.2. */
 export interface LightEstimate {
   /** 9 coefficients × RGB, linear-sRGB radiance. */
   readonly sphericalHarmonics: Float32Array;
@@ -164,15 +173,15 @@ export interface LightEstimate {
   readonly primaryDirectionWorld: Float32Array;
   /** Linear-sRGB, not normalized. */
   readonly primaryIntensity: Float32Array;
-  /** What shiny surfaces mirror; absent or null where the session knows none. */
+  /** The reflections of the room; absent or null if the session provides none. */
   readonly reflection?: ReflectionCube | null;
 }
 
-/** Radiance from all sides, as GL reads a cube map by directions; linear where it is sampled, no mip levels. */
+/** A cube map of radiance. Samples are linear-sRGB; there are no mipmaps. */
 export interface ReflectionCube {
   readonly texture: WebGLTexture;
-  /** Raised when the texture is another one, shows something else or lies otherwise. */
+  /** Increased when the texture, its content or its orientation changes. */
   readonly version: number;
-  /** Column-major 3×3: directions of its axes from those of world space. Absent: they are the same. */
+  /** Column-major 3×3, a rotation of directions. Absent: the identity. */
   readonly cubeFromWorld?: Float32Array;
 }

@@ -1,8 +1,14 @@
 import type { AudioAsset, SoundOutput } from './sound.ts';
 
-/** Samples that a level is taken from: 21 ms at 48 kHz. */
+/** The number of samples of a level: 21 ms at 48 kHz. */
 const LEVEL_SAMPLES = 1024;
 
+/**
+ * Clears an audio output, if it is not silent already.
+ *
+ * @example
+ * if (sound === null) silence(ctx.outputs.audio);
+ */
 export function silence(output: SoundOutput): void {
   if (output.channelCount === 0 && output.version > 0) return;
   output.channelCount = 0;
@@ -10,7 +16,16 @@ export function silence(output: SoundOutput): void {
   output.version++;
 }
 
-/** Fills the output with what of a file is heard up to `timeS`; before its start there is silence, or its end where it loops. */
+/**
+ * Fills an audio output with the samples of a file up to a position. Before the start of the file there is silence, or its end if it
+ * loops.
+ *
+ * @param timeS Position in the file, seconds.
+ * @param loop Whether the file loops.
+ *
+ * @example
+ * hearAt(ctx.outputs.audio, sound, time.at(sound.durationS, 1, 0, true), true);
+ */
 export function hearAt(output: SoundOutput, sound: AudioAsset, timeS: number, loop: boolean): void {
   const end = Math.round(timeS * sound.sampleRateHz);
   sound.channels.forEach((from, channel) => {
@@ -27,7 +42,14 @@ export function hearAt(output: SoundOutput, sound: AudioAsset, timeS: number, lo
   output.version++;
 }
 
-/** Root mean square of the newest samples of all channels, from 0 to 1. */
+/**
+ * The level of an audio output.
+ *
+ * @returns The root mean square of the newest samples of all channels, in [0, 1].
+ *
+ * @example
+ * ctx.outputs.level.value = levelOf(ctx.outputs.audio);
+ */
 export function levelOf({ channelCount, samples }: SoundOutput): number {
   let sum = 0;
   for (let channel = 0; channel < channelCount; channel++) {

@@ -1,14 +1,14 @@
-/** What was heard last on a wire. Its owner writes it; readers look anew when `version` has changed. */
+/** The newest samples of a sound. Only the node that outputs it writes it, and then increases `version`. */
 export interface SoundOutput {
-  /** How many of `samples` count: 1, 2, or 0 for silence. */
+  /** The number of channels in use: 1, 2, or 0 for silence. */
   channelCount: number;
   sampleRateHz: number;
-  /** Per channel the last 4,096 samples, oldest first, in [-1, 1]. */
+  /** The last 4,096 samples of each channel, oldest first, in [-1, 1]. */
   readonly samples: readonly Float32Array[];
   version: number;
 }
 
-/** A sound file, decoded. */
+/** A decoded sound file. */
 export interface AudioAsset {
   readonly durationS: number;
   readonly sampleRateHz: number;

@@ -3,7 +3,7 @@ import type { LightShadow, ShadowFilter } from './light-shadow.ts';
 import type { DirectionalLightItem, LightList } from './scene-lists.ts';
 import type { Writable } from './value-views.ts';
 
-/** The values of `SUN_SHADOW` (`light-params.ts`) and whether there are shadows at all. */
+/** The parts of a node context that the shadow reads and writes; the params are `SUN_SHADOW` and `castShadow`. */
 interface SunShadowContext {
   readonly params: Readonly<Record<'areaM' | 'biasPx' | 'sourceRad' | 'contact', { readonly value: number }>> & {
     readonly castShadow: { readonly value: boolean };
@@ -12,12 +12,20 @@ interface SunShadowContext {
   readonly outputs: { readonly lights: LightList };
 }
 
-/** The shadows of parallel light, with those where things touch. */
+/** The shadow of a directional light, with its contact shadow. */
 export interface SunShadow {
-  /** Once per frame, when the light's radiance is known. */
+  /** Call it once per frame, after the radiance of the light has been set. */
   update(light: DirectionalLightItem): void;
 }
 
+/**
+ * Creates the shadow of a directional light from the params of `SUN_SHADOW`.
+ *
+ * @example
+ * const shadow = createSunShadow(ctx);
+ * // Every frame, after `light.radiance` has been set:
+ * shadow.update(light);
+ */
 export function createSunShadow({ params, config, outputs }: SunShadowContext): SunShadow {
   const { castShadow, areaM, biasPx, sourceRad, contact } = params;
   const mapSizePx = Number(config.mapSize);
@@ -27,8 +35,8 @@ export function createSunShadow({ params, config, outputs }: SunShadowContext): 
     update: (light) => {
       shadow.areaM = areaM.value;
       shadow.sourceRad = sourceRad.value;
-      // The receivers' offset along the normal alone keeps surfaces from shadowing themselves: it has to match the reach of the
-      // shadow's filter, so it is counted in the map's pixels.
+      // Only the offset of receivers along their normal prevents shadow acne. It must match the width of the filter, so its unit is
+      // pixels of the map.
       shadow.normalBiasM = (biasPx.value * areaM.value) / mapSizePx;
       light.shadow = castShadow.value ? shadow : null;
       contactShadow.update(castShadow.value ? contact.value : 0, areaM.value, light.radiance);

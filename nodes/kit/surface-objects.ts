@@ -2,22 +2,28 @@ import type { Matrix4, Object3D } from 'three';
 import type { ObjectItem, ObjectList } from './scene-lists.ts';
 import type { DetectedSurface } from './session.ts';
 
-/** Detected surfaces as objects of an output list. */
+/** An object list that follows the surfaces that a session detects. */
 export interface SurfaceObjects<S extends DetectedSurface> {
-  /** Once per frame: surfaces that came, went, moved or changed their shape. */
+  /** Call it once per frame: adds and removes items, updates poses, and rebuilds changed shapes. */
   update(surfaces: readonly S[]): void;
   dispose(): void;
 }
 
+/** How a node makes objects from surfaces. */
 export interface SurfaceBuilder<S extends DetectedSurface> {
-  /** Built anew when the surface's shape has changed. Null for one without any area. */
+  /**
+   * Creates the object of a surface; called again when its shape changes.
+   *
+   * @returns Null for a surface without area.
+   */
   build(surface: S): BuiltSurface | null;
-  /** Which surfaces are wanted; always the same answer for the same surface and shape. */
+  /** Whether the list contains the surface. The result must depend only on the surface and its shape. */
   wants(surface: S): boolean;
-  /** Called for every item and frame, to set what the node's params say. */
+  /** Called for each item in every frame, to set flags from the params of the node. */
   adjust(item: ObjectItem): void;
 }
 
+/** The object of a surface. */
 export interface BuiltSurface {
   readonly root: Object3D;
   readonly worldFromObject: Matrix4;
@@ -32,7 +38,16 @@ interface Entry<S> {
   seen: number;
 }
 
-/** Keeps an output list in step with surfaces that a session detects: each is a phantom in the place of the real thing. */
+/**
+ * Creates a list of phantoms at the positions of detected surfaces.
+ *
+ * @param output The node's output.
+ *
+ * @example
+ * const planes = createSurfaceObjects<DetectedPlane>(ctx.outputs.objects, { wants, build, adjust });
+ * // Every frame:
+ * planes.update(frame.surfaces?.planes ?? NONE);
+ */
 export function createSurfaceObjects<S extends DetectedSurface>(output: ObjectList, builder: SurfaceBuilder<S>): SurfaceObjects<S> {
   const entries = new Map<string, Entry<S>>();
   let round = 0;
@@ -71,7 +86,7 @@ export function createSurfaceObjects<S extends DetectedSurface>(output: ObjectLi
     return add(surface);
   }
 
-  // Made once: the map is walked in every frame.
+  // Created once, because it is passed to `forEach` in every frame.
   function dropUnseen(entry: Entry<S>): void {
     if (entry.seen !== round) remove(entry);
   }

@@ -1,5 +1,4 @@
-/** Params that nodes for detected surfaces share. */
-
+/** Whether detected surfaces receive shadows; shared by the nodes for planes and meshes. */
 export const SURFACE_CATCHES_SHADOW = {
   type: 'toggle',
   stage: 'uniform',
@@ -8,6 +7,7 @@ export const SURFACE_CATCHES_SHADOW = {
   default: true,
 } as const;
 
+/** Whether detected surfaces cast shadows; shared by the nodes for planes and meshes. */
 export const SURFACE_CASTS_SHADOW = {
   type: 'toggle',
   stage: 'uniform',

@@ -1,37 +1,44 @@
 import type { NumberView, ToggleView, VectorView } from './value-views.ts';
 
-/** What an object is drawn with instead of its own materials; of several for one material, the last counts. */
+/** A custom material on an object. If several match a material, the last one applies. */
 export interface AppliedTechnique {
   readonly technique: TechniqueView;
-  /** Names of the materials that it takes the place of; null for all. */
+  /** Names of the materials that it replaces; null for all. */
   readonly materials: readonly string[] | null;
 }
 
 /** A technique of the running program. */
 export interface TechniqueView {
-  /** Raised when its text or its passes change: rebuild what was made of them. */
+  /** Increased when its text or passes change: rebuild what is derived from them. */
   readonly version: number;
-  /** Unique for this text among all techniques. */
+  /** Unique among all techniques for this text. */
   readonly key: string;
-  /** Text for shaders that define what `export/glsl/technique/interface.ts` names. */
+  /** GLSL for a shader that provides the interface of `export/glsl/technique/interface.ts`. */
   readonly vertex: string;
+  /** Likewise, for the fragment shader. */
   readonly fragment: string;
-  /** Draws of each object, in order; `object`: the sides that its own material shows. */
+  /** The passes of each object, in order; `object`: the sides that its own material shows. */
   readonly passes: readonly { readonly side: 'object' | 'front' | 'back' | 'both' }[];
-  /** Live values: read them every frame. Colors are display-referred, as in params. */
+  /** Live values: read them every frame. Colors are display-referred sRGB, as in params. */
   readonly uniforms: readonly TechniqueUniformView[];
-  /** Layers and pictures that its text reads, by the name of their uniform. */
+  /** The layers and images that its text reads, by the name of their uniform. */
   readonly images: readonly TechniqueImageView[];
 }
 
+/** An image input of a technique. */
 export interface TechniqueImageView {
   readonly name: string;
-  /** What a view reads; valid until the next call. Its pixels are there when the objects are drawn, not before. */
+  /**
+   * The image for a view, valid until the next call. Its pixels are available while the objects are drawn, not before.
+   *
+   * @param viewWidthPx Width of the view; `viewHeightPx` is its height.
+   */
   at(viewIndex: number, viewWidthPx: number, viewHeightPx: number): TechniqueImage;
 }
 
+/** A texture with its transform. */
 export interface TechniqueImage {
-  /** Null where there is nothing: it reads as transparent. */
+  /** Null: transparent. */
   readonly texture: WebGLTexture | null;
   /** Column-major 3×3: texture UV from view UV, for layers. */
   readonly uvFromViewUv: Readonly<Float32Array>;
@@ -39,6 +46,7 @@ export interface TechniqueImage {
   readonly heightPx: number;
 }
 
+/** A uniform of a technique, with its live value. */
 export type TechniqueUniformView = { readonly name: string } & (
   | { readonly kind: 'number'; readonly view: NumberView }
   | { readonly kind: 'toggle'; readonly view: ToggleView }

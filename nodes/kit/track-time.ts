@@ -1,8 +1,15 @@
+/** What a track does after its last keyframe; `mirror` is ping-pong. */
 export type Repeat = 'once' | 'loop' | 'mirror';
 
 /**
- * Where in the track a time falls. `loop` begins anew at the first key whenever the last one is reached, `mirror` turns round at
- * both. Before the first key nothing has begun.
+ * Maps a time to the time of the track. `loop` restarts at the first keyframe when the last is reached; `mirror` reverses at both.
+ *
+ * @param timeS Seconds since the session began.
+ * @param times Times of the keyframes, seconds, ascending.
+ * @returns Seconds. Times before the first keyframe are unchanged.
+ *
+ * @example
+ * timeInTrack(5, Float64Array.of(0, 2), 'loop'); // 1
  */
 export function timeInTrack(timeS: number, times: Float64Array, repeat: Repeat): number {
   const startS = times[0] ?? 0;

@@ -1,6 +1,10 @@
-/** Notices changed lists (`ObjectList`, `LightList`). */
+/** Detects changes of lists (`ObjectList`, `LightList`). */
 export interface VersionWatch {
-  /** Whether the lists, their number or their versions differ from those of the last call; true the first time. */
+  /**
+   * Whether the lists, their number or their versions differ from those of the previous call.
+   *
+   * @returns True at the first call.
+   */
   changed(lists: readonly Versioned[]): boolean;
 }
 
@@ -8,6 +12,14 @@ interface Versioned {
   readonly version: number;
 }
 
+/**
+ * Creates a watch for the lists of an input.
+ *
+ * @example
+ * const watch = createVersionWatch();
+ * // Every frame:
+ * if (watch.changed(ctx.inputs.objects)) rebuild();
+ */
 export function createVersionWatch(): VersionWatch {
   let seen: readonly Versioned[] | null = null;
   const versions: number[] = [];

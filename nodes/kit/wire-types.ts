@@ -1,20 +1,20 @@
 /**
- * The types a wire can carry, and how the canvas draws each.
- *
- * Every type has its own color and its own port shape, so that ports can be told apart without color vision.
- * Shapes repeat only between types that convert into each other.
+ * The shape of a port on the canvas. Each wire type has a color and a shape, so that ports can be distinguished without color vision;
+ * only types that convert into each other share a shape.
  */
 export type PortShape = 'circle' | 'square' | 'diamond' | 'triangle' | 'hexagon' | 'star' | 'cross' | 'pill' | 'ring' | 'half';
 
+/** How the canvas and the docs show a wire type. */
 export interface WireTypeInfo {
   readonly label: string;
-  /** What travels on the wire, with units and spaces. */
+  /** What a wire of the type carries, with units and spaces. */
   readonly doc: string;
   /** sRGB hex, chosen for a contrast of at least 3:1 on the canvas in both themes. */
   readonly color: `#${string}`;
   readonly shape: PortShape;
 }
 
+/** All wire types. */
 export const WIRE_TYPES = {
   layer: {
     label: 'Layer',
@@ -57,12 +57,13 @@ export const WIRE_TYPES = {
   pulse: { label: 'Pulse', doc: 'Events of this frame, each with a payload.', color: '#e0533d', shape: 'diamond' },
 } as const satisfies Record<string, WireTypeInfo>;
 
+/** The type of a wire and of a port. */
 export type WireType = keyof typeof WIRE_TYPES;
 
-/** Wire types that are plain values: they live in value slots and can be bound to params. */
+/** Wire types that carry plain values; they are stored in value slots and can be bound to params. */
 export type ValueType = 'number' | 'vector2' | 'vector3' | 'vector4' | 'color' | 'toggle' | 'text';
 
-/** How many numbers a value of the type takes in the program's slots; a text takes one entry of the text table. */
+/** How many numbers a value of each type takes in the program's slots; a text takes one entry of the text table. */
 export const VALUE_SIZES = {
   number: 1,
   vector2: 2,
@@ -74,8 +75,8 @@ export const VALUE_SIZES = {
 } as const satisfies Record<ValueType, number>;
 
 /**
- * Implicit conversions: only where nothing is lost. A toggle is 0 or 1; a color and a vector4 hold the same four numbers.
- * The canvas draws a converting wire as a blend of both colors.
+ * Implicit conversions, all lossless: a toggle is 0 or 1; a color and a vector4 have the same four numbers. The canvas draws such a wire
+ * as a gradient of both colors.
  */
 const LOSSLESS: Readonly<Partial<Record<WireType, readonly WireType[]>>> = {
   toggle: ['number'],
@@ -83,17 +84,39 @@ const LOSSLESS: Readonly<Partial<Record<WireType, readonly WireType[]>>> = {
   vector4: ['color'],
 };
 
+/** How a wire converts from one type to another; `none`: the ports cannot be connected. */
 export type Conversion = 'same' | 'lossless' | 'none';
 
+/**
+ * The conversion of a wire between two types.
+ *
+ * @param from Type of the output.
+ * @param to Type of the input.
+ *
+ * @example
+ * conversion('toggle', 'number'); // 'lossless'
+ */
 export function conversion(from: WireType, to: WireType): Conversion {
   if (from === to) return 'same';
   return LOSSLESS[from]?.includes(to) ? 'lossless' : 'none';
 }
 
+/**
+ * Whether a name is a wire type.
+ *
+ * @example
+ * isWireType('layer'); // true
+ */
 export function isWireType(name: string): name is WireType {
   return Object.hasOwn(WIRE_TYPES, name);
 }
 
+/**
+ * Whether a wire type carries a plain value.
+ *
+ * @example
+ * isValueType('color'); // true
+ */
 export function isValueType(type: WireType): type is ValueType {
   return Object.hasOwn(VALUE_SIZES, type);
 }

@@ -18,22 +18,22 @@
   ]
 }*/
 
-// The stroke reaches twice the radius along an edge.
+// The stroke extends to twice the radius along an edge.
 const int REACH = 16;
 const int SECTORS = 8;
 
-// Standard deviation of the smoothing of directions, and how far it is summed up.
+// Standard deviation of the smoothing of directions, and the radius of its kernel.
 const float SMOOTH_PX = 2.0;
 const int SMOOTH_REACH = 6;
 
-// Keeps squares of small differences out of the least steps of 16-bit floats.
+// Scales squares of small differences above the smallest steps of 16-bit floats.
 const float SCALE = 1000.0;
 
-// Half the angle that neighboring sectors share: 3 pi / 16.
+// Half of the angle by which neighboring sectors overlap: 3 pi / 16.
 const float SHARED = 0.58904862;
 const float STEPS = 255.0;
 
-// Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 readOffset(vec2 offsetPx) {
   vec4 color = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord + offsetPx / RENDERSIZE);
 #ifndef SCRIM
@@ -42,7 +42,7 @@ vec4 readOffset(vec2 offsetPx) {
   return color;
 }
 
-// How much the picture changes in x, in y and in both (structure tensor), by Sobel's differences.
+// The structure tensor from Sobel derivatives: xx, yy and xy.
 vec4 structure() {
   vec4 leftUp = readOffset(vec2(-1.0, 1.0));
   vec4 rightUp = readOffset(vec2(1.0, 1.0));
@@ -57,7 +57,7 @@ float bell(int i) {
   return exp(-0.5 * float(i * i) / (SMOOTH_PX * SMOOTH_PX));
 }
 
-// How well a place of the unit disc belongs to the sector along +x, by a polynomial that falls to 0 at its sides.
+// The weight of a point of the unit disk in the sector along +x: a polynomial that falls to 0 at its sides.
 float along(vec2 v, float zeta, float eta) {
   float z = max(v.x + zeta - eta * v.y * v.y, 0.0);
   return z * z;
@@ -67,7 +67,7 @@ vec4 paint(vec3 tensor) {
   float mean = 0.5 * (tensor.x + tensor.y);
   float spread = length(vec2(0.5 * (tensor.x - tensor.y), tensor.z));
   float anisotropy = mean > 0.0 ? stretch * spread / mean : 0.0;
-  // Along the edge, across the greatest change.
+  // The direction along the edge, perpendicular to the gradient.
   float angle = 0.5 * atan(2.0 * tensor.z, tensor.x - tensor.y + (spread > 0.0 ? 0.0 : 1.0)) + 1.57079633;
   float longer = radius * (1.0 + anisotropy);
   float shorter = radius / (1.0 + anisotropy);
@@ -97,10 +97,10 @@ vec4 paint(vec3 tensor) {
       for (int k = 0; k < SECTORS; k++) {
         share[k] = along(turned, zeta, eta);
         whole += share[k];
-        // By an eighth of a turn.
+        // Rotate by an eighth of a turn.
         turned = 0.70710678 * vec2(turned.x + turned.y, turned.y - turned.x);
       }
-      // Nothing is left at the stroke's edge, where pixels come and go.
+      // The weight is 0 at the edge of the stroke, so pixels enter and leave smoothly.
       float falloff = exp(-2.0 * far) * (1.0 - far * far) / whole;
       for (int k = 0; k < SECTORS; k++) {
         float weight = share[k] * falloff;

@@ -34,7 +34,7 @@ void main() {
     for (int x = -MAX_RADIUS; x <= MAX_RADIUS; x++) {
       vec2 offset = vec2(float(x), float(y));
       float squared = dot(offset, offset);
-      // A disc, as OpenCV has it.
+      // A disk, as in OpenCV.
       if (squared > reach * reach) continue;
       vec4 color = readLayer(isf_FragNormCoord + offset / RENDERSIZE);
       float difference = dot(abs(color - middle), vec4(1.0)) / range;

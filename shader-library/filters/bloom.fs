@@ -20,7 +20,7 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// Three standard deviations hold 99.7 % of the weight: 60 px x 3 at half the size.
+// Three standard deviations contain 99.7 % of the weight: 60 px x 3 at half size.
 const float REACH = 3.0;
 const int MAX_REACH = 90;
 
@@ -34,7 +34,7 @@ vec3 displayFromLinear(vec3 color) {
   return mix(1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, color * 12.92, vec3(lessThanEqual(color, vec3(0.0031308))));
 }
 
-// Linear light, multiplied with alpha. Scrim hands colors over multiplied (SCRIM_ALPHA), other hosts do not.
+// Linear light, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 lightAt(vec2 uv) {
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
 #ifdef SCRIM
@@ -43,7 +43,7 @@ vec4 lightAt(vec2 uv) {
   return vec4(linearFromDisplay(min(color.rgb, 1.0)) * color.a, color.a);
 }
 
-// The part above the level, in the color that the light has.
+// The light above the level, with the same hue.
 vec3 brightAt(vec2 uv) {
   vec3 light = lightAt(uv).rgb;
   float luminance = dot(light, LUMA_709);
@@ -54,13 +54,13 @@ vec3 lightOf(vec2 uv) {
   return PASSINDEX == 1 ? IMG_NORM_PIXEL(bright, uv).rgb : IMG_NORM_PIXEL(across, uv).rgb;
 }
 
-// The weight of a pixel in a Gaussian blur, relative to the pixel in the middle. `sigma` is the standard deviation, in pixels.
+// The weight of a pixel in a Gaussian blur, relative to the center. `sigma` is the standard deviation, in pixels.
 float weight(int distancePx, float sigma) {
   float x = float(distancePx) / sigma;
   return exp(-0.5 * x * x);
 }
 
-// One tap between two pixels gives both, each with its share, as textures are read with linear filtering: half the taps.
+// One linearly filtered sample between two pixels weighs both, so half as many samples are needed.
 vec3 blurred(vec2 stepUv) {
   float sigma = 0.5 * max(radius, 1.0);
   int reach = int(ceil(REACH * sigma));
@@ -80,7 +80,7 @@ vec3 blurred(vec2 stepUv) {
 
 void main() {
   if (PASSINDEX == 0) {
-    // The four pixels that this one stands for.
+    // The mean of the four pixels below this one.
     vec2 apart = 0.25 / RENDERSIZE;
     vec3 sum = brightAt(isf_FragNormCoord + apart) + brightAt(isf_FragNormCoord - apart);
     sum += brightAt(isf_FragNormCoord + vec2(apart.x, -apart.y)) + brightAt(isf_FragNormCoord + vec2(-apart.x, apart.y));
@@ -92,7 +92,7 @@ void main() {
   } else {
     vec4 light = lightAt(isf_FragNormCoord);
     vec3 added = strength * IMG_NORM_PIXEL(glow, isf_FragNormCoord).rgb;
-    // Where the layer is transparent, glow is as opaque as its brightest color.
+    // Where the layer is transparent, the alpha of the glow is its brightest channel.
     vec3 shown = displayFromLinear(min(added, 1.0));
     float alpha = light.a + (1.0 - light.a) * max(shown.r, max(shown.g, shown.b));
     vec3 straight = displayFromLinear(min((light.rgb + added) / max(alpha, 0.0001), 1.0));

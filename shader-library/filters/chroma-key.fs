@@ -14,10 +14,10 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), so that both reach from -0.5 to 0.5.
+// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), both in [-0.5, 0.5].
 const vec2 RANGE = vec2(1.8556, 1.5748);
 
-// A quarter of a step of 8 bits: a hard edge. A key with less color than this is gray and has no spill.
+// A quarter of an 8-bit step: a hard edge. A key with less chroma than this is gray and has no spill.
 const float LEAST = 0.001;
 
 vec2 chromaOf(vec3 color) {

@@ -15,7 +15,7 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), so that both reach from -0.5 to 0.5.
+// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), both in [-0.5, 0.5].
 const vec2 RANGE = vec2(1.8556, 1.5748);
 
 void main() {

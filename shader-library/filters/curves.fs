@@ -19,7 +19,7 @@ const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 void main() {
   vec4 color = IMG_THIS_PIXEL(inputImage);
   vec3 graded = color.rgb;
-  // Other hosts have no curves, and show the layer as it is.
+  // Other hosts do not support curves and show the layer unchanged.
 #ifdef SCRIM
   graded = vec3(CURVE(red, CURVE(all, graded.r)), CURVE(green, CURVE(all, graded.g)), CURVE(blue, CURVE(all, graded.b)));
   float bright = dot(graded, LUMA_709);

@@ -20,7 +20,7 @@ const int SAMPLES = 96;
 const float PI = 3.14159265;
 const float GOLDEN_ANGLE = 2.39996323;
 
-// Where nothing was drawn is as good as infinity.
+// Areas without depth count as infinitely far.
 const float SKY_M = 10000.0;
 
 // The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
@@ -42,15 +42,15 @@ float metersAt(vec2 uv) {
 #endif
 }
 
-// Radius of the circle that a point at m meters becomes, in pixels. On the sensor its width is A f |m - s| / (m (s - f)), with the
-// opening A = f / N and the focus s.
+// Radius of the circle of confusion of a point at m meters, in pixels. Its diameter on the sensor is A f |m - s| / (m (s - f)), with the
+// aperture A = f / N and the focus distance s.
 float circlePx(float m) {
   float opening = focalLength / fStop;
   float width = opening * focalLength * abs(m - focus) / (m * max(focus - focalLength, 0.001));
   return min(0.5 * width / sensor * RENDERSIZE.y, most);
 }
 
-// Light of a point goes evenly over its circle, which is never less than a pixel.
+// The light of a point is spread evenly over its circle, whose area is at least one pixel.
 float sharePerPixel(float circle) {
   return 1.0 / max(PI * circle * circle, 1.0);
 }
@@ -62,15 +62,15 @@ void main() {
   vec4 sum = readLayer(isf_FragNormCoord) * weights;
   float ring = most / float(SAMPLES);
   for (int i = 0; i < SAMPLES; i++) {
-    // Close together in the middle, where small circles end; each stands for the area between it and its neighbors.
+    // Samples are dense at the center, where small circles end; each is weighted by the area that it covers.
     float away = (float(i) + 0.5) * ring;
     float turned = float(i) * GOLDEN_ANGLE;
     vec2 uv = isf_FragNormCoord + vec2(cos(turned), sin(turned)) * away / RENDERSIZE;
     float m = metersAt(uv);
     float circle = circlePx(m);
-    // What lies behind does not spread over what is sharper before it.
+    // A blurred background does not spread over a sharper foreground.
     if (m > here) circle = min(circle, own);
-    // Less than a pixel is sharp.
+    // A circle below one pixel is sharp.
     if (circle < 0.5) continue;
     float weight = clamp(circle - away + 0.5, 0.0, 1.0) * sharePerPixel(circle) * 2.0 * PI * away * ring;
     sum += readLayer(uv) * weight;

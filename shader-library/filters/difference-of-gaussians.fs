@@ -15,19 +15,19 @@
     { "NAME": "paperColor", "TYPE": "color", "LABEL": "Paper", "DOC": "Color between the lines.", "DEFAULT": [1.0, 1.0, 1.0, 1.0] },
     { "NAME": "overPicture", "TYPE": "bool", "LABEL": "Over the image", "DOC": "Draw the lines over the image instead of over the paper.", "DEFAULT": false }
   ],
-  "PASSES": [{ "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "DESCRIPTION": "Blurs along x, twice." }, { "DESCRIPTION": "Blurs along y, twice, and draws." }]
+  "PASSES": [{ "TARGET": "across", "FLOAT": true, "SCRIM_HALF": true, "DESCRIPTION": "Blurs along x, with both standard deviations." }, { "DESCRIPTION": "Blurs along y, with both standard deviations, and draws the result." }]
 }*/
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// The wider blur's share at which the difference comes closest to the Laplacian of a Gaussian (Marr and Hildreth 1980).
+// The ratio of the standard deviations at which the difference approximates the Laplacian of a Gaussian (Marr and Hildreth 1980).
 const float WIDER = 1.6;
 
 // Three standard deviations of the wider blur: 8 px x 1.6 x 3.
 const float REACH = 3.0;
 const int MAX_REACH = 39;
 
-// 16-bit floats keep 11 bits, and `strength` makes their rounding visible. Steps of 1/256 and the rest apart keep 19.
+// 16-bit floats have 11 bits, whose rounding `strength` would make visible. Storing steps of 1/256 and the rest separately gives 19 bits.
 const float STEPS = 256.0;
 
 // The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
@@ -39,7 +39,7 @@ vec4 readLayer(vec2 uv) {
   return color;
 }
 
-// What the two blurs have found so far, at `uv`: the narrower in x, the wider in y.
+// The intermediate results of the two blurs at `uv`: the narrower in x, the wider in y.
 vec2 tap(vec2 uv) {
   if (PASSINDEX == 1) {
     vec4 parts = IMG_NORM_PIXEL(across, uv);
@@ -77,7 +77,7 @@ void main() {
   } else {
     vec2 found = blurred(vec2(0.0, 1.0 / RENDERSIZE.y));
     float sharpened = (1.0 + strength) * found.x - strength * found.y;
-    // 1 - tanh(x) of the paper, for x of 0 and more.
+    // 1 - tanh(x) of the paper, for x >= 0.
     float e = exp(-2.0 * hardness * max(level - sharpened, 0.0));
     float light = 2.0 * e / (1.0 + e);
     vec4 picture = readLayer(isf_FragNormCoord);

@@ -15,28 +15,28 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// 289 = 17 squared: the largest period for which (34 x + 1) x is still a whole number in single precision.
+// 289 = 17 squared: the largest period for which (34 x + 1) x is an exact integer in single precision.
 const float PERIOD = 289.0;
 
 // The sum of four random numbers from 0 to 1 has a variance of 4 / 12.
 const float SPREAD = 1.7320508;
 
-// A whole number modulo PERIOD. The added half keeps a rounded quotient from falling just below the exact one.
+// An integer modulo PERIOD. Adding one half compensates for rounding of the quotient.
 float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
-// A permutation of the whole numbers below PERIOD, the base of the noise (McEwan et al., “Efficient computational noise in GLSL”).
+// A permutation of the integers below PERIOD, for noise (McEwan et al., “Efficient computational noise in GLSL”).
 float permute(float x) {
   return wrap((34.0 * x + 1.0) * x);
 }
 
-// A whole number below PERIOD that looks random, for a cell of a grid in a frame.
+// A pseudorandom integer below PERIOD for a cell of a grid in a frame.
 float seedOf(vec2 cell, float frame) {
   return permute(wrap(permute(wrap(permute(wrap(cell.x)) + cell.y)) + wrap(frame)));
 }
 
-// Close to a normal distribution with standard deviation 1: two numbers from each of two seeds.
+// Approximately a normal distribution with standard deviation 1: two numbers from each of two seeds.
 float grain(vec2 cell, float channel, float frame) {
   vec2 seeds = vec2(seedOf(cell, frame), seedOf(cell.yx + 11.0, frame));
   float sum = 0.0;
@@ -51,7 +51,7 @@ float grain(vec2 cell, float channel, float frame) {
 void main() {
   vec4 picture = IMG_THIS_PIXEL(inputImage);
   vec2 cell = floor(isf_FragNormCoord * RENDERSIZE / max(size, 1.0));
-  // Moved a little for every period, so that the pattern does not repeat across a wide picture.
+  // An offset for each period, so that the pattern does not repeat across a wide image.
   cell += floor(cell.yx / PERIOD) * vec2(37.0, 101.0);
   float frame = floor(TIME * rate);
   vec3 colored = vec3(grain(cell, 0.0, frame), grain(cell, 1.0, frame), grain(cell, 2.0, frame));

@@ -15,11 +15,11 @@
   ]
 }*/
 
-// -ln(0.05): at "far" 5 % is left to see.
+// -ln(0.05): at "far" 5 % remain visible.
 const float HIDDEN = 2.9957323;
 const float LEAST_M = 0.001;
 
-// 0 where nobody knows.
+// The distance in meters; 0 where it is unknown.
 float distanceHere() {
 #ifdef SCRIM
   float layer = LAYER_DEPTH(inputImage, isf_FragNormCoord);

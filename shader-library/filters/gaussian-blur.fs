@@ -11,15 +11,15 @@
   "PASSES": [{ "TARGET": "across", "DESCRIPTION": "Blurs along x." }, { "DESCRIPTION": "Blurs along y." }]
 }*/
 
-// Three standard deviations hold 99.7 % of the weight. 60 px × 3: the loop needs an end that is known beforehand.
+// Three standard deviations contain 99.7 % of the weight. 60 px × 3: the loop needs a constant limit.
 const float REACH = 3.0;
 const int MAX_REACH = 180;
 
-// Below this no pixel but the middle one counts, and dividing by it is still safe.
+// With a smaller sigma only the center pixel counts; larger ones are safe to divide by.
 const float MIN_SIGMA = 0.1;
 
-// Colors multiplied with their alpha keep what is invisible from darkening edges. Scrim hands them over like that
-// (SCRIM_ALPHA), other hosts do not.
+// The blur uses premultiplied colors, so that transparent pixels do not darken edges. Scrim passes premultiplied colors
+// (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 tap(vec2 uv) {
   if (PASSINDEX == 1) return IMG_NORM_PIXEL(across, uv);
   vec4 color = IMG_NORM_PIXEL(inputImage, uv);
@@ -29,13 +29,13 @@ vec4 tap(vec2 uv) {
   return color;
 }
 
-// The weight of a pixel in a Gaussian blur, relative to the pixel in the middle. `sigma` is the standard deviation, in pixels.
+// The weight of a pixel in a Gaussian blur, relative to the center. `sigma` is the standard deviation, in pixels.
 float weight(int distancePx, float sigma) {
   float x = float(distancePx) / sigma;
   return exp(-0.5 * x * x);
 }
 
-// One tap between two pixels gives both, each with its share, as textures are read with linear filtering: half the taps.
+// One linearly filtered sample between two pixels weighs both, so half as many samples are needed.
 vec4 blurred(vec2 stepUv) {
   float sigma = max(radius, MIN_SIGMA);
   int reach = int(ceil(REACH * sigma));

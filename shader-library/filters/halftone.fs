@@ -16,8 +16,8 @@
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 const float PI = 3.14159265;
 
-// (cosine, sine) for 0 to a quarter turn. A GPU's own may be wrong by 1 / 2000, and that moves the dots at the far end of a wide
-// picture; the series for half of the angle is good to 8 digits.
+// (cosine, sine) for 0 to a quarter turn. The built-in functions of a GPU may have an error of 1 / 2000, which moves the dots of a wide
+// image; the series for half of the angle is accurate to 8 digits.
 vec2 direction(float turn) {
   float x = 0.5 * turn;
   float square = x * x;
@@ -33,8 +33,8 @@ void main() {
   vec2 screen = vec2(dot(along, px), along.x * px.y - along.y * px.x) / spacing;
   vec2 angles = 2.0 * PI * (fract(screen) - 0.5);
 
-  // From 0 in the middle of a dot to 1 in the middle of a gap. Between two dots it climbs by at most `perPixel`, and an edge
-  // that is one pixel wide is smooth and not blurred.
+  // From 0 at the center of a dot to 1 at the center of a gap. The slope is at most `perPixel`, so an edge that is one
+  // pixel wide is antialiased and not blurred.
   float spot = 0.5 + 0.25 * (cos(angles.x) + cos(angles.y));
   float perPixel = 0.5 * PI / spacing;
   float darkness = mix(-0.5 * perPixel, 1.0 + 0.5 * perPixel, 1.0 - dot(picture.rgb, LUMA_709));

@@ -25,7 +25,7 @@ void main() {
   vec4 color = IMG_THIS_PIXEL(inputImage);
   float gain = exp2(stops);
   vec3 exposed = linearFromDisplay(color.rgb) * gain;
-  // The brightest that there can be stays white.
+  // The brightest possible value stays white.
   float white = max(gain, 1.0);
   vec3 compressed = exposed * (1.0 + exposed / (white * white)) / (1.0 + exposed);
   vec3 result = mix(min(exposed, 1.0), compressed, highlights);

@@ -13,7 +13,7 @@
 
 const int MAX_RADIUS = 8;
 
-// Deviations count in steps of 8 bits, as in the paper: below one step all sides are equally calm.
+// Deviations are in 8-bit steps, as in the paper: below one step all regions have the same weight.
 const float STEPS = 255.0;
 
 // The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
@@ -25,7 +25,7 @@ vec4 readLayer(vec2 uv) {
   return color;
 }
 
-// Mean of the square that has this pixel in one corner, multiplied with its weight; and the weight.
+// The weighted mean of the square with this pixel in one corner, and the weight.
 vec4 painted(vec2 side, int reach, out float weight) {
   vec4 sum = vec4(0.0);
   vec4 squares = vec4(0.0);

@@ -20,6 +20,6 @@ void main() {
   float luma = dot(color.rgb, LUMA_709);
   float varied = pow(clamp(luma, 0.0, 1.0), 1.0 / gamma);
   varied = clamp((varied - MIDDLE) * contrast + MIDDLE + brightness, 0.0, 1.0);
-  // Red, green and blue move by the same step: Cb and Cr, which are differences to the luma, stay.
+  // Red, green and blue change by the same amount, so Cb and Cr, the differences to the luma, do not change.
   gl_FragColor = vec4(color.rgb + (varied - luma), color.a);
 }

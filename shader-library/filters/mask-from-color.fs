@@ -15,13 +15,13 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), so that both reach from -0.5 to 0.5.
+// Cb = (B - Y) / 2 (1 - kb) and Cr = (R - Y) / 2 (1 - kr), both in [-0.5, 0.5].
 const vec2 RANGE = vec2(1.8556, 1.5748);
 
-// A quarter of a step of 8 bits: a hard edge.
+// A quarter of an 8-bit step: a hard edge.
 const float LEAST = 0.001;
 
-// Cb, Cr and the luma, as far as it counts.
+// Cb, Cr and the weighted luma.
 vec3 placeOf(vec3 color) {
   float luma = dot(color, LUMA_709);
   return vec3((color.br - luma) / RANGE, luma * brightness);

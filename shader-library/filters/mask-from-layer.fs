@@ -14,7 +14,7 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// Below this, a quarter of a step of 8 bits, the edge is hard, and what lies on it is white.
+// Below this, a quarter of an 8-bit step, the edge is hard, and values on it are white.
 const float LEAST = 0.001;
 
 void main() {

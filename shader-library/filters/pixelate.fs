@@ -26,7 +26,7 @@ vec4 readLayer(vec2 uv) {
   return color;
 }
 
-// Mean of `count` pixels from `first` on, in pixels of a picture that is `whole` pixels long; the last block may be smaller.
+// The mean of `count` pixels from `first` on, in an image that is `whole` pixels long; the last block may be smaller.
 vec4 meanAlong(bool alongX, float first, float count, float whole) {
   vec4 sum = vec4(0.0);
   float found = 0.0;

@@ -10,7 +10,7 @@
   ]
 }*/
 
-// What lies just on a border belongs to the upper level, whatever the last bit of the arithmetic says.
+// Values on a border belong to the upper level, independent of rounding.
 const float ROUNDING = 0.0001;
 
 void main() {

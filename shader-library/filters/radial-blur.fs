@@ -12,7 +12,7 @@
   ]
 }*/
 
-// One sample for each pixel of the smear, as far as a phone keeps up; longer ones are sampled more coarsely.
+// One sample per pixel of the blur, up to a limit for phones; longer blurs are sampled more coarsely.
 const int MAX_SAMPLES = 64;
 
 // The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.

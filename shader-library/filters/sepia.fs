@@ -9,7 +9,7 @@
   ]
 }*/
 
-// Rows for red, green and blue, at full strength. They are meant for display-referred colors, as W3C defines the filter.
+// Rows for red, green and blue, at full strength, for display-referred colors, as W3C defines the filter.
 const vec3 RED = vec3(0.393, 0.769, 0.189);
 const vec3 GREEN = vec3(0.349, 0.686, 0.168);
 const vec3 BLUE = vec3(0.272, 0.534, 0.131);

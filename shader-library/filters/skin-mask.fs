@@ -11,16 +11,16 @@
   ]
 }*/
 
-// Cb and Cr of BT.601 in the 8-bit code values that the rule is given in: 128 is no color.
+// Cb and Cr of BT.601 as 8-bit code values, the units of the rule: 128 is neutral.
 const vec3 CB_601 = vec3(-37.7965, -74.2035, 112.0);
 const vec3 CR_601 = vec3(112.0, -93.7860, -18.2140);
 const float NO_COLOR = 128.0;
 
-// Skin lies at Cb 77 to 127 and Cr 133 to 173.
+// The rule: Cb from 77 to 127 and Cr from 133 to 173 is skin.
 const vec2 SKIN_LOW = vec2(77.0, 133.0);
 const vec2 SKIN_HIGH = vec2(127.0, 173.0);
 
-// A hard edge; what lies just on it belongs to the skin.
+// A hard edge; values on it are skin.
 const float LEAST = 0.001;
 
 void main() {

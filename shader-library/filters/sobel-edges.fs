@@ -15,7 +15,7 @@
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// The Sobel kernels weigh one side of an edge with 1 + 2 + 1.
+// The sum of the weights of one side of a Sobel kernel: 1 + 2 + 1.
 const float FULL_EDGE = 4.0;
 
 // The layer at `uv`, premultiplied. Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
@@ -32,7 +32,7 @@ vec4 premultiplied(vec4 color) {
   return vec4(color.rgb * color.a, color.a);
 }
 
-// Luma, and alpha for how far the layer reaches.
+// Luma and alpha.
 vec2 tap(float x, float y) {
   vec4 color = readLayer(isf_FragNormCoord + vec2(x, y) / RENDERSIZE);
   return vec2(dot(color.rgb, LUMA_709), color.a);
@@ -53,7 +53,7 @@ void main() {
   float gradientY = topLeft.x + 2.0 * top.x + topRight.x - bottomLeft.x - 2.0 * bottom.x - bottomRight.x;
   float edge = clamp(strength * length(vec2(gradientX, gradientY)) / FULL_EDGE, 0.0, 1.0);
 
-  // The paper and the lines reach one pixel over the layer's own edge, where half of its outline is.
+  // Paper and lines extend one pixel beyond the edge of the layer, where half of the outline is.
   float reach = max(center.a, max(max(max(topLeft.y, topRight.y), max(bottomLeft.y, bottomRight.y)), max(max(top.y, bottom.y), max(left.y, right.y))));
   vec4 line = premultiplied(lineColor) * reach;
   vec4 paper = overPicture ? center : premultiplied(paperColor) * reach;

@@ -12,7 +12,7 @@
   ]
 }*/
 
-// The angle halves ten times from the center to the radius.
+// From the center to the radius the angle is halved ten times.
 const float HALVINGS = 10.0;
 
 void main() {

@@ -12,7 +12,7 @@
   ]
 }*/
 
-// A pixel of a copy covers as many pixels of the picture as there are copies; up to 8 in each direction are averaged:
+// A pixel of a copy covers as many pixels of the image as there are copies; up to 8 in each direction are averaged:
 // 64 samples at most.
 const int MAX_SAMPLES = 8;
 

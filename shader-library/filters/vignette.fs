@@ -13,7 +13,7 @@
   ]
 }*/
 
-// A step between two pixels, where no softness is asked for: dividing by it is safe.
+// The smallest softness: a hard edge, and safe to divide by.
 const float MIN_SOFTNESS = 0.0001;
 
 void main() {

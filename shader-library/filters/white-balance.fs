@@ -50,7 +50,7 @@ vec3 conesOfWhite(float kelvin) {
   return CONES_FROM_XYZ * vec3(xy.x / xy.y, 1.0, (1.0 - xy.x - xy.y) / xy.y);
 }
 
-// Between 0 and 1, from the balance on; slow at both ends.
+// A cosine between 0 and 1 that starts at the balance.
 float place() {
   if (swing <= 0.0) return balance;
   float begin = acos(clamp(1.0 - 2.0 * balance, -1.0, 1.0));

@@ -16,7 +16,7 @@
 void main() {
   float count = float(bars);
   float bar = min(floor(isf_FragNormCoord.x * count), count - 1.0);
-  // From the second of 1024 parts of the frequencies to the last, in equal ratios.
+  // A logarithmic scale from the second of 1024 frequency bins to the last.
   float from = pow(1024.0, bar / count);
   float to = max(pow(1024.0, (bar + 1.0) / count), from + 1.0);
   float loudest = 0.0;

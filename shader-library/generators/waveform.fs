@@ -19,7 +19,7 @@ float lineAt(float x) {
 void main() {
   vec2 uv = isf_FragNormCoord;
   float pixel = 1.0 / RENDERSIZE.x;
-  // Between the neighbors the line is drawn upright, so that it has no gaps where it is steep.
+  // The line covers the range between neighboring samples, so that it has no gaps where it is steep.
   float here = lineAt(uv.x);
   float left = 0.5 * (here + lineAt(uv.x - pixel));
   float right = 0.5 * (here + lineAt(uv.x + pixel));

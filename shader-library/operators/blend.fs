@@ -13,9 +13,9 @@
   ]
 }*/
 
-// The names are those of the specification, section 10: cs is the color of the source, cb that of the backdrop, both straight.
+// Names as in section 10 of the specification: cs is the color of the source, cb that of the backdrop, both with straight alpha.
 
-// Half a step of 8 bits: what a division by alpha leaves of a color that was full is still full.
+// Half an 8-bit step: a channel of 1 remains full after the rounding of a division by alpha.
 const float FULL = 1.0 - 0.5 / 255.0;
 
 float hardLight(float cb, float cs) {
@@ -82,7 +82,7 @@ vec3 setLum(vec3 c, float l) {
   return clipColor(c + (l - lum(c)));
 }
 
-// The specification sorts the channels; its result is the one line below.
+// The specification sorts the channels; the line below is equivalent.
 vec3 setSat(vec3 c, float s) {
   float range = sat(c);
   return range > 0.0 ? (c - lowest(c)) * s / range : vec3(0.0);
@@ -107,7 +107,7 @@ vec3 blended(vec3 cb, vec3 cs) {
 void main() {
   vec4 source = IMG_THIS_PIXEL(top);
   vec4 backdrop = IMG_THIS_PIXEL(bottom);
-  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 #ifndef SCRIM
   source.rgb *= source.a;
   backdrop.rgb *= backdrop.a;

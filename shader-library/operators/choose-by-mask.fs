@@ -21,7 +21,7 @@ void main() {
   vec4 within = IMG_THIS_PIXEL(inside);
   vec4 around = IMG_THIS_PIXEL(outside);
   vec4 stencil = IMG_THIS_PIXEL(mask);
-  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 #ifndef SCRIM
   within.rgb *= within.a;
   around.rgb *= around.a;

@@ -15,7 +15,7 @@
   ]
 }*/
 
-// Between pixels of a square the picture is smoothed anyway; the table is drawn from the top, and read from the bottom.
+// Within a square, texture filtering interpolates. The rows of the table start at the top; texture coordinates start at the bottom.
 vec3 square(float blue, vec2 redGreen, vec2 sizePx) {
   vec2 corner = vec2(mod(blue, columns), floor((blue + 0.5) / columns)) * size;
   vec2 px = corner + redGreen * (size - 1.0) + 0.5;

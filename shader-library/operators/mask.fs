@@ -18,7 +18,7 @@ const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 void main() {
   vec4 layer = IMG_THIS_PIXEL(inputImage);
   vec4 stencil = IMG_THIS_PIXEL(mask);
-  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 #ifndef SCRIM
   stencil.rgb *= stencil.a;
 #endif

@@ -25,36 +25,36 @@
 const int TILES_X = 16;
 const int TILES_Y = 9;
 const int TILES = 144;
-// Pixels along the side of a tile.
+// Side of a tile, pixels.
 const int SIDE = 20;
 
 const vec3 LUMA_709 = vec3(0.2126, 0.7152, 0.0722);
 
-// Rounding to 8 bits is noise of a 12th of a step squared, and the result will be rounded too.
+// Rounding to 8 bits adds a variance of 1/12 of a squared step, and the result is rounded again.
 const float ROUNDING = 1.0 / (12.0 * 255.0 * 255.0);
 
-// What is no steeper is no edge; nor is what noise alone may make: the steepest of 400 pixels is one and a half times the noise.
+// The minimum slope of an edge. Noise alone also has slopes: the steepest of 400 pixels is 1.5 times the noise.
 const float EDGE = 0.02;
 const float EDGE_OVER_NOISE = 2.5;
 
-// Standard deviations of the two derivatives of Gaussians that an edge is seen through, and how far they reach.
+// Standard deviations of the two derivatives of Gaussians for an edge, and the radius of their kernels.
 const float NEAR_SIGMA = 1.0;
 const float FAR_SIGMA = 2.0;
 const int SEEN_PX = 6;
 
-// The drawn layer is soft by the width of a pixel, as what a camera sees is.
+// The blur of the rendered layer itself: the width of a pixel, as in a camera image.
 const float PIXEL_VARIANCE = 1.0 / 12.0;
 
-// Of the blur, in pixels. Three standard deviations hold 99.7 % of the weight.
+// The largest kernel of the blur, in pixels. Three standard deviations contain 99.7 % of the weight.
 const float MAX_BLUR = 6.0;
 const float REACH = 3.0;
 const int MAX_REACH = 36;
 
-// Halvings of the range in which a rank is looked for.
+// Bisections of the range when searching a rank.
 const int HALVINGS = 12;
 const float MAX_NOISE = 0.5;
 
-// The period of random numbers, and their spread, as in filters/film-grain.fs.
+// The period of the random numbers and their standard deviation, as in filters/film-grain.fs.
 const float PERIOD = 289.0;
 const float SPREAD = 1.7320508;
 
@@ -66,13 +66,13 @@ float brightness(vec2 px) {
   return dot(cameraAt(px), LUMA_709);
 }
 
-// Middle of the first pixel of the tile that this pixel stands for.
+// The center of the first pixel of this pixel's tile.
 vec2 tileStart() {
   vec2 room = max(IMG_SIZE(drawn) - float(SIDE + 2), 0.0);
   return floor(room * floor(gl_FragCoord.xy) / vec2(float(TILES_X - 1), float(TILES_Y - 1))) + 1.5;
 }
 
-// The difference of two Laplacians leaves nothing of a slope and 36 times the variance of noise.
+// The difference of two Laplacians removes slopes and has 36 times the variance of the noise.
 vec3 noiseAt(vec2 px) {
   vec3 corners = cameraAt(px + vec2(-1.0, -1.0)) + cameraAt(px + vec2(1.0, -1.0)) + cameraAt(px + vec2(-1.0, 1.0)) + cameraAt(px + vec2(1.0, 1.0));
   vec3 sides = cameraAt(px + vec2(-1.0, 0.0)) + cameraAt(px + vec2(1.0, 0.0)) + cameraAt(px + vec2(0.0, -1.0)) + cameraAt(px + vec2(0.0, 1.0));
@@ -91,7 +91,7 @@ vec4 measureNoise() {
   return vec4(sqrt(sum / (36.0 * float(SIDE * SIDE))), 1.0);
 }
 
-// Sobel's, per pixel: noise counts less than half.
+// The Sobel gradient per pixel; it reduces noise by more than half.
 vec2 slopeAt(vec2 px) {
   float a = brightness(px + vec2(1.0, 1.0)) - brightness(px - vec2(1.0, 1.0));
   float b = brightness(px + vec2(1.0, -1.0)) - brightness(px - vec2(1.0, -1.0));
@@ -100,7 +100,7 @@ vec2 slopeAt(vec2 px) {
   return vec2(a + b + 2.0 * across, a - b + 2.0 * up) / 8.0;
 }
 
-// Logarithms of the rise along a direction, through the narrow and the wide Gaussian.
+// Logarithms of the slope along a direction, after the narrow and the wide Gaussian.
 vec2 risesAt(vec2 px, vec2 along) {
   vec2 rises = vec2(0.0);
   vec2 center = floor(px) + 0.5;
@@ -116,9 +116,9 @@ vec2 risesAt(vec2 px, vec2 along) {
   return log(max(rises, 1e-6));
 }
 
-// Blur of the edge here. Seen through a Gaussian of s, one that is blurred by b rises as 1 over the square root of b squared + s
-// squared: how much more it does so through the narrower one says b. The logarithm of the rise is a parabola across the edge, so
-// that three places say how high it is where it is highest, between pixels too.
+// The blur of the edge here. After a Gaussian of s, an edge that is blurred by b has a slope proportional to 1 / sqrt(b * b + s * s),
+// so the ratio of the slopes after both Gaussians gives b. The logarithm of the slope is a parabola across the edge, so
+// three samples give its maximum, also between pixels.
 float blurAt(vec2 px, vec2 along) {
   vec2 before = risesAt(px - along, along);
   vec2 here = risesAt(px, along);
@@ -154,7 +154,7 @@ vec2 tileUv(int i) {
   return (tile + 0.5) / vec2(float(TILES_X), float(TILES_Y));
 }
 
-// Places with little in them show the noise alone. Those no noisier than one and a quarter of the quietest fifth count.
+// Places without detail contain only noise. Places with at most 1.25 times the noise of the quietest fifth count.
 vec3 noiseOfAll() {
   vec3 low = vec3(0.0);
   vec3 high = vec3(MAX_NOISE);
@@ -177,7 +177,7 @@ vec3 noiseOfAll() {
   return sqrt(sum / max(count, 1.0));
 }
 
-// The middle one of the edges. None is no blur.
+// The median of the edges; without edges there is no blur.
 float blurOfAll(float noise) {
   float least = max(EDGE, EDGE_OVER_NOISE * noise);
   float edgeCount = 0.0;
@@ -205,7 +205,7 @@ vec4 measureAll() {
   return before.a == 0.0 ? now : mix(before, now, follow);
 }
 
-// Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+// Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 vec4 tap(vec2 uv) {
   if (PASSINDEX == 4) return IMG_NORM_PIXEL(across, uv);
   vec4 color = IMG_NORM_PIXEL(drawn, uv);
@@ -230,22 +230,22 @@ vec4 blurred(vec2 stepUv) {
   return sum / total;
 }
 
-// A whole number modulo PERIOD. The added half keeps a rounded quotient from falling just below the exact one.
+// An integer modulo PERIOD. Adding one half compensates for rounding of the quotient.
 float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }
 
-// A permutation of the whole numbers below PERIOD, the base of the noise (McEwan et al., “Efficient computational noise in GLSL”).
+// A permutation of the integers below PERIOD, for noise (McEwan et al., “Efficient computational noise in GLSL”).
 float permute(float x) {
   return wrap((34.0 * x + 1.0) * x);
 }
 
-// A whole number below PERIOD that looks random, for a cell of a grid in a frame.
+// A pseudorandom integer below PERIOD for a cell of a grid in a frame.
 float seedOf(vec2 cell, float frame) {
   return permute(wrap(permute(wrap(permute(wrap(cell.x)) + cell.y)) + wrap(frame)));
 }
 
-// Close to a normal distribution with standard deviation 1: two numbers from each of two seeds.
+// Approximately a normal distribution with standard deviation 1: two numbers from each of two seeds.
 float grainAt(vec2 cell, float channel, float frame) {
   vec2 seeds = vec2(seedOf(cell, frame), seedOf(cell.yx + 11.0, frame));
   float sum = 0.0;

@@ -16,7 +16,7 @@
 void main() {
   vec4 source = IMG_THIS_PIXEL(top);
   vec4 backdrop = IMG_THIS_PIXEL(bottom);
-  // Scrim hands colors over multiplied with their alpha (SCRIM_ALPHA), other hosts do not.
+  // Scrim passes premultiplied colors (SCRIM_ALPHA); other hosts pass straight alpha.
 #ifndef SCRIM
   source.rgb *= source.a;
   backdrop.rgb *= backdrop.a;

@@ -16,14 +16,14 @@
 #include <noise/value-3d>
 #include <bump/perturb-normal>
 
-// Where on the wall a point lies, in meters, in its row: x along the row, y up.
+// The position of a point within its row of the wall, in meters: x along the row, y up.
 vec2 inBrick(const in vec2 wall) {
   float row = floor(wall.y / brickM.y);
   float shift = mod(row, 2.0) * 0.5 * brickM.x;
   return vec2(wall.x + shift, wall.y) - vec2(floor((wall.x + shift) / brickM.x), row) * brickM;
 }
 
-// 1 on a brick, 0 in the mortar, rising over `edgeM` at its border.
+// 1 on a brick, 0 in the mortar, with a transition over `edgeM` at its border.
 float onBrick(const in vec2 wall, const in float edgeM) {
   vec2 at = inBrick(wall);
   vec2 toBorder = min(at, brickM - at) - 0.5 * mortarM;
@@ -32,7 +32,7 @@ float onBrick(const in vec2 wall, const in float edgeM) {
 }
 
 vec4 surface(const in Surface s) {
-  // The wall is the side of a box about the object that the surface faces most.
+  // The wall is the side of the bounding box that the surface faces most.
   vec3 faces = abs(s.restNormal);
   bool isTop = faces.y > max(faces.x, faces.z);
   bool isEnd = !isTop && faces.x > faces.z;
@@ -42,7 +42,7 @@ vec4 surface(const in Surface s) {
   float pixelM = max(length(fwidth(s.rest)), 0.000001);
 
   float brick = onBrick(wall, pixelM);
-  // From afar neither joints nor roughness can be told apart, and what is left is their mean.
+  // From far away, joints and roughness are below a pixel, and their mean remains.
   float near = clamp(0.5 * mortarM / pixelM, 0.0, 1.0);
   vec2 id = vec2(floor((wall.x + mod(floor(wall.y / brickM.y), 2.0) * 0.5 * brickM.x) / brickM.x), floor(wall.y / brickM.y));
   vec3 random = hash3d(vec3(id, isTop ? 11.0 : isEnd ? 7.0 : 3.0));
@@ -62,7 +62,7 @@ vec4 surface(const in Surface s) {
     onBrick(wall + vec2(0.0, apartM), roundM) - onBrick(wall - vec2(0.0, apartM), roundM)) * (heightM / (2.0 * apartM));
   vec3 rough = (valueNoise3d(s.rest * (9.0 / brickM.y)) - 0.5) * (0.7 * variation * bump);
   vec3 normal = perturbNormal(s, near * (along * slope.x + up * slope.y + rough));
-  // Joints lie deeper, where less light gets.
+  // Joints are deeper and get less light.
   float sunk = mix(1.0 - 0.4 * bump, 1.0, brick);
   return vec4(color * diffuseLight(normal) * sunk, s.color.a);
 }

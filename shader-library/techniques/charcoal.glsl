@@ -20,13 +20,13 @@
 
 void vertex(inout Vertex v) {
   if (PASSINDEX != 1) return;
-  // An uneven hand: between half and all of the width.
+  // An uneven line: between half and the full width.
   float pressed = 0.5 + 0.5 * valueNoise3d(v.rest * (0.04 / max(PIXEL_M(v.position), 0.000001))).x;
   v.position += v.outward * (pressed * linePx * PIXEL_M(v.position));
 }
 
-// How high the paper stands at a point, from 0 to 1: noise of two sizes on the object, of which the one that is near
-// the wanted size on screen is seen, so that it neither swims nor grows.
+// The height of the paper at a point, from 0 to 1: a blend of two noises on the object whose sizes are nearest to
+// the given size on screen, so that the grain keeps its place and its size.
 float paperAt(const in Surface s) {
   float octave = -log2(max(PIXEL_M(s.position) * grainPx, 0.000001));
   float whole = floor(octave);
@@ -35,7 +35,7 @@ float paperAt(const in Surface s) {
   vec3 b = valueNoise3d(s.rest * (fine * 2.0));
   float between = octave - whole;
   float mixed = mix(0.65 * a.x + 0.35 * b.y, 0.65 * b.y + 0.35 * a.z, between);
-  // Noise gathers around its middle; the tooth of paper does not.
+  // Noise values are concentrated around their mean; the heights of paper are not, so increase the contrast.
   return clamp((mixed - 0.5) * 2.0 + 0.5, 0.0, 1.0);
 }
 
@@ -49,14 +49,14 @@ vec4 surface(const in Surface s) {
   }
   float own = pow(dot(s.color.rgb, vec3(0.2126, 0.7152, 0.0722)), 0.45);
   float tone = pow(lightReceived(s), 0.5) * mix(1.0, own, ownTone);
-  // A finger leaves broad uneven strokes, longer than they are wide.
+  // Smudging leaves broad uneven strokes, longer than they are wide.
   vec3 strokes = s.rest * (0.012 / max(PIXEL_M(s.position), 0.000001)) * vec3(1.0, 3.0, 1.0);
   float rubbed = (valueNoise3d(strokes + s.rest.yzx * 3.0).x - 0.5) * 0.5 * smudge;
-  // Edges that turn away are drawn darker, as a hand does to set them off.
+  // Edges that face away from the view are darker, as in hand drawings.
   float edge = 1.0 - smoothstep(0.0, 0.45, dot(s.normal, s.towardsEye));
   float dark = 1.0 - tone + rubbed + 0.35 * edge + (darkness - 0.5);
   dark = clamp((dark - 0.5) * contrast + 0.5, 0.0, 1.0);
-  // Charcoal takes to the heights of the paper first; what is rubbed in fills its valleys with a soft tone.
+  // Charcoal covers the heights of the paper first; smudging fills its valleys with a soft tone.
   float deposited = smoothstep(1.0 - dark - soft, 1.0 - dark + soft, mix(0.5, paper, grain)) * smoothstep(0.0, 0.2, dark);
   float smeared = smudge * dark * (1.0 + rubbed);
   float covered = clamp(mix(deposited * dark, 1.0, smeared), 0.0, 1.0) * smoothstep(0.0, 0.1, dark);

@@ -11,12 +11,12 @@
 }*/
 #include <light/diffuse>
 
-// Moves the object's points. Leave it out if nothing moves.
+// Moves the vertices of the object. Optional.
 void vertex(inout Vertex v) {
   v.position += v.normal * (wave * sin(TIME * 2.0 + v.rest.y * 20.0));
 }
 
-// Gives the color of a point that is seen: red, green and blue in linear light, and opacity.
+// Returns the color of a visible point: red, green and blue in linear light, and opacity.
 vec4 surface(const in Surface s) {
   vec3 color = s.color.rgb * diffuseLight(s.normal);
   vec4 layer = IMG_THIS_PIXEL(picture);

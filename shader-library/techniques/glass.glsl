@@ -19,13 +19,13 @@
 #include <light/diffuse>
 #include <light/fresnel>
 
-// Where the way through the glass ends, and where to.
+// The point where the ray leaves the glass, and its direction.
 struct Way { vec3 end; vec3 direction; float lengthM; };
 
 Way wayThrough(const in Surface s, const in float index) {
   vec3 inside = refract(-s.towardsEye, s.normal, 1.0 / index);
   float down = max(dot(-s.normal, inside), 0.0);
-  // Through a pane the way is the longer the flatter it is, and it goes on as it came.
+  // In a pane, the path is longer at grazing angles, and the direction does not change.
   if (shape == 1) {
     float through = thicknessM / max(down, 0.05);
     return Way(s.position + inside * through, -s.towardsEye, through);
@@ -36,17 +36,17 @@ Way wayThrough(const in Surface s, const in float index) {
   return Way(end, refract(inside, -outside, index), chord);
 }
 
-// Beyond the edge of the picture its mirror image is better than its last pixel.
+// Beyond the edge of the image, mirror it: this looks better than repeating the last pixel.
 vec4 layerAt(const in vec2 uv) {
   return IMG_NORM_PIXEL(behind, 1.0 - abs(1.0 - mod(uv, 2.0)));
 }
 
 vec4 seenBehind(const in Way way) {
   float depth = VIEW_DEPTH(way.end);
-  // What turns away from the view goes on to its edge.
+  // Rays that turn away from the view continue to its edge.
   float perMeter = max(VIEW_DEPTH(way.end + way.direction) - depth, 0.05);
   vec2 uv = VIEW_UV(way.end + way.direction * (max(behindM - depth, 0.0) / perMeter));
-  // Where the glass makes what is behind it small, one pixel sees many of the layer's.
+  // Where the glass minifies the background, one pixel covers many pixels of the layer.
   vec2 apartX = clamp(0.25 * dFdx(uv), -0.02, 0.02);
   vec2 apartY = clamp(0.25 * dFdy(uv), -0.02, 0.02);
   return 0.25 * (layerAt(uv + apartX + apartY) + layerAt(uv + apartX - apartY) + layerAt(uv - apartX + apartY) + layerAt(uv - apartX - apartY));
@@ -64,19 +64,19 @@ vec4 surface(const in Surface s) {
   vec3 passed = pow(max(tint.rgb, 0.001), vec3(thicknessM > 0.0 ? way.lengthM / thicknessM : 0.0)) * (1.0 - reflected);
 
   vec3 mirrored = reflect(-s.towardsEye, s.normal);
-  // A bright ceiling over a darker floor: nobody knows what is before the glass.
+  // An assumed environment: a bright ceiling over a darker floor.
   vec3 around = AMBIENT * mirror * mix(0.25, 1.0, smoothstep(-0.3, 0.6, mirrored.y));
   vec3 lights = vec3(0.0);
   for (int i = 0; i < LIGHT_COUNT; i++) {
     Light light = LIGHT(i);
-    // As small as a lamp is in a room, with a halo.
+    // A highlight of the size of a lamp in a room, with a halo.
     float towards = max(dot(mirrored, light.towards), 0.0);
     lights += light.radiance * light.lit * (pow(towards, 900.0) + 0.05 * pow(towards, 60.0));
   }
   vec3 milk = haze * diffuseLight(s.normal);
   float clear = (1.0 - seen.a) * dot(passed, vec3(0.2126, 0.7152, 0.0722)) * (1.0 - haze);
   vec3 color = passed * (1.0 - haze) * seen.rgb * seen.a + reflected * around + max(reflected, 0.04) * shine * 4.0 * lights + milk;
-  // Light that is added covers nothing, but a layer can only hold as much of it as it covers.
+  // Added light needs no alpha, but a premultiplied layer can contain only as much light as its alpha.
   float alpha = clamp(max(1.0 - clear, max(color.r, max(color.g, color.b))), 0.0, 1.0);
   return vec4(color / max(alpha, 0.001), alpha);
 }

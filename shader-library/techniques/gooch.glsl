@@ -22,13 +22,13 @@ void vertex(inout Vertex v) {
 
 vec4 surface(const in Surface s) {
   if (PASSINDEX == 1) {
-    // Without a width the hull would fight with the object that it lies on.
+    // Without a width, the hull and the object would z-fight.
     if (linePx <= 0.0) discard;
     return vec4(lineColor.rgb, lineColor.a * s.color.a);
   }
   Light light = strongestLight(s);
   float facing = dot(s.normal, light.towards);
-  // In shadow, and beside the cone of a spot, a surface is no warmer than one that the light just grazes.
+  // In shadow, and outside the cone of a spot light, a surface is as warm as at a grazing angle.
   float lit = lightStrength(light) > 0.0 ? light.lit : 0.0;
   float reached = facing > 0.0 ? facing * lit : facing;
   vec3 cool = coolColor.rgb + coolShare * s.color.rgb;

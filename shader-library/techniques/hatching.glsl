@@ -22,7 +22,7 @@ void vertex(inout Vertex v) {
   if (PASSINDEX == 1) v.position += v.outward * (linePx * PIXEL_M(v.position));
 }
 
-// Ink of the tonal art map at a place, for a darkness from 0, white, to 6: the two nearest tones are blended, weights adding up to 1.
+// The ink of the tonal art map at a point, for a darkness from 0 (white) to 6: a blend of the two nearest tones.
 float inkAt(const in vec2 place, const in float darkness) {
   vec3 light = 1.0 - texture(lightTones, place).rgb;
   vec3 dark = 1.0 - texture(darkTones, place).rgb;
@@ -38,7 +38,7 @@ vec4 surface(const in Surface s) {
     return vec4(ink, inkColor.a * s.color.a);
   }
   float own = dot(s.color.rgb, vec3(0.2126, 0.7152, 0.0722));
-  // Strokes are counted in what the eye sees, light in what there is.
+  // Tones are perceptual, light is linear.
   float tone = pow(lightReceived(s), 0.6) * mix(1.0, pow(own, 0.45), ownTone);
   float darkness = clamp(6.0 * (1.0 - tone - brightness), 0.0, 6.0);
 

@@ -18,12 +18,12 @@
 #include <light/received>
 #include <noise/value-3d>
 
-// Of a drawn stroke two hulls are there: the inner one takes what lies within the stroke away from the outer one.
+// Each stroke has two hulls: the inner one masks the inside of the outer one.
 int strokeOf(const in int pass) {
   return (pass - 1) / 2;
 }
 
-// A point of the noise that no other stroke and no other moment has.
+// A point of the noise that is unique to a stroke and a redraw.
 vec3 momentOf(const in int stroke) {
   float drawing = floor(TIME * rate + 0.0001) + seed * 61.0;
   return hash3d(vec3(float(stroke), drawing, 5.0)) * 512.0;
@@ -45,9 +45,9 @@ vec4 surface(const in Surface s) {
     vec3 wash = mix(vec3(1.0), s.color.rgb, ownColor) * washColor.rgb * mix(1.0 - shade, 1.0, light);
     return vec4(wash, washColor.a * s.color.a);
   }
-  // Nothing to be seen, but in the way of what is farther.
+  // Invisible, but it writes depth.
   if (PASSINDEX % 2 == 1) return vec4(0.0);
-  // The hand presses and lets go.
+  // The pressure of the pen varies.
   float pressed = valueNoise3d(s.rest / (0.7 * waveM) + momentOf(strokeOf(PASSINDEX)).yzx).x;
   float strength = smoothstep(0.12, 0.5, pressed) * (1.0 - 0.2 * float(strokeOf(PASSINDEX)));
   return vec4(inkColor.rgb, inkColor.a * s.color.a * strength);

@@ -27,13 +27,13 @@ vec3 stepColor(const in float level) {
 
 vec4 surface(const in Surface s) {
   if (PASSINDEX == 1) {
-    // Without a width the hull would fight with the object that it lies on.
+    // Without a width, the hull and the object would z-fight.
     if (outlinePx <= 0.0) discard;
     return vec4(outlineColor.rgb, outlineColor.a * s.color.a);
   }
   float steps = lightReceived(s) * float(levels);
   float last = float(levels - 1);
-  // Over the pixel in which a step lies it goes up smoothly.
+  // Antialiasing: a step rises over the width of a pixel.
   float border = floor(steps + 0.5);
   float up = clamp((steps - border) / max(length(vec2(dFdx(steps), dFdy(steps))), 0.0001) + 0.5, 0.0, 1.0);
   vec3 light = mix(stepColor(clamp(border - 1.0, 0.0, last)), stepColor(clamp(border, 0.0, last)), up);

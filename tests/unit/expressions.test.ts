@@ -170,8 +170,8 @@ function playedAsSize(text: string): number {
 }
 
 test('postfix that no compiler prints is a fault', () => {
-  expect(() => playExpression('1 +')).toThrow('lacks a number');
-  expect(() => playExpression('1 constructor')).toThrow('no word');
+  expect(() => playExpression('1 +')).toThrow('too few operands');
+  expect(() => playExpression('1 constructor')).toThrow('not a word');
 });
 
 test('several results stand in the order of the list', () => {

@@ -4,7 +4,7 @@ import type { NodeRuntime } from '../../kit/runtime.ts';
 
 interface Config {
   readonly postfix: string;
-  /** In the place of results that are not finite, such as 0 / 0, once limits are kept: what the param has by itself. */
+  /** Values of the param without its binding, within its limits; they replace results that are not finite, such as 0 / 0. */
   readonly otherwise: readonly number[];
 }
 

@@ -6,16 +6,16 @@ import { type Repeat, timeInTrack } from '../../kit/track-time.ts';
 interface Config {
   /** Seconds since the session began, ascending. */
   readonly times: readonly number[];
-  /** All numbers of the first key, then those of the second. */
+  /** The numbers of each keyframe, one keyframe after the other. */
   readonly values: readonly number[];
-  /** One word per key, for the way to the next one: a name, or handles parted by commas. */
+  /** The easing of each keyframe: a name, or control points separated by commas. */
   readonly easings: string;
-  /** Where easings overshoot: lowest and highest of each number. */
+  /** Present if an easing overshoots: minimum and maximum of each number. */
   readonly limits?: readonly number[];
   readonly repeat: Repeat;
 }
 
-/** Before its first key and after its last, a track stays at what these say. */
+/** Before the first keyframe and after the last, a track keeps the value of that keyframe. */
 export function create({ outputs, config: made, clock }: BindingContext): NodeRuntime {
   const config = made as unknown as Config;
   const bound = outputs.value as BoundValue;
@@ -38,7 +38,7 @@ export function create({ outputs, config: made, clock }: BindingContext): NodeRu
       for (let i = 0; i < size; i++) {
         const from = values[key * size + i] ?? 0;
         const to = values[next * size + i] ?? 0;
-        // Exact at both ends, so that a track rests at what its keys say.
+        // Exact at both ends, so that the value at a keyframe is that of the keyframe.
         now[i] = progress === 1 ? to : from + (to - from) * progress;
         if (limits) now[i] = Math.min(Math.max(now[i] ?? 0, limits[2 * i] ?? 0), limits[2 * i + 1] ?? 0);
       }
@@ -52,7 +52,7 @@ function readEasing(word: string): Easing {
   return word.includes(',') ? (word.split(',').map(Number) as unknown as Handles) : (word as Easing);
 }
 
-/** The last key at or before a time; the first where there is none. By halves, because a track may have thousands. */
+/** The last keyframe at or before a time, or the first. A binary search, because a track can have thousands of keyframes. */
 function keyBefore(times: Float64Array, timeS: number): number {
   let low = 0;
   let high = times.length - 1;

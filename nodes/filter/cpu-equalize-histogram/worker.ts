@@ -1,14 +1,14 @@
 import type { CpuParams, Pixels } from '../../kit/cpu-filter.ts';
 import type { definition } from './definition.ts';
 
-/** How many pixels have each of the 256 values, and then what each value becomes. One worker runs one picture at a time. */
+/** The histogram of the 256 values, and then the new value of each. Shared by all calls: a worker processes one image at a time. */
 const scratchCounts = new Uint32Array(256);
 const scratchTable = new Uint8Array(256);
 
 /**
- * Histogram equalization as OpenCV's `equalizeHist` does it: a value becomes the part of the pixels that are no brighter, of
- * those above the darkest, which becomes 0 (Gonzalez and Woods, "Digital Image Processing", §3.3). Brightness is the Y of
- * YCbCr (BT.601), so that adding what it changed to red, green and blue alike keeps Cb and Cr.
+ * Histogram equalization as OpenCV's `equalizeHist`: the new value of a pixel is the fraction of pixels that are at most as bright,
+ * without those of the darkest value, which becomes 0 (Gonzalez and Woods, "Digital Image Processing", §3.3). Brightness is the Y of
+ * YCbCr (BT.601); adding its change to red, green and blue keeps Cb and Cr.
  */
 export function process({ data }: Pixels, { amount, spread }: CpuParams<typeof definition>): void {
   if (spread === 0) {
@@ -34,7 +34,7 @@ export function process({ data }: Pixels, { amount, spread }: CpuParams<typeof d
   }
 }
 
-/** Fills the table from the values of all pixels that are not transparent. */
+/** Computes the table from the pixels that are not transparent. */
 function equalize(data: Uint8Array, valueAt: (data: Uint8Array, i: number) => number): void {
   scratchCounts.fill(0);
   let total = 0;
@@ -49,12 +49,12 @@ function equalize(data: Uint8Array, valueAt: (data: Uint8Array, i: number) => nu
   let sum = 0;
   for (let value = 0; value < 256; value++) {
     if (value > darkest) sum += scratchCounts[value] ?? 0;
-    // One value alone has nothing to be spread over.
+    // An image with a single value does not change.
     scratchTable[value] = above === 0 ? value : Math.round((sum * 255) / above);
   }
 }
 
-/** BT.601, of straight color. */
+/** Luma (BT.601) of a color with straight alpha. */
 function luma(data: Uint8Array, i: number): number {
   const alpha = data[i + 3] ?? 0;
   return Math.round(0.299 * straight(data, i, alpha) + 0.587 * straight(data, i + 1, alpha) + 0.114 * straight(data, i + 2, alpha));
@@ -65,7 +65,7 @@ function straight(data: Uint8Array, i: number, alpha: number): number {
   return alpha === 255 || alpha === 0 ? value : Math.min((value * 255) / alpha, 255);
 }
 
-/** Clamped before it is premultiplied again. */
+/** Clamps a channel and multiplies it with alpha again. */
 function write(data: Uint8Array, i: number, value: number, alpha: number): void {
   data[i] = Math.round((Math.min(Math.max(value, 0), 255) * alpha) / 255);
 }

@@ -1,10 +1,10 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** A count rather than an event crosses over to the node, so that no press between two frames is lost. */
+/** The param is a count, not an event, so that no press between two frames is lost. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { presses } = ctx.params;
-  /** Null before the first frame: what was pressed before the picture came means nothing. */
+  /** Null before the first frame: earlier presses do not count. */
   let seen: number | null = null;
   let pressed = 0;
   return {

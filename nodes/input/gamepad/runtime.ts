@@ -2,7 +2,7 @@ import type { NodeContext, NodeRuntime, PulseOutput } from '../../kit/runtime.ts
 import type { Controller } from '../../kit/session.ts';
 import type { definition } from './definition.ts';
 
-/** The two differ, so that a finger that rests in the middle does not pull repeatedly. */
+/** Two thresholds (hysteresis), so that a finger that rests in the middle does not trigger repeatedly. */
 const PULLED = 0.5;
 const LET_GO = 0.4;
 
@@ -15,7 +15,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
   const push = ({ stick }: Controller): number => Math.hypot(stick[0] ?? 0, stick[1] ?? 0);
 
-  /** Pushed as far as it goes it is 1, and it begins at 0 where the dead zone ends. */
+  /** Rescales the stick so that it is 0 at the edge of the dead zone and 1 at the end. */
   function writeStick(controller: Controller): void {
     const pushed = push(controller);
     const dead = Math.min(Math.max(ctx.params.deadZone.value, 0), 0.99);

@@ -18,7 +18,7 @@
 // A tenth of a millimeter: a hard edge.
 const float LEAST_M = 0.0001;
 
-// Meters along the view's axis to what is seen: the nearer of the two, where both are known; 0 where none is.
+// The smaller of layer depth and room depth, meters along the view axis; the known one if the other is unknown; 0 if both are.
 float seenM() {
   float layerM = LAYER_DEPTH(layer, isf_FragNormCoord);
   float roomM = ROOM_DEPTH(depth, isf_FragNormCoord);

@@ -15,8 +15,8 @@
   ]
 }*/
 
-// How much shows of something at layerM meters, before or behind a room that is roomM meters away; both along the view's
-// axis, 0 where unknown. What is unknown hides nothing. Materials that discard early use the same formula: scenes/materials.
+// The visible fraction of a layer at layerM meters with real surfaces at roomM meters, both along the view
+// axis, 0 where unknown. Unknown depth hides nothing. Materials that discard early use the same formula: scenes/materials.
 float visibility(float layerM, float roomM) {
   if (layerM <= 0.0 || roomM <= 0.0) return 1.0;
   float behindM = layerM - roomM - biasM;
@@ -25,10 +25,10 @@ float visibility(float layerM, float roomM) {
 }
 
 const int PLACES = 16;
-// Of a golden-angle spiral, which spreads places evenly over a disc (Vogel 1979), radians.
+// The golden angle, radians: a spiral with it distributes samples evenly over a disk (Vogel 1979).
 const float GOLDEN_ANGLE = 2.399963;
 
-// The same at the border: the share of the places in a disc around it that would show.
+// The visible fraction with a soft edge: the mean over samples in a disk.
 float shownAt(vec2 here) {
   float layerM = LAYER_DEPTH(layer, here);
   if (borderPx <= 0.0) return visibility(layerM, ROOM_DEPTH(depth, here));
@@ -42,7 +42,7 @@ float shownAt(vec2 here) {
 }
 
 void main() {
-  // The middle of the pixel, to the last bit: materials that discard early find the same.
+  // The exact center of the pixel, so that materials that discard early get the same result.
   vec2 here = (floor(isf_FragNormCoord * RENDERSIZE) + 0.5) / RENDERSIZE;
   gl_FragColor = IMG_THIS_PIXEL(layer) * shownAt(here);
 }

@@ -16,22 +16,22 @@
 
 const vec3 INK = vec3(1.0);
 const vec3 PAPER = vec3(0.08);
-// The scale, in parts of the view's height: its left edge, its width, its foot and its top.
+// The scale, as fractions of the view height: left edge, width, bottom and top.
 const float LEFT = 0.05;
 const float WIDE = 0.03;
 const float FOOT = 0.2;
 const float TOP = 0.8;
 const float STEPS = 5.0;
-// Of a digit that is 3 by 5, in parts of the view's height.
+// The size of a dot of a digit (3 by 5 dots), as a fraction of the view height.
 const float DOT = 0.006;
 
-// From 0, red, by yellow, green and cyan to 1, blue: equal parts of the hue circle.
+// The color of a value from 0 (red) over yellow, green and cyan to 1 (blue), with a linear hue.
 vec3 colorOf(float part) {
   float hue = clamp(part, 0.0, 1.0) * 4.0;
   return clamp(vec3(2.0 - hue, min(hue, 4.0 - hue), hue - 2.0), 0.0, 1.0);
 }
 
-// Rows of three dots from the top, as binary digits.
+// The glyphs: rows of three dots from the top, as bits.
 float glyphOf(float digit) {
   if (digit < 1.0) return 31599.0;
   if (digit < 2.0) return 11415.0;
@@ -45,7 +45,7 @@ float glyphOf(float digit) {
   return 31695.0;
 }
 
-// Whether a place, in dots from the foot of the first digit, is on the text "12.3 m".
+// Whether a point, in dots from the bottom left of the first digit, is part of the text "12.3 m".
 bool isText(vec2 at, float meters) {
   vec2 cell = floor(at / vec2(4.0, 5.0));
   vec2 place = floor(at - cell * vec2(4.0, 5.0));
@@ -61,7 +61,7 @@ bool isText(vec2 at, float meters) {
   return mod(floor(glyph / exp2(bit)), 2.0) > 0.5;
 }
 
-// The scale over a color: a bar with meters beside it, on dark paper.
+// Draws the scale over a color: a bar with labels in meters, on a dark background.
 vec3 withLegend(vec3 color, vec2 at) {
   vec2 onBar = vec2((at.x - LEFT) / WIDE, (at.y - FOOT) / (TOP - FOOT));
   if (all(greaterThanEqual(onBar, vec2(0.0))) && all(lessThanEqual(onBar, vec2(1.0)))) return colorOf(onBar.y);
@@ -75,7 +75,7 @@ vec3 withLegend(vec3 color, vec2 at) {
 }
 
 void main() {
-  // In parts of the view's height, so that digits are upright.
+  // Both coordinates as fractions of the view height, so that digits keep their aspect ratio.
   vec2 at = isf_FragNormCoord * vec2(RENDERSIZE.x / RENDERSIZE.y, 1.0);
   float m = ROOM_DEPTH(depth, isf_FragNormCoord);
   bool isStripe = fract((at.x + at.y) * 24.0) < 0.5;

@@ -4,10 +4,10 @@ import type { DirectionalLightItem } from '../../kit/scene-lists.ts';
 import { createSunShadow } from '../../kit/sun-shadow.ts';
 import type { definition } from './definition.ts';
 
-/** A matt surface sends back 1/π of the light that meets it: this much light makes a white one white. */
+/** A matte surface reflects 1/π of the irradiance, so this irradiance renders a white one as white. */
 const WHITE_ON_WHITE = Math.PI;
 
-// Read by the call that fills it, before anything else can.
+// Filled and read within one call.
 const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -4,7 +4,7 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { PointLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
-// Read by the call that fills it, before anything else can.
+// Filled and read within one call.
 const scratchColor = new Color();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {

@@ -4,7 +4,7 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { SpotLightItem } from '../../kit/scene-lists.ts';
 import type { definition } from './definition.ts';
 
-// Read by the call that fills them, before anything else can.
+// Filled and read within one call.
 const scratchColor = new Color();
 const scratchTowards = new Vector3();
 const scratchTarget = new Vector3();
@@ -31,7 +31,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       scratchColor.fromArray(color.value).convertSRGBToLinear().multiplyScalar(intensityCd.value).toArray(light.intensityCd);
       light.positionWorld.set(positionM.value);
       scratchTowards.fromArray(positionM.value).sub(scratchTarget.fromArray(targetM.value));
-      // Aimed at itself, it shines down.
+      // A light that is aimed at its own position shines down.
       if (scratchTowards.lengthSq() < 1e-12) scratchTowards.set(0, 1, 0);
       scratchTowards.normalize().toArray(light.towardsLightWorld);
       light.halfAngleRad = angleRad.value / 2;

@@ -12,7 +12,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   let listed = -1;
   const derived = deriveObjects(output, () => {});
 
-  /** What the objects were drawn with before counts where this is not for their material. */
+  /** Earlier techniques remain, because they apply to materials that this one does not match. */
   function applyToAll(): void {
     if (applied) for (const item of output.items) item.techniques = [...(item.techniques ?? []), applied];
   }
@@ -23,7 +23,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (output.version !== listed) {
         applyToAll();
       } else if (technique?.version !== version) {
-        // The same objects, in another look.
+        // The same items with another technique: readers must rebuild their proxies.
         output.version++;
       }
       version = technique?.version;

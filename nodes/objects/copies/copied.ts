@@ -4,14 +4,14 @@ import type { ObjectItem } from '../../kit/scene-lists.ts';
 /** The copies of one object. */
 export interface Copied {
   readonly source: ObjectItem;
-  /** For the list: one that draws all copies at once, or one per copy. */
+  /** The items of the output list: one that draws all copies as instances, or one per copy. */
   readonly items: readonly ObjectItem[];
-  /** Takes over this frame's pose, flags and places, of which there are as many as there were. */
+  /** Updates pose, flags and transforms; the number of transforms does not change. */
   update(places: readonly Matrix4[]): void;
   dispose(): void;
 }
 
-// Read by the call that fills it, before anything else can.
+// Filled and read within one call.
 const scratchMatrix = new Matrix4();
 
 export function createCopied(source: ObjectItem, key: string, count: number): Copied {
@@ -19,8 +19,8 @@ export function createCopied(source: ObjectItem, key: string, count: number): Co
 }
 
 /**
- * Whether all that the subtree draws can be instances: meshes whose vertices do not move by themselves, and which need no sorting by
- * distance, because nothing is seen through them.
+ * Whether the subtree can be drawn as instances: only meshes without skinning and morphing, and without transparency, which needs
+ * sorting by distance.
  */
 export function canBeInstances(root: Object3D): boolean {
   if ('isLine' in root || 'isPoints' in root || 'isInstancedMesh' in root) return false;
@@ -79,7 +79,7 @@ function createInstances(source: ObjectItem, key: string, count: number): Copied
   };
 }
 
-/** Whether anything changed; in 32 bits, as it is kept. */
+/** Whether a matrix changed, compared as 32-bit floats, as it is stored. */
 function setInstance(into: { [index: number]: number }, index: number, { elements }: Matrix4): boolean {
   let changed = false;
   for (let c = 0; c < 16; c++) {

@@ -11,13 +11,13 @@ export interface Arrangement {
   readonly seed: number;
 }
 
-/** Between neighbors on a spiral, so that any number of places covers a disc evenly (Vogel 1979). */
+/** The golden angle: the angle between consecutive points of a spiral that covers a disk evenly with any number of points (Vogel 1979). */
 const GOLDEN_ANGLE = 2.399963229728653;
 
-// Read by the call that fills it, before anything else can.
+// Filled and read within one call.
 const scratchTurn = new Matrix4();
 
-/** Where the copy stands, as it is to be moved from the place of the first: turned and sized about its own foot. */
+/** Computes the transform of a copy relative to the first: rotated and scaled about its own origin. */
 export function placeCopy(pattern: Pattern, index: number, arrangement: Arrangement, into: Matrix4): Matrix4 {
   const { count, stepM, radiusM, turnRad, sizeSpread, seed } = arrangement;
   const stepX = stepM[0] ?? 0;
@@ -50,7 +50,7 @@ function place(into: Matrix4, x: number, y: number, z: number, turnRad: number, 
   return into.makeScale(size, size, size).premultiply(scratchTurn.makeRotationY(turnRad)).setPosition(x, y, z);
 }
 
-/** In [0, 1), the same for the same numbers: those of one copy do not depend on how many there are (lowbias32, Wellons 2018). */
+/** A hash in [0, 1). It does not depend on the number of copies, so existing copies keep their places (lowbias32, Wellons 2018). */
 function chance(seed: number, index: number, which: number): number {
   let bits = (Math.imul(seed | 0, 0x9e3779b1) ^ Math.imul(index * 4 + which + 1, 0x85ebca6b)) | 0;
   bits = Math.imul(bits ^ (bits >>> 16), 0x7feb352d);

@@ -6,7 +6,7 @@ import { type Copied, canBeInstances, createCopied } from './copied.ts';
 import type { definition } from './definition.ts';
 import { placeCopy } from './place-copy.ts';
 
-/** As the definition has it: wires may bring more. */
+/** The maximum of the definition; a wire can carry more. */
 const MOST = 2000;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
@@ -40,7 +40,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     objects.version++;
   }
 
-  /** Whether something has become see-through, or solid. */
+  /** Whether a material has become transparent or opaque. */
   function changedKind(): boolean {
     for (let i = 0; i < copied.length; i++) {
       const entry = copied[i];

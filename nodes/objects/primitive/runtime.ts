@@ -19,7 +19,7 @@ import type { definition } from './definition.ts';
 
 type Shape = NodeContext<typeof definition>['config']['shape'];
 
-/** Each fills a cube of one meter around the origin, the torus a fifth of its height. Segments give a smooth outline at arm's length. */
+/** Each shape fills a cube of one meter at the origin; the torus has a fifth of the height. The segments look smooth at arm's length. */
 const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
   box: () => new BoxGeometry(1, 1, 1),
   sphere: () => new SphereGeometry(0.5, 48, 32),
@@ -29,14 +29,14 @@ const GEOMETRIES: { readonly [S in Shape]: () => BufferGeometry } = {
   torus: () => new TorusGeometry(0.4, 0.1, 24, 64).rotateX(-Math.PI / 2),
 };
 
-// Read by the call that fills it, before anything else can.
+// Filled and read within one call.
 const scratchSize = new Vector3();
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { sizeM, color, roughness, metalness, castShadow, receiveShadow } = ctx.params;
   const { shape } = ctx.config;
   const geometry = GEOMETRIES[shape]();
-  // A sheet has no inside that could show through, so one pass does for both its sides when it is see-through.
+  // A plane has no interior, so one pass draws both sides correctly when it is transparent.
   const material = new MeshStandardMaterial({ side: shape === 'plane' ? DoubleSide : FrontSide, forceSinglePass: true });
   const mesh = new Mesh(geometry, material);
   mesh.matrixAutoUpdate = false;

@@ -3,7 +3,7 @@ import { deriveObjects } from '../../kit/derive-objects.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-// Read by the call that fills them, before anything else can.
+// Filled and read within one call.
 const scratchPosition = new Vector3();
 const scratchAngles = new Vector3();
 const scratchEuler = new Euler(0, 0, 0, 'YXZ');

@@ -2,12 +2,12 @@ import { PULSE_CAPACITY } from '../../kit/pulse-capacity.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Counted from the last change of the period rather than added up, so that no error gathers over an hour. */
+/** Pulses are counted from the last change of the period, not summed, so that rounding errors do not accumulate. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { periodS } = ctx.params;
   let periodSince = Number.NaN;
   let changedAtS = 0;
-  /** Periods that had gone by then. */
+  /** The number of periods before the last change. */
   let gone = 0;
   let given = 0;
 
@@ -24,9 +24,9 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
         periodSince = periodS.value;
       }
       if (!(periodSince > 0)) return;
-      // A frame at 3 × 0.1 s is there 5e-17 s too early to count three periods.
+      // Rounding: a frame at 3 × 0.1 s is 5e-17 s too early for the third period.
       const due = Math.floor(goneAt(nowS) + 1e-9) + 1;
-      // After a long stall the pulses that were missed are not made up for.
+      // After a long stall, missed pulses beyond the capacity of a frame are dropped.
       given = Math.max(given, due - PULSE_CAPACITY);
       const from = ctx.config.atOnce ? 0 : 1;
       while (given < due) ctx.outputs.pulse.emit().number = ++given - from;

@@ -4,7 +4,7 @@ import type { definition } from './definition.ts';
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { number, least } = ctx.params;
   const { direction } = ctx.config;
-  /** The number of the last pulse, or the turn since: the way counts from there. */
+  /** The number of the last pulse, or the extremum since: changes are measured from it. */
   let from: number | null = null;
   return {
     update: () => {

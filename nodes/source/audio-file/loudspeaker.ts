@@ -1,16 +1,16 @@
 import type { AudioAsset } from '../../kit/sound.ts';
 
-/** How far what is heard may stray from the picture, seconds: a jump is heard, less than this is not. */
+/** The largest deviation of the audible position from the clock, seconds. Corrections are audible, so smaller deviations remain. */
 const MAX_DRIFT_S = 0.1;
 
-/** Plays a sound to the visitor, as far as the browser lets it. */
+/** Plays a sound to the visitor, if the browser allows it. */
 export interface Loudspeaker {
-  /** The moment of the file that is heard now, every frame; null is silence. */
+  /** Sets the position in the file, seconds; null is silence. Call it every frame. */
   follow(timeS: number | null, volume: number, loop: boolean): void;
   dispose(): void;
 }
 
-/** Browsers hold a context back until the page has been touched, and wake it when it is resumed after that. */
+/** Browsers suspend a context until the first gesture on the page; after that, `resume` starts it. */
 export function createLoudspeaker(sound: AudioAsset): Loudspeaker {
   const context = new AudioContext({ latencyHint: 'interactive' });
   const gain = context.createGain();
@@ -20,7 +20,7 @@ export function createLoudspeaker(sound: AudioAsset): Loudspeaker {
     buffer.getChannelData(channel).set(samples);
   });
   let source: AudioBufferSourceNode | null = null;
-  /** The moment of the file that would be heard at 0 of the context's clock. */
+  /** The position in the file at time 0 of the context, seconds. */
   let originS = 0;
 
   const wake = (): void => {

@@ -24,7 +24,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       if (rate === 0 || isOver) silence(audio);
       else hearAt(audio, sound, timeS, loop.value);
       level.value = levelOf(audio);
-      // A render listens to nothing, and a paused clock holds its breath.
+      // Renders and paused clocks play no audible sound.
       const isHeard = rate > 0 && !isOver && !ctx.clock.held && ctx.clock.deltaS > 0 && volume.value > 0;
       if (isHeard) loudspeaker ??= createLoudspeaker(sound);
       loudspeaker?.follow(isHeard ? timeS : null, volume.value, loop.value);

@@ -1,6 +1,8 @@
-/** A texture of one pixel in a changing color. */
+/** A texture of one pixel whose color can change. */
 export interface ColorTexture {
-  /** `color`: sRGB with straight alpha. Stored premultiplied, as layers are. */
+  /**
+   * @param color Display-referred sRGB with straight alpha; stored premultiplied, as in all layers.
+   */
   paint(color: Readonly<Float64Array>): WebGLTexture;
   dispose(): void;
 }

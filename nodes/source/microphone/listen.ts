@@ -1,8 +1,8 @@
 import type { SoundOutput } from '../../kit/sound.ts';
 
-/** The visitor's microphone, asked for at the first gesture and given back at the end. */
+/** The visitor's microphone. It is requested at the first gesture and released by `dispose`. */
 export interface Ear {
-  /** Writes what was heard last; false while there is nothing to hear. */
+  /** Writes the newest samples to the output; false while there are none. */
   hear(output: SoundOutput, gain: number): boolean;
   dispose(): void;
 }
@@ -14,12 +14,16 @@ interface Microphone {
   readonly analysers: readonly AnalyserNode[];
 }
 
-/** What makes voices clear takes music away. */
+/** Voice processing is off, because it suppresses music. */
 const WISHES: MediaTrackConstraints = { echoCancellation: false, noiseSuppression: false, autoGainControl: false };
 
 const GESTURES = ['pointerup', 'keyup'] as const;
 
-/** `onRefusal` is told once, in words for the visitor. */
+/**
+ * Prepares the microphone.
+ *
+ * @param onRefusal Called once if the microphone is not available, with sentences for the visitor.
+ */
 export function listen(onRefusal: (message: string, fix: string) => void): Ear {
   let microphone: Microphone | null = null;
   let asked = false;
@@ -35,7 +39,7 @@ export function listen(onRefusal: (message: string, fix: string) => void): Ear {
   }
 
   async function open(): Promise<void> {
-    // Missing where the page came over http, or from a disk in some browsers.
+    // Undefined without HTTPS, and in some browsers for pages from a disk.
     const media: MediaDevices | undefined = navigator.mediaDevices;
     if (!media) {
       onRefusal('The microphone is not available: the page was not loaded over HTTPS.', 'Open the page over HTTPS.');
@@ -51,7 +55,7 @@ export function listen(onRefusal: (message: string, fix: string) => void): Ear {
   }
 
   for (const gesture of GESTURES) document.addEventListener(gesture, ask);
-  // Entering AR was a gesture already, perhaps before there was anybody to hear of it.
+  // The gesture that entered AR may have happened before these listeners existed.
   if (navigator.userActivation?.hasBeenActive) ask();
 
   return {
@@ -87,7 +91,7 @@ function connect(stream: MediaStream): Microphone {
   const splitter = context.createChannelSplitter(channelCount);
   source.connect(splitter);
   const analysers = Array.from({ length: channelCount }, (_, channel) => {
-    // As long as a sound's window (`SoundOutput`).
+    // The length of the window of `SoundOutput`.
     const analyser = new AnalyserNode(context, { fftSize: 4096 });
     splitter.connect(analyser, channel);
     return analyser;

@@ -7,7 +7,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { audio, level } = ctx.outputs;
   silence(audio);
   level.value = 0;
-  // A render has nobody to ask, and is to be the same every time.
+  // A render has no visitor to ask, and must be reproducible.
   const ear = ctx.clock.held
     ? null
     : listen((message, fix) =>

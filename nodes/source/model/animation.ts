@@ -1,22 +1,22 @@
 import { type AnimationClip, AnimationMixer, type Object3D } from 'three';
 import type { Clock } from '../../kit/runtime.ts';
 
-/** Plays one clip over and over. */
+/** Plays one clip in a loop. */
 export interface Animation {
   update(speed: number, playing: boolean): void;
-  /** Back to the clip's beginning. */
+  /** Returns to the start of the clip. */
   reset(): void;
   dispose(): void;
 }
 
 /**
- * Poses are a function of the clock, not a sum of frame times: they do not depend on how many frames were drawn or when the model
- * had loaded. A change of speed, or a pause, goes on from the pose it finds.
+ * Creates an animation whose pose is a function of the clock, not a sum of frame times: it does not depend on the number of frames or
+ * on when the model loaded. After a change of speed or a pause it continues from the current pose.
  */
 export function createAnimation(root: Object3D, clip: AnimationClip, clock: Clock): Animation {
   const mixer = new AnimationMixer(root);
   mixer.clipAction(clip).play();
-  // The clip stood at `anchorClipS` when the clock showed `anchorS`, and has run at `rate` since.
+  // The clip was at `anchorClipS` at the time `anchorS` of the clock, and has advanced at `rate` since.
   let anchorS = 0;
   let anchorClipS = 0;
   let rate: number | null = null;

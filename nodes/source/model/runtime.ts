@@ -66,7 +66,7 @@ function findAnimation(ctx: NodeContext<typeof definition>, model: ModelAsset, r
   return null;
 }
 
-/** A skeleton belongs to its instance; three keeps its bones in a texture. */
+/** Disposes the skeletons, which belong to the instance: three.js stores their bones in a texture. */
 function disposeBones(object: Object3D): void {
   if ('skeleton' in object) (object as { skeleton: { dispose(): void } }).skeleton.dispose();
 }

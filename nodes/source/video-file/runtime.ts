@@ -26,7 +26,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       playback ??= asset.open(({ message, fix }) => ctx.report({ code: 'SCR055', severity: 'warning', port: 'file', message, fix }));
       const rate = playing.value ? speed.value : 0;
       const timeS = time.at(asset.durationS, rate, startS.value, loop.value);
-      // A clock that is held, or stands still as in a paused preview, wants exactly this picture; and so does the last one.
+      // A held clock, a paused preview and the end of the video need exactly this frame.
       const runs = !ctx.clock.held && ctx.clock.deltaS > 0 && (loop.value || timeS < asset.durationS);
       playback.follow(timeS, runs ? rate : 0, loop.value);
       show();

@@ -1,11 +1,11 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Ten seconds of 200 frames each. */
+/** Ten seconds at 200 frames per second. */
 const CAPACITY = 2000;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
-  /** A ring: the newest is at `newest`, of `count`. */
+  /** A ring buffer of `count` samples; the newest is at `newest`. */
   const times = new Float64Array(CAPACITY);
   const numbers = new Float64Array(CAPACITY);
   let newest = -1;
@@ -33,7 +33,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     remember: () => {
       const { timeS } = ctx.clock;
       delayS = Math.max(ctx.params.delayS.value, 0);
-      // Time that ran back, as a seek does, has no history.
+      // After a seek backwards the history is invalid.
       if (count > 0 && timeS < (times[newest] ?? 0)) count = 0;
       if (count === 0 || timeS > (times[newest] ?? 0)) {
         newest = (newest + 1) % CAPACITY;

@@ -2,7 +2,7 @@ import { playExpression } from '../../kit/play-expression.ts';
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** `config.expression` is the postfix that the compiler has made of what the designer wrote. */
+/** `config.expression` is the expression in postfix notation, from the compiler. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const expression = playExpression(ctx.config.expression, ctx.params);
   const { result } = ctx.outputs;

@@ -2,7 +2,7 @@ import { linearFromOklab, linearFromSrgb, oklabFromLinear, srgbFromLinear } from
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** Premultiplied on the way, as CSS Color 4 §12.3 mixes, so that what is transparent lends no color. */
+/** Mixes premultiplied colors, as CSS Color 4 §12.3, so that a transparent color does not contribute. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { a, b, amount } = ctx.params;
   const { space } = ctx.config;
@@ -23,7 +23,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
       const alphaA = (a.value[3] ?? 1) * (1 - part);
       const alphaB = (b.value[3] ?? 1) * part;
       const alpha = alphaA + alphaB;
-      // Between two that are wholly transparent, the colors still count: something may make them opaque again.
+      // Between two fully transparent colors, mix the channels: a later node may make them opaque.
       const weightB = alpha === 0 ? part : alphaB / alpha;
       for (let i = 0; i < 3; i++) mixed[i] = (from[i] ?? 0) * (1 - weightB) + (to[i] ?? 0) * weightB;
       if (space === 'perceived') linearFromOklab(mixed, mixed[0] ?? 0, mixed[1] ?? 0, mixed[2] ?? 0);

@@ -1,7 +1,7 @@
 /**
- * Improved gradient noise (Ken Perlin, "Improving Noise", SIGGRAPH 2002) in three dimensions, in [-1, 1] but for rare hairs: 0 at
- * whole coordinates, where its slope is one of twelve directions. A hash of the coordinates and the seed stands in place of his
- * table, so that it repeats nowhere near.
+ * Improved gradient noise (Ken Perlin, "Improving Noise", SIGGRAPH 2002) in three dimensions. Values are in [-1, 1] except for rare,
+ * tiny overshoots. At integer coordinates it is 0, with one of twelve gradients. A hash of the coordinates and the seed replaces
+ * Perlin's permutation table, so the noise does not repeat.
  */
 export function gradientNoise(x: number, y: number, z: number, seed: number): number {
   const x0 = Math.floor(x);
@@ -22,18 +22,18 @@ export function gradientNoise(x: number, y: number, z: number, seed: number): nu
   return near + w * (far - near);
 }
 
-/** Between a corner and its neighbor in x; `fx` to `fz` is the way from that corner. */
+/** Interpolates between a corner and its neighbor in x; `fx` to `fz` is the offset from that corner. */
 function alongEdge(x0: number, y0: number, z0: number, fx: number, fy: number, fz: number, u: number, seed: number): number {
   const left = slope(hash(x0, y0, z0, seed), fx, fy, fz);
   return left + u * (slope(hash(x0 + 1, y0, z0, seed), fx - 1, fy, fz) - left);
 }
 
-/** First and second derivative are 0 at both ends. */
+/** The quintic fade function: first and second derivatives are 0 at both ends. */
 function fade(t: number): number {
   return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-/** The way to a corner along its direction: to the middle of one of a cube's twelve edges, four of them counted twice. */
+/** The dot product of an offset and the gradient of a corner: one of the twelve edge directions of a cube, four of them twice. */
 function slope(hash: number, x: number, y: number, z: number): number {
   const h = hash & 15;
   const u = h < 8 ? x : y;

@@ -2,16 +2,16 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 import { gradientNoise } from './gradient-noise.ts';
 
-/** Somewhere between whole coordinates, where every gradient noise is 0: noise along a line would come to rest at each of them. */
+/** A fractional offset: gradient noise is 0 at integer coordinates, so noise along an axis would stop at each of them. */
 const BETWEEN = [0.37, 0.61, 0.43] as const;
-/** Seeds of the vector's parts, which are to have nothing to do with each other. */
+/** Offsets of the seeds of the components, so that they are independent. */
 const APART = 0x3c6ef372;
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { along, place, frequency, low, high } = ctx.params;
   const octaves = Math.max(1, Math.floor(ctx.config.octaves));
   const vector = new Float64Array(3);
-  /** What the octaves sum up to at most. */
+  /** The maximum of the sum of octaves. */
   const most = 2 - 2 ** (1 - octaves);
 
   function noise(seed: number): number {

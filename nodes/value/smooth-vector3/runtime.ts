@@ -1,7 +1,7 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** As `value/smooth`, along a straight line. */
+/** The same as `value/smooth`, for each component. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { vector, halfLifeS } = ctx.params;
   const at = new Float64Array(3);

@@ -1,7 +1,7 @@
 import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
-/** `1 − 2^(−Δt/h)` of the way: exact for a target that stands still, so that two half steps are one whole one. */
+/** Moves `1 − 2^(−Δt/h)` of the difference: exact for a constant target, so two half steps equal one whole step. */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { number, halfLifeS } = ctx.params;
   let at: number | null = null;

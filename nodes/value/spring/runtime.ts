@@ -2,9 +2,9 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /**
- * The exact motion of a damped oscillator about a target that stands still for a frame: with `ω = 2πf` and `e` the way from the
- * target, `e″ + 2ζω e′ + ω² e = 0`. Semi-implicit steps were the alternative, and explode where `ω Δt` passes 2: at 30 Hz below 95
- * frames per second.
+ * The exact solution of a damped oscillator for a target that is constant during a frame: `e″ + 2ζω e′ + ω² e = 0`, where `ω = 2πf`
+ * and `e` is the distance from the target. Semi-implicit Euler steps were rejected: they diverge where `ω Δt` exceeds 2, which at 30 Hz
+ * is below 95 frames per second.
  */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { number, frequencyHz, damping } = ctx.params;
@@ -20,7 +20,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     const turn = omega * Math.sqrt(Math.abs(zeta * zeta - 1));
     let cosine: number;
     let sine: number;
-    // Both with e^(−ζωΔt) in them, and the sine by its frequency: so they stay finite in long frames and near critical damping.
+    // Both contain e^(−ζωΔt), and the sine is divided by its frequency, so they stay finite in long frames and near critical damping.
     if (turn * deltaS < 1e-6) {
       cosine = Math.exp(-decay * deltaS);
       sine = deltaS * cosine;

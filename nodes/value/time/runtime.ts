@@ -2,8 +2,8 @@ import type { NodeContext, NodeRuntime } from '../../kit/runtime.ts';
 import type { definition } from './definition.ts';
 
 /**
- * Measured from the last change of speed rather than added up frame by frame: with a steady speed, any frame of a render can be
- * drawn by itself and shows the time it has in the whole.
+ * Time is measured from the last change of speed, not summed over frames: with a constant speed, each frame of a render can be drawn
+ * independently.
  */
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { speed, loopS } = ctx.params;

@@ -2,16 +2,16 @@ import { linkProgram } from '../../kit/link-program.ts';
 import { setPassState, setSampler } from '../../kit/pass-state.ts';
 
 /**
- * Full-screen passes over pictures of meters. They set all state that they depend on and leave no sampler bound, as everything does
- * that shares the context.
+ * Full-screen passes over depth textures, in meters. They set all state that they depend on and leave no sampler bound, because the
+ * context is shared.
  */
 export interface DepthDrawing {
-  /** Meters in the red channel, all unknown. */
+  /** Creates a depth texture: meters in the red channel, all unknown (0). */
   createPicture(widthPx: number, heightPx: number): MetersPicture;
   free(picture: MetersPicture): void;
-  /** Samplers are bound to the units in their order. The same pass for the same text. */
+  /** Creates a pass; samplers are bound to texture units in order. The same text returns the same pass. */
   link(fragment: string, samplers: readonly string[]): DepthPass;
-  /** From here to `draw`, textures and uniforms are those of the pass. */
+  /** Activates a pass; textures and uniforms that are set until `draw` belong to it. */
   begin(target: MetersPicture, pass: DepthPass): void;
   texture(unit: number, texture: WebGLTexture | null, filter: 'linear' | 'nearest'): void;
   draw(): void;
@@ -28,13 +28,13 @@ export interface MetersPicture {
 export interface DepthPass {
   readonly program: WebGLProgram;
   readonly samplers: readonly (WebGLUniformLocation | null)[];
-  /** To be asked for once. */
+  /** Call it once. */
   uniform(name: string): WebGLUniformLocation | null;
 }
 
-/** Null where the GPU can draw no floats at all. */
+/** Null if the GPU does not support float render targets. */
 export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | null {
-  // Half floats keep a millimeter at 1 m and four at 4 m, about what the sensors do.
+  // Half floats resolve 1 mm at 1 m and 4 mm at 4 m, similar to the sensors.
   const format = gl.getExtension('EXT_color_buffer_float') ? gl.R32F : gl.getExtension('EXT_color_buffer_half_float') ? gl.R16F : null;
   if (format === null) return null;
   const vertexArray = gl.createVertexArray();
@@ -55,7 +55,7 @@ export function createDepthDrawing(gl: WebGL2RenderingContext): DepthDrawing | n
       gl.activeTexture(gl.TEXTURE0);
       gl.bindTexture(gl.TEXTURE_2D, picture.texture);
       gl.texStorage2D(gl.TEXTURE_2D, 1, format, widthPx, heightPx);
-      // Those who read room depth by way of three.js have no sampler of their own.
+      // Readers that use three.js bind no sampler, so the texture needs these parameters.
       for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
       for (const name of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, name, gl.CLAMP_TO_EDGE);
       gl.bindFramebuffer(gl.FRAMEBUFFER, picture.framebuffer);
@@ -101,7 +101,7 @@ function createSampler(gl: WebGL2RenderingContext, filter: GLenum): WebGLSampler
   return sampler;
 }
 
-/** `uv` runs from (0, 0) at the bottom left to (1, 1). */
+/** The vertex shader: `uv` is (0, 0) at the bottom left and (1, 1) at the top right. */
 const VERTEX = `#version 300 es
 out vec2 uv;
 void main() {
@@ -110,7 +110,7 @@ void main() {
 }
 `;
 
-/** Before each fragment shader's own text, which says by `float meters()` what is drawn. */
+/** The prefix of each fragment shader, whose function `float meters()` returns the depth to write. */
 const FRAGMENT_HEAD = `#version 300 es
 precision highp float;
 precision highp int;

@@ -1,20 +1,21 @@
 import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
-/** Gives every unknown sample the distance of what is known around it. */
+/** Fills unknown samples from the known samples around them. */
 export interface HoleFiller {
-  /** The picture with no hole left, unless nothing is known at all; valid until the next call. */
+  /** The depth without holes, unless all samples are unknown; valid until the next call. */
   fill(texture: WebGLTexture, widthPx: number, heightPx: number): WebGLTexture;
   dispose(): void;
 }
 
 /**
- * Pull and push (Gortler et al., The Lumigraph, 1996, §3.4): halved until one sample is left, each the mean of those known below
- * it, and from there back, each unknown one read from the level above. A hole of any size costs the same: 2.7 times the samples.
+ * Pull-push (Gortler et al., The Lumigraph, 1996, §3.4): the pull phase halves the resolution down to one sample, each the mean of the
+ * known samples below; the push phase fills unknown samples from the level above. The cost does not depend on the holes: 2.7 times the
+ * number of samples.
  */
 export function createHoleFiller(drawing: DepthDrawing): HoleFiller {
   const pull = drawing.link(PULL, ['finer']);
   const push = drawing.link(PUSH, ['own', 'coarser']);
-  /** Level 0 is the sensor's own. */
+  /** Level 0 has the resolution of the sensor. */
   const pulled: MetersPicture[] = [];
   const filled: MetersPicture[] = [];
 

@@ -2,24 +2,24 @@ import { setInverse3 } from '../../kit/matrices.ts';
 import type { CameraImage, RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
-/** Brings depth to the view's resolution along the edges of things, for one view. */
+/** Interpolates the depth of one view to the resolution of the view, along the edges of objects. */
 export interface EdgeFollower {
   /** Aligned with the view; valid until the next call. */
   follow(texture: WebGLTexture, depth: RoomDepth, view: ViewFrame): MetersPicture;
   dispose(): void;
 }
 
-/** Beyond it, headsets would spend more on this than on the scene. */
+/** With a higher resolution, headsets would spend more time on this pass than on the scene. */
 export const MAX_SIDE_PX = 960;
 
 /**
- * Joint bilateral upsampling (Kopf et al. 2007): samples count by how near they are and by how alike the camera's picture is there.
- * Where they belong to two surfaces, those of the one that counts more are taken and the others left out, because a mean of both
- * would be a place where nothing is. Without a camera picture, nearness alone decides.
+ * Joint bilateral upsampling (Kopf et al. 2007): samples are weighted by distance and by similarity of the camera image. Where samples
+ * belong to two surfaces, only those of the surface with the larger weight are averaged, because the mean of both is the position of
+ * neither. Without a camera image, only the distance counts.
  *
- * `tests/slow/depth-filters.test.ts` measures what it is worth on a recorded room (160 × 90 samples with noise; intersection over
- * union of what shows within 3 pixels of the true border): nearest 0.62, linear 0.65, this without a camera 0.71, with it 0.74. The
- * plain mean of all samples was hardly better than linear.
+ * `tests/slow/depth-filters.test.ts` measures the quality on a recorded room (160 × 90 samples with noise; intersection over
+ * union of the visible area within 3 pixels of the true border): nearest 0.62, linear 0.65, this without a camera 0.71, with it 0.74. The
+ * mean of all samples is only slightly better than linear.
  */
 export function createEdgeFollower(gl: WebGL2RenderingContext, drawing: DepthDrawing): EdgeFollower {
   const pass = drawing.link(FOLLOW, ['room', 'guide']);
@@ -78,13 +78,13 @@ uniform mat3 guideUvFromViewUv;
 uniform bool hasGuide;
 const int SIDE = 5;
 const int COUNT = SIDE * SIDE;
-// How fast samples stop to count: with their distance in samples, and with the difference of colors, each channel in [0, 1].
+// Falloff of the weights: with distance, in samples, and with color difference, each channel in [0, 1].
 const float NEAR = 1.0;
 const float ALIKE = 0.1;
 
 vec3 guideAt(vec2 viewUv) { return textureLod(guide, place(guideUvFromViewUv, viewUv), 0.0).rgb; }
 
-// What depth sensors usually stray by at a distance, meters.
+// Typical error of depth sensors at a distance, meters.
 float strayM(float m) { return 0.01 + 0.005 * m; }
 
 float meters() {
@@ -110,7 +110,7 @@ float meters() {
   if (farthestM <= 0.0) return 0.0;
   float betweenM = 0.5 * (nearestM + farthestM);
   bool isTwo = farthestM - nearestM > 8.0 * strayM(betweenM);
-  // Meters times weight and weight, of either surface.
+  // Weighted sum of meters, and sum of weights, of each surface.
   vec2 nearer = vec2(0.0);
   vec2 farther = vec2(0.0);
   vec3 here = isTwo && hasGuide ? guideAt(uv) : vec3(0.0);
@@ -119,7 +119,7 @@ float meters() {
     if (isTwo && hasGuide) {
       vec2 from = vec2(first + ivec2(i % SIDE, i / SIDE));
       vec3 other = guideAt(place(viewUvFromUv, (from + 0.5) / size)) - here;
-      // Never all nothing, however unlike all are.
+      // A minimum, so that the sum of weights is never 0.
       one.y *= max(exp(-0.5 * dot(other, other) / (ALIKE * ALIKE)), 1e-6);
       samples[i].y = one.y;
     }
@@ -129,7 +129,7 @@ float meters() {
   }
   vec2 chosen = nearer.y >= farther.y ? nearer : farther;
   float m = chosen.x / chosen.y;
-  // A slope is two surfaces to the eye above: what lies near the first guess is taken, twice.
+  // The classification above splits a slope into two surfaces, so average the samples near the first estimate, twice.
   for (int round = 0; round < 2; round++) {
     vec2 sum = vec2(m, 1.0) * 1e-6;
     for (int i = 0; i < COUNT; i++) {

@@ -2,7 +2,7 @@ import type { ImageAsset } from '../../kit/assets.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
-/** Depth painted or recorded as shades of gray: the same for all views, laid over each so that it covers it. */
+/** Depth from an image in shades of gray, the same for all views, scaled to cover each view. */
 export interface PictureDepth {
   /** Valid until the next call. */
   read(image: ImageAsset, view: ViewFrame, viewIndex: number, nearM: number, farM: number): RoomDepth;
@@ -11,7 +11,7 @@ export interface PictureDepth {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** `shades`: whether equal steps of gray are equal steps of distance, or of its inverse. */
+/** `shades`: whether the gray values are linear in distance or in inverse distance. */
 export function createPictureDepth(
   gl: WebGL2RenderingContext,
   drawing: DepthDrawing,
@@ -63,7 +63,7 @@ function createDepth(texture: WebGLTexture, widthPx: number, heightPx: number): 
   return { texture, widthPx, heightPx, uvFromViewUv: new Float32Array(9), worldFromDepth: new Float32Array(16) };
 }
 
-/** The middle of the picture, as large as fits the view without a border. */
+/** The center of the image, scaled to cover the view. */
 function setCover(out: Float32Array, pictureAspect: number, viewAspect: number): void {
   const width = Math.min(1, viewAspect / pictureAspect);
   const height = Math.min(1, pictureAspect / viewAspect);
@@ -75,7 +75,7 @@ function setCover(out: Float32Array, pictureAspect: number, viewAspect: number):
   out[8] = 1;
 }
 
-/** White is nearest; what is more transparent than not is unknown. Rec. 709 luma, as gray is gray in any case. */
+/** White is nearest; an alpha below 0.5 is unknown. The value is the Rec. 709 luma. */
 const HEAD = `
 uniform sampler2D shades;
 uniform vec2 rangeM;

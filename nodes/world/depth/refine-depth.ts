@@ -6,9 +6,9 @@ import { createSteadier, type Steadier } from './steady.ts';
 
 export type DepthFilter = 'nearest' | 'linear' | 'edge-aware';
 
-/** What is done to the depth of one view, in this order: calm it, fill it, bring it to the view's resolution. */
+/** The processing of the depth of one view, in this order: smoothing, hole filling, interpolation along edges. */
 export interface DepthRefiner {
-  /** The same object every time. */
+  /** Always the same object. */
   refine(depth: RoomDepth, view: ViewFrame, wishes: RefineWishes): RoomDepth;
   forget(): void;
   dispose(): void;
@@ -22,7 +22,7 @@ export interface RefineWishes {
 
 type Mutable<T> = { -readonly [K in keyof T]: T[K] };
 
-/** `drawing`: null where the GPU can draw no floats; depth is then read as it was measured. */
+/** `drawing`: null if the GPU does not support float render targets; then the depth is not processed. */
 export function createDepthRefiner(gl: WebGL2RenderingContext, drawing: DepthDrawing | null, filter: DepthFilter): DepthRefiner {
   let steadier: Steadier | null = null;
   let filler: HoleFiller | null = null;

@@ -11,7 +11,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { params, config } = ctx;
   const id = config.source === 'picture' ? ctx.assetIds.picture : null;
   const picture = id === null ? null : ctx.assets.image(id);
-  /** Made with the first depth: most devices have none. */
+  /** Created with the first depth, because most devices have none. */
   let gpu: Gpu | null = null;
   const wishes = { smoothingS: 0, deltaS: 0, fillHoles: true };
 
@@ -30,7 +30,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
     update: (frame) => {
       wishes.smoothingS = params.smoothingS.value;
       wishes.deltaS = frame.deltaS;
-      // What is left unpainted is meant to be unknown.
+      // Transparent areas of an image are unknown on purpose, so they are not filled.
       wishes.fillHoles = config.source === 'device' && params.fillHoles.value;
       const isPlain = config.filter === 'nearest' && !wishes.fillHoles && wishes.smoothingS <= 0;
       for (let i = 0; i < views.length; i++) {

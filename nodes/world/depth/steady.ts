@@ -2,11 +2,11 @@ import { multiplyMatrices, setInverse3 } from '../../kit/matrices.ts';
 import type { RoomDepth, ViewFrame } from '../../kit/session.ts';
 import type { DepthDrawing, MetersPicture } from './drawing.ts';
 
-/** Smooths what a sensor measures over time, for one view. */
+/** Smooths the measurements of a sensor over time, for one view. */
 export interface Steadier {
   /**
-   * The measured depth, blended with those before; what went before counts 1/e after `smoothingS`. Valid until the next call but
-   * one.
+   * The measured depth, blended with earlier measurements, whose weight is 1/e after `smoothingS`. Valid until the call after the
+   * next.
    */
   steady(depth: RoomDepth, view: ViewFrame, smoothingS: number, deltaS: number): WebGLTexture;
   forget(): void;
@@ -14,8 +14,8 @@ export interface Steadier {
 }
 
 /**
- * Noise alone is smoothed: what changed by more than noise does, 3 cm and 1.5 % of the distance, has moved and is taken as
- * measured, so that nothing that moves leaves a trail. What was measured before is looked up where the view was then.
+ * Only noise is smoothed: a change of more than 3 cm plus 1.5 % of the distance is a movement and applies at once, so that moving
+ * objects leave no trail. Earlier measurements are reprojected from the earlier pose of the view.
  */
 export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing): Steadier {
   const pass = drawing.link(STEADY, ['now', 'past']);
@@ -74,7 +74,7 @@ export function createSteadier(gl: WebGL2RenderingContext, drawing: DepthDrawing
   };
 }
 
-/** What a projection scales x and y by, and how far it shifts them. */
+/** Scale and offset of x and y of a projection. */
 function setLens(gl: WebGL2RenderingContext, location: WebGLUniformLocation | null, p: Float32Array): void {
   gl.uniform4f(location, p[0] ?? 1, p[5] ?? 1, p[8] ?? 0, p[9] ?? 0);
 }
@@ -97,7 +97,7 @@ float meters() {
   vec2 thenNdc = pastLens.xy * then.xy / -then.z - pastLens.zw;
   vec2 at = place(pastUvFromViewUv, thenNdc * 0.5 + 0.5);
   if (!isInside(at)) return m;
-  // Blended, because the nearest would drag a slope along as the view turns; what belongs to other surfaces is left out.
+  // Interpolated, because the nearest sample would drag slopes along as the view rotates; samples of other surfaces are ignored.
   float noiseM = 0.03 + 0.015 * m;
   ivec2 last = textureSize(past, 0) - 1;
   vec2 texel = at * vec2(last + 1) - 0.5;

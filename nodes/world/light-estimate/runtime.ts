@@ -6,8 +6,8 @@ import type { definition } from './definition.ts';
 import { createRoomLight, DEFAULT_MEAN, guessLight, type RoomLight } from './guess-light.ts';
 
 /**
- * How long an estimate counts that is not renewed, seconds: devices leave out frames and lose their place for a moment, and what
- * the room was like then is better than a guess.
+ * How long an old estimate is used, seconds. Devices skip frames and lose tracking for a moment; the old estimate is better than a
+ * guess from the camera image.
  */
 const HOLD_S = 2;
 
@@ -32,23 +32,23 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const shadow = createSunShadow(ctx);
   const target = createRoomLight();
   const now = createRoomLight();
-  /** Since when there has been no estimate; null where there never was one. */
+  /** The time of the last estimate; null if there was none. */
   let estimatedS: number | null = null;
-  /** The first light of all is there at once. */
+  /** The first light applies without smoothing. */
   let fresh = true;
-  /** Whether the last guess was made from a picture. */
+  /** Whether the last guess was made from a camera image. */
   let measured = false;
 
   function findTarget(light: LightEstimate | null): void {
     const { timeS } = ctx.clock;
     if (light) {
-      // Nor is the first estimate one that the light has to come near to.
+      // The first estimate applies without smoothing too.
       if (estimatedS === null) fresh = true;
       estimatedS = timeS;
       takeOver(target, light);
       around.reflection = light.reflection ?? null;
     } else if (estimatedS === null || timeS - estimatedS > HOLD_S) {
-      // A first guess made before the camera's picture is measured would be seen to fade away.
+      // Without smoothing: a fade from a guess without a camera image would be visible.
       const mean = ctx.session.cameraMean;
       if (mean && estimatedS === null && !measured) fresh = true;
       measured = mean !== null;
@@ -66,7 +66,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   return {
     update: () => {
       findTarget(ctx.session.light);
-      // The part of the way to go in this frame, whatever the frame rate.
+      // The fraction of the difference in this frame, independent of the frame rate.
       approach(now, target, fresh || smoothingS.value <= 0 ? 1 : 1 - Math.exp(-ctx.clock.deltaS / smoothingS.value));
       fresh = false;
       around.sphericalHarmonics.set(now.sphericalHarmonics);
@@ -85,21 +85,21 @@ function takeOver(into: RoomLight, light: LightEstimate): void {
   into.irradiance.set(light.primaryIntensity);
   const [x = 0, y = 0, z = 0] = light.primaryDirectionWorld;
   const length = Math.hypot(x, y, z);
-  // Without a strongest light there is no direction: the last one will do.
+  // Without a directional light, keep the last direction.
   if (length < 1e-6) return;
   into.directionWorld[0] = x / length;
   into.directionWorld[1] = y / length;
   into.directionWorld[2] = z / length;
 }
 
-/** Linear in the coefficients, so that sums of lights stay such; the direction is brought back to length 1. */
+/** Interpolates the coefficients linearly and normalizes the direction. */
 function approach(light: RoomLight, target: RoomLight, part: number): void {
   mix(light.sphericalHarmonics, target.sphericalHarmonics, part);
   mix(light.irradiance, target.irradiance, part);
   mix(light.directionWorld, target.directionWorld, part);
   const [x = 0, y = 0, z = 0] = light.directionWorld;
   const length = Math.hypot(x, y, z);
-  // Halfway between opposite directions there is none.
+  // Halfway between opposite directions the sum is 0: keep the old direction.
   if (length < 1e-3) light.directionWorld.set(target.directionWorld);
   else for (let i = 0; i < 3; i++) light.directionWorld[i] = (light.directionWorld[i] ?? 0) / length;
 }

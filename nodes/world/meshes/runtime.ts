@@ -8,7 +8,7 @@ const NOTHING: readonly DetectedMesh[] = [];
 
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { castShadow, receiveShadow } = ctx.params;
-  // Which side of a triangle is its front, devices do not say.
+  // Devices do not specify the front side of triangles.
   const material = new MeshBasicMaterial({ side: DoubleSide });
   const meshes = createSurfaceObjects<DetectedMesh>(ctx.outputs.objects, {
     wants: () => true,

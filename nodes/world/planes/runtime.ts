@@ -9,7 +9,7 @@ const NOTHING: readonly DetectedPlane[] = [];
 export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
   const { castShadow, receiveShadow } = ctx.params;
   const { which } = ctx.config;
-  // No specification says which way a plane's normal points, and scans have floors that face down.
+  // The direction of a plane's normal is not specified, and some scans have floors that face down.
   const material = new MeshBasicMaterial({ side: DoubleSide });
   const planes = createSurfaceObjects<DetectedPlane>(ctx.outputs.objects, {
     wants: ({ orientation }) => which === 'all' || orientation === which,
@@ -30,7 +30,7 @@ export function create(ctx: NodeContext<typeof definition>): NodeRuntime {
 
 function buildPlane({ outlineXZ }: DetectedPlane, material: MeshBasicMaterial): BuiltSurface | null {
   const corners: Vector2[] = [];
-  // In these axes, what turns to the left is seen from above.
+  // With z negated, a counter-clockwise outline faces up.
   for (let i = 0; i + 1 < outlineXZ.length; i += 2) corners.push(new Vector2(outlineXZ[i], -(outlineXZ[i + 1] ?? 0)));
   if (corners.length < 3) return null;
   if (ShapeUtils.isClockWise(corners)) corners.reverse();

@@ -1,5 +1,5 @@
-// The normal of a surface that rises by a height in meters whose slope along the object's own axes is `slope`.
-// Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU, 2010: needs no tangents, only what changes from pixel to pixel.
+// The normal of a surface with a height field, in meters, whose gradient along the local axes of the object is `slope`.
+// Mikkelsen, Bump Mapping Unparametrized Surfaces on the GPU, 2010: uses screen-space derivatives instead of tangents.
 vec3 perturbNormal(const in Surface s, const in vec3 slope) {
   vec3 alongX = dFdx(s.position);
   vec3 alongY = dFdy(s.position);

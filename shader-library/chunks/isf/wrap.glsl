@@ -1,4 +1,4 @@
-// A whole number modulo PERIOD. The added half keeps a rounded quotient from falling just below the exact one.
+// An integer modulo PERIOD. Adding one half compensates for rounding of the quotient.
 float wrap(float whole) {
   return whole - PERIOD * floor((whole + 0.5) / PERIOD);
 }

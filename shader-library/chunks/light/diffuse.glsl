@@ -1,4 +1,4 @@
-// What a white matt surface with this normal shows: Lambert's law over all lights, and the surroundings.
+// Radiance of a white matte surface with this normal: Lambert's law for all lights, plus the environment.
 vec3 diffuseLight(const in vec3 normal) {
   vec3 sum = AMBIENT;
   for (int i = 0; i < LIGHT_COUNT; i++) {

@@ -1,6 +1,6 @@
 #include <light/strength>
 
-// Light received of all there is, from 0 to 1, whatever its strength. Without lights it comes from the eye.
+// The fraction of all light that the surface receives, from 0 to 1. Without lights, the light comes from the camera.
 float lightReceived(const in Surface s) {
   if (LIGHT_COUNT == 0) return max(dot(s.normal, s.towardsEye), 0.0);
   float sum = 0.0;

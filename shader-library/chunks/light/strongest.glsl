@@ -1,6 +1,6 @@
 #include <light/strength>
 
-// The strongest light at a surface, lit or in shadow. Without lights it comes from the eye.
+// The strongest light at a surface, ignoring shadows. Without lights, the light comes from the camera.
 Light strongestLight(const in Surface s) {
   Light best = Light(s.towardsEye, vec3(1.0), 1.0);
   float strength = 0.0;

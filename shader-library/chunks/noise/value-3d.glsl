@@ -1,6 +1,6 @@
 #include <noise/hash-3d>
 
-// Three smooth random numbers in [0, 1) at a point: hashed corners of a unit grid, blended with Perlin's curve of 2002.
+// Value noise: three smooth random numbers in [0, 1) at a point, from hashed corners of a unit grid and Perlin's fade curve of 2002.
 vec3 valueNoise3d(const in vec3 point) {
   vec3 cell = floor(point);
   vec3 f = point - cell;
