@@ -4,65 +4,77 @@ import type { Diagnostic } from '../nodes/kit/diagnostics.ts';
 import type { FrameTimes } from '../nodes/kit/frame-times.ts';
 
 /*
- * Messages between the editor and its preview page, over one MessagePort that the editor hands to the preview's origin once it
- * has loaded. The preview has no host API: all it can do is play what it is sent.
+ * Messages between the editor and its preview page, sent over one MessagePort. The editor transfers the port to the preview’s origin
+ * after the page loads. The preview has no host API; it plays what it receives.
  */
 
-/** What the preview page listens for on its window, from its parent and once per load; all else goes over the port sent with it. */
+/** Data of the window message that transfers the port. The parent sends it once per load; all other messages use the port. */
 export const CONNECT_MESSAGE = 'scrim-preview-connect';
 
 export type ToPreview =
-  /** Play this program; the last good one runs on until the new one has linked. */
+  /** Plays this program. The previous program plays until the new one has linked. */
   | { readonly kind: 'program'; readonly revision: number; readonly program: Program }
-  /** Compile these alone and say what the driver has against them: the newest is answered. What plays goes on. */
+  /** Compiles only these shaders and reports the errors of the driver. Only the newest request is answered. Playback continues. */
   | { readonly kind: 'trials'; readonly revision: number; readonly shaders: readonly LinkedShader[] }
-  /** Set a uniform param without a compile. */
+  /** Sets a uniform param without recompiling. */
   | { readonly kind: 'param'; readonly node: string; readonly param: string; readonly value: ParamValue }
   | { readonly kind: 'transport'; readonly action: 'play' | 'pause' | 'step' | 'reset' }
-  /** The part of a recording that is played; null: all of it, over and over, while time goes on. */
+  /** Sets the play range of a recording. Null: the whole recording in a loop, while time continues. */
   | { readonly kind: 'range'; readonly range: PreviewRange | null }
-  /** Goes to a moment, seconds since the session began. Only recordings can; what remembers begins anew. */
+  /** Goes to a time in seconds since the session began. Recordings only; stateful nodes restart. */
   | { readonly kind: 'seek'; readonly timeS: number }
-  /** Take the picture from there. `request` counts: the status says which one is done with. */
+  /** Sets the preview source. `request` is a counter; the status repeats it once the source is open or has failed. */
   | { readonly kind: 'session'; readonly source: PreviewSource; readonly request: number }
-  /** The strongest light of an emulated room comes from there, a unit vector towards it in world space; null: from where the room has it. */
+  /**
+   * Overrides the direction of the brightest light of an emulated room: a unit vector toward the light in world space. Null restores
+   * the light of the room.
+   */
   | { readonly kind: 'room-light'; readonly directionWorld: readonly [number, number, number] | null }
-  /** A picture of what is shown, of that size, as JPEG: the answer comes with the next frame. `request` counts: the answer has it. */
+  /** Requests a JPEG of the next frame in this size. `request` is a counter that the answer repeats. */
   | { readonly kind: 'poster'; readonly request: number; readonly widthPx: number; readonly heightPx: number }
   /**
-   * Show tapped layers instead of the screen: one left of `split`, in parts of each view's width, and one right of it. Null, and
-   * layers that are not tapped: the screen.
+   * Shows viewed layers instead of the screen output: `left` to the left of `split` (a fraction of the width of each view), `right`
+   * to the right of it. Null, or a layer that is not viewed in the program, shows the screen output.
    */
   | { readonly kind: 'viewer'; readonly left: string | null; readonly right: string | null; readonly split: number }
-  /** The whole picture, all views, as PNG: the answer comes with the next frame. */
+  /** Requests a PNG of the next frame with all views. */
   | { readonly kind: 'screenshot' }
-  /** Draw frames of a recording or an emulated room one by one from now on, as `filmed` says when it can begin; a page does nothing else then. */
+  /**
+   * Starts a frame render of a recording or an emulated room, frame by frame. The page answers `frame-rendered` when it is ready, and
+   * does nothing else from then on.
+   */
   | { readonly kind: 'render-begin'; readonly request: FrameRenderRequest }
-  /** The frame of a moment, seconds since the recording began; rooms go on by one frame. Unless kept, it is drawn for those who remember it. */
+  /**
+   * Renders the frame at a time in seconds since the recording began; a room advances by one frame. If `keep` is false, the frame is
+   * drawn only for the state of stateful nodes and not returned.
+   */
   | { readonly kind: 'render-frame'; readonly timeS: number; readonly keep: boolean }
   | { readonly kind: 'render-end' }
-  /** Record the picture as a video until told to stop; the answer comes then. */
+  /** Starts or stops the recording of a video. `captured` follows when it stops. */
   | { readonly kind: 'record'; readonly on: boolean }
   /**
-   * What is under a point of the picture, parts of its size from the top left? `layer`: whose depth, where it is tapped. `aroundPx`:
-   * how many pixels on each side to tell of, too.
+   * Probes a point, given as fractions of the preview’s size from the top left. `layer`: the viewed layer to read depth from.
+   * `aroundPx`: pixels on each side to return as well.
    */
   | { readonly kind: 'probe'; readonly x: number; readonly y: number; readonly layer: string | null; readonly aroundPx?: number }
-  /** The gizmo to show in the preview; null: none. Removing it during a drag ends the drag without a message. */
+  /** The gizmo to show; null for none. Removing it during a drag ends the drag without a message. */
   | { readonly kind: 'gizmo'; readonly gizmo: PreviewGizmo | null }
-  /** Whether a click says what it hit. */
+  /** Whether clicks report the object that they hit. */
   | { readonly kind: 'picking'; readonly on: boolean }
-  /** Which keys the editor has a use for, as `keybindingOf` writes them: they go to it where the preview has none of its own. */
+  /** Keys that the editor handles, as `keybindingOf` writes them. The preview forwards them unless it uses them itself. */
   | { readonly kind: 'keys'; readonly keybindings: readonly string[]; readonly mac: boolean }
-  /** Whether to tell what operations cost. */
+  /** Whether to measure the cost of operations. */
   | { readonly kind: 'cost'; readonly on: boolean }
-  /** Copies of layers tapped in the program (`node.port`), `heightPx` tall. */
+  /** Requests copies of viewed layers of the program (`node.port`), `heightPx` tall. */
   | { readonly kind: 'thumbnails'; readonly ports: readonly string[]; readonly heightPx: number };
 
-/** Where the frames of a film come from. */
+/** Source of the frames of a frame render. */
 export type FrameRenderSource =
   | { readonly kind: 'recorded'; readonly url: string }
-  /** As a phone sees it. `captureUrl`, `tier`: as of the preview's. `worldFromHead`: where it is; null: where the walk begins. */
+  /**
+   * An emulated room seen by a phone. `captureUrl` and `tier` are those of the preview source. `worldFromHead`: column-major pose of
+   * the head; null for the start pose.
+   */
   | {
       readonly kind: 'room';
       readonly captureUrl: string | null;
@@ -77,7 +89,7 @@ export type PreviewTier = 'ar-camera' | 'ar' | 'vr';
 
 export interface FrameRenderRequest {
   readonly program: Program;
-  /** Params that were set after the program was compiled. */
+  /** Params that changed after the program was compiled. */
   readonly values: readonly {
     readonly node: string;
     readonly param: string;
@@ -87,11 +99,14 @@ export interface FrameRenderRequest {
   readonly assetBaseUrl: string;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Null: each frame is answered with its picture. */
+  /** Null: each frame is returned as pixels. */
   readonly video: { readonly frameRateHz: number } | null;
 }
 
-/** Seconds since the session began. `lastS`, `endS`: where the last frame begins and ends. Without `loop` the preview pauses there. */
+/**
+ * A play range in seconds since the session began. The last frame begins at `lastS` and ends at `endS`. Without `loop`, the preview
+ * pauses there.
+ */
 export interface PreviewRange {
   readonly fromS: number;
   readonly lastS: number;
@@ -99,67 +114,73 @@ export interface PreviewRange {
   readonly loop: boolean;
 }
 
-/** Arrows, rings or boxes around what a node places, as it stands in each frame. */
+/** A gizmo for the objects that a node places. It follows them in each frame. */
 export interface PreviewGizmo {
-  /** Of the program. */
+  /** Node id in the program. */
   readonly node: string;
   readonly mode: GizmoMode;
-  /** Along the axes of the world or of what is taken hold of. */
+  /** Axes of the object or of the session. */
   readonly space: 'local' | 'world';
-  /** To tenths of a meter, 15° and tenths of a factor. Ctrl does the opposite while it is held. */
+  /** Snaps to 0.1 m, 15° and factors of 0.1. Holding Ctrl inverts it. */
   readonly snap: boolean;
-  /** Which of the node's params says what. */
+  /** Params of the node, by the handle that they set. */
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
-  /** Nodes that the objects go through, where they go several ways. */
-  readonly way: readonly string[];
+  /** Nodes that select one branch, if the objects pass through several. */
+  readonly chain: readonly string[];
 }
 
 export type GizmoMode = 'move' | 'rotate' | 'scale';
 
-/** Addresses are on the preview's own origin. */
+/** URLs are on the origin of the preview. */
 export type PreviewSource =
   | { readonly kind: 'recorded'; readonly url: string; readonly assetBaseUrl: string }
-  /** An emulated device. `captureUrl` null: the room that the emulator makes itself. */
+  /** An emulated device. `captureUrl` is the URL of a captured room; null for the emulator’s built-in room. */
   | {
       readonly kind: 'room';
       readonly captureUrl: string | null;
       readonly views: 1 | 2;
       readonly assetBaseUrl: string;
-      /** `glasses` add light to the world and show no black. */
+      /** `glasses` have an additive display: black is transparent. */
       readonly device: 'phone' | 'headset' | 'glasses';
-      /** `ar`: as on devices that show the camera's picture and give it to nobody. `vr`: with nothing of the room. */
+      /**
+       * `ar-camera` gives camera frames to the page; `ar` shows the camera feed without giving it to the page; `vr` shows nothing of
+       * the room.
+       */
       readonly tier: PreviewTier;
     }
-  /** The computer's own camera, which is asked for. */
+  /** The camera of this computer. The browser asks for permission. */
   | { readonly kind: 'camera'; readonly assetBaseUrl: string }
-  /** A picture in the camera's place. `key` is another for each. */
+  /** A still image in place of the camera. `key` is unique per image. */
   | { readonly kind: 'still'; readonly picture: Blob; readonly key: string; readonly assetBaseUrl: string }
-  /** Nothing but the objects, to be looked at from all sides. */
+  /** Only the objects, viewed by orbiting. */
   | { readonly kind: 'orbit'; readonly assetBaseUrl: string };
 
 export type FromPreview =
   | { readonly kind: 'ready' }
-  /** The program of this revision is now the one on screen. */
+  /** The program of this revision is now on screen. */
   | { readonly kind: 'playing'; readonly revision: number }
-  /** Premultiplied RGBA, rows from the top; null where nothing was asked for but to go on. */
+  /** Premultiplied RGBA, rows from the top; null if the request asked for no pixels. */
   | { readonly kind: 'frame-rendered'; readonly frame: Uint8Array<ArrayBuffer> | null }
   | { readonly kind: 'render-finished'; readonly file: Blob | null }
   | { readonly kind: 'render-failed'; readonly diagnostic: Diagnostic }
-  /** A session began; null where it is no recording, and no moment can be gone to. */
+  /** A session began. Null if it is not a recording and cannot seek. */
   | { readonly kind: 'frames'; readonly frames: FrameTimes | null }
-  /** Everything wrong with the running program, or with the one of `revision` that could not be taken over. */
+  /** All problems of the running program, or of the program of `revision` if it could not be played. */
   | { readonly kind: 'diagnostics'; readonly revision: number; readonly diagnostics: readonly Diagnostic[] }
-  /** What the graphics driver said of the program of `revision`; empty when it took all shaders. The editor maps it to lines. */
+  /**
+   * Errors of the graphics driver for the program of `revision`; empty if all shaders compiled. The editor maps them to source lines.
+   */
   | { readonly kind: 'shader-errors'; readonly revision: number; readonly errors: readonly PreviewShaderError[] }
-  /** What the graphics driver said of the shaders to try of `revision`; empty when it took all. */
+  /** Errors of the graphics driver in the `trials` of `revision`; empty if all shaders compiled. */
   | { readonly kind: 'trial-errors'; readonly revision: number; readonly errors: readonly PreviewShaderError[] }
-  /** At most ten times a second. */
+  /** Sent at most ten times a second. */
   | { readonly kind: 'status'; readonly status: PreviewStatus }
   | { readonly kind: 'thumbnail'; readonly port: string; readonly image: ImageBitmap }
   | { readonly kind: 'probed'; readonly probe: PreviewProbe }
   /**
-   * A gizmo is being dragged: the new values of the node's params. `drag` counts the drags of a page from 1, so that the editor can
-   * ignore the rest of one that it canceled. `ended`: the last message of a drag. `cancelled`: the values before the drag return.
+   * New values of the node’s params during a drag of the gizmo. `drag` counts the drags of the page from 1, so that the editor can
+   * ignore late messages of a canceled drag. `ended`: last message of the drag. `cancelled`: the editor restores the values before
+   * the drag.
    */
   | {
       readonly kind: 'gizmo';
@@ -167,34 +188,39 @@ export type FromPreview =
       readonly state: 'moved' | 'ended' | 'cancelled';
       readonly values: Readonly<Record<string, number | readonly number[]>>;
     }
-  /** A click hit an object, which went through these nodes of the program, from the one that made it to the one that drew it. */
-  | { readonly kind: 'picked'; readonly way: readonly string[]; readonly phantom: boolean }
-  /** A key that the editor asked for was pressed while the preview had the focus. */
+  /**
+   * A click hit an object. `chain`: the nodes of the program that the object passed through, from its creator to the node that drew
+   * it.
+   */
+  | { readonly kind: 'picked'; readonly chain: readonly string[]; readonly phantom: boolean }
+  /** A key of the `keys` message was pressed while the preview had the focus. */
   | { readonly kind: 'key'; readonly keybinding: string }
-  /** A screenshot or a video. Null where nothing is shown, or the browser cannot record. */
+  /** A screenshot or a video. Null if nothing is shown or the browser cannot record. */
   | { readonly kind: 'captured'; readonly what: 'screenshot' | 'video'; readonly file: Blob | null }
-  /** Twice a second while asked for. */
+  /** Sent twice a second while measuring is on. */
   | { readonly kind: 'costs'; readonly costs: readonly OperationCost[] }
-  /** Null where nothing is shown. */
+  /** Null if nothing is shown. */
   | { readonly kind: 'poster'; readonly request: number; readonly bytes: Uint8Array<ArrayBuffer> | null };
 
-/** Of one operation of the program, in one frame, all views together. */
+/** Cost of one operation of the program in one frame, all views together. */
 export interface OperationCost {
   readonly id: string;
   readonly draws: number;
-  /** Null where the browser does not tell (`EXT_disjoint_timer_query_webgl2`), or has not yet. */
+  /** GPU time. Null if the browser does not support `EXT_disjoint_timer_query_webgl2`, or has no result yet. */
   readonly gpuMs: number | null;
 }
 
 export interface PreviewProbe {
-  /** As the question named it. */
+  /** The point of the request. */
   readonly x: number;
   readonly y: number;
-  /** Display-referred sRGB with alpha, as shown, each in [0, 255]. */
+  /** Display-referred sRGB with alpha as shown, each component in [0, 255]. */
   readonly color: readonly [number, number, number, number];
-  /** As `color`, of a square around it, row by row from the top left, where that was asked for; transparent beyond the picture. */
+  /**
+   * Colors of the square around the point, row by row from the top left; transparent outside the preview. Absent unless requested.
+   */
   readonly around?: Uint8ClampedArray<ArrayBuffer>;
-  /** Nearest of what has depth there; null where nothing has. */
+  /** The nearest depth at the point; null if nothing there has depth. */
   readonly depth: {
     readonly of: 'layer' | 'room';
     readonly meters: number;
@@ -203,7 +229,7 @@ export interface PreviewProbe {
 }
 
 export interface PreviewShaderError {
-  /** As in the program's `shaders`. */
+  /** Key in `shaders` of the program. */
   readonly shaderId: string;
   readonly stage: 'vertex' | 'fragment' | 'link';
   readonly log: string;
@@ -211,17 +237,17 @@ export interface PreviewShaderError {
 
 export interface PreviewStatus {
   readonly state: 'loading' | 'playing' | 'paused' | 'lost';
-  /** Of the newest `session` message that is done with: its session is open, or cannot be, as a diagnostic says. Null before the first. */
+  /** Counter of the newest `session` message whose session is open or has failed with a diagnostic. Null before the first. */
   readonly request: number | null;
-  /** Of a recording its own frame, later rounds counted on; else how many there were. */
+  /** For a recording the index of its frame, which continues to count when it loops; else the number of frames drawn. */
   readonly frame: number;
-  /** The picture is an earlier frame's: that of `frame` is being decoded. */
+  /** The preview shows an earlier frame while `frame` is being decoded. */
   readonly late: boolean;
   readonly timeS: number;
-  /** Mean time of the last frames on the CPU. */
+  /** Mean CPU time of the last frames. */
   readonly frameMs: number;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Of the first view, column-major; null before the first frame. */
+  /** Pose of the first view, column-major; null before the first frame. */
   readonly worldFromView: readonly number[] | null;
 }

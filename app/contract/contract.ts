@@ -100,7 +100,7 @@ const platformMenu = z.object({
           command: menuCommand,
           label: z.string().max(128),
           /** As `renderer/keybinding.ts` writes them; null where there is none. */
-          chord: z.string().max(64).nullable(),
+          keybinding: z.string().max(64).nullable(),
           enabled: z.boolean(),
         }),
       ]),

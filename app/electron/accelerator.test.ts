@@ -14,6 +14,6 @@ test.each([
   ['Mod+-', 'CmdOrCtrl+-'],
   ['Dead', null],
   ['F25', null],
-])('%s is %s', (chord, accelerator) => {
-  expect(acceleratorOf(chord, 'linux')).toBe(accelerator);
+])('%s is %s', (keybinding, accelerator) => {
+  expect(acceleratorOf(keybinding, 'linux')).toBe(accelerator);
 });

@@ -11,11 +11,11 @@ const NAMED: Readonly<Record<string, string>> = {
 };
 
 /** `Mod+Shift+Z` of the editor as Electron writes it; null where it has no name for it, or macOS would take text for it. */
-export function acceleratorOf(chord: string, platform: NodeJS.Platform): string | null {
+export function acceleratorOf(keybinding: string, platform: NodeJS.Platform): string | null {
   // The last key may itself be a plus.
-  const cut = chord.slice(0, -1).lastIndexOf('+');
-  const modifiers = cut < 0 ? [] : chord.slice(0, cut).split('+');
-  const key = chord.slice(cut + 1);
+  const cut = keybinding.slice(0, -1).lastIndexOf('+');
+  const modifiers = cut < 0 ? [] : keybinding.slice(0, cut).split('+');
+  const key = keybinding.slice(cut + 1);
   const known = NAMED[key] ?? (/^([!-~]|F([1-9]|1[0-9]|2[0-4]))$/.test(key) ? key : null);
   if (known === null) return null;
   const types = !modifiers.includes('Mod') && !/^F\d/.test(key);

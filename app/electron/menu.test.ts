@@ -3,26 +3,26 @@ import type { MenuItemConstructorOptions } from 'electron';
 import type { PlatformMenu } from '../contract/contract.ts';
 import { menuTemplate, shapeOfMenus } from './menu.ts';
 
-const SAVE = { command: 'file.save', label: 'Save', chord: 'Mod+S', enabled: true };
+const SAVE = { command: 'file.save', label: 'Save', keybinding: 'Mod+S', enabled: true };
 const MENUS: readonly PlatformMenu[] = [
   { label: 'File', entries: [SAVE] },
   {
     label: 'Edit',
     entries: [
-      { command: 'edit.undo', label: 'Undo', chord: 'Mod+Z', enabled: false },
+      { command: 'edit.undo', label: 'Undo', keybinding: 'Mod+Z', enabled: false },
       'line',
-      { command: 'edit.copy', label: 'Copy', chord: 'Mod+C', enabled: false },
+      { command: 'edit.copy', label: 'Copy', keybinding: 'Mod+C', enabled: false },
     ],
   },
   {
     label: 'View',
     entries: [
-      { command: 'view.fit', label: 'Fit graph to view', chord: 'F', enabled: true },
-      { command: 'view.help', label: 'Help for the node', chord: 'F1', enabled: true },
-      { command: 'view.odd', label: 'Odd', chord: 'Mod+Ä', enabled: true },
+      { command: 'view.fit', label: 'Fit graph to view', keybinding: 'F', enabled: true },
+      { command: 'view.help', label: 'Help for the node', keybinding: 'F1', enabled: true },
+      { command: 'view.odd', label: 'Odd', keybinding: 'Mod+Ä', enabled: true },
     ],
   },
-  { label: 'Help', entries: [{ command: 'help.tour', label: 'Take the tour', chord: null, enabled: true }] },
+  { label: 'Help', entries: [{ command: 'help.tour', label: 'Take the tour', keybinding: null, enabled: true }] },
 ];
 
 function built(platform: NodeJS.Platform, menus = MENUS) {
@@ -64,5 +64,5 @@ test('keys that Electron has no name for are left out, and on a Mac those that t
 test('a menu is built anew for other keys, not for what can be done now', () => {
   const shape = shapeOfMenus([{ label: 'File', entries: [SAVE] }]);
   expect(shapeOfMenus([{ label: 'File', entries: [{ ...SAVE, enabled: false }] }])).toBe(shape);
-  expect(shapeOfMenus([{ label: 'File', entries: [{ ...SAVE, chord: 'Mod+Alt+S' }] }])).not.toBe(shape);
+  expect(shapeOfMenus([{ label: 'File', entries: [{ ...SAVE, keybinding: 'Mod+Alt+S' }] }])).not.toBe(shape);
 });

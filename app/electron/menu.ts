@@ -25,10 +25,10 @@ const SEPARATOR: MenuItemConstructorOptions = { type: 'separator' };
 export function menuTemplate(menus: readonly PlatformMenu[], { platform, packaged, send }: MenuOptions): MenuItemConstructorOptions[] {
   const itemOf = (entry: PlatformMenuEntry): MenuItemConstructorOptions => {
     if (entry === 'line') return SEPARATOR;
-    const { command, label, chord, enabled } = entry;
+    const { command, label, keybinding, enabled } = entry;
     const role = ROLES[command];
     if (role) return { role, label };
-    const accelerator = chord === null ? null : acceleratorOf(chord, platform);
+    const accelerator = keybinding === null ? null : acceleratorOf(keybinding, platform);
     return {
       id: command,
       label,

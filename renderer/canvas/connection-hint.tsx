@@ -12,8 +12,8 @@ export function ConnectionHint() {
   const editor = useEditor();
   const connection = useConnection();
   const pane = useFlowStore((state) => state.domNode);
-  const { inHand } = editor.canvas.getState();
-  if (!connection.inProgress || !inHand || !pane) return null;
+  const { draggedWire } = editor.canvas.getState();
+  if (!connection.inProgress || !draggedWire || !pane) return null;
   const box = pane.getBoundingClientRect();
   const at = { x: box.left + connection.pointer.x, y: box.top + connection.pointer.y };
   const hint = hintAt();
@@ -26,13 +26,13 @@ export function ConnectionHint() {
   );
 
   function hintAt() {
-    if (!inHand) return null;
+    if (!draggedWire) return null;
     if (connection.toHandle) {
-      const reason = connection.isValid === false && refusalOver(editor, inHand, connection.toHandle);
+      const reason = connection.isValid === false && refusalOver(editor, draggedWire, connection.toHandle);
       return reason ? { text: reason.message, refused: true } : null;
     }
     const node = nodeAt(at);
-    const port = node === null ? null : portOver(editor, inHand, node);
-    return port && { text: inHand.side === 'output' ? `Connect to ${port.label}` : `Connect from ${port.label}`, refused: false };
+    const port = node === null ? null : portOver(editor, draggedWire, node);
+    return port && { text: draggedWire.side === 'output' ? `Connect to ${port.label}` : `Connect from ${port.label}`, refused: false };
   }
 }

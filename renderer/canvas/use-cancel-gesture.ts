@@ -11,7 +11,10 @@ import { onEscape } from '../ui/escape.ts';
 export function useCancelGesture(): RefObject<boolean> {
   const { canvas } = useEditor();
   const canceling = useRef(false);
-  const busy = useStore(canvas, ({ inHand, dragged, resized }) => inHand !== null || resized !== null || Object.keys(dragged).length > 0);
+  const busy = useStore(
+    canvas,
+    ({ draggedWire, dragged, resized }) => draggedWire !== null || resized !== null || Object.keys(dragged).length > 0,
+  );
   useEffect(() => {
     if (!busy) return;
     return onEscape(() => {

@@ -9,14 +9,14 @@ import type { PortView } from '../state/graph/node-shape.ts';
  */
 export function useDimmedPorts(node: string, ports: readonly PortView[]): ReadonlySet<string> | 'all' | null {
   const editor = useEditor();
-  const inHand = useStore(editor.canvas, (state) => state.inHand);
+  const draggedWire = useStore(editor.canvas, (state) => state.draggedWire);
   return useMemo(() => {
-    if (inHand === null) return null;
-    const wanted = inHand.side === 'output' ? 'input' : 'output';
+    if (draggedWire === null) return null;
+    const wanted = draggedWire.side === 'output' ? 'input' : 'output';
     const dimmed = ports.filter((port) => {
-      const start = node === inHand.node && port.name === inHand.port && port.side === inHand.side;
-      return !start && (port.side !== wanted || refusalOf(editor, inHand, { node, port: port.name, side: port.side }) !== null);
+      const start = node === draggedWire.node && port.name === draggedWire.port && port.side === draggedWire.side;
+      return !start && (port.side !== wanted || refusalOf(editor, draggedWire, { node, port: port.name, side: port.side }) !== null);
     });
     return dimmed.length === ports.length ? 'all' : new Set(dimmed.map((port) => `${port.side} ${port.name}`));
-  }, [editor, inHand, node, ports]);
+  }, [editor, draggedWire, node, ports]);
 }

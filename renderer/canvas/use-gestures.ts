@@ -19,7 +19,7 @@ import { changeSelection, type SelectionChange } from '../state/editor/selection
 import { connectPorts, explainRefusal, reconnectPorts, refusalOfEnds, startWireAt } from '../state/graph/connect-ports.ts';
 import { dropOnNode } from '../state/graph/drop-on-node.ts';
 import { removeWires } from '../state/graph/edit-graph.ts';
-import { dropOnWire, layOver } from '../state/graph/insert-on-wire.ts';
+import { compositeOver, dropOnWire } from '../state/graph/insert-on-wire.ts';
 import { boxOfItem, contentOf, moveAll } from '../state/graph/layout-items.ts';
 import { HEADER_HEIGHT, NODE_WIDTH } from '../state/graph/node-shape.ts';
 import { addReroute, stretchCalled, wiresOfStretch } from '../state/graph/reroutes.ts';
@@ -99,19 +99,19 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   );
   const onConnectEnd = useCallback(
     (event: MouseEvent | TouchEvent, end: FinalConnectionState) => {
-      const { inHand, wireUnder } = editor.canvas.getState();
+      const { draggedWire, wireUnder } = editor.canvas.getState();
       dropWire(editor.canvas);
-      if (inHand === null || end.isValid === true || canceling.current) return;
+      if (draggedWire === null || end.isValid === true || canceling.current) return;
       const client = clientOf(event);
       if (wireUnder !== null && !end.toHandle && !rewiring.current) {
         const { x, y } = toCanvas(client);
-        layOver(editor, inHand, wireUnder, { x: x - NODE_WIDTH / 2, y: y - HEADER_HEIGHT });
+        compositeOver(editor, draggedWire, wireUnder, { x: x - NODE_WIDTH / 2, y: y - HEADER_HEIGHT });
         return;
       }
-      if (end.toHandle) explainRefusal(editor, inHand, end.toHandle);
+      if (end.toHandle) explainRefusal(editor, draggedWire, end.toHandle);
       else if (rewiring.current) return;
-      else if (onPane(event)) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: inHand } });
-      else dropOnNode(editor, inHand, nodeAt(client));
+      else if (onPane(event)) editor.ui.setState({ palette: { at: client, place: toCanvas(client), end: draggedWire } });
+      else dropOnNode(editor, draggedWire, nodeAt(client));
     },
     [editor, canceling, toCanvas],
   );
@@ -133,7 +133,7 @@ export function useGestures(toCanvas: ToCanvas, toClient: (canvas: Place) => Pla
   );
   const onNodeEnter = useCallback(
     (_event: unknown, node: AnyNode) => {
-      if (editor.canvas.getState().inHand?.side === 'output') offerParams(editor.canvas, node.id);
+      if (editor.canvas.getState().draggedWire?.side === 'output') offerParams(editor.canvas, node.id);
     },
     [editor],
   );

@@ -1,18 +1,18 @@
 import { useEffect } from 'react';
 import { hoverWire } from '../state/editor/canvas-state.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import { canLayOver } from '../state/graph/insert-on-wire.ts';
+import { canCompositeOver } from '../state/graph/insert-on-wire.ts';
 
 /** While a wire is dragged, marks the wire under the pointer if a drop would insert an Alpha over node into it. */
 export function useWireTarget(): void {
   const editor = useEditor();
   useEffect(() => {
     const onMove = ({ clientX, clientY }: PointerEvent) => {
-      const { inHand } = editor.canvas.getState();
-      if (inHand !== null)
+      const { draggedWire } = editor.canvas.getState();
+      if (draggedWire !== null)
         hoverWire(
           editor.canvas,
-          wireAt(clientX, clientY, (id) => canLayOver(editor, inHand, id)),
+          wireAt(clientX, clientY, (id) => canCompositeOver(editor, draggedWire, id)),
         );
     };
     window.addEventListener('pointermove', onMove);

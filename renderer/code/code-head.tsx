@@ -1,11 +1,11 @@
 import {
   addVertex,
+  canAddVertex,
   copyShader,
   originalOf,
   removeVertex,
   revertShader,
   shaderOf,
-  takesVertex,
   vertexOf,
 } from '../state/document/edit-shader.ts';
 import { titleOf } from '../state/editor/document.ts';
@@ -28,7 +28,7 @@ interface CodeHeadProps {
 export function CodeHead({ node, form, comparing, readOnly, inVertex, onVertex, onForm, onCompare }: CodeHeadProps) {
   const editor = useEditor();
   const vertex = useDocument((state) => vertexOf(state, node));
-  const hasNoVertex = useDocument((state) => takesVertex(state, node));
+  const hasNoVertex = useDocument((state) => canAddVertex(state, node));
   const title = useDocument((state) => titleOf(state, node));
   const name = useDocument((state) => shaderOf(state, node)?.name ?? '');
   const ofLibrary = useDocument((state) => shaderOf(state, node)?.file === null);

@@ -7,7 +7,7 @@ import { besideOf, originalOf, projectFileOf, shaderOf, vertexOf } from '../stat
 import { createTyping, type Typing } from '../state/document/typing.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { revealCode } from '../state/editor/ui.ts';
-import { takeBack } from '../state/files/external-changes.ts';
+import { editHere } from '../state/files/external-changes.ts';
 import { useProblems } from '../state/problems/use-problems.ts';
 import { CodeBar } from './code-bar.tsx';
 import { CodeHead } from './code-head.tsx';
@@ -82,7 +82,7 @@ export function ShaderView({ node }: { readonly node: string }) {
   const hasForm = form && other === null;
   const onTakeBack = () => {
     const taken = other === null ? file : projectFileOf(other);
-    if (taken !== null) takeBack(editor, taken);
+    if (taken !== null) editHere(editor, taken);
     // The bar with the focused button disappears, so the focus moves on first.
     tools?.view.focus();
   };
@@ -140,7 +140,7 @@ function useShaderEditor(parent: RefObject<HTMLDivElement | null>): Tools | null
           else typing.type(shader, text);
         },
         onLeave: typing.end,
-        onRename: typing.along,
+        onRename: typing.pairWith,
         onOther: (file, line, column) => revealCode(editor.ui, line, column, file.endsWith('.fs') ? null : file),
       });
       setTools({ view, typing });

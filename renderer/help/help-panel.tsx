@@ -7,7 +7,7 @@ import { useKeys } from '../state/commands/use-keys.ts';
 import { nodeOf } from '../state/editor/document.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { soleNode } from '../state/editor/selection.ts';
-import { openPath, withoutUnsaved } from '../state/files/files.ts';
+import { confirmUnsaved, openPath } from '../state/files/files.ts';
 import { categoryOf } from '../state/graph/palette-search.ts';
 import { IconButton } from '../ui/button.tsx';
 import { DocText } from '../ui/doc-text.tsx';
@@ -130,7 +130,7 @@ function Examples({ type }: { readonly type: string }) {
               title={title}
               image={picture}
               disabled={false}
-              onPress={() => withoutUnsaved(editor, () => void openPath(editor, path))}
+              onPress={() => confirmUnsaved(editor, () => void openPath(editor, path))}
             />
           </li>
         ))}

@@ -2,7 +2,7 @@ import { type KeyboardEvent, type MouseEvent, useEffect, useLayoutEffect, useRef
 import { useStore } from 'zustand';
 import type { PreviewProbe } from '../preview-protocol.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
-import type { ColorWish } from '../state/editor/viewer.ts';
+import type { ColorRequest } from '../state/editor/viewer.ts';
 import { usePreviewSync } from '../state/preview-sync/preview-sync-context.ts';
 import './eyedropper.css';
 import { probeWords } from './probe-words.ts';
@@ -30,7 +30,7 @@ const STEPS: Readonly<Record<string, readonly [x: number, y: number]>> = {
  * Overlay that picks a color from the preview, with a magnifier. A click or Enter picks, arrow keys move by pixels, Escape cancels. No input
  * reaches the preview.
  */
-export function Eyedropper({ wish }: { readonly wish: ColorWish }) {
+export function Eyedropper({ request }: { readonly request: ColorRequest }) {
   const { viewer, preview } = useEditor();
   const previewSync = usePreviewSync();
   const layer = useRef<HTMLDivElement>(null);
@@ -47,12 +47,12 @@ export function Eyedropper({ wish }: { readonly wish: ColorWish }) {
     if (taking === null || probed === null || probed.x !== taking.x || probed.y !== taking.y) return;
     const [r, g, b] = probed.color;
     viewer.setState({ picking: null, probed: null });
-    wish.take([r / 255, g / 255, b / 255]);
-    wish.onEnd();
-  }, [taking, probed, viewer, wish]);
+    request.take([r / 255, g / 255, b / 255]);
+    request.onEnd();
+  }, [taking, probed, viewer, request]);
 
   const leave = () => {
-    if (viewer.getState().picking === wish) viewer.setState({ picking: null, probed: null });
+    if (viewer.getState().picking === request) viewer.setState({ picking: null, probed: null });
   };
   const pointOf = (event: MouseEvent<HTMLElement>): Point => {
     const box = event.currentTarget.getBoundingClientRect();
@@ -63,7 +63,7 @@ export function Eyedropper({ wish }: { readonly wish: ColorWish }) {
     const { widthPx = 1, heightPx = 1 } = preview.getState().status ?? {};
     if (event.key === 'Escape') {
       leave();
-      wish.onEnd();
+      request.onEnd();
     } else if (event.key === 'Enter' || event.key === ' ') setTaking(at);
     else if (step) {
       const by = event.shiftKey ? LONG_STEP_PX : 1;
@@ -78,7 +78,7 @@ export function Eyedropper({ wish }: { readonly wish: ColorWish }) {
       className="eyedropper"
       role="application"
       tabIndex={-1}
-      aria-label={`${wish.label}: pick a color from the preview. Arrow keys move, Enter picks, Escape cancels.`}
+      aria-label={`${request.label}: pick a color from the preview. Arrow keys move, Enter picks, Escape cancels.`}
       onPointerMove={(event) => setAt(pointOf(event))}
       // Not on `pointerdown`: the overlay would disappear, and the preview would receive the rest of the click.
       onClick={(event) => {
@@ -88,7 +88,7 @@ export function Eyedropper({ wish }: { readonly wish: ColorWish }) {
       onContextMenu={(event) => {
         event.preventDefault();
         leave();
-        wish.onEnd();
+        request.onEnd();
       }}
       onKeyDown={onKeyDown}
       onBlur={leave}

@@ -3,11 +3,11 @@ import { useStore } from 'zustand';
 import type { GizmoMode } from '../preview-protocol.ts';
 import { type AppCommandId, runCommand } from '../state/commands/app-commands.ts';
 import { useKeys } from '../state/commands/use-keys.ts';
+import { cancelDrag } from '../state/document/cancel-drag.ts';
 import { useDocument, useEditor } from '../state/editor/editor-context.ts';
 import { gizmoTargetOf } from '../state/editor/gizmo-target.ts';
 import { soleNode } from '../state/editor/selection.ts';
 import { addToast } from '../state/editor/ui.ts';
-import { cancelDrag } from '../state/gizmo/cancel-drag.ts';
 import { onEscape } from '../ui/escape.ts';
 import { Icon, type IconName } from '../ui/icon.tsx';
 import './gizmo-bar.css';
@@ -28,9 +28,9 @@ export function GizmoBar() {
 
 function Tools({ selected }: { readonly selected: string }) {
   const editor = useEditor();
-  const { mode: chosen, space, snap, way } = useStore(editor.gizmo);
+  const { mode: chosen, space, snap, chain } = useStore(editor.gizmo);
   // Compared as JSON, so that the bar rerenders only if a tool changes.
-  const text = useDocument((state) => JSON.stringify(MODES.map(({ mode }) => toolOf(gizmoTargetOf(state, selected, way, mode)))));
+  const text = useDocument((state) => JSON.stringify(MODES.map(({ mode }) => toolOf(gizmoTargetOf(state, selected, chain, mode)))));
   const tools = JSON.parse(text) as ReturnType<typeof toolOf>[];
   if (tools.every(({ of, reason }) => of === null && reason === null)) return null;
   return (

@@ -1,20 +1,20 @@
 import { useEffect, useRef } from 'react';
 import { useStore } from 'zustand';
 import { useEditor } from '../state/editor/editor-context.ts';
-import type { ColorWish } from '../state/editor/viewer.ts';
+import type { ColorRequest } from '../state/editor/viewer.ts';
 import { Icon } from '../ui/icon.tsx';
 
 interface PipetteProps {
   /** Label of the param that gets the color. */
   readonly label: string;
-  readonly onTake: ColorWish['take'];
+  readonly onTake: ColorRequest['take'];
 }
 
 /** Toggles the eyedropper, which picks a color from the preview. */
 export function Pipette({ label, onTake }: PipetteProps) {
   const { viewer } = useEditor();
   const button = useRef<HTMLButtonElement>(null);
-  const mine = useRef<ColorWish | null>(null);
+  const mine = useRef<ColorRequest | null>(null);
   const picking = useStore(viewer, (state) => state.picking !== null && state.picking === mine.current);
   const take = useRef(onTake);
   take.current = onTake;

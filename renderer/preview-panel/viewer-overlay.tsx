@@ -24,7 +24,7 @@ export function ViewerOverlay() {
       {probing && <Probe />}
       {pinned && wiping && <Wipe />}
       {pinned && <Pinned />}
-      {picking && <Eyedropper key={picking.label} wish={picking} />}
+      {picking && <Eyedropper key={picking.label} request={picking} />}
     </>
   );
 }

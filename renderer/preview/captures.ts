@@ -1,25 +1,28 @@
 import type { FromPreview } from '../preview-protocol.ts';
-import type { PosterPlace } from './posters.ts';
+import type { CaptureSource } from './posters.ts';
 
-/** Pictures and videos of what is shown, as it is shown. */
+/** Screenshots and videos of the preview. */
 export interface Captures {
-  screenshot(place: PosterPlace | null): void;
-  record(on: boolean, place: PosterPlace | null): void;
-  beforeFrame(place: PosterPlace | null): void;
-  afterFrame(place: PosterPlace | null): void;
+  screenshot(place: CaptureSource | null): void;
+  record(on: boolean, place: CaptureSource | null): void;
+  beforeFrame(place: CaptureSource | null): void;
+  afterFrame(place: CaptureSource | null): void;
 }
 
-/** Best first; what the browser has. `avc3` bears a preview that changes its size. */
+/** Candidates in order of preference. `avc3` allows the preview to change its size. */
 const VIDEO_TYPES = ['video/mp4;codecs=avc3.42E01E', 'video/webm;codecs=vp9', 'video/webm;codecs=vp8', 'video/webm'];
 const BITS_PER_PIXEL_S = 4;
 
-/** `wake` asks for another frame, also of a preview that is held. */
+/** @param wake Requests another frame, also while the preview is paused. */
 export function createCaptures(send: (message: FromPreview) => void, wake: () => void): Captures {
-  /** An emulated device shows its picture when the frame is over. */
-  let wish: 'none' | 'new' | 'drawn' = 'none';
+  /**
+   * State of the requested screenshot. An emulated device composites its image after the frame, so the screenshot is taken before the
+   * next one.
+   */
+  let screenshotState: 'none' | 'new' | 'drawn' = 'none';
   let recorder: MediaRecorder | null = null;
-  const take = ({ canvas }: PosterPlace) => {
-    wish = 'none';
+  const takeScreenshot = ({ canvas }: CaptureSource) => {
+    screenshotState = 'none';
     const picture = new OffscreenCanvas(canvas.width, canvas.height);
     picture.getContext('2d')?.drawImage(canvas, 0, 0);
     void picture.convertToBlob({ type: 'image/png' }).then(
@@ -28,7 +31,7 @@ export function createCaptures(send: (message: FromPreview) => void, wake: () =>
     );
   };
   const answer = (file: Blob | null) => send({ kind: 'captured', what: 'video', file });
-  const begin = ({ canvas }: PosterPlace) => {
+  const begin = ({ canvas }: CaptureSource) => {
     const type = VIDEO_TYPES.find((candidate) => MediaRecorder.isTypeSupported(candidate));
     if (type === undefined) return answer(null);
     const parts: Blob[] = [];
@@ -48,7 +51,7 @@ export function createCaptures(send: (message: FromPreview) => void, wake: () =>
   return {
     screenshot: (place) => {
       if (!place) return send({ kind: 'captured', what: 'screenshot', file: null });
-      wish = 'new';
+      screenshotState = 'new';
       wake();
     },
     record: (on, place) => {
@@ -57,13 +60,13 @@ export function createCaptures(send: (message: FromPreview) => void, wake: () =>
       else if (!recorder) begin(place);
     },
     beforeFrame: (place) => {
-      if (wish === 'drawn' && place) take(place);
+      if (screenshotState === 'drawn' && place) takeScreenshot(place);
     },
     afterFrame: (place) => {
-      if (wish !== 'new' || !place) return;
-      if (place.shows === 'in the frame') take(place);
+      if (screenshotState !== 'new' || !place) return;
+      if (place.shows === 'in the frame') takeScreenshot(place);
       else {
-        wish = 'drawn';
+        screenshotState = 'drawn';
         wake();
       }
     },

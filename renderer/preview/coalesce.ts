@@ -1,4 +1,4 @@
-/** Runs `work` when asked; once more, and no oftener, when asked again while it runs. Never rejects. */
+/** Returns a function that runs `work`. Calls during a run cause one further run after it. Errors go to `onError`. */
 export function coalesce(work: () => Promise<void>, onError: (error: unknown) => void): () => void {
   let running = false;
   let again = false;

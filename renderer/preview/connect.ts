@@ -2,13 +2,13 @@ import { CONNECT_MESSAGE, type FromPreview, type ToPreview } from '../preview-pr
 
 export interface EditorPort {
   send(message: FromPreview, transfer?: Transferable[]): void;
-  /** From now on; what came before waits. */
+  /** Starts delivery. Earlier messages are queued until then. */
   listen(onMessage: (message: ToPreview) => void): void;
 }
 
 /**
- * Waits for the page that frames this one to hand over a port, and takes no other and no second: the preview can be told what to
- * play by its editor alone. Chromium says which origin the parent has.
+ * Waits for the parent page to transfer a MessagePort. Accepts only the first port, and only from the parent, so that only the editor
+ * controls the preview. In Chromium, `ancestorOrigins` verifies the origin of the parent.
  */
 export function waitForEditor(page: Window): Promise<EditorPort> {
   return new Promise((resolve) => {

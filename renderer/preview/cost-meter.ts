@@ -2,7 +2,7 @@ import type { FrameClock } from '../../export/runtime/clock.ts';
 import type { OperationTimer } from '../../export/runtime/program-instance/operation-timer.ts';
 import type { FromPreview, OperationCost } from '../preview-protocol.ts';
 
-/** What operations cost: how often they draw, and how long the GPU takes where the browser tells. */
+/** Measures operations: number of draw calls, and GPU time if the browser supports timer queries. */
 export interface CostMeter extends OperationTimer {
   setOn(on: boolean): void;
   afterFrame(): void;
@@ -12,16 +12,15 @@ export interface CostMeter extends OperationTimer {
 const INTERVAL_S = 0.5;
 const DRAWS = ['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced', 'drawRangeElements'] as const;
 
-/** The part of EXT_disjoint_timer_query_webgl2 that is used; TypeScript's library has none. */
+/** The used part of EXT_disjoint_timer_query_webgl2, which TypeScript’s DOM library lacks. */
 interface TimerQuery {
   readonly TIME_ELAPSED_EXT: number;
   readonly GPU_DISJOINT_EXT: number;
 }
 
 /**
- * Counts by standing before the context's own functions, so that what three.js draws counts too; only while it is on. Timers may not
- * lie within each other, so one operation after the other is timed, all of one frame; the answers are there some frames later, and
- * only then is another frame timed.
+ * Wraps the draw functions of the context while it is on, so that draw calls of three.js count as well. Timer queries must not
+ * overlap, so each operation of a frame has its own query. Results arrive some frames later; the next frame is timed only then.
  */
 export function createCostMeter(
   gl: WebGL2RenderingContext,
@@ -33,13 +32,13 @@ export function createCostMeter(
   let current: { draws: number } | null = null;
   let sentS = Number.NEGATIVE_INFINITY;
   const counts = new Map<string, { draws: number }>();
-  let known = new Map<string, number>();
-  let asked: { readonly id: string; readonly query: WebGLQuery }[] = [];
-  /** This frame is timed. */
+  let gpuMsById = new Map<string, number>();
+  let queries: { readonly id: string; readonly query: WebGLQuery }[] = [];
+  /** Whether the current frame is timed. */
   let timing = false;
   let running = false;
 
-  const standBefore = () => {
+  const wrapDraws = () => {
     for (const name of DRAWS) {
       const draw = gl[name].bind(gl) as (...args: unknown[]) => void;
       Object.assign(gl, {
@@ -50,32 +49,33 @@ export function createCostMeter(
       });
     }
   };
-  const stepAside = () => {
+  const unwrapDraws = () => {
     for (const name of DRAWS) Reflect.deleteProperty(gl, name);
   };
-  const forget = () => {
-    for (const { query } of asked) gl.deleteQuery(query);
-    asked = [];
+  const deleteQueries = () => {
+    for (const { query } of queries) gl.deleteQuery(query);
+    queries = [];
   };
   const collect = () => {
-    const last = asked.at(-1);
+    const last = queries.at(-1);
     if (!timer || !last || gl.getQueryParameter(last.query, gl.QUERY_RESULT_AVAILABLE) !== true) return;
     if (gl.getParameter(timer.GPU_DISJOINT_EXT) !== true) {
-      known = new Map();
-      for (const { id, query } of asked) known.set(id, (known.get(id) ?? 0) + Number(gl.getQueryParameter(query, gl.QUERY_RESULT)) / 1e6);
+      gpuMsById = new Map();
+      for (const { id, query } of queries)
+        gpuMsById.set(id, (gpuMsById.get(id) ?? 0) + Number(gl.getQueryParameter(query, gl.QUERY_RESULT)) / 1e6);
     }
-    forget();
+    deleteQueries();
   };
   return {
     setOn: (next) => {
       if (next === on) return;
       on = next;
-      if (on) standBefore();
-      else stepAside();
+      if (on) wrapDraws();
+      else unwrapDraws();
       timing = on && timer !== null;
       counts.clear();
-      known = new Map();
-      forget();
+      gpuMsById = new Map();
+      deleteQueries();
     },
     begin: ({ id }) => {
       if (!on) return;
@@ -84,7 +84,7 @@ export function createCostMeter(
       const query = timing ? gl.createQuery() : null;
       if (!timer || !query) return;
       gl.beginQuery(timer.TIME_ELAPSED_EXT, query);
-      asked.push({ id, query });
+      queries.push({ id, query });
       running = true;
     },
     end: () => {
@@ -95,18 +95,18 @@ export function createCostMeter(
     afterFrame: () => {
       if (!on) return;
       collect();
-      timing = timer !== null && asked.length === 0;
+      timing = timer !== null && queries.length === 0;
       const nowS = clock.nowS();
       if (nowS - sentS >= INTERVAL_S) {
         sentS = nowS;
-        const costs = [...counts].map(([id, { draws }]): OperationCost => ({ id, draws, gpuMs: known.get(id) ?? null }));
+        const costs = [...counts].map(([id, { draws }]): OperationCost => ({ id, draws, gpuMs: gpuMsById.get(id) ?? null }));
         send({ kind: 'costs', costs });
       }
       counts.clear();
     },
     dispose: () => {
-      if (on) stepAside();
-      forget();
+      if (on) unwrapDraws();
+      deleteQueries();
     },
   };
 }

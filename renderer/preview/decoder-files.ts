@@ -12,9 +12,9 @@ const URLS: Readonly<Record<DecoderFile, string>> = {
   'basis/basis_transcoder.wasm': basisWasm,
 };
 
-/** Decoders of compressed models, beside the preview's own script. */
+/** Loads a decoder for compressed models, which lies beside the preview’s script. */
 export async function previewDecoderFile(file: DecoderFile): Promise<ArrayBuffer> {
   const response = await pageFetch(new URL(URLS[file], document.baseURI).href);
-  if (!response.ok) throw new Error(`the preview answered ${response.status}`);
+  if (!response.ok) throw new Error(`the preview responded with status ${response.status}`);
   return response.arrayBuffer();
 }

@@ -1,8 +1,8 @@
 import { BufferTarget, CanvasSource, canEncodeVideo, Mp4OutputFormat, Output, type OutputFormat, WebMOutputFormat } from 'mediabunny';
 
-/** Makes a video of a canvas, frame by frame, however long each takes. */
+/** Encodes a canvas as a video, frame by frame, independent of real time. */
 export interface FrameEncoder {
-  /** What the canvas shows now is the next frame. */
+  /** Adds the current content of the canvas as the next frame. */
   add(): Promise<void>;
   finish(): Promise<Blob>;
 }
@@ -14,19 +14,19 @@ export interface FrameEncoderOptions {
   readonly frameRateHz: number;
 }
 
-/** Best first: what plays everywhere, then what every Chromium can make. */
+/** Codecs in order of preference: AVC plays everywhere, VP8 can be encoded by every Chromium. */
 const KINDS = ['avc', 'vp9', 'vp8'] as const;
 
-/** Twice what video sites ask for: the file is worked on further. */
+/** Twice the bit rate that video sites recommend, because renders are edited further. */
 const BITS_PER_PIXEL = 0.25;
 const LEAST_BITS_PER_S = 1_000_000;
 const KEY_FRAME_S = 1;
 
-/** Throws where the browser makes no videos of that size. */
+/** @throws If the browser cannot encode videos of this size. */
 export async function createFrameEncoder({ canvas, widthPx, heightPx, frameRateHz }: FrameEncoderOptions): Promise<FrameEncoder> {
   const bitrate = Math.max(LEAST_BITS_PER_S, Math.round(widthPx * heightPx * frameRateHz * BITS_PER_PIXEL));
   const kind = await firstOf(KINDS, (codec) => canEncodeVideo(codec, { width: widthPx, height: heightPx, bitrate }));
-  if (kind === null) throw new Error(`this browser makes no videos of ${widthPx} × ${heightPx}.`);
+  if (kind === null) throw new Error(`this browser cannot encode videos of ${widthPx} × ${heightPx}.`);
   const format: OutputFormat = kind === 'avc' ? new Mp4OutputFormat() : new WebMOutputFormat();
   const target = new BufferTarget();
   const output = new Output({ format, target });
@@ -38,7 +38,7 @@ export async function createFrameEncoder({ canvas, widthPx, heightPx, frameRateH
     add: () => source.add(count++ / frameRateHz, 1 / frameRateHz),
     finish: async () => {
       await output.finalize();
-      if (target.buffer === null) throw new Error('the video was not finished.');
+      if (target.buffer === null) throw new Error('the video is incomplete.');
       return new Blob([target.buffer], { type: kind === 'avc' ? 'video/mp4' : 'video/webm' });
     },
   };

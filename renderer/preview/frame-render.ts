@@ -13,21 +13,24 @@ import { createFrameEncoder, type FrameEncoder } from './frame-encoder.ts';
 import { pageFetch } from './network.ts';
 import { type OpenRenderSource, openRenderSource } from './render-source.ts';
 
-/** Draws frames of a recording or an emulated room one by one, as `scrim render` does: the same pixels each time. A page films one, and is then left. */
+/**
+ * Renders frames of a recording or an emulated room one by one, with the same pixels as `scrim render`. A page makes one frame render
+ * and is then discarded.
+ */
 export interface FrameRender {
-  /** False where the message is not for it. */
-  take(message: ToPreview): boolean;
+  /** Returns false for messages that are not for the frame render. */
+  receive(message: ToPreview): boolean;
 }
 
-/** As the preview and exported pages have it. */
+/** The seed of the preview and of exported pages. */
 const SEED = 1;
 
-/** What a film is made with. */
+/** State of a frame render. */
 interface RenderSetup {
   readonly gl: WebGL2RenderingContext;
   readonly source: OpenRenderSource;
   readonly encoder: FrameEncoder | null;
-  /** What the encoder films. */
+  /** The canvas that the encoder reads. */
   readonly screen: HTMLCanvasElement;
 }
 
@@ -36,7 +39,7 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
   let problems: readonly Diagnostic[] = [];
   const fail = (error: unknown) => {
     const reason = error instanceof Error ? error.message : String(error);
-    send({ kind: 'render-failed', diagnostic: { code: 'SCR053', severity: 'error', message: `The frames cannot be drawn: ${reason}` } });
+    send({ kind: 'render-failed', diagnostic: { code: 'SCR053', severity: 'error', message: `The frames cannot be rendered: ${reason}` } });
   };
   const begin = async (request: FrameRenderRequest) => {
     const { program, video, widthPx, heightPx } = request;
@@ -46,7 +49,7 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
     const { antialias } = program.presentation;
     const gl = canvas.getContext('webgl2', { alpha: true, antialias, depth: true, stencil: false });
     if (!gl || gl.drawingBufferWidth !== widthPx || gl.drawingBufferHeight !== heightPx) {
-      throw new Error(`this computer draws no pictures of ${widthPx} × ${heightPx}.`);
+      throw new Error(`this computer cannot draw frames of ${widthPx} × ${heightPx}.`);
     }
     const createScenes = createScenesWith({ decoders: ALL_DECODERS, files: previewDecoderFile, readRadiance });
     const player = createPlayer({
@@ -69,14 +72,14 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
     const { output: source, diagnostics } = await openRenderSource(request.source, gl, program, player);
     const [broken] = [...diagnostics, ...problems].filter(({ severity }) => severity === 'error');
     if (broken) return send({ kind: 'render-failed', diagnostic: broken });
-    if (source === null) throw new Error('what it is drawn over cannot be read.');
+    if (source === null) throw new Error('the preview source cannot be read.');
     const screen = source.onCanvas ? canvas : copyOf(canvas);
     const encoder = video === null ? null : await createFrameEncoder({ canvas: screen, widthPx, heightPx, frameRateHz: video.frameRateHz });
     set = { gl, source, encoder, screen };
     send({ kind: 'frame-rendered', frame: null });
   };
   const draw = async ({ gl, source, encoder, screen }: RenderSetup, timeS: number, keep: boolean) => {
-    if (!(await source.draw(timeS))) throw new Error('a picture of the recording is broken.');
+    if (!(await source.draw(timeS))) throw new Error('a frame of the recording is damaged.');
     if (gl.isContextLost()) throw new Error('the graphics device was lost.');
     if (keep && encoder) {
       if (!source.onCanvas) show(screen, source.read());
@@ -88,7 +91,7 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
   };
   const end = async ({ encoder }: RenderSetup) => send({ kind: 'render-finished', file: (await encoder?.finish()) ?? null });
   return {
-    take: (message) => {
+    receive: (message) => {
       switch (message.kind) {
         case 'render-begin':
           begin(message.request).catch(fail);
@@ -106,7 +109,7 @@ export function createFrameRender(send: (message: FromPreview, transfer?: Transf
   };
 }
 
-/** A canvas of the same size, to show pictures on that were read. */
+/** A canvas of the same size for pixels that were read back. */
 function copyOf({ width, height, ownerDocument }: HTMLCanvasElement): HTMLCanvasElement {
   const copy = ownerDocument.createElement('canvas');
   copy.width = width;

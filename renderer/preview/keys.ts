@@ -1,26 +1,26 @@
 import { keybindingOf } from '../keybinding.ts';
 import type { FromPreview, ToPreview } from '../preview-protocol.ts';
 
-/** Keys that are pressed while the preview has the focus, and that the editor has a use for. */
+/** Forwards keys to the editor while the preview has the focus. */
 export interface Keys {
-  take(message: Extract<ToPreview, { kind: 'keys' }>): void;
+  receive(message: Extract<ToPreview, { kind: 'keys' }>): void;
   dispose(): void;
 }
 
-/** `isOurs`: the preview uses the key itself, for now. */
+/** @param isOurs Whether the preview currently uses the key itself. */
 export function createKeys(page: Window, send: (message: FromPreview) => void, isOurs: (event: KeyboardEvent) => boolean): Keys {
   let keybindings: ReadonlySet<string> = new Set();
   let mac = false;
   const onKeyDown = (event: KeyboardEvent) => {
     const keybinding = keybindingOf(event, mac);
     if (event.defaultPrevented || isOurs(event) || !keybindings.has(keybinding)) return;
-    // Else the browser would save its page, or look for text in it.
+    // Prevents the default of the browser, such as to save the page.
     event.preventDefault();
     send({ kind: 'key', keybinding });
   };
   page.addEventListener('keydown', onKeyDown);
   return {
-    take: (message) => {
+    receive: (message) => {
       keybindings = new Set(message.keybindings);
       mac = message.mac;
     },

@@ -11,7 +11,7 @@ async function main(): Promise<void> {
   window.addEventListener('resize', controller.resized);
   const frameRender = createFrameRender(editor.send);
   editor.listen((message) => {
-    if (!frameRender.take(message)) controller.take(message);
+    if (!frameRender.receive(message)) controller.receive(message);
   });
   editor.send({ kind: 'ready' });
 }

@@ -1,2 +1,2 @@
-/** The page's own `fetch`: everything it reads lies on its own origin. */
+/** The `fetch` of the page. The preview reads only from its own origin. */
 export const pageFetch: typeof fetch = (input, init) => fetch(input, init);

@@ -17,29 +17,29 @@ import { pageFetch } from './network.ts';
 import { createStillStream } from './still-stream.ts';
 import { createWalk } from './walk.ts';
 
-/** A session of the preview's, and how its time goes. */
+/** A session of the preview, with the control of its time. */
 export interface OpenSession {
-  /** Null where it could not be opened; the diagnostics say why. */
+  /** Null if it could not be opened; see `diagnostics`. */
   readonly session: Session | null;
   readonly diagnostics: readonly Diagnostic[];
-  /** Of a recording; null for what has no moments to go to. */
+  /** Null unless the session is a recording. */
   readonly recording: RecordingTransport | null;
   rewind(): void;
-  /** Of an emulated device's screen, from the next frame on; null: as it was. Recordings follow the canvas. */
+  /** Resizes the screen of an emulated device from the next frame on; null restores the size. No effect on other sessions. */
   resize(sizePx: readonly [width: number, height: number] | null): void;
-  /** Of an emulated room: see the protocol's `room-light`. */
+  /** Applies the `room-light` message to an emulated room. No effect on other sessions. */
   moveLight(directionWorld: readonly [number, number, number] | null): void;
   end(): Promise<void>;
 }
 
-/** The time of a recording. */
+/** Controls the time of a recording. */
 export interface RecordingTransport {
   readonly frames: FrameTimes;
-  /** The picture is an earlier frame's: its own is being decoded. */
+  /** The session shows an earlier frame while the current one is being decoded. */
   readonly isLate: boolean;
-  /** To a moment, seconds since it began. */
+  /** Goes to a time in seconds since the recording began. */
   seek(timeS: number): void;
-  /** To the next frame; how much time is passed over. */
+  /** Advances to the next frame. Returns the difference in seconds. */
   step(): number;
   setRange(range: PreviewRange | null): void;
   enterRange(): void;
@@ -49,19 +49,19 @@ export interface SessionPlace {
   readonly gl: WebGL2RenderingContext;
   readonly clock: FrameClock;
   readonly program: Program;
-  /** Where an emulated device shows its picture. */
+  /** The element in which an emulated device shows its image. */
   readonly screen: HTMLElement;
-  /** That of `gl`. */
+  /** The canvas of `gl`. */
   readonly canvas: HTMLCanvasElement;
-  /** A part of a recording has been played, and time should stand. */
+  /** Called at the end of a play range without loop. */
   readonly onEnd: () => void;
-  /** A frame of a recording that was not there in time now is. */
+  /** Called when a late frame of a recording has been decoded. */
   readonly onArrival: () => void;
 }
 
 const MAX_PIXEL_RATIO = 2;
 
-/** Never rejects. */
+/** Opens a session for a preview source. Never rejects; failures are diagnostics. */
 export function openSession(source: PreviewSource, place: SessionPlace): Promise<OpenSession> {
   switch (source.kind) {
     case 'recorded':
@@ -87,13 +87,13 @@ async function openStill(picture: Blob, { gl, clock, canvas }: SessionPlace): Pr
     await stream.start();
   } catch {
     stream.stop();
-    const message = 'The picture could not be read.';
-    return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP.' }] });
+    const message = 'The image could not be read.';
+    return opened({ output: null, diagnostics: [{ code: 'SCR032', severity: 'error', message, fix: 'Choose a PNG, JPEG or WebP file.' }] });
   }
   return opened({ output: createCameraSession({ gl, canvas, clock, stream, sensor: listenForOrientation(window) }), diagnostics: [] });
 }
 
-/** Sessions that know no way back. */
+/** Wraps a session that cannot seek or resize. */
 function opened({ output, diagnostics }: Result<Session>): OpenSession {
   return {
     session: output,

@@ -16,15 +16,18 @@ import { type CostMeter, createCostMeter } from './cost-meter.ts';
 import { previewDecoderFile } from './decoder-files.ts';
 import { pageFetch } from './network.ts';
 
-/** A canvas, its context and the player on it: what cannot be changed without beginning anew. */
+/** A canvas, its GL context and the player on it. A new program reuses them if `canPlay` accepts it. */
 export interface PlayerHost {
   readonly canvas: HTMLCanvasElement;
   readonly gl: WebGL2RenderingContext;
   readonly player: Player;
   readonly fitter: CanvasFitter;
   readonly meter: CostMeter;
-  /** Whether a program can be played here: contexts are made with or without antialiasing, and assets come from one place. */
-  suits(program: Program, assetBaseUrl: string): boolean;
+  /**
+   * Whether the program can be played without a new context: antialiasing is fixed per context, and assets are loaded from one base
+   * URL.
+   */
+  canPlay(program: Program, assetBaseUrl: string): boolean;
   dispose(): void;
 }
 
@@ -38,13 +41,13 @@ export interface PlayerHostOptions {
   readonly send: (message: FromPreview) => void;
 }
 
-/** Of every model as if it stood for a real thing: which of them do changes with the program, and is judged when problems are told. */
+/** Inspects every model as a phantom. Whether it is one depends on the program, so the controller filters the findings later. */
 const inspect = (gltf: Gltf, path: string, fileBytes: number) => findingsOf(gltf, path, fileBytes, true);
 
-/** As the exported page has it, so that equal programs give equal pictures. */
+/** The seed of exported pages, so that equal programs draw equal frames. */
 const SEED = 1;
 
-/** Throws where the browser has no WebGL 2. */
+/** @throws If the browser does not support WebGL 2. */
 export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagnostics, onContext, send }: PlayerHostOptions): PlayerHost {
   const canvas = document.createElement('canvas');
   canvas.id = 'picture';
@@ -71,7 +74,7 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
     clock,
   });
   const lost = (event: Event) => {
-    // Without this the browser never gives the context back.
+    // Without this the browser never restores the context.
     event.preventDefault();
     player.contextLost();
     onContext('lost');
@@ -85,14 +88,14 @@ export function createPlayerHost({ parent, program, assetBaseUrl, clock, onDiagn
     player,
     fitter,
     meter,
-    suits: (next, base) => next.presentation.antialias === antialias && base === assetBaseUrl,
+    canPlay: (next, base) => next.presentation.antialias === antialias && base === assetBaseUrl,
     dispose: () => {
       canvas.removeEventListener('webglcontextlost', lost);
       canvas.removeEventListener('webglcontextrestored', restored);
       meter.dispose();
       player.dispose();
       fitter.dispose();
-      // Browsers keep few contexts; waiting for the collector would lose another page's.
+      // Browsers limit the number of contexts and drop the oldest. Garbage collection would release this one too late.
       gl.getExtension('WEBGL_lose_context')?.loseContext();
       canvas.remove();
     },

@@ -6,26 +6,26 @@ export interface PosterSize {
 }
 
 export interface PosterRequest extends PosterSize {
-  /** Comes with the answer. */
+  /** Counter that the answer repeats. */
   readonly request: number;
 }
 
-/** What a poster is taken from. */
-export interface PosterPlace {
+/** The canvas that posters, screenshots and probes read. */
+export interface CaptureSource {
   readonly canvas: HTMLCanvasElement;
-  /** Side by side in it; the first is taken. */
+  /** Number of views side by side. The poster shows the first. */
   readonly views: 1 | 2;
-  /** An emulated device lays the room under what was drawn when the frame is over, and keeps the picture. */
+  /** When the canvas shows the frame. An emulated device composites the room after the frame, and keeps the image. */
   readonly shows: 'in the frame' | 'after it';
-  /** From the next frame on; null: as it was. */
+  /** Resizes from the next frame on; null restores the size. */
   resize(size: PosterSize | null): void;
 }
 
-/** Pictures of what plays, for those who link to the page that it becomes. */
+/** Takes posters: images of the preview for link previews of the exported page. */
 export interface Posters {
-  /** Takes the next frame, which is drawn in that size; a wish that is not fulfilled yet gives way. */
-  want(asked: PosterRequest, place: PosterPlace): void;
-  /** There is none to be had. */
+  /** Draws the next frame in the requested size and sends it. Replaces a pending request. */
+  request(asked: PosterRequest, place: CaptureSource): void;
+  /** Answers that there is no image. */
   refuse(asked: PosterRequest): void;
   /** Whether a frame is being drawn for a poster. */
   readonly busy: boolean;
@@ -33,23 +33,23 @@ export interface Posters {
   afterFrame(): void;
 }
 
-interface Wish {
+interface PendingPoster {
   readonly asked: PosterRequest;
-  readonly place: PosterPlace;
+  readonly place: CaptureSource;
   state: 'new' | 'sized' | 'drawn';
 }
 
-/** An eighth of what the same picture takes as PNG, and nobody sees it. */
+/** JPEG quality. The file is an eighth of the PNG, without visible loss. */
 const QUALITY = 0.82;
-/** The page's own, where the picture is transparent. */
+/** Background of exported pages, shown where the image is transparent. */
 const GROUND = '#14161a';
 
-/** `wake` asks for another frame, also of a preview that is held. */
+/** @param wake Requests another frame, also while the preview is paused. */
 export function createPosters(send: (message: FromPreview, transfer?: Transferable[]) => void, wake: () => void): Posters {
-  let wish: Wish | null = null;
+  let pending: PendingPoster | null = null;
   const answer = ({ request }: PosterRequest, bytes: Uint8Array<ArrayBuffer> | null) =>
     send({ kind: 'poster', request, bytes }, bytes ? [bytes.buffer] : []);
-  const take = ({ asked, place }: Wish) => {
+  const take = ({ asked, place }: PendingPoster) => {
     const picture = cover(place, asked);
     void picture.convertToBlob({ type: 'image/jpeg', quality: QUALITY }).then(
       async (blob) => answer(asked, new Uint8Array(await blob.arrayBuffer())),
@@ -57,13 +57,13 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
     );
   };
   const drop = () => {
-    if (wish && wish.state !== 'new') wish.place.resize(null);
-    wish = null;
+    if (pending && pending.state !== 'new') pending.place.resize(null);
+    pending = null;
   };
   return {
-    want: (asked, place) => {
+    request: (asked, place) => {
       drop();
-      wish = { asked, place, state: 'new' };
+      pending = { asked, place, state: 'new' };
       wake();
     },
     refuse: (asked) => {
@@ -71,28 +71,28 @@ export function createPosters(send: (message: FromPreview, transfer?: Transferab
       answer(asked, null);
     },
     get busy() {
-      return wish !== null && wish.state !== 'new';
+      return pending !== null && pending.state !== 'new';
     },
     beforeFrame: () => {
-      if (wish?.state === 'drawn') {
-        if (wish.place.shows === 'after it') take(wish);
+      if (pending?.state === 'drawn') {
+        if (pending.place.shows === 'after it') take(pending);
         drop();
       }
-      if (wish?.state !== 'new') return;
-      wish.place.resize(wish.asked);
-      wish.state = 'sized';
+      if (pending?.state !== 'new') return;
+      pending.place.resize(pending.asked);
+      pending.state = 'sized';
     },
     afterFrame: () => {
-      if (wish?.state !== 'sized') return;
-      if (wish.place.shows === 'in the frame') take(wish);
-      wish.state = 'drawn';
+      if (pending?.state !== 'sized') return;
+      if (pending.place.shows === 'in the frame') take(pending);
+      pending.state = 'drawn';
       wake();
     },
   };
 }
 
-/** As large as fills the size, cut at the sides that are too long. */
-function cover({ canvas, views }: PosterPlace, { widthPx, heightPx }: PosterSize): OffscreenCanvas {
+/** Scales the first view to cover the size, and crops the longer sides. */
+function cover({ canvas, views }: CaptureSource, { widthPx, heightPx }: PosterSize): OffscreenCanvas {
   const picture = new OffscreenCanvas(widthPx, heightPx);
   const context = picture.getContext('2d');
   if (!context) return picture;

@@ -12,27 +12,27 @@ import { createGizmo } from './gizmo/gizmo.ts';
 import { createKeys } from './keys.ts';
 import { type OpenSession, openSession } from './open-session.ts';
 import { createPlayerHost, type PlayerHost } from './player-host.ts';
-import { createPosters, type PosterPlace, type PosterRequest } from './posters.ts';
+import { type CaptureSource, createPosters, type PosterRequest } from './posters.ts';
 import { createProbes } from './probes.ts';
-import { createShaderTrials } from './shader-trials.ts';
 import { createStatus } from './status.ts';
 import { createThumbnails } from './thumbnails.ts';
 import { createTransportClock } from './transport-clock.ts';
+import { createTrialCompiler } from './trial-compiler.ts';
 import { isStep } from './walk.ts';
 
 export interface PreviewControllerOptions {
-  /** Holds the canvas. */
+  /** Parent element of the canvas. */
   readonly parent: HTMLElement;
-  /** Where an emulated device shows its picture. */
+  /** The element in which an emulated device shows its image. */
   readonly screen: HTMLElement;
   readonly clock: FrameClock;
   readonly send: (message: FromPreview, transfer?: Transferable[]) => void;
 }
 
 export interface PreviewController {
-  /** Those of films are for others. */
-  take(message: ToPreview): void;
-  /** The window changed its size. */
+  /** Handles a message of the editor. Messages of frame renders are handled by `FrameRender`. */
+  receive(message: ToPreview): void;
+  /** Called when the window was resized. */
   resized(): void;
 }
 
@@ -41,27 +41,27 @@ interface Wanted {
   readonly program: Program;
 }
 
-/** After the last resize of the window, the wait before an emulated device, whose screen has a fixed size, is created again. */
+/** Pause after the last resize of the window before an emulated device is recreated, because its screen has a fixed size. */
 const RESIZE_PAUSE_S = 0.25;
 
-/** What a step is where there is no recording. */
+/** Duration of one step for sessions other than recordings. */
 const DISPLAY_FRAME_S = 1 / 60;
 
-/** Plays what the editor sends over the session it chose: what is wanted is noted down, and `settle` makes it so. */
+/** Drives the player and the sessions of the preview. Messages store the wanted state; `settle` creates what it needs. */
 export function createPreviewController({ parent, screen, clock: base, send }: PreviewControllerOptions): PreviewController {
   let wanted: Wanted | null = null;
   let source: PreviewSource | null = null;
-  /** Of the message that `source` came with. */
+  /** Counter of the message that set `source`. */
   let request = 0;
   let resizes = 0;
   let metering = false;
 
   let host: PlayerHost | null = null;
   let open: OpenSession | null = null;
-  /** What `open` was opened for. */
+  /** `sessionKey` of `open`. */
   let openKey = '';
   let lost = false;
-  /** There is a picture. */
+  /** Whether a frame of the program has been drawn. */
   let plays = false;
   let sessionProblems: readonly Diagnostic[] = [];
   let playerProblems: readonly Diagnostic[] = [];
@@ -75,22 +75,22 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   let viewer: Extract<ToPreview, { kind: 'viewer' }> = { kind: 'viewer', left: null, right: null, split: 1 };
   const clock = createTransportClock(base, () => {
     posters.beforeFrame();
-    probes.beforeFrame(posterPlace());
-    captures.beforeFrame(posterPlace());
+    probes.beforeFrame(captureSource());
+    captures.beforeFrame(captureSource());
     if (!posters.busy) host?.fitter.update();
   });
   const status = createStatus(base, send);
   const thumbnails = createThumbnails(base, send);
-  const trials = createShaderTrials(base, send);
+  const trialCompiler = createTrialCompiler(base, send);
 
-  /** Holes in a model matter where it stands for a real thing, which the program says. */
+  /** Open edges of a model matter only if it is a phantom in the current program. */
   const playerProblemsNow = (): readonly Diagnostic[] => {
     const phantoms = wanted === null ? new Set<string>() : phantomNodes(wanted.program);
     return playerProblems.filter(({ code, nodeId = '' }) => code !== 'SCR035' || phantoms.has(nodeId));
   };
-  const tellProblems = () =>
+  const sendProblems = () =>
     send({ kind: 'diagnostics', revision: wanted?.revision ?? 0, diagnostics: [...sessionProblems, ...playerProblemsNow()] });
-  const tellState = () => {
+  const updateState = () => {
     const hasSession = open !== null && open.session !== null;
     status.setState(lost ? 'lost' : !hasSession ? 'loading' : clock.playing ? 'playing' : 'paused');
     clock.wake();
@@ -98,7 +98,7 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   const fail = (error: unknown) => {
     const reason = error instanceof Error ? error.message : String(error);
     sessionProblems = [{ code: 'SCR053', severity: 'error', message: `The preview cannot draw: ${reason}` }];
-    tellProblems();
+    sendProblems();
   };
   const report = (revision: number, { outcome, shaderErrors }: PlayResult) => {
     if (outcome === 'superseded') return;
@@ -107,8 +107,8 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
       plays = true;
       send({ kind: 'playing', revision });
     }
-    if (playerProblems.length > 0) tellProblems();
-    thumbnails.anew();
+    if (playerProblems.length > 0) sendProblems();
+    thumbnails.invalidate();
     clock.wake();
   };
 
@@ -134,11 +134,11 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
       send,
       onDiagnostics: (diagnostics) => {
         playerProblems = diagnostics;
-        tellProblems();
+        sendProblems();
       },
       onContext: (state) => {
         lost = state === 'lost';
-        tellState();
+        updateState();
       },
     });
     host = made;
@@ -149,17 +149,17 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
   };
   const begin = async (playerHost: PlayerHost, { program }: Wanted, from: PreviewSource, key: string) => {
     await endSession();
-    tellState();
+    updateState();
     const { gl, canvas } = playerHost;
     const onEnd = () => pause();
     const opened = await openSession(from, { gl, canvas, clock, program, screen, onEnd, onArrival: clock.wake });
     open = opened;
-    // The editor answers with what of it is played.
+    // The editor answers with the play range.
     send({ kind: 'frames', frames: opened.recording?.frames ?? null });
     openKey = key;
     if (lightWorld) opened.moveLight(lightWorld);
     sessionProblems = opened.diagnostics;
-    tellProblems();
+    sendProblems();
     playerHost.player.reset();
     playerHost.player.setSession(opened.session);
     status.rewind(opened.recording?.frames ?? null);
@@ -167,9 +167,9 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
       if (event.kind === 'reset') playerHost.player.reset();
       if (event.kind !== 'problem') return;
       sessionProblems = [...sessionProblems, { code: 'SCR054', severity: 'warning', message: event.message }];
-      tellProblems();
+      sendProblems();
     });
-    tellState();
+    updateState();
   };
   const draw = (frame: SessionFrame) => {
     if (!host || lost) return;
@@ -179,30 +179,30 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
     host.meter.afterFrame();
     if (!posters.busy) showViewer(host.player, frame, viewer);
     if (plays) posters.afterFrame();
-    probes.afterFrame(host.player, frame, posterPlace());
-    captures.afterFrame(posterPlace());
-    if (!posters.busy) gizmo.afterFrame(host.player, frame, posterPlace());
+    probes.afterFrame(host.player, frame, captureSource());
+    captures.afterFrame(captureSource());
+    if (!posters.busy) gizmo.afterFrame(host.player, frame, captureSource());
     if (thumbnails.afterFrame(host.player)) clock.wake();
   };
   const settle = coalesce(async () => {
     if (!wanted || !source) return;
     const asked = request;
-    if (!host?.suits(wanted.program, source.assetBaseUrl)) await build(wanted, source);
+    if (!host?.canPlay(wanted.program, source.assetBaseUrl)) await build(wanted, source);
     const key = sessionKey(source, wanted.program, resizes);
     if (host && key !== openKey) await begin(host, wanted, source, key);
     status.setRequest(asked);
   }, fail);
 
-  const takeProgram = (next: Wanted) => {
+  const setProgram = (next: Wanted) => {
     wanted = next;
-    if (source && host?.suits(next.program, source.assetBaseUrl)) {
+    if (source && host?.canPlay(next.program, source.assetBaseUrl)) {
       void host.player.replaceProgram(next.program).then((result) => report(next.revision, result));
     }
     settle();
   };
   const pause = () => {
     clock.setPlaying(false);
-    tellState();
+    updateState();
   };
   const transport = (action: Extract<ToPreview, { kind: 'transport' }>['action']) => {
     if (action === 'reset') {
@@ -212,39 +212,39 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
     } else clock.setPlaying(action === 'play');
     if (action === 'play') open?.recording?.enterRange();
     if (action === 'step') clock.step(open?.recording?.step() ?? DISPLAY_FRAME_S);
-    tellState();
+    updateState();
   };
-  const takeRange = (next: PreviewRange | null) => {
+  const setRange = (next: PreviewRange | null) => {
     open?.recording?.setRange(next);
     if (clock.playing) open?.recording?.enterRange();
   };
 
-  const posterPlace = (): PosterPlace | null => {
+  const captureSource = (): CaptureSource | null => {
     if (lost || !plays || !host || !open?.session) return null;
-    if (source?.kind !== 'room') return placeOnCanvas(host.canvas);
+    if (source?.kind !== 'room') return sourceOnCanvas(host.canvas);
     const canvas = screen.querySelector('canvas');
     const { views } = source;
     const { resize } = open;
     return canvas && { canvas, views, shows: 'after it', resize: (size) => resize(size && [size.widthPx * views, size.heightPx]) };
   };
-  const takePoster = (asked: PosterRequest) => {
-    const place = posterPlace();
-    if (place) posters.want(asked, place);
+  const requestPoster = (asked: PosterRequest) => {
+    const place = captureSource();
+    if (place) posters.request(asked, place);
     else posters.refuse(asked);
   };
 
   return {
-    take: (message) => {
+    receive: (message) => {
       switch (message.kind) {
         case 'program':
-          takeProgram(message);
+          setProgram(message);
           return;
         case 'trials':
-          trials.take(message);
+          trialCompiler.compile(message);
           return;
         case 'param':
           host?.player.setParam(message.node, message.param, message.value);
-          thumbnails.anew();
+          thumbnails.invalidate();
           clock.wake();
           return;
         case 'session':
@@ -257,10 +257,10 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
           clock.wake();
           return;
         case 'poster':
-          takePoster(message);
+          requestPoster(message);
           return;
         case 'thumbnails':
-          thumbnails.want(message.ports, message.heightPx);
+          thumbnails.setPorts(message.ports, message.heightPx);
           clock.wake();
           return;
         case 'viewer':
@@ -273,27 +273,27 @@ export function createPreviewController({ parent, screen, clock: base, send }: P
           clock.wake();
           return;
         case 'screenshot':
-          captures.screenshot(posterPlace());
+          captures.screenshot(captureSource());
           return;
         case 'record':
-          captures.record(message.on, posterPlace());
+          captures.record(message.on, captureSource());
           return;
         case 'probe':
           probes.ask(message);
           return;
         case 'gizmo':
         case 'picking':
-          gizmo.take(message);
+          gizmo.receive(message);
           return;
         case 'keys':
-          keys.take(message);
+          keys.receive(message);
           return;
         case 'seek':
           open?.recording?.seek(message.timeS);
           clock.wake();
           return;
         case 'range':
-          takeRange(message.range);
+          setRange(message.range);
           return;
         case 'transport':
           transport(message.action);
@@ -323,14 +323,14 @@ function showViewer(
   frame: SessionFrame,
   { left, right, split }: Extract<ToPreview, { kind: 'viewer' }>,
 ): void {
-  const [ofLeft, ofRight] = [left === null ? null : player.inspect(left), right === null ? null : player.inspect(right)];
+  const [leftLayer, rightLayer] = [left === null ? null : player.inspect(left), right === null ? null : player.inspect(right)];
   for (let view = 0; view < frame.viewCount; view++) {
-    if (ofLeft) showLayer(ofLeft, view, 0, split);
-    if (ofRight) showLayer(ofRight, view, split, 1);
+    if (leftLayer) showLayer(leftLayer, view, 0, split);
+    if (rightLayer) showLayer(rightLayer, view, split, 1);
   }
 }
 
-function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {
+function sourceOnCanvas(canvas: HTMLCanvasElement): CaptureSource {
   const { width: widthPx, height: heightPx } = canvas;
   return {
     canvas,
@@ -344,7 +344,7 @@ function placeOnCanvas(canvas: HTMLCanvasElement): PosterPlace {
   };
 }
 
-/** Sessions that differ in this cannot stand for each other. Recordings care for nothing but their folder. */
+/** Two sources with the same key share a session. A recording depends only on its URL. */
 function sessionKey(source: PreviewSource, program: Program, resizes: number): string {
   switch (source.kind) {
     case 'recorded':

@@ -2,26 +2,26 @@ import type { Player } from '../../export/runtime/player.ts';
 import { probeDepth } from '../../export/runtime/probe-depth.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewProbe, ToPreview } from '../preview-protocol.ts';
-import type { PosterPlace } from './posters.ts';
+import type { CaptureSource } from './posters.ts';
 
 type Question = Extract<ToPreview, { kind: 'probe' }>;
 
-/** What is known before the picture is shown. */
+/** The part of the result that is known before the frame is shown. */
 type Found = Pick<PreviewProbe, 'x' | 'y' | 'depth'> & { readonly aroundPx: number };
 
-/** Says what is under the pointer: one answer a frame, to the last question. */
+/** Answers probe requests: at most one per frame, the newest. */
 export interface Probes {
   ask(question: Question): void;
-  beforeFrame(place: PosterPlace | null): void;
-  afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: PosterPlace | null): void;
+  beforeFrame(place: CaptureSource | null): void;
+  afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: CaptureSource | null): void;
 }
 
-/** `wake` asks for a frame, also of a preview that is held. */
+/** @param wake Requests a frame, also while the preview is paused. */
 export function createProbes(send: (message: FromPreview) => void, wake: () => void): Probes {
   let question: Question | null = null;
-  /** An emulated device shows its picture when the frame is over. */
+  /** Result without the color. An emulated device shows its image only after the frame. */
   let waiting: Found | null = null;
-  const answer = (place: PosterPlace, { x, y, depth, aroundPx }: Found) =>
+  const answer = (place: CaptureSource, { x, y, depth, aroundPx }: Found) =>
     send({ kind: 'probed', probe: { x, y, depth, ...colorsAt(place.canvas, x, y, aroundPx) } });
   return {
     ask: (asked) => {
@@ -66,7 +66,7 @@ function colorsAt(canvas: HTMLCanvasElement, x: number, y: number, aroundPx: num
   square ??= new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true });
   if (!square) return { color: [0, 0, 0, 0] };
   const sidePx = 2 * aroundPx + 1;
-  // Given a size, also the one that it has, it is transparent again.
+  // Setting the size of a canvas clears it.
   square.canvas.width = sidePx;
   square.canvas.height = sidePx;
   const left = Math.min(canvas.width - 1, Math.floor(x * canvas.width)) - aroundPx;

@@ -14,13 +14,13 @@ import { pageFetch } from './network.ts';
 import { loadRoom } from './open-session.ts';
 import { START_POSE } from './walk.ts';
 
-/** What a film is drawn over, frame by frame. */
+/** Draws the frames of a frame render. */
 export interface OpenRenderSource {
-  /** Draws the frame of a moment; a room's next one, whichever it is. False where there is none. */
+  /** Draws the frame at this time, in seconds; a room draws its next frame. Resolves to false if there is no such frame. */
   draw(timeS: number): Promise<boolean>;
-  /** What a visitor sees, rows from the top. */
+  /** Pixels as a visitor sees them, rows from the top. */
   read(): Uint8Array<ArrayBuffer>;
-  /** Whether that is the canvas of the program's own: in rooms, the room lies behind it. */
+  /** Whether the canvas of the program shows these pixels. In a room it does not, because the room lies behind it. */
   readonly onCanvas: boolean;
 }
 
@@ -77,7 +77,8 @@ async function openRoom(
   const mode = tier === 'vr' ? 'immersive-vr' : 'immersive-ar';
   const { output, diagnostics } = await requestWebXrSession({ xr: navigator.xr, gl, needs, antialias: presentation.antialias, mode });
   if (output === null) return { output: null, diagnostics };
-  // The textures of a device are valid only during the frame, so the frame is drawn at once: videos show what the previous frame requested.
+  // WebXR textures are valid only during their frame, so the frame is drawn without waiting. Videos therefore show the frame that was
+  // requested one frame earlier.
   const drawn = startDrawing(player, output, (frame) => {
     player.draw(frame);
     return player.settle();
@@ -92,7 +93,7 @@ async function openRoom(
   return { output: { draw, read, onCanvas: false }, diagnostics: asWarnings(diagnostics) };
 }
 
-/** The device is one of ours: what it lacks is told, and stops nothing. */
+/** Missing features of the emulated device are warnings and do not stop the render. */
 function asWarnings(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   return diagnostics.map((diagnostic) => ({ ...diagnostic, severity: 'warning' }));
 }
@@ -104,7 +105,7 @@ function poseOf(worldFromHead: readonly number[]): HeadPose {
   return { position: [position.x, position.y, position.z], quaternion: [quaternion.x, quaternion.y, quaternion.z, quaternion.w] };
 }
 
-/** The returned function resolves when everything of the frame that was stepped to is drawn. */
+/** Plays the session. The returned function resolves when the current frame is completely drawn. */
 function startDrawing(player: Player, session: Session, draw: (frame: SessionFrame) => Promise<void>): () => Promise<void> {
   let drawing: Promise<void> = Promise.resolve();
   player.setSession(session);

@@ -3,19 +3,22 @@ import { type FrameTimes, frameAtTime } from '../../nodes/kit/frame-times.ts';
 import type { SessionFrame } from '../../nodes/kit/session.ts';
 import type { FromPreview, PreviewStatus } from '../preview-protocol.ts';
 
-/** Tells the editor how the preview runs, at most ten times a second; while it is held, of every frame that is another one. */
+/** Sends the status of the preview at most ten times a second; while paused, for each new frame. */
 export interface Status {
   setState(state: PreviewStatus['state']): void;
   setRequest(request: number): void;
-  /** Around the drawing of a frame. */
+  /** Called before and after a frame is drawn. */
   begin(): void;
   end(frame: SessionFrame, late: boolean): void;
-  /** Frames and time count from the next frame on; frames that repeat a held moment do not count. `frames`: of a recording. */
+  /**
+   * Restarts the frame count and the time at the next frame. Frames that repeat a paused time do not count. `frames`: those of the
+   * recording, if it is one.
+   */
   rewind(frames: FrameTimes | null): void;
 }
 
 const INTERVAL_S = 0.1;
-/** Of a new frame's time in the mean. */
+/** Weight of a new frame in the mean frame time. */
 const WEIGHT = 0.1;
 
 export function createStatus(clock: FrameClock, send: (message: FromPreview) => void): Status {
@@ -35,7 +38,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   let lastS = 0;
   let frames: FrameTimes | null = null;
   let seen: SessionFrame | null = null;
-  const tell = () => {
+  const post = () => {
     sentS = clock.nowS();
     const [view] = seen?.views ?? [];
     send({ kind: 'status', status: { ...status, worldFromView: view ? [...view.worldFromView] : null } });
@@ -43,12 +46,12 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
   return {
     setState: (state) => {
       status.state = state;
-      tell();
+      post();
     },
     setRequest: (request) => {
       if (status.request === request) return;
       status.request = request;
-      tell();
+      post();
     },
     begin: () => {
       beganS = clock.nowS();
@@ -61,7 +64,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
       status.late = late;
       if (originS === null) status.frame = 0;
       else if (moved) status.frame++;
-      // A recording says its own time; others begin when they are begun.
+      // The time of a recording is absolute; other sessions count from their first frame.
       originS ??= frames ? 0 : frame.timeS;
       lastS = frame.timeS;
       seen = frame;
@@ -70,7 +73,7 @@ export function createStatus(clock: FrameClock, send: (message: FromPreview) => 
       status.frameMs = status.frameMs === 0 ? tookMs : status.frameMs * (1 - WEIGHT) + tookMs * WEIGHT;
       status.widthPx = frame.framebufferWidthPx;
       status.heightPx = frame.framebufferHeightPx;
-      if (nowS - sentS >= INTERVAL_S || ((moved || arrived) && status.state === 'paused')) tell();
+      if (nowS - sentS >= INTERVAL_S || ((moved || arrived) && status.state === 'paused')) post();
     },
     rewind: (of) => {
       originS = null;

@@ -1,6 +1,6 @@
 import type { CameraStream } from '../../export/runtime/sessions/camera/camera-stream.ts';
 
-/** A picture as a camera that sees nothing else. `start` rejects where it is no picture. */
+/** A still image as a camera stream. `start` rejects if the file is not an image. */
 export function createStillStream(document: Document, file: Blob): CameraStream {
   const video = document.createElement('video');
   video.muted = true;
@@ -22,7 +22,7 @@ export function createStillStream(document: Document, file: Blob): CameraStream 
       const context = canvas.getContext('2d');
       stream = canvas.captureStream();
       video.srcObject = stream;
-      // A stream of a canvas has a picture when something was drawn after it began.
+      // A canvas stream has no frame until something is drawn after it started.
       context?.drawImage(picture, 0, 0);
       picture.close();
       await video.play();

@@ -19,7 +19,7 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
   };
   frames(0.1);
   expect(read).toEqual([]);
-  thumbnails.want(['a', 'b', 'c'], 96);
+  thumbnails.setPorts(['a', 'b', 'c'], 96);
   const more = frames(1.1);
   expect(read.map(([layer]) => layer).slice(0, 4)).toEqual(['b', 'c', 'a', 'b']);
   expect(read.length * 0.005).toBeLessThanOrEqual(0.1);
@@ -27,7 +27,7 @@ test('layers are read in turn, and reading takes a tenth of the time at most; wh
   // Until all three were read, a held preview has to go on.
   expect(more.indexOf(false)).toBeGreaterThan(2);
   expect(more.at(-1)).toBe(false);
-  thumbnails.anew();
+  thumbnails.invalidate();
   expect(thumbnails.afterFrame(player)).toBe(true);
 });
 
@@ -44,7 +44,7 @@ test('what has not been seen yet is read sooner', () => {
       return { widthPx: 1, heightPx: 1, pixels: new Uint8Array(4) };
     },
   );
-  thumbnails.want(['a', 'b', 'c'], 96);
+  thumbnails.setPorts(['a', 'b', 'c'], 96);
   for (; read.length < 5; nowS += 1 / 60) thumbnails.afterFrame({ inspect: () => null });
   const [a = 0, b = 0, c = 0, again = 0, later = 0] = read;
   // Each as long as reading takes apart; then in a tenth of the time.

@@ -3,38 +3,38 @@ import type { Player } from '../../export/runtime/player.ts';
 import { readColor } from '../../export/runtime/readback.ts';
 import type { FromPreview } from '../preview-protocol.ts';
 
-/** Small copies of tapped layers, one a turn, so that looking at many costs no more than looking at one. */
+/** Sends thumbnails of layers, one per frame, so that their number does not affect the cost of a frame. */
 export interface Thumbnails {
-  want(ports: readonly string[], heightPx: number): void;
-  /** The layers may have changed though time stands still. */
-  anew(): void;
-  /** Whether another frame is needed for those that have not been looked at since something changed. */
+  setPorts(ports: readonly string[], heightPx: number): void;
+  /** Marks all thumbnails as outdated, also while time stands still. */
+  invalidate(): void;
+  /** Returns whether outdated thumbnails remain, which need another frame. */
   afterFrame(player: Pick<Player, 'inspect'>): boolean;
 }
 
-/** Reading pixels back waits for the GPU: at most this part of the time goes into it. */
+/** Maximum fraction of time for reading pixels back, which waits for the GPU. */
 const SHARE = 0.1;
-/** The same while a layer is looked at for the first time: an empty node says nothing. */
+/** The same fraction for the first thumbnail of a layer, because a node without one looks empty. */
 const FIRST_SHARE = 0.5;
 
 type Send = (message: FromPreview, transfer: Transferable[]) => void;
 
 export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, read = readColor): Thumbnails {
   let ports: readonly string[] = [];
-  /** Of these, the ones that were seen since they are wanted. */
+  /** Requested ports that have had a thumbnail. */
   let seen = new Set<string>();
   let heightPx = 0;
   let next = 0;
   let restUntilS = Number.NEGATIVE_INFINITY;
   let left = 0;
   return {
-    want: (wanted, height) => {
+    setPorts: (wanted, height) => {
       ports = wanted;
       seen = new Set(wanted.filter((port) => seen.has(port)));
       heightPx = height;
       left = ports.length;
     },
-    anew: () => {
+    invalidate: () => {
       left = ports.length;
     },
     afterFrame: (player) => {
@@ -46,7 +46,7 @@ export function createThumbnails(clock: Pick<FrameClock, 'nowS'>, send: Send, re
       const port = ports[next];
       const layer = port === undefined ? null : read(player.inspect(port), 0, heightPx);
       if (port !== undefined && layer !== null) {
-        // Pixels of `ImageData` are straight, those of a layer premultiplied.
+        // `ImageData` has straight alpha, a layer premultiplied alpha.
         const image = new ImageData(straightAlpha(layer.pixels), layer.widthPx, layer.heightPx);
         void createImageBitmap(image).then((bitmap) => send({ kind: 'thumbnail', port, image: bitmap }, [bitmap]));
       }

@@ -1,27 +1,27 @@
 import type { FrameClock } from '../../export/runtime/clock.ts';
 
-/** Time that can be held: sessions and nodes run on it, so that pausing pauses all of them. */
+/** A clock that can be paused. Sessions and nodes use it, so that a pause affects all of them. */
 export interface TransportClock extends FrameClock {
   readonly playing: boolean;
   setPlaying(playing: boolean): void;
-  /** While held: moves time on by this much, once. */
+  /** While paused: advances the time once. */
   step(deltaS: number): void;
-  /** While held: asks for a frame at the time it stands at, because something else about the picture changed. */
+  /** While paused: requests a frame at the same time, because something else has changed. */
   wake(): void;
 }
 
-/** While nothing changes, a held clock asks for a frame this often: what loads late shows up, and the processor rests. */
+/** Frame interval of a paused clock without changes. It shows what finishes loading late and saves power. */
 const IDLE_S = 0.25;
 
 /**
- * The longest step of time, seconds. While the page is hidden browsers ask for no frames; what plays then goes on where it was,
- * instead of making up for it in one leap.
+ * Maximum step in seconds. Browsers request no frames while the page is hidden; afterwards time continues where it was instead of
+ * jumping.
  */
 const MAX_STEP_S = 0.5;
 
 /**
- * Runs with `base` while playing; held, it gives frames of the same time, few and far between. `beforeFrame` runs ahead of every
- * frame's callbacks.
+ * Follows `base` while playing. While paused, it calls back at a low rate with the same time. `beforeFrame` runs before the callbacks
+ * of each frame.
  */
 export function createTransportClock(base: FrameClock, beforeFrame: () => void): TransportClock {
   let playing = true;

@@ -1,16 +1,16 @@
 import type { Emulator, HeadPose } from '../../export/emulator/emulator.ts';
 import type { FrameClock } from '../../export/runtime/clock.ts';
 
-/** Moves the emulated head: dragging looks around, W A S D and the arrow keys walk. */
+/** Moves the head of the emulated device: dragging looks around; W, A, S, D and the arrow keys walk. */
 export interface Walk {
-  /** Back to where it began. */
+  /** Returns to the start pose. */
   rewind(): void;
   dispose(): void;
 }
 
 /** Standing at the edge of a play area of 2 m, looking into the room. */
 const START = { x: 0, y: 1.5, z: 1, yawRad: 0, pitchRad: -0.15 };
-/** The same as the emulator takes it. */
+/** The start pose for the emulator. */
 export const START_POSE: HeadPose = {
   position: [START.x, START.y, START.z],
   quaternion: [Math.sin(START.pitchRad / 2), 0, 0, Math.cos(START.pitchRad / 2)],
@@ -18,7 +18,7 @@ export const START_POSE: HeadPose = {
 const RAD_PER_PX = 0.004;
 const MAX_PITCH_RAD = 1.4;
 const SPEED_M_PER_S = 1.2;
-/** Of one step, so that a page that slept does not run through walls. */
+/** Maximum time step, so that a page that was suspended does not walk through walls. */
 const MAX_STEP_S = 0.1;
 
 const DIRECTIONS: Readonly<Record<string, readonly [right: number, forward: number]>> = {
@@ -32,7 +32,7 @@ const DIRECTIONS: Readonly<Record<string, readonly [right: number, forward: numb
   ArrowRight: [1, 0],
 };
 
-/** Whether a key walks. */
+/** Whether the key walks. */
 export function isStep({ code, ctrlKey, metaKey, altKey }: KeyboardEvent): boolean {
   return code in DIRECTIONS && !ctrlKey && !metaKey && !altKey;
 }
@@ -49,7 +49,7 @@ export function createWalk(emulator: Pick<Emulator, 'setPose'>, screen: HTMLElem
     const cosYaw = Math.cos(head.yawRad / 2);
     const sinPitch = Math.sin(head.pitchRad / 2);
     const cosPitch = Math.cos(head.pitchRad / 2);
-    // Yaw about y, then pitch about the turned x.
+    // Yaw about y, then pitch about the rotated x axis.
     emulator.setPose({
       position: [head.x, head.y, head.z],
       quaternion: [cosYaw * sinPitch, sinYaw * cosPitch, -sinYaw * sinPitch, cosYaw * cosPitch],

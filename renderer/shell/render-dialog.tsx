@@ -3,7 +3,7 @@ import { useStore } from 'zustand';
 import { type FrameTimes, timeOfFrame } from '../../nodes/kit/frame-times.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { lastFrame, playedRange } from '../state/preview/playback.ts';
-import { type FramesWish, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
+import { type FrameRenderOptions, planFrames, ROOM_RATE_HZ, rateOf, renderFrames } from '../state/preview/render-frames.ts';
 import { FormDialog } from '../ui/form-dialog.tsx';
 import { FolderField } from './folder-field.tsx';
 import './render-dialog.css';
@@ -20,7 +20,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const { preview } = editor;
   const frames = useStore(preview, (state) => state.frames);
   const id = useId();
-  const [what, setWhat] = useState<FramesWish['what']>('pictures');
+  const [what, setWhat] = useState<FrameRenderOptions['what']>('pictures');
   const inRoom = frames === null;
   const [range, setRange] = useState(() => asTexts(inRoom ? ROOM_RANGE : playedRange(preview.getState())));
   const [size, setSize] = useState(() => sizeOf(preview.getState().status));
@@ -32,7 +32,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
   const widthPx = wholeIn(size.width, 1, MOST_PX);
   const heightPx = wholeIn(size.height, 1, MOST_PX);
   const frameRateHz = rate === 'own' ? null : Number(rate);
-  const wish: FramesWish | null =
+  const options: FrameRenderOptions | null =
     from === null || to === null || widthPx === null || heightPx === null
       ? null
       : { what, range: { from, to }, widthPx, heightPx, frameRateHz, out: out.trim() };
@@ -40,8 +40,8 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
     <FormDialog
       title="Render frames"
       action="Render"
-      ready={wish !== null && (what === 'video' || wish.out !== '')}
-      onGo={() => void (wish && renderFrames(editor, wish))}
+      ready={options !== null && (what === 'video' || options.out !== '')}
+      onGo={() => void (options && renderFrames(editor, options))}
       onClose={onClose}
       wide
     >
@@ -69,7 +69,7 @@ export function RenderDialog({ onClose }: { readonly onClose: () => void }) {
         <FolderField id={`${id}-folder`} label="Folder" path={out} example="/home/me/frames/my-effect" purpose="render" onChange={setOut} />
       )}
       <p className="dialog-note" role="status">
-        {wish ? `${lengthWords(frames, wish)}. ` : 'A number is missing or out of range. '}
+        {options ? `${lengthWords(frames, options)}. ` : 'A number is missing or out of range. '}
         {inRoom && 'Frames show the room from the preview’s current position, as on a phone. '}
         {frames && to !== null && to > lastFrame({ frames }) && 'The recording repeats after its end. '}
         {what === 'video'
@@ -123,7 +123,7 @@ function WholeNumber({ label, text, wrong, onChange }: WholeNumberProps) {
   );
 }
 
-function lengthWords(frames: FrameTimes | null, { range, frameRateHz }: FramesWish): string {
+function lengthWords(frames: FrameTimes | null, { range, frameRateHz }: FrameRenderOptions): string {
   if (frames === null) return countWords(range.to - range.from + 1, (range.to - range.from + 1) / (frameRateHz ?? ROOM_RATE_HZ));
   const count = planFrames(frames, range, frameRateHz, false).filter(({ keep }) => keep).length;
   const lengthS = timeOfFrame(frames, range.to + 1) - timeOfFrame(frames, range.from);

@@ -1,6 +1,6 @@
 import { type KeyboardEvent, useEffect, useId, useRef, useState } from 'react';
 import { useStore } from 'zustand';
-import { endTour, goOnTour, TOUR, type TourStep } from '../state/commands/tour.ts';
+import { endTour, stepTour, TOUR, type TourStep } from '../state/commands/tour.ts';
 import { useEditor } from '../state/editor/editor-context.ts';
 import { uiScale } from '../ui/appearance.ts';
 import { Button } from '../ui/button.tsx';
@@ -37,8 +37,8 @@ function TourCard({ step, number }: { readonly step: TourStep; readonly number: 
   }, []);
   const onKeyDown = (event: KeyboardEvent) => {
     if (event.key === 'Escape') endTour(editor);
-    else if (event.key === 'ArrowRight') goOnTour(editor, 1);
-    else if (event.key === 'ArrowLeft') goOnTour(editor, -1);
+    else if (event.key === 'ArrowRight') stepTour(editor, 1);
+    else if (event.key === 'ArrowLeft') stepTour(editor, -1);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -67,8 +67,8 @@ function TourCard({ step, number }: { readonly step: TourStep; readonly number: 
             </Button>
           )}
           <span className="tour-gap" />
-          {number > 0 && <Button onPress={() => goOnTour(editor, -1)}>Back</Button>}
-          <Button look="primary" autoFocus onPress={() => goOnTour(editor, 1)}>
+          {number > 0 && <Button onPress={() => stepTour(editor, -1)}>Back</Button>}
+          <Button look="primary" autoFocus onPress={() => stepTour(editor, 1)}>
             {isLast ? 'Done' : 'Next'}
           </Button>
         </div>

@@ -1,6 +1,6 @@
 import { useEffect } from 'react';
 import { keybindingOf } from '../keybinding.ts';
-import { copyInEvent, cutSelection, pasteText } from '../state/clipboard/clipboard.ts';
+import { clipboardTextOfSelection, cutSelection, pasteText } from '../state/clipboard/clipboard.ts';
 import { appCommand, runCommand } from '../state/commands/app-commands.ts';
 import { commandOfKeybinding, keybindingsOf } from '../state/commands/keybindings.ts';
 import { isTyping } from '../state/commands/show-keybinding.ts';
@@ -47,7 +47,7 @@ export function useShortcuts(): void {
     };
     const onCopy = (event: ClipboardEvent) => {
       if (blocked() || isTyping(event.target) || hasSelectedText()) return;
-      const text = copyInEvent(editor);
+      const text = clipboardTextOfSelection(editor);
       if (text === null) return;
       event.preventDefault();
       event.clipboardData?.setData('text/plain', text);

@@ -2,7 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { clipSelection, duplicateSelection, parseClipping, pasteClipping } from './clipboard/clipboard.ts';
 import { endGesture, redo, undo } from './document/apply.ts';
-import type { WireInHand } from './editor/canvas-state.ts';
+import type { DraggedWire } from './editor/canvas-state.ts';
 import { graphOf, isDirty, layoutOf } from './editor/document.ts';
 import type { Editor } from './editor/editor.ts';
 import { selectOnly } from './editor/selection.ts';
@@ -11,10 +11,10 @@ import { addNodeFromPalette, connect, deleteSelection, refusalOf, rewire, toggle
 import { moveAll } from './graph/layout-items.ts';
 import { editParam, resetParam, setExposed } from './params/edit-params.ts';
 
-function add(editor: Editor, type: string, inHand: WireInHand | null = null, port: string | null = null): string {
+function add(editor: Editor, type: string, draggedWire: DraggedWire | null = null, port: string | null = null): string {
   const definition = editor.document.getState().library.definition(type);
   if (!definition) throw new Error(`There is no ${type}.`);
-  const id = addNodeFromPalette(editor, { definition, port }, { x: 8, y: 16 }, inHand);
+  const id = addNodeFromPalette(editor, { definition, port }, { x: 8, y: 16 }, draggedWire);
   if (id === null) throw new Error(`${type} was not added.`);
   return id;
 }
@@ -36,8 +36,8 @@ describe('the editor', () => {
   test('a wire dropped on the canvas is connected to the node chosen for it, in the same step', async () => {
     const { editor } = await openTestEditor();
     const sepia = add(editor, 'filter/sepia');
-    const inHand: WireInHand = { node: sepia, port: 'layer', side: 'output', type: 'layer' };
-    const blur = add(editor, 'filter/gaussian-blur', inHand, 'inputImage');
+    const draggedWire: DraggedWire = { node: sepia, port: 'layer', side: 'output', type: 'layer' };
+    const blur = add(editor, 'filter/gaussian-blur', draggedWire, 'inputImage');
     expect(graphOf(editor.document.getState()).wires).toEqual([
       { from: { node: sepia, port: 'layer' }, to: { node: blur, port: 'inputImage' } },
     ]);
@@ -52,7 +52,7 @@ describe('the editor', () => {
     const output = { node: math, port: 'result', side: 'output' } as const;
     const input = { node: sepia, port: 'inputImage', side: 'input' } as const;
     expect(refusalOf(editor, output, input)?.code).toBe('SCR013');
-    expect(refusalOf(editor, output, { ...output, node: sepia, port: 'layer' })?.message).toContain('Both are outputs');
+    expect(refusalOf(editor, output, { ...output, node: sepia, port: 'layer' })?.message).toContain('Both ports are outputs');
     expect(connect(editor, { node: math, port: 'result' }, { node: sepia, port: 'inputImage' })).toBe(false);
     expect(editor.ui.getState().toasts.map(({ tone }) => tone)).toEqual(['error']);
     expect(graphOf(editor.document.getState()).wires).toEqual([]);
@@ -141,7 +141,7 @@ describe('the editor', () => {
     const clipping = clipSelection(editor);
     duplicateSelection(editor);
     expect(types()).toEqual(['filter/sepia', 'filter/sepia', 'output/screen']);
-    expect(editor.ui.getState().toasts.at(-1)?.text).toContain('Without the screen');
+    expect(editor.ui.getState().toasts.at(-1)?.text).toContain('The Output was not pasted');
     selectOnly(editor.selection, ids.slice(1));
     expect(duplicateSelection(editor)).toBe(false);
     expect(types()).toHaveLength(3);

@@ -5,7 +5,7 @@ import { stretchesOf } from '../../export/graph/routes.ts';
 import { openTestEditor } from '../../tests/support/test-editor.ts';
 import { clipSelection, duplicateSelection, pasteClipping } from './clipboard/clipboard.ts';
 import { endGesture, redo, undo } from './document/apply.ts';
-import { addVertex, editShader, removeVertex, shaderOf, takesVertex } from './document/edit-shader.ts';
+import { addVertex, canAddVertex, editShader, removeVertex, shaderOf } from './document/edit-shader.ts';
 import { graphOf, layoutOf, nodeOf } from './editor/document.ts';
 import type { Editor } from './editor/editor.ts';
 import { itemId, itemIds } from './editor/item-ids.ts';
@@ -178,7 +178,7 @@ const ACTIONS: Readonly<Record<string, (hand: Hand) => void>> = {
   },
   vertex: ({ editor, node }) => {
     const id = node();
-    if (takesVertex(editor.document.getState(), id)) addVertex(editor, id);
+    if (canAddVertex(editor.document.getState(), id)) addVertex(editor, id);
     else removeVertex(editor, id);
   },
   pack: ({ editor }) => void createSubgraph(editor),

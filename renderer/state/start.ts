@@ -4,15 +4,15 @@ import { finishTyping } from './document/edit-shader.ts';
 import { isDirty } from './editor/document.ts';
 import type { Editor } from './editor/editor.ts';
 import { showExportProgress } from './files/export-page.ts';
-import { followShaders } from './files/external-changes.ts';
-import { filesOf, followFolder, openPath, showRefusal, withoutUnsaved } from './files/files.ts';
+import { applyExternalShaders } from './files/external-changes.ts';
+import { confirmUnsaved, filesOf, loadExternalChanges, openPath, showRefusal } from './files/files.ts';
 
-/** Unsaved work goes to the disk when nothing was done for so long… */
+/** Autosave writes after a pause of this length, */
 const AUTOSAVE_MS = 2000;
-/** …and after so long in any case: five seconds are lost at most, with the time that writing takes. */
+/** and after this time at the latest, so that a crash loses at most five seconds of work, including the time to write. */
 const AUTOSAVE_AT_MOST_MS = 4000;
 
-/** Asks the host what it is. Returns the preview's address, and whether the window has a menu of its own. */
+/** Requests information about the host. Returns the URL of the preview, and whether the window has native menus. */
 export async function start(editor: Editor): Promise<{ readonly previewUrl: string; readonly hasMenu: boolean }> {
   const info = await editor.host.call('app.info', {});
   editor.document.setState({ canPickFolders: info.canPickFolders, examples: info.examples, templates: info.templates });
@@ -25,7 +25,7 @@ export async function openFirst(editor: Editor): Promise<void> {
   if (!opened) editor.ui.setState({ dialog: { kind: 'open' } });
 }
 
-/** Keeps unsaved work where it is found again after a crash. */
+/** Writes unsaved changes to the recovery files. */
 export function autosave(editor: Editor): () => void {
   let last = '';
   const write = () => {
@@ -48,24 +48,24 @@ export function autosave(editor: Editor): () => void {
   };
 }
 
-/** What the host says unasked: its menu, changes on disk, the window's close button. */
-export function followHost(editor: Editor, runFromMenu: (id: AppCommandId) => void = (id) => runCommand(editor, id)): () => void {
+/** Handles events of the host: menu commands, changes on disk, and the close button. */
+export function handleHostEvents(editor: Editor, runFromMenu: (id: AppCommandId) => void = (id) => runCommand(editor, id)): () => void {
   return editor.host.subscribe((event) => {
     switch (event.kind) {
       case 'menu':
         for (const id of appCommandIds()) if (id === event.command) runFromMenu(id);
         return;
       case 'project-changed-outside':
-        if (event.handle === editor.document.getState().open?.handle) void followFolder(editor);
+        if (event.handle === editor.document.getState().open?.handle) void loadExternalChanges(editor);
         return;
       case 'export-progress':
         showExportProgress(editor, event.handle, event.text);
         return;
       case 'shaders-changed-outside':
-        followShaders(editor, event);
+        applyExternalShaders(editor, event);
         return;
       case 'close-requested':
-        withoutUnsaved(editor, () => void close(editor));
+        confirmUnsaved(editor, () => void close(editor));
         return;
       default:
         event satisfies never;
@@ -73,18 +73,18 @@ export function followHost(editor: Editor, runFromMenu: (id: AppCommandId) => vo
   });
 }
 
-/** The work that is open has been saved or given up. */
+/** Closes the window after changes have been saved or discarded. */
 function close(editor: Editor): Promise<void> {
   return editor.fileWork(async () => {
     const { open } = editor.document.getState();
     editor.document.setState(({ history }) => ({ savedState: history.state }));
-    // What the disk does not let go of is offered again at the next opening, and is no reason to stay.
+    // If the recovery files cannot be deleted, the next start offers them again; the window closes anyway.
     if (open !== null) await editor.host.call('project.autosave', { handle: open.handle, files: null }).catch(() => {});
     await editor.host.call('app.close', {});
   });
 }
 
-/** For the page's own guard: asks before a reload throws work away. */
+/** Whether the page must ask before it unloads. */
 export function hasUnsavedWork(editor: Editor): boolean {
   finishTyping(editor);
   return isDirty(editor.document.getState());

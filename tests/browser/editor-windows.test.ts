@@ -72,8 +72,8 @@ describe('two tabs on one project', () => {
   test('the second window is notified and follows the first, and no work is replaced without asking', async () => {
     const first = await openTab();
     const second = await openTab();
-    await second.getByText('This project is open in another window, too.').waitFor();
-    expect(await first.getByText('This project is open in another window, too.').count()).toBe(0);
+    await second.getByText('This project is also open in another window.').waitFor();
+    expect(await first.getByText('This project is also open in another window.').count()).toBe(0);
 
     await retitle(first, 'From the first');
     await save(first);

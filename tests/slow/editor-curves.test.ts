@@ -179,7 +179,7 @@ test('a curve is copied to another, and reset', async () => {
   // A number is no curve.
   await page.evaluate(() => navigator.clipboard.writeText('[0.5, 0.5]'));
   await choose('Red', 'Paste value');
-  await page.getByRole('log').getByText('What is on the clipboard does not fit “Red”.').waitFor();
+  await page.getByRole('log').getByText('The value on the clipboard does not fit “Red”.').waitFor();
 });
 
 test('a finger adds points and drags them, and needs not be exact', async () => {

@@ -73,10 +73,10 @@ test('an export that takes long can be cancelled', async () => {
     await askFor(out);
     await run;
     await page.getByRole('button', { name: 'Cancel' }).click();
-    await page.getByRole('status').getByText('Cancelling…').waitFor();
+    await page.getByRole('status').getByText('Canceling…').waitFor();
     await cancel;
     letGo();
-    await page.getByText('The export was cancelled').waitFor();
+    await page.getByText('Export canceled').waitFor();
     await page.getByRole('button', { name: 'Export', exact: true }).first().waitFor();
   } finally {
     letGo();

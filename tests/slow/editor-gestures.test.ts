@@ -134,10 +134,10 @@ test('a wire let go over a node goes to the first port of it that is free, which
   await begin(from, await centerOf(title('transform')));
   expect(await hint.count()).toBe(0);
   await page.mouse.up();
-  await page.getByText('Transform takes no layer.').waitFor();
+  await page.getByText('Transform has no layer input.').waitFor();
   await begin(await centerOf(editor.port('number-aaaa', 'number', 'source')), await centerOf(title('threshold')));
   await page.mouse.up();
-  await page.getByText('Threshold has several values that take this.').waitFor();
+  await page.getByText('Threshold has several parameters of this type.').waitFor();
   // One value that fits is the one that is meant.
   await begin(await centerOf(editor.port('number-aaaa', 'number', 'source')), await centerOf(title('sepia')));
   await page.mouse.up();

@@ -5,7 +5,7 @@ import { type GraphText, saveGraphs, useOneEditor } from '../support/open-editor
 import { eventually } from '../support/patience.ts';
 import type { Picture } from '../support/picture.ts';
 
-/** A box that is placed by two Transforms; a lamp whose place comes by a wire, and a sun. */
+/** A box with two Transforms, a point light whose position is connected, and a directional light. */
 const GRAPH: GraphText = {
   nodes: {
     'box-aaaa': { type: 'objects/primitive', params: { color: [0.9, 0.6, 0.1, 1], sizeM: [0.4, 0.3, 0.2] } },
@@ -249,14 +249,14 @@ test('a click on an object selects the node that made it, again what places it, 
   await page.keyboard.press('x');
 });
 
-test('what comes by a wire is not offered, and the bar says why', async () => {
+test('a connected param disables the tool, and its tooltip says why', async () => {
   const { page } = open;
   await select('lamp');
-  const move = tool(/^Move: “Position” of Point light comes by a wire/);
+  const move = tool(/^Move: “Position” of Point light is connected/);
   await move.waitFor();
   expect(await move.getAttribute('aria-disabled')).toBe('true');
   await move.hover();
-  await page.locator('.tooltip').getByText('“Position” of Point light comes by a wire.').waitFor();
+  await page.locator('.tooltip').getByText('“Position” of Point light is connected. Disconnect it to use the gizmo.').waitFor();
   await select('screen');
   await page.getByRole('toolbar', { name: 'Gizmo' }).waitFor({ state: 'detached' });
   // The sun has no place, and can be turned.

@@ -65,13 +65,13 @@ test('a subgraph is saved to the library by its menu, and one says how to make t
   const dialog = page.getByRole('dialog', { name: 'Save to the library' });
   const name = dialog.getByRole('textbox', { name: 'Name' });
   await name.fill('42');
-  await dialog.getByText('A name begins with a letter.').waitFor();
+  await dialog.getByText('The name must begin with a letter.').waitFor();
   expect(await dialog.getByRole('button', { name: 'Save' }).isDisabled()).toBe(true);
   expect(await axeFindings(page)).toEqual([]);
   await name.fill('Old film');
   await page.keyboard.press('Enter');
   await dialog.waitFor({ state: 'detached' });
-  await page.getByText('“Old film” is in the library of this project.').waitFor();
+  await page.getByText('Saved “Old film” to the library of this project.').waitFor();
   await title('subgraph').getByText('Old film').waitFor();
   await page.keyboard.press('Control+z');
   await title('subgraph').getByText('Subgraph', { exact: true }).waitFor();

@@ -87,7 +87,7 @@ test('a file that a model refers to and that is missing is named, when it is cop
     await rm(join(open.project, 'assets', 'shapes', 'paint on wood.png'));
     await open.editor.node('model').locator('.node-title').click();
     await open.page.keyboard.press('Control+c');
-    await open.page.getByText('tile.gltf is not whole: it refers to “paint on wood.png”, which is missing.').waitFor();
+    await open.page.getByText('tile.gltf is incomplete. It refers to “paint on wood.png”, which is missing.').waitFor();
   } finally {
     await open.close();
   }
@@ -103,7 +103,7 @@ test('a model is chosen with all its files, and refused without them', async () 
         .getByLabel('Import for Model')
         .setInputFiles(names.map((name) => ({ name, mimeType: '', buffer: Buffer.from(files[name] ?? []) })));
     await chosen(['tile.gltf']);
-    await page.getByText('tile.gltf is not whole: it refers to “tile.bin” and “paint on wood.png”, which are missing.').waitFor();
+    await page.getByText('tile.gltf is incomplete. It refers to “tile.bin” and “paint on wood.png”, which are missing.').waitFor();
     await chosen(Object.keys(files));
     await eventually(async () =>
       expect(await editor.inspector.locator('.asset-picker select option').allTextContents()).toContain('tile.glb'),

@@ -156,7 +156,7 @@ test('a folder that holds other things is left alone; a cancelled rendering leav
     await page.getByText('Frame 2 of 31').waitFor();
     await page.getByRole('button', { name: 'Cancel', exact: true }).click();
     release();
-    await page.getByText('Rendering was cancelled.').waitFor();
+    await page.getByText('Rendering canceled.').waitFor();
     await page.getByRole('button', { name: 'Export', exact: true }).first().waitFor();
     const parent = join(project, '..');
     const begun = project.split('/').at(-1) ?? '';
@@ -179,7 +179,7 @@ test('an emulated room is rendered from where the preview stands: at first, wher
     '2 frames, 0.03 s. Frames show the room from the preview’s current position',
   );
   await page.keyboard.press('Enter');
-  await page.getByText(`Rendered 2 pictures to ${out}`).waitFor();
+  await page.getByText(`Rendered 2 frames to ${out}`).waitFor();
   expect((await readdir(out)).sort()).toEqual(['000001.png', '000002.png', 'sequence.json']);
   await succeed('render', project, '--out', mine, '--frames', '1..2', '--size', '160x120', '--session', 'room:studio');
   const [first, same] = [await read(join(out, '000002.png')), await read(join(mine, '000002.png'))];
@@ -194,7 +194,7 @@ test('an emulated room is rendered from where the preview stands: at first, wher
   await editor.hold();
   await ask({ ...fields, Folder: turned });
   await page.keyboard.press('Enter');
-  await page.getByText(`Rendered 2 pictures to ${turned}`).waitFor();
+  await page.getByText(`Rendered 2 frames to ${turned}`).waitFor();
   expect(countDifferent(first, await read(join(turned, '000002.png')), 8).pixels).toBeGreaterThan(5000);
 
   await ask(fields, 'video');

@@ -59,7 +59,7 @@ test('an invalid expression stays for correction, and says what is wrong', async
   const radius = await field('Radius');
   await radius.fill('=4+sine(time)');
   await page.keyboard.press('Enter');
-  await page.getByRole('log').getByText('“Radius” cannot follow that: Unknown function “sine”').waitFor();
+  await page.getByRole('log').getByText('The expression of “Radius” is invalid: Unknown function “sine”').waitFor();
   expect(await radius.inputValue()).toBe('=4+sine(time)');
   await radius.fill('=time');
   await page.keyboard.press('Enter');
@@ -95,7 +95,7 @@ test('a value is copied to another param, or to another node; what does not fit 
   await field('Rotation X');
   await select('gaussian-blur-aaaa');
   await choose('Radius', 'Paste value');
-  await page.getByRole('log').getByText('What is on the clipboard does not fit “Radius”.').waitFor();
+  await page.getByRole('log').getByText('The value on the clipboard does not fit “Radius”.').waitFor();
   await (await field('Radius')).fill('3');
   await page.keyboard.press('Enter');
 });

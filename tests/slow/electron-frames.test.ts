@@ -74,7 +74,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       await ask(app, page, { 'First frame': '0', 'Last frame': '5' });
       await dialog(page).getByRole('combobox', { name: 'Format' }).selectOption('video');
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
-      await page.getByText('is with your downloads.').waitFor();
+      await page.getByText('to your downloads.').waitFor();
       await eventually(async () => expect((await stat(video)).size).toBeGreaterThan(0));
       const input = new Input({ source: new BufferSource(await readFile(video)), formats: ALL_FORMATS });
       const track = await input.getPrimaryVideoTrack();
@@ -87,7 +87,7 @@ describeElectron('rendering frames in Electron', await findElectron(), (launch) 
       await dialog(page).getByRole('button', { name: 'Render', exact: true }).click();
       await page.getByText(/^Frame \d+ of 50001$/).waitFor();
       await page.getByRole('button', { name: 'Cancel', exact: true }).click();
-      await page.getByText('Rendering was cancelled.').waitFor();
+      await page.getByText('Rendering canceled.').waitFor();
       await eventually(async () => expect((await readdir(base)).filter((name) => name.includes('cancelled'))).toEqual([]));
 
       // Also for those who may write everywhere, there is no folder in a file.

@@ -4,14 +4,14 @@ import type { Player } from '../../../export/runtime/player.ts';
 import { pickObject, placedObjects } from '../../../export/runtime/scenes/placed-objects.ts';
 import type { SessionFrame } from '../../../nodes/kit/session.ts';
 import type { FromPreview, PreviewGizmo, ToPreview } from '../../preview-protocol.ts';
-import type { PosterPlace } from '../posters.ts';
+import type { CaptureSource } from '../posters.ts';
 import { createOverlay, type Overlay, type ViewBox } from './overlay.ts';
 import { type Place, paramsOf, type ReadParam, readPlace } from './place.ts';
 
-/** The handles that people drag in the preview, and the objects that they pick by a click. */
+/** Shows the gizmo in the preview, and reports clicks on objects. */
 export interface Gizmo {
-  take(message: Extract<ToPreview, { kind: 'gizmo' | 'picking' }>): void;
-  afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: PosterPlace | null): void;
+  receive(message: Extract<ToPreview, { kind: 'gizmo' | 'picking' }>): void;
+  afterFrame(player: Pick<Player, 'inspect'>, frame: SessionFrame, place: CaptureSource | null): void;
   dispose(): void;
 }
 
@@ -19,12 +19,12 @@ const MODES = { move: 'translate', rotate: 'rotate', scale: 'scale' } as const;
 const SNAP_M = 0.1;
 const SNAP_RAD = Math.PI / 12;
 const SNAP_FACTOR = 0.1;
-/** Of a click, between press and release. */
+/** Maximum movement of the pointer between press and release of a click. */
 const CLICK_PX = 4;
-/** A direction has no place: it is shown this far ahead. */
+/** A direction has no position, so its gizmo is shown at this distance in front of the viewer. */
 const AHEAD_M = 1.5;
 
-/** Of what comes after the node; filled and read within one call. */
+/** Matrix of the nodes after the gizmo target. Written and read within one call. */
 const scratchMatrix = new Matrix4();
 
 interface Drag {
@@ -34,7 +34,7 @@ interface Drag {
   readonly read: ReadParam;
 }
 
-/** `wake` asks for a frame, also of a preview that is held. */
+/** @param wake Requests a frame, also while the preview is paused. */
 export function createGizmo(parent: HTMLElement, send: (message: FromPreview) => void, wake: () => void): Gizmo {
   let gizmo: PreviewGizmo | null = null;
   let picking = false;
@@ -78,7 +78,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     endDrag();
     send({ kind: 'gizmo', drag: drags, state: 'cancelled', values: {} });
   };
-  const tell = (state: 'moved' | 'ended') => {
+  const sendValues = (state: 'moved' | 'ended') => {
     if (!drag || !overlay) return;
     const { gizmo: held, read, from } = drag;
     send({ kind: 'gizmo', drag: drags, state, values: paramsOf(held.mode, held.handles, read, from, overlay.object) });
@@ -94,12 +94,12 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       const { position, quaternion, scale } = overlay.object;
       const from = { position: position.clone(), quaternion: quaternion.clone(), scale: scale.clone() };
       drags++;
-      drag = { pointer: event.pointerId, from, gizmo, read: held(gizmo, reading) };
+      drag = { pointer: event.pointerId, from, gizmo, read: freezeParams(gizmo, reading) };
       document.body.style.cursor = 'grabbing';
       event.stopImmediatePropagation();
     }
   };
-  /** Kept from it, the page that has the focus keeps it. */
+  /** Prevents the default, so that the editor page keeps the focus. */
   const onMouseDown = (event: MouseEvent) => {
     if (drag) swallow(event);
   };
@@ -116,17 +116,17 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     overlay.controls.scaleSnap = snaps ? SNAP_FACTOR : null;
     overlay.controls.pointerMove(pointerOf(event, -1));
     overlay.draw();
-    tell('moved');
+    sendValues('moved');
   };
   const onUp = (event: PointerEvent) => {
     if (drag?.pointer === event.pointerId) {
       event.stopImmediatePropagation();
-      tell('ended');
+      sendValues('ended');
       endDrag();
     }
     const pressed = press;
     press = null;
-    // Also at the gizmo: it covers small things.
+    // Clicks on the gizmo count, too, because it covers small objects.
     if (!picking || !box || pressed?.pointer !== event.pointerId) return;
     if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) > CLICK_PX) return;
     const [u, v] = [(event.clientX - box.left) / box.width, 1 - (event.clientY - box.top) / box.height];
@@ -150,7 +150,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     ['pointercancel', onCancel],
     ['keydown', onKeyDown],
   ] as const;
-  // Before those that look around in rooms, and those that tell what plays of taps.
+  // Listens in the capture phase, before the listeners of the walk and of taps.
   for (const [type, listener] of listeners) window.addEventListener(type, listener as EventListener, true);
 
   const show = (inspected: Inspected, frame: SessionFrame) => {
@@ -163,7 +163,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
     const { controls, object } = overlay;
     if (!drag) {
       readPlace(held.handles, reading, object);
-      if (placedObjects(inspected, held.node, held.way, scratchMatrix)) overlay.parent.matrix.copy(scratchMatrix);
+      if (placedObjects(inspected, held.node, held.chain, scratchMatrix)) overlay.parent.matrix.copy(scratchMatrix);
       if (isDirection(held)) object.position.copy(ahead(view.worldFromView)).applyMatrix4(scratchMatrix.invert());
       controls.mode = MODES[held.mode];
       controls.space = held.space;
@@ -173,7 +173,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   };
 
   return {
-    take: (message) => {
+    receive: (message) => {
       if (message.kind === 'picking') picking = message.on;
       else {
         if (message.gizmo === null && drag) endDrag();
@@ -186,7 +186,7 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
       box = place && boxOf(place.canvas, frame);
       if (question && inspected) {
         const picked = pickObject(inspected, 0, question.u, question.v);
-        if (picked) send({ kind: 'picked', way: picked.way, phantom: picked.role === 'phantom' });
+        if (picked) send({ kind: 'picked', chain: picked.way, phantom: picked.role === 'phantom' });
         question = null;
       }
       seen = inspected ? show(inspected, frame) : false;
@@ -200,8 +200,8 @@ export function createGizmo(parent: HTMLElement, send: (message: FromPreview) =>
   };
 }
 
-/** What params were when a drag began: those that it changes follow it. */
-function held({ handles }: PreviewGizmo, read: ReadParam): ReadParam {
+/** The values of the params at the start of a drag. Later values would follow the drag itself. */
+function freezeParams({ handles }: PreviewGizmo, read: ReadParam): ReadParam {
   const values = new Map(Object.values(handles).map((param) => [param, read(param)]));
   return (param) => values.get(param) ?? null;
 }
@@ -224,7 +224,7 @@ function isDirection({ handles }: PreviewGizmo): boolean {
   return handles.position === undefined && (handles.azimuth !== undefined || handles.elevation !== undefined);
 }
 
-// Filled and read within one call.
+// Written and read within one call.
 const scratchView = new Matrix4();
 const scratchAhead = new Vector3();
 const scratchTurn = new Quaternion();
@@ -235,7 +235,7 @@ function ahead(worldFromView: Float32Array): Vector3 {
   return scratchAhead.add(scratchScale.set(0, 0, -AHEAD_M).applyQuaternion(scratchTurn));
 }
 
-/** Where the first view is on the page. */
+/** Rectangle of the first view on the page. */
 function boxOf(canvas: HTMLCanvasElement, { views, framebufferWidthPx, framebufferHeightPx }: SessionFrame): ViewBox | null {
   const viewport = views[0]?.viewport;
   if (!viewport || viewport.widthPx < 1 || framebufferWidthPx < 1) return null;

@@ -3,7 +3,7 @@ import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { ViewFrame } from '../../../nodes/kit/session.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
 
-/** A view's part of the page, CSS pixels from the top left. */
+/** Rectangle of a view on the page, in CSS pixels from the top left. */
 export interface ViewBox {
   readonly left: number;
   readonly top: number;
@@ -11,14 +11,14 @@ export interface ViewBox {
   readonly height: number;
 }
 
-/** A canvas over the preview's, with nothing but the gizmo on it: what plays, and pictures of it, know nothing of it. */
+/** A canvas over the preview that shows only the gizmo. The preview, its screenshots and its videos do not contain it. */
 export interface Overlay {
   readonly controls: TransformControls;
-  /** Carries what comes after the node: its matrix is `worldFromParent`. */
+  /** Transform of the nodes after the gizmo target; its matrix is `worldFromParent`. */
   readonly parent: Group;
-  /** The node's own place within. */
+  /** The transform that the gizmo edits, relative to `parent`. */
   readonly object: Object3D;
-  /** Takes the view's camera over. */
+  /** Copies the camera of the view. */
   setView(view: Pick<ViewFrame, 'clipFromView' | 'worldFromView'>, box: ViewBox): void;
   draw(): void;
   /** Sets `mode` as a data attribute of the canvas, so that tests can wait for it. */
@@ -28,9 +28,9 @@ export interface Overlay {
 }
 
 const MAX_PIXEL_RATIO = 2;
-/** Of the picture's height; three's own size is for pictures of a whole window. */
+/** Size relative to the height of the preview. The default of three.js suits larger canvases. */
 const SIZE = 1.15;
-/** Of the axes x, y and z, and of the one in hand; softer than three's own. */
+/** Colors of the x, y and z axis and of the active one; less saturated than the defaults of three.js. */
 const COLORS = ['#f2495c', '#7ac74f', '#4c8dff', '#ffd23f'] as const;
 
 export function createOverlay(parentElement: HTMLElement): Overlay {
@@ -72,7 +72,7 @@ export function createOverlay(parentElement: HTMLElement): Overlay {
       camera.matrix.fromArray(worldFromView);
       camera.projectionMatrix.fromArray(clipFromView);
       camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
-      // Its size on the screen is worked out from the field of view.
+      // TransformControls computes its size on screen from the field of view.
       camera.fov = (2 * Math.atan(1 / (clipFromView[5] ?? 1)) * 180) / Math.PI;
       camera.updateMatrixWorld(true);
     },

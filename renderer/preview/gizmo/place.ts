@@ -2,7 +2,7 @@ import { Euler, type Quaternion, Vector3 } from 'three';
 import type { Handle } from '../../../nodes/kit/definition.ts';
 import type { GizmoMode } from '../../preview-protocol.ts';
 
-/** The frame that a node places things with, in that of what comes after it. */
+/** The transform of a gizmo target, relative to the nodes after it. */
 export interface Place {
   readonly position: Vector3;
   readonly quaternion: Quaternion;
@@ -11,13 +11,13 @@ export interface Place {
 
 export type HandleNames = Readonly<Partial<Record<Handle, string>>>;
 
-/** Of a param of the running program; null where it has none of that name. */
+/** Reads a param of the running program; null if it does not exist. */
 export type ReadParam = (param: string) => readonly number[] | null;
 
-/** Nothing could be taken hold of at a size of nothing, nor be made larger by factors. */
+/** At scale 0 the gizmo would be invisible, and factors would have no effect. */
 const LEAST_SCALE = 1e-3;
 
-// Filled and read within one call. The order is that of `objects/transform`: about z, then x, then y.
+// Written and read within one call. The rotation order is that of `objects/transform`: z, then x, then y.
 const scratchEuler = new Euler(0, 0, 0, 'YXZ');
 const scratchVector = new Vector3();
 const AHEAD = new Vector3(0, 0, 1);
@@ -45,7 +45,7 @@ export function readPlace(handles: HandleNames, read: ReadParam, out: Place): vo
   out.scale.set(Math.max(x, LEAST_SCALE), Math.max(y, LEAST_SCALE), Math.max(z, LEAST_SCALE));
 }
 
-/** What the node's params become when its frame went from one place to another by a gizmo of that mode. */
+/** Computes the param values of the gizmo target after a drag from one transform to another in this mode. */
 export function paramsOf(
   mode: GizmoMode,
   handles: HandleNames,
@@ -69,7 +69,7 @@ export function paramsOf(
     case 'scale': {
       if (scale === undefined) return {};
       const sizes = to.scale.toArray();
-      // One factor for all: that of the axis that was pulled.
+      // A uniform scale uses the factor of the dragged axis.
       return { [scale]: (read(scale)?.length ?? 1) === 1 ? pulled(from.scale, to.scale) : sizes };
     }
   }

@@ -20,19 +20,19 @@ import { itemId } from '../editor/item-ids.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { addToast } from '../editor/ui.ts';
 import { importShadertoy } from '../shaders/import-shadertoy.ts';
-import { bring, dependenciesOf, isCopiedDependencies, mapTypes } from './copied-dependencies.ts';
+import { addDependencies, dependenciesOf, isCopiedDependencies, mapTypes } from './copied-dependencies.ts';
 import { hasAssets, isCopiedFiles, readCopiedFiles, writeCopiedFiles } from './copied-files.ts';
 
 export interface PasteOptions {
-  /** Wires that come from nodes that are there, and go to copies. */
+  /** Wires from existing nodes to copied nodes. */
   readonly entering?: readonly Wire[];
-  /** Asset id → where its file is in the open project. */
+  /** Paths of the asset files in the open project, by asset id. */
   readonly paths?: ReadonlyMap<string, string>;
 }
 
 const OFFSET_PX = 32;
 
-/** The selected nodes; null where none is. */
+/** Copies the selected nodes; null if none is selected. */
 export function clipSelection(editor: Editor): Clipping | null {
   const state = editor.document.getState();
   const graph = graphOf(state);
@@ -52,7 +52,10 @@ export function clipSelection(editor: Editor): Clipping | null {
   return { format: 'scrim-nodes', version: 1, nodes, wires, ...ways, ...(brought === null ? {} : { brought }) };
 }
 
-/** Null where the text is no clipping. What is in it is judged by the commands that add it. */
+/**
+ * Parses clipboard text; null if it is not a clipping. Only the structure is checked here; the commands that add the content check
+ * the rest.
+ */
 export function parseClipping(text: string): Clipping | null {
   try {
     const clipping = JSON.parse(text) as Partial<Clipping> | null;
@@ -84,8 +87,8 @@ function isPlace(value: unknown): boolean {
 }
 
 /**
- * Adds copies under new ids, wired as the originals are among themselves, and selects them. One step. A project shows one screen:
- * another stays out, and that is said.
+ * Adds copies of the nodes under new ids, connects them as the originals are connected to each other, and selects them. One undo
+ * step. A project has only one Output; a second one is left out with a message.
  */
 export function pasteClipping(
   editor: Editor,
@@ -95,20 +98,20 @@ export function pasteClipping(
   { entering = [], paths }: PasteOptions = {},
 ): boolean {
   const { project, graph } = editor.document.getState();
-  const { nodes: copied, wires, ways = { reroutes: {}, routes: {} }, brought } = withoutScreens(editor, clipping);
+  const { nodes: copied, wires, ways = { reroutes: {}, routes: {} }, brought } = withoutSecondOutput(editor, clipping);
   if (Object.keys(copied).length === 0) return false;
   const { routes } = layoutOf(editor.document.getState());
   const reroutes = new Map<string, string>();
-  const lead = (before: Project, wire: Wire, route: readonly string[] = []) =>
+  const routeWire = (before: Project, wire: Wire, route: readonly string[] = []) =>
     route.length === 0 ? unchanged(before) : setRoutes(before, { graph, routes: { [printWire(wire)]: route } });
-  const welcome = brought === undefined ? null : bring(editor, brought, paths);
-  const nodes = welcome === null ? copied : mapTypes(copied, welcome.types);
+  const added = brought === undefined ? null : addDependencies(editor, brought, paths);
+  const nodes = added === null ? copied : mapTypes(copied, added.types);
   const ids = new Map<string, string>();
   let library = editor.document.getState().library;
   const made = sequence(
     project,
     (before) => {
-      const change = welcome === null ? unchanged(before) : welcome.change(before);
+      const change = added === null ? unchanged(before) : added.change(before);
       library = editor.libraries.of(change.project);
       return change;
     },
@@ -134,8 +137,8 @@ export function pasteClipping(
       return sequence(
         before,
         (p) => connect(p, { library, graph, ...copy }),
-        // It leaves the old way at its last reroute.
-        (p) => lead(p, copy, getOwn(routes, printWire({ from, to }))),
+        // The copy of the wire uses the same reroutes.
+        (p) => routeWire(p, copy, getOwn(routes, printWire({ from, to }))),
       );
     }),
     ...Object.entries(ways.reroutes).map(([old, { x, y }]) => (before: Project): Change => {
@@ -152,7 +155,7 @@ export function pasteClipping(
         before,
         (p) => connect(p, { library, graph, ...copy }),
         (p) =>
-          lead(
+          routeWire(
             p,
             copy,
             getOwn(ways.routes, printWire({ from, to }))?.flatMap((id) => reroutes.get(id) ?? []),
@@ -162,27 +165,27 @@ export function pasteClipping(
   );
   if (!apply(editor, label, made)) return false;
   const there = layoutOf(editor.document.getState()).reroutes;
-  const led = [...reroutes.values()].filter((id) => getOwn(there, id) !== undefined);
+  const kept = [...reroutes.values()].filter((id) => getOwn(there, id) !== undefined);
   selectOnly(
     editor.selection,
     ids.values(),
     [],
-    led.map((id) => itemId('reroute', id)),
+    kept.map((id) => itemId('reroute', id)),
   );
   return true;
 }
 
-/** The clipping without what the open graph cannot take or has already; says so where that leaves something out. */
-function withoutScreens(editor: Editor, clipping: Clipping): Clipping {
+/** Removes Output nodes if the open graph cannot contain another one, and shows a message. */
+function withoutSecondOutput(editor: Editor, clipping: Clipping): Clipping {
   const state = editor.document.getState();
   const screens = screensOf(clipping, state.library);
   const isTaken = state.graph !== MAIN_GRAPH || screensOf(graphOf(state), state.library).length > 0;
   if (screens.length === 0 || !isTaken) return clipping;
-  addToast(editor.ui, { tone: 'info', text: 'Without the screen: a project has one, which is there already.' });
+  addToast(editor.ui, { tone: 'info', text: 'The Output was not pasted, because a project has only one.' });
   return { ...clipping, nodes: Object.fromEntries(Object.entries(clipping.nodes).filter(([id]) => !screens.includes(id))) };
 }
 
-/** `wired`: what comes into the originals from other nodes comes into the copies, too. */
+/** @param wired Whether the copies also get the incoming wires of the originals from other nodes. */
 export function duplicateSelection(editor: Editor, { wired = false } = {}): boolean {
   const clipping = clipSelection(editor);
   if (clipping === null) return false;
@@ -194,16 +197,16 @@ export function duplicateSelection(editor: Editor, { wired = false } = {}): bool
   return pasteClipping(editor, clipping, `Duplicate ${what}`, { x: OFFSET_PX, y: OFFSET_PX }, { entering });
 }
 
-/** The clipping with what its assets have in their files, so that a project without them can take it. */
+/** Adds the contents of the asset files, so that other projects can use the clipping. */
 async function withFiles(editor: Editor, clipping: Clipping): Promise<Clipping> {
   return hasAssets(clipping.brought) ? { ...clipping, files: await readCopiedFiles(editor, clipping.brought) } : clipping;
 }
 
 /**
- * For the page's own copy event, which needs no permission and cannot wait: the clipping as text at once, and the clipboard once more
- * with the assets' files when they have been read.
+ * Handles the copy event of the page, which needs no permission but must answer synchronously. Returns the clipping as text, and
+ * writes it to the clipboard again with its asset files once they have been read.
  */
-export function copyInEvent(editor: Editor): string | null {
+export function clipboardTextOfSelection(editor: Editor): string | null {
   const clipping = clipSelection(editor);
   if (clipping === null) return null;
   editor.copied.newest = clipping;
@@ -237,13 +240,13 @@ async function write(editor: Editor, clipping: Clipping): Promise<boolean> {
   return editor.clipboard.write(JSON.stringify(whole)).then(
     () => true,
     () => {
-      addToast(editor.ui, { tone: 'error', text: 'The browser did not let Scrim use the clipboard.' });
+      addToast(editor.ui, { tone: 'error', text: 'The browser denied access to the clipboard.' });
       return false;
     },
   );
 }
 
-/** Takes the nodes away once they are on the clipboard, wherever the person is by then. */
+/** Deletes the nodes after they have been copied, even if another graph is open by then. */
 export function cutSelection(editor: Editor): Promise<void> {
   const { graph } = editor.document.getState();
   const nodes = [...editor.selection.getState().nodes];
@@ -259,10 +262,10 @@ export async function pasteFromClipboard(editor: Editor): Promise<void> {
   const text = await editor.clipboard.read().catch(() => '');
   const pasted = pasteText(editor, text);
   if (pasted) await pasted;
-  else addToast(editor.ui, { tone: 'info', text: 'There are no nodes on the clipboard.' });
+  else addToast(editor.ui, { tone: 'info', text: 'The clipboard contains no nodes.' });
 }
 
-/** Nodes become copies of them, a source of shadertoy.com a shader and its node; null where the text is none of these. */
+/** Pastes nodes, or imports Shadertoy source as a shader and its node. Null if the text is neither. */
 export function pasteText(editor: Editor, text: string): Promise<void> | null {
   const clipping = parseClipping(text);
   if (clipping !== null) return pasteWithFiles(editor, clipping);

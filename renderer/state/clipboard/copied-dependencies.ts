@@ -11,11 +11,11 @@ import { saveProject } from '../../../export/graph/save.ts';
 import type { CopiedDependencies } from '../editor/clipping.ts';
 import type { Editor } from '../editor/editor.ts';
 
-/** What nodes of a project need with them in another one; null where that is nothing. */
+/** Collects what the nodes need in another project: subgraphs, shaders and assets. Null if they need nothing. */
 export function dependenciesOf(project: Project, nodes: readonly GraphNode[]): CopiedDependencies | null {
   const graphs: Record<string, Graph> = {};
   const all = [...nodes];
-  // The list grows while it is walked: there are subgraphs in subgraphs.
+  // The loop also visits the nodes of nested subgraphs, which are appended during it.
   for (const { type } of all) {
     const name = subgraphName(type);
     const graph = name === null ? undefined : getOwn(project.graphs, name);
@@ -37,7 +37,7 @@ export function dependenciesOf(project: Project, nodes: readonly GraphNode[]): C
   return saveProject({ ...empty, graphs: { ...empty.graphs, ...graphs }, layout: { ...empty.layout, ...layout }, sources, assets });
 }
 
-/** Whether it is made as `dependenciesOf` makes it; what the texts say is judged when they are read. */
+/** Whether the value has the structure of `CopiedDependencies`. The texts are checked when they are read. */
 export function isCopiedDependencies(value: unknown): value is CopiedDependencies | undefined {
   if (value === undefined) return true;
   const { project, layout, sources } = (value ?? {}) as Partial<Record<keyof CopiedDependencies, unknown>>;
@@ -46,42 +46,49 @@ export function isCopiedDependencies(value: unknown): value is CopiedDependencie
 }
 
 export interface AddedDependencies {
-  /** Names that were taken by something else are new. */
+  /** New node types of copies whose name was already taken, by old type. */
   readonly types: ReadonlyMap<string, string>;
   readonly change: (project: Project) => Change;
 }
 
-/** Adds what is brought to the open project. What is there already, word for word, is not added again. Files that no project could have are left out. `paths`: where assets' files are now. */
-export function bring(editor: Editor, brought: CopiedDependencies, paths: ReadonlyMap<string, string> = new Map()): AddedDependencies {
+/**
+ * Adds dependencies to the open project. Skips identical content and invalid files. @param paths Paths of the asset files in the open
+ * project, by asset id.
+ */
+export function addDependencies(
+  editor: Editor,
+  brought: CopiedDependencies,
+  paths: ReadonlyMap<string, string> = new Map(),
+): AddedDependencies {
   const { project, open } = editor.document.getState();
   const { base, readShader } = editor.libraries;
-  const guest = loadProject(brought).output;
+  const copied = loadProject(brought).output;
   const types = new Map<string, string>();
-  if (guest === null || open === null) return { types, change: unchanged };
+  if (copied === null || open === null) return { types, change: unchanged };
   const steps: ((project: Project) => Change)[] = [];
-  for (const [file, text] of Object.entries(guest.sources)) {
-    // Under another name, nothing would include it: what the project has of that name stays.
+  for (const [file, text] of Object.entries(copied.sources)) {
+    // A renamed chunk would not be included by any shader, so the chunk of the project stays.
     if (isChunkFile(file) && getOwn(project.sources, file) !== undefined) continue;
     const name = freeKey(project.sources, file, (known) => known === text);
     if (name !== file)
       for (const kind of ['filter', 'operator', 'generator', 'technique']) types.set(`${kind}/${stem(file)}`, `${kind}/${stem(name)}`);
     steps.push((before) => setSource(before, { base, readShader, file: name, text }));
   }
-  for (const [id, asset] of Object.entries(guest.assets)) {
+  for (const [id, asset] of Object.entries(copied.assets)) {
     if (getOwn(project.assets, id) === undefined)
       steps.push((before) => putAsset(before, { id, asset: { ...asset, path: paths.get(id) ?? asset.path } }));
   }
-  const names = Object.keys(guest.graphs).filter((name) => name !== MAIN_GRAPH);
-  const isHere = (name: string) => JSON.stringify(getOwn(project.graphs, name)) === JSON.stringify(guest.graphs[name]);
+  const names = Object.keys(copied.graphs).filter((name) => name !== MAIN_GRAPH);
+  const isInProject = (name: string) => JSON.stringify(getOwn(project.graphs, name)) === JSON.stringify(copied.graphs[name]);
   for (const name of names) {
-    if (!isHere(name)) types.set(subgraphType(name), subgraphType(freeKey(project.graphs, name, () => false)));
+    if (!isInProject(name)) types.set(subgraphType(name), subgraphType(freeKey(project.graphs, name, () => false)));
   }
-  for (const name of names.filter((candidate) => !isHere(candidate))) {
-    const graph = guest.graphs[name];
+  for (const name of names.filter((candidate) => !isInProject(candidate))) {
+    const graph = copied.graphs[name];
     const to = subgraphName(types.get(subgraphType(name)) ?? '');
     if (!graph || to === null) continue;
     steps.push((before) => {
-      const copy = copyOfGraph(before, { ...graph, nodes: mapTypes(graph.nodes, types) }, guest.layout[name], editor.random);
+      const copy = copyOfGraph(before, { ...graph, nodes: mapTypes(graph.nodes, types) }, copied.layout[name], editor.random);
       return change(before, (draft) => {
         Object.assign(draft.graphs, { [to]: copy.graph });
         Object.assign(draft.layout, { [to]: copy.layout });
@@ -98,7 +105,7 @@ export function mapTypes<N extends { readonly type: string }>(
   return Object.fromEntries(Object.entries(nodes).map(([id, node]) => [id, { ...node, type: types.get(node.type) ?? node.type }]));
 }
 
-/** `edge.fs`, or `edge-2.fs` where that is something else. */
+/** A free key such as `edge-2.fs`. The key itself, if it is free or its value is the same. */
 function freeKey<T>(table: Readonly<Record<string, T>>, wanted: string, isSame: (known: T) => boolean): string {
   const ending = /\.\w+$/.exec(wanted)?.[0] ?? '';
   let key = wanted;

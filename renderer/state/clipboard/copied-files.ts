@@ -25,7 +25,9 @@ export function hasAssets(brought: CopiedDependencies | undefined): boolean {
 
 const MISSING_FIX = 'Put it beside the model in the project’s assets folder, or import the model as one .glb file.';
 
-/** Reads what the copied assets have in their files, models with all that they refer to. What cannot be read is said and left out. */
+/**
+ * Reads the asset files; packs models with the files that they refer to. Shows a message for unreadable files and leaves them out.
+ */
 export async function readCopiedFiles(editor: Editor, brought: CopiedDependencies | undefined): Promise<CopiedFiles> {
   const { open } = editor.document.getState();
   const files: Record<string, string> = {};
@@ -48,7 +50,7 @@ export async function readCopiedFiles(editor: Editor, brought: CopiedDependencie
   return files;
 }
 
-/** What is there and cannot be read is another matter, which the host says. */
+/** Other errors have their own message. */
 function nullWhereMissing(error: unknown): null {
   if (error instanceof HostError && error.diagnostic.code === 'SCR004') return null;
   throw error;
@@ -58,14 +60,14 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
 }
 
-/** Piece by piece: a call takes only so many arguments. */
+/** Converts in pieces, because the number of arguments of a call is limited. */
 function base64Of(bytes: Uint8Array): string {
   const pieces: string[] = [];
   for (let at = 0; at < bytes.length; at += PIECE_BYTES) pieces.push(String.fromCharCode(...bytes.subarray(at, at + PIECE_BYTES)));
   return btoa(pieces.join(''));
 }
 
-/** Puts the files of assets that the open project does not have into it; asset id → the path that it has here. */
+/** Imports the asset files that the open project lacks. Returns their paths, by asset id. */
 export async function writeCopiedFiles(
   editor: Editor,
   brought: CopiedDependencies | undefined,
@@ -79,7 +81,7 @@ export async function writeCopiedFiles(
     try {
       const bytes = bytesOf(base64);
       const known = asset.path.slice(asset.path.lastIndexOf('/') + 1);
-      // A model that was copied with all that it refers to has become one file.
+      // A glTF model has been packed into one .glb file.
       const name = isGltf(known) && isGlb(bytes) ? known.replace(/gltf$/i, 'glb') : known;
       paths.set(id, (await editor.host.call('asset.import', { handle: open.handle, name, bytes })).path);
     } catch (error) {

@@ -1,5 +1,6 @@
 import { copySelection, cutSelection, duplicateSelection, pasteFromClipboard } from '../clipboard/clipboard.ts';
 import { redo } from '../document/apply.ts';
+import { undoOrCancelDrag } from '../document/cancel-drag.ts';
 import { editableShader } from '../document/edit-shader.ts';
 import type { Editor } from '../editor/editor.ts';
 import { toggleMode } from '../editor/gizmo-state.ts';
@@ -8,7 +9,6 @@ import { revealNodes } from '../editor/ui.ts';
 import { resetViewer } from '../editor/viewer.ts';
 import { exportPage } from '../files/export-page.ts';
 import { newProject, openProject, save, saveAs } from '../files/files.ts';
-import { undoOrCancelDrag } from '../gizmo/cancel-drag.ts';
 import { align, distribute, tidy } from '../graph/arrange.ts';
 import { deleteSelection, selectAll, toggleCollapsed, toggleMuted } from '../graph/edit-graph.ts';
 import { addFrame, addNote } from '../graph/layout-items.ts';
@@ -26,12 +26,12 @@ import {
   toggleLoop,
   togglePlay,
 } from '../preview/playback.ts';
-import { askForFrames } from '../preview/render-frames.ts';
+import { openRenderDialog } from '../preview/render-frames.ts';
 import { compareSelected, pinSelected } from '../preview/viewed-layers.ts';
 import type { AppCommand } from './app-command.ts';
 import {
   askToSaveSubgraph,
-  middleOfCanvas,
+  canvasCenter,
   nextScale,
   openPalette,
   openSwapPalette,
@@ -42,6 +42,8 @@ import {
 } from './command-actions.ts';
 import {
   always,
+  canRedo,
+  canUndo,
   hasFrames,
   hasNodes,
   hasOneNode,
@@ -55,25 +57,15 @@ import {
 import { startTour } from './tour.ts';
 
 const COMMANDS = {
-  // Browsers keep Ctrl+N for themselves; with Alt it is free everywhere.
+  // Browsers reserve Ctrl+N.
   'file.new': { label: 'New…', keys: ['Mod+Alt+N'], enabled: always, run: newProject, whileTyping: true },
   'file.open': { label: 'Open…', keys: ['Mod+O'], enabled: always, run: openProject, whileTyping: true },
   'file.save': { label: 'Save', keys: ['Mod+S'], enabled: isOpen, run: (editor) => void save(editor), whileTyping: true },
   'file.save-as': { label: 'Save as…', keys: ['Mod+Shift+S'], enabled: isOpen, run: (editor) => void saveAs(editor), whileTyping: true },
   'file.export': { label: 'Export page…', keys: ['Mod+E'], enabled: isOpen, run: (editor) => void exportPage(editor), whileTyping: true },
-  'file.render': { label: 'Render frames…', keys: ['Mod+Shift+E'], enabled: isOpen, run: askForFrames, whileTyping: true },
-  'edit.undo': {
-    label: 'Undo',
-    keys: ['Mod+Z'],
-    enabled: ({ document }) => document.getState().history.past.length > 0,
-    run: undoOrCancelDrag,
-  },
-  'edit.redo': {
-    label: 'Redo',
-    keys: ['Mod+Shift+Z', 'Mod+Y'],
-    enabled: ({ document }) => document.getState().history.future.length > 0,
-    run: redo,
-  },
+  'file.render': { label: 'Render frames…', keys: ['Mod+Shift+E'], enabled: isOpen, run: openRenderDialog, whileTyping: true },
+  'edit.undo': { label: 'Undo', keys: ['Mod+Z'], enabled: canUndo, run: undoOrCancelDrag },
+  'edit.redo': { label: 'Redo', keys: ['Mod+Shift+Z', 'Mod+Y'], enabled: canRedo, run: redo },
   'edit.cut': { label: 'Cut', keys: ['Mod+X'], enabled: hasNodes, run: (editor) => void cutSelection(editor), byEvent: true },
   'edit.copy': { label: 'Copy', keys: ['Mod+C'], enabled: hasNodes, run: (editor) => void copySelection(editor), byEvent: true },
   'edit.paste': { label: 'Paste', keys: ['Mod+V'], enabled: isOpen, run: (editor) => void pasteFromClipboard(editor), byEvent: true },
@@ -143,14 +135,14 @@ const COMMANDS = {
     keywords: ['group box'],
     keys: ['C'],
     enabled: isOpen,
-    run: (editor) => void addFrame(editor, middleOfCanvas(editor)),
+    run: (editor) => void addFrame(editor, canvasCenter(editor)),
   },
   'graph.note': {
     label: 'Add note',
     keywords: ['comment'],
     keys: ['N'],
     enabled: isOpen,
-    run: (editor) => void addNote(editor, middleOfCanvas(editor)),
+    run: (editor) => void addNote(editor, canvasCenter(editor)),
   },
   'arrange.tidy': { label: 'Tidy up', keys: ['L'], enabled: isOpen, run: (editor) => void tidy(editor) },
   'arrange.left': { label: 'Align left', keys: [], enabled: hasSeveral, run: (editor) => void align(editor, 'left') },
@@ -210,7 +202,7 @@ const COMMANDS = {
     enabled: isOpen,
     run: ({ viewer }) => viewer.setState(({ probing }) => ({ probing: !probing, probed: null })),
   },
-  // As 3D programs have them; G as well, because W walks in rooms.
+  // The keys of other 3D programs. G is a second key, because W walks in emulated rooms.
   'gizmo.move': {
     label: 'Move gizmo',
     keywords: ['translate', 'position'],
@@ -277,7 +269,7 @@ const COMMANDS = {
     whileTyping: true,
   },
   'view.theme': { label: 'Theme', keywords: ['light', 'dark', 'appearance', 'tint'], keys: [], enabled: always, run: switchTheme },
-  // Without keys: Ctrl and plus are the browser's and the window's own, which make everything larger.
+  // No keys, because Ctrl with plus zooms the browser or the window.
   'view.larger': {
     label: 'Increase UI scale',
     keywords: ['zoom', 'larger', 'text size'],
@@ -369,7 +361,7 @@ const COMMANDS = {
   'play.loop': { label: 'Loop', keywords: ['repeat'], keys: ['Shift+L'], enabled: hasFrames, run: toggleLoop, where: 'time' },
   'help.commands': {
     label: 'All commands…',
-    // The second as in text editors.
+    // The second key is that of text editors.
     keys: ['Mod+K', 'Mod+Shift+P'],
     enabled: always,
     run: ({ ui }) => ui.setState({ dialog: { kind: 'commands' } }),
@@ -394,7 +386,7 @@ export function appCommandIds(): readonly AppCommandId[] {
   return Object.keys(COMMANDS) as AppCommandId[];
 }
 
-/** Does nothing where the command is not enabled. */
+/** Runs a command if it is enabled. */
 export function runCommand(editor: Editor, id: AppCommandId): void {
   const { enabled, run } = appCommand(id);
   if (enabled(editor)) run(editor);

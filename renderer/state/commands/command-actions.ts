@@ -15,12 +15,12 @@ export function askToSaveSubgraph(editor: Editor): void {
   if (name !== null) editor.ui.setState({ dialog: { kind: 'library', name } });
 }
 
-/** The center of the visible part of the canvas, in canvas units. */
-export function middleOfCanvas({ canvas }: Editor): Place {
+/** The center of the visible canvas, in canvas units. */
+export function canvasCenter({ canvas }: Editor): Place {
   return canvas.getState().middle();
 }
 
-/** Opens the palette. If a single wire is the whole selection, the new node is inserted on it. */
+/** Opens the palette. If exactly one wire is selected, the new node is inserted into it. */
 export function openPalette({ ui, selection }: Editor): void {
   const { nodes, wires } = selection.getState();
   const [wire] = nodes.size === 0 && wires.size === 1 ? wires : [];

@@ -5,6 +5,8 @@ import { selectedSubgraph } from '../graph/subgraphs.ts';
 
 export const always = () => true;
 export const isOpen = ({ document }: Editor) => document.getState().open !== null;
+export const canUndo = ({ document }: Editor) => document.getState().history.past.length > 0;
+export const canRedo = ({ document }: Editor) => document.getState().history.future.length > 0;
 export const hasNodes = ({ selection }: Editor) => selection.getState().nodes.size > 0;
 export const hasSelection = ({ selection }: Editor) => Object.values(selection.getState()).some((set: ReadonlySet<string>) => set.size > 0);
 

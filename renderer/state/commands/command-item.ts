@@ -4,7 +4,7 @@ import { type AppCommandId, appCommand, runCommand } from './app-commands.ts';
 import { keybindingsOf } from './keybindings.ts';
 import { showKeybinding } from './show-keybinding.ts';
 
-/** A command as menus have it now, with the person's keys. */
+/** The menu item of a command in its current state, with its keys. */
 export function commandItem(editor: Editor, id: AppCommandId): Extract<MenuItem, { kind: 'action' }> {
   const { label, enabled } = appCommand(id);
   const keys = shownKeys(editor, id);
@@ -17,7 +17,7 @@ export function commandItem(editor: Editor, id: AppCommandId): Extract<MenuItem,
   };
 }
 
-/** The first keys of a command, as menus and tooltips show them; undefined where it has none. */
+/** Text of the first keybinding of a command for menus and tooltips; undefined if there is none. */
 export function shownKeys(editor: Pick<Editor, 'preferences' | 'mac'>, id: AppCommandId): string | undefined {
   const [keybinding] = keybindingsOf(editor, id);
   return keybinding === undefined ? undefined : showKeybinding(keybinding, editor.mac);

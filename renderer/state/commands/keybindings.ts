@@ -2,14 +2,14 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { Editor } from '../editor/editor.ts';
 import { type AppCommandId, appCommand, appCommandIds } from './app-commands.ts';
 
-/** The keys of a command, as the person has them; menus show the first. */
+/** The current keybindings of a command. Menus show the first. */
 export function keybindingsOf({ preferences }: Pick<Editor, 'preferences'>, id: AppCommandId): readonly string[] {
   return getOwn(preferences.getState().keybindings, id) ?? appCommand(id).keys;
 }
 
 /**
- * The command of a keybinding; with a text field focused, only those that no text field has a use for. Timeline and preview have keys
- * of their own, which go before the others there and are none elsewhere.
+ * The command of a keybinding; null if there is none. While typing, only commands that allow it. In the timeline and the preview
+ * (`time`), their commands take precedence; elsewhere these have no keys.
  */
 export function commandOfKeybinding(
   editor: Pick<Editor, 'preferences'>,
@@ -27,12 +27,12 @@ export function commandOfKeybinding(
   return found ?? null;
 }
 
-/** Whether a person may give a command other keys: the browser's own copy and paste have theirs. */
+/** Whether a command can have other keys. Copy, cut and paste have those of the browser. */
 export function isRebindable(id: AppCommandId): boolean {
   return appCommand(id).byEvent !== true;
 }
 
-/** What has the keybinding now, other than the command that it is for. */
+/** The other command that has the keybinding; null if there is none. */
 export function ownerOfKeybinding(editor: Pick<Editor, 'preferences'>, keybinding: string, except: AppCommandId): AppCommandId | null {
   const same = (id: AppCommandId) => id !== except && isOfTime(id) === isOfTime(except);
   return appCommandIds().find((id) => same(id) && keybindingsOf(editor, id).includes(keybinding)) ?? null;
@@ -42,10 +42,11 @@ function isOfTime(id: AppCommandId): boolean {
   return appCommand(id).where === 'time';
 }
 
-/** Gives a command one keybinding in place of those it has; another command that had it goes without. Null takes all away. */
+/** Replaces the keybindings of a command by one; null removes them. Another command loses the keybinding. */
 export function setKeybinding(editor: Pick<Editor, 'preferences'>, id: AppCommandId, keybinding: string | null): void {
-  const loser = keybinding === null ? null : ownerOfKeybinding(editor, keybinding, id);
-  const taken = loser === null ? {} : { [loser]: keybindingsOf(editor, loser).filter((other) => other !== keybinding) };
+  const previousOwner = keybinding === null ? null : ownerOfKeybinding(editor, keybinding, id);
+  const taken =
+    previousOwner === null ? {} : { [previousOwner]: keybindingsOf(editor, previousOwner).filter((other) => other !== keybinding) };
   editor.preferences.setState(({ keybindings }) => ({
     keybindings: { ...keybindings, ...taken, [id]: keybinding === null ? [] : [keybinding] },
   }));

@@ -4,11 +4,11 @@ import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { addNodeFromPalette } from '../graph/edit-graph.ts';
 import { appCommandIds } from './app-commands.ts';
 import { setKeybinding } from './keybindings.ts';
-import { followMenus, MENUS } from './menus.ts';
+import { MENUS, syncNativeMenus } from './menus.ts';
 
 async function followed() {
   const { editor, host, clock } = await openTestEditor();
-  const stop = followMenus(editor);
+  const stop = syncNativeMenus(editor);
   const shown = () => host.calls.filter(({ method }) => method === 'menu.show').map(({ input }) => input as HostInput<'menu.show'>);
   const entry = (command: string) => {
     const entries = shown()
@@ -27,7 +27,7 @@ describe('the window’s own menu', () => {
 
   test('follows what can be done, and is not told the same twice', async () => {
     const { editor, clock, shown, entry } = await followed();
-    expect(entry('edit.duplicate')).toMatchObject({ enabled: false, label: 'Duplicate', chord: 'Mod+D' });
+    expect(entry('edit.duplicate')).toMatchObject({ enabled: false, label: 'Duplicate', keybinding: 'Mod+D' });
     const definition = editor.document.getState().library.definition('filter/sepia');
     if (!definition) throw new Error('There is no sepia.');
     addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
@@ -43,10 +43,10 @@ describe('the window’s own menu', () => {
     const { editor, clock, entry } = await followed();
     setKeybinding(editor, 'view.fit', 'Mod+9');
     clock.pass(100);
-    expect(entry('view.fit')).toMatchObject({ chord: 'Mod+9' });
+    expect(entry('view.fit')).toMatchObject({ keybinding: 'Mod+9' });
     setKeybinding(editor, 'view.fit', null);
     clock.pass(100);
-    expect(entry('view.fit')).toMatchObject({ chord: null });
+    expect(entry('view.fit')).toMatchObject({ keybinding: null });
   });
 
   test('offers nothing while a question is open', async () => {

@@ -3,7 +3,7 @@ import type { Editor } from '../editor/editor.ts';
 import { type AppCommandId, appCommand } from './app-commands.ts';
 import { keybindingsOf } from './keybindings.ts';
 
-/** The menus at the top of the editor, which the window's own mirrors where it has one. */
+/** The menu bar. A native menu bar has the same menus. */
 export const MENUS: readonly { readonly label: string; readonly entries: readonly (AppCommandId | 'line')[] }[] = [
   {
     label: 'File',
@@ -113,7 +113,7 @@ export const MENUS: readonly { readonly label: string; readonly entries: readonl
   { label: 'Help', entries: ['view.help', 'help.commands', 'help.shortcuts', 'line', 'help.tour'] },
 ];
 
-/** The menus as they are now, for the window's own. A question that is open takes all keys and clicks for itself. */
+/** The current state of the menus for the native menu bar. While a dialog is open, all commands are disabled. */
 export function platformMenus(editor: Editor): PlatformMenu[] {
   const { dialog, palette } = editor.ui.getState();
   const free = dialog === null && palette === null;
@@ -122,16 +122,21 @@ export function platformMenus(editor: Editor): PlatformMenu[] {
     entries: entries.map((id) => {
       if (id === 'line') return id;
       const command = appCommand(id);
-      return { command: id, label: command.label, chord: keybindingsOf(editor, id)[0] ?? null, enabled: free && command.enabled(editor) };
+      return {
+        command: id,
+        label: command.label,
+        keybinding: keybindingsOf(editor, id)[0] ?? null,
+        enabled: free && command.enabled(editor),
+      };
     }),
   }));
 }
 
-/** How long changes pause before the window's menu is updated: a recording that plays changes the preview with every frame. */
+/** Pause before an update of the native menus, because playback changes the state with every frame. */
 const REST_MS = 60;
 
-/** Keeps the window's own menu like the editor's. */
-export function followMenus(editor: Editor): () => void {
+/** Keeps the native menus in sync with the editor. @returns A function that stops it. */
+export function syncNativeMenus(editor: Editor): () => void {
   let shown = '';
   let waiting: (() => void) | null = null;
   const show = () => {
@@ -141,7 +146,7 @@ export function followMenus(editor: Editor): () => void {
     if (text === shown) return;
     shown = text;
     editor.host.call('menu.show', { menus }).catch(() => {
-      // The window's menu is as it was; the next change tries again.
+      // The native menus are outdated; the next change tries again.
       shown = '';
     });
   };

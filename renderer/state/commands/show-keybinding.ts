@@ -22,7 +22,7 @@ const MAC_SIGNS: Readonly<Record<string, string>> = {
   Tab: '⇥',
 };
 
-/** For menus and tooltips: `⇧⌘Z` or `Ctrl+Shift+Z`. */
+/** Text of a keybinding for menus and tooltips: `⇧⌘Z` on a Mac, `Ctrl+Shift+Z` elsewhere. */
 export function showKeybinding(keybinding: string, mac: boolean): string {
   const parts = keybinding.split('+');
   if (!mac) return parts.map((part) => getOwn(NAMES, part) ?? part).join('+');
@@ -31,7 +31,7 @@ export function showKeybinding(keybinding: string, mac: boolean): string {
   return [...modifiers, parts.at(-1) ?? ''].map((part) => getOwn(MAC_SIGNS, part) ?? part).join('');
 }
 
-/** Text fields, and what says of itself that it is one, keep the keys that edit text. */
+/** Whether the element edits text: a text field, or an element marked with `data-typing`. */
 export function isTyping(target: EventTarget | null): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.closest('[data-typing]') !== null) return true;

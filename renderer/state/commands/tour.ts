@@ -3,34 +3,34 @@ import type { Editor } from '../editor/editor.ts';
 export interface TourStep {
   readonly title: string;
   readonly text: string;
-  /** What of the window it is about, as a CSS selector. */
+  /** CSS selector of the element that the step explains. */
   readonly about: string;
 }
 
 export const TOUR: readonly TourStep[] = [
   {
     title: 'The graph',
-    text: 'Pictures, models and lights flow along wires from left to right, to the Output. Pull a wire out of a port and let it go over the empty canvas: you are offered what fits.',
+    text: 'Images, models and lights flow along wires from left to right, to the Output. Drag a wire from a port onto the empty canvas to see the nodes that fit.',
     about: '.canvas',
   },
   {
     title: 'Adding nodes',
-    text: 'This button, Tab or a double-click on the canvas finds nodes by what they do: “blur”, “cartoon”, “shadow”. Or drop a model, a picture or a shader from your files.',
+    text: 'Press this button or Tab, or double-click the canvas, to search nodes by what they do: “blur”, “cartoon”, “shadow”. You can also drop models, images and shaders from your computer.',
     about: '[data-tour="add"]',
   },
   {
     title: 'The preview',
-    text: 'The page as its visitors will see it, over a recorded room. Below it, hold the time, step through it, or walk in an emulated room.',
+    text: 'The page as visitors see it, in a recorded room. With the controls below, pause it, step through its frames, or choose an emulated room to walk in.',
     about: '.stage',
   },
   {
     title: 'The inspector',
-    text: 'All values of the node that you select. Drag a number sideways, type a sum, or let it follow an expression. The picture follows while you change it.',
+    text: 'All parameters of the selected node. Drag a number sideways, type arithmetic, or bind it to an expression. The preview updates while you edit.',
     about: '.inspector',
   },
   {
     title: 'The page',
-    text: 'Export makes a folder that any web server can host: phones and headsets play it in augmented reality, laptops show it to look around in.',
+    text: 'Export writes a folder for any web server. Phones and headsets show the page in augmented reality; on laptops, visitors look around with the pointer.',
     about: '[data-tour="export"]',
   },
 ];
@@ -43,8 +43,8 @@ export function endTour({ ui }: Editor): void {
   ui.setState({ tour: null });
 }
 
-/** Ends it after the last step; there is nothing before the first. */
-export function goOnTour({ ui }: Editor, by: 1 | -1): void {
+/** Goes to the next or previous step. After the last step, the tour ends. */
+export function stepTour({ ui }: Editor, by: 1 | -1): void {
   ui.setState(({ tour }) => {
     if (tour === null) return {};
     const next = tour + by;

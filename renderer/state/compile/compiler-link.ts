@@ -1,6 +1,6 @@
 import type { CompileAnswer, CompileRequest } from './messages.ts';
 
-/** The part of `Worker` that is used, so that a test can stand in for it. */
+/** The used part of `Worker`, so that tests can substitute it. */
 export interface CompilerWorker {
   postMessage(message: CompileRequest): void;
   onmessage: ((event: MessageEvent<CompileAnswer>) => void) | null;
@@ -8,12 +8,12 @@ export interface CompilerWorker {
 }
 
 export interface CompilerLink {
-  /** The newest request is answered; of those that wait, older ones are dropped. */
+  /** Compiles a project. If the compiler is busy, only the newest request is kept. */
   request(request: CompileRequest): void;
   dispose(): void;
 }
 
-/** `more` tells that a newer request has been started already. */
+/** @param onAnswer Called with each answer; `more` is true if a newer request has already started. */
 export function createCompilerLink(worker: CompilerWorker, onAnswer: (answer: CompileAnswer, more: boolean) => void): CompilerLink {
   let running = false;
   let waiting: CompileRequest | null = null;

@@ -6,7 +6,7 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 export interface CompileRequest {
   readonly revision: number;
   readonly project: ProjectLogic;
-  /** Layers to keep for looking at them; see `CompileOptions`. */
+  /** Layers that the program keeps for viewing; see `CompileOptions`. */
   readonly taps: readonly string[];
 }
 

@@ -13,8 +13,8 @@ import { toastDiagnostic } from '../editor/ui.ts';
 import { inPlainWords } from './plain-words.ts';
 
 /**
- * Takes over a change as one step of the history; changes with the same `key`, one after the other, are one step until
- * `endGesture`. A refused change is shown with its reason and answers false.
+ * Applies a change as one undo step. Successive changes with the same `key` form one step until `endGesture`. If the change has
+ * errors, shows them and returns false.
  */
 export function apply(editor: Editor, label: string, made: Change, key?: string): boolean {
   const change = pruneRoutesAfter(editor.document.getState().project, made);
@@ -22,23 +22,23 @@ export function apply(editor: Editor, label: string, made: Change, key?: string)
   if (hasErrors(change.diagnostics)) return false;
   if (change.patches.length === 0) return true;
   const before = editor.document.getState().history;
-  takeOver(editor, change.project, history.record(before, change, key === undefined ? { label } : { label, key }));
+  commit(editor, change.project, history.record(before, change, key === undefined ? { label } : { label, key }));
   return true;
 }
 
-/** What follows is a step of its own. */
+/** Ends the current undo step. The next change starts another one. */
 export function endGesture(editor: Editor): void {
   const before = editor.document.getState().history;
   const after = history.endStep(before);
   if (after !== before) editor.document.setState({ history: after });
 }
 
-/** Takes back the gesture under way, which began at that state of the history, as if it had never been. */
-export function takeBack(editor: Editor, state: number): void {
+/** Reverts the gesture in progress, without a redo step. `state` is the state of the history before it. */
+export function revertGesture(editor: Editor, state: number): void {
   const { history: before, project } = editor.document.getState();
   if (before.past.at(-1)?.before !== state) return;
   const moved = history.undo(before, project);
-  if (moved !== null) takeOver(editor, moved.project, { ...moved.history, future: [] });
+  if (moved !== null) commit(editor, moved.project, { ...moved.history, future: [] });
 }
 
 export function undo(editor: Editor): void {
@@ -52,16 +52,16 @@ export function redo(editor: Editor): void {
 function move(editor: Editor, step: typeof history.undo): void {
   const { history: before, project } = editor.document.getState();
   const moved = step(before, project);
-  if (moved !== null) takeOver(editor, moved.project, moved.history);
+  if (moved !== null) commit(editor, moved.project, moved.history);
 }
 
-function takeOver(editor: Editor, project: Project, next: history.History): void {
+function commit(editor: Editor, project: Project, next: history.History): void {
   editor.document.setState(({ revision, graph, trail }) => ({
     project,
     history: next,
     library: editor.libraries.of(project),
     revision: revision + 1,
-    ...stillThere(project, [...trail, graph]),
+    ...nearestExisting(project, [...trail, graph]),
   }));
   const { nodes, wires } = graphOf(editor.document.getState());
   const ids = new Set(wires.map(printWire));
@@ -74,9 +74,9 @@ function takeOver(editor: Editor, project: Project, next: history.History): void
   keepInSelection(editor.selection, (kind, id) => exists[kind](id));
 }
 
-/** The open graph may be one that an undo takes away: then the nearest on the way to it that is left. */
-function stillThere({ graphs }: Project, way: readonly string[]): { readonly graph: string; readonly trail: readonly string[] } {
-  const gone = way.findIndex((name) => getOwn(graphs, name) === undefined);
-  const left = gone === -1 ? way : way.slice(0, gone);
+/** The open graph if it still exists after an undo; else its nearest existing ancestor. */
+function nearestExisting({ graphs }: Project, path: readonly string[]): { readonly graph: string; readonly trail: readonly string[] } {
+  const gone = path.findIndex((name) => getOwn(graphs, name) === undefined);
+  const left = gone === -1 ? path : path.slice(0, gone);
   return { graph: left.at(-1) ?? MAIN_GRAPH, trail: left.slice(0, -1) };
 }

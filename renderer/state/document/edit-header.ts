@@ -8,8 +8,8 @@ import { endGesture } from './apply.ts';
 import { editShader, finishTyping, shaderOf } from './edit-shader.ts';
 
 /**
- * Edits the header of a node's shader from outside of its text: each is one step, with all that follows from it. False where the
- * header cannot be read or the edit is refused.
+ * Edits the header of a node’s shader outside the text editor, as one undo step. Returns false if the header is invalid or the edit
+ * is rejected.
  */
 export function editHeader(editor: Editor, node: string, path: HeaderPath, value: HeaderValue | undefined): boolean {
   return editText(editor, node, (text) => setInHeader(text, path, value));
@@ -19,7 +19,7 @@ export function moveInput(editor: Editor, node: string, from: number, to: number
   return editText(editor, node, (text) => moveInHeader(text, ['INPUTS'], from, to));
 }
 
-/** Gives an input another name, wherever the header and the code call it; wires and values stay. */
+/** Renames an input in the header and the code. Wires and params keep their connection to it. */
 export function renameInput(editor: Editor, node: string, from: string, to: string): boolean {
   return editText(editor, node, (text, file) => {
     const options = { chunkOf: chunkOf(editor) };
@@ -32,7 +32,7 @@ export function renameInput(editor: Editor, node: string, from: string, to: stri
   });
 }
 
-/** Text of a chunk that techniques include. */
+/** Looks up the text of a chunk by name. */
 export function chunkOf(editor: Editor): (name: string) => string | undefined {
   return (name) => editor.document.getState().library.shader(`chunks/${name}.glsl`);
 }

@@ -8,20 +8,20 @@ import type { Editor } from '../editor/editor.ts';
 import { soleNode } from '../editor/selection.ts';
 import { apply, endGesture } from './apply.ts';
 
-/** The source behind a node: an ISF file or a technique. */
+/** The shader of a node: an ISF file or a technique. */
 export interface EditableShader {
   readonly node: string;
-  /** As `lowering.shader` names it: `filters/sepia.fs` of the library, `shaders/edge.fs` of the project. */
+  /** The name in `lowering.shader`: `filters/sepia.fs` in the library, `shaders/edge.fs` in the project. */
   readonly name: string;
   readonly text: string;
-  /** In `shaders/`; null for one of the library, which the first edit copies. */
+  /** File name in `shaders/`; null for a shader of the library, which the first edit copies. */
   readonly file: string | null;
 }
 
 const SHADER_TYPES = /^(filter|operator|generator|technique)\//;
 const OWN_SHADERS = 'shaders/';
 
-/** The shader of the one selected node; null where there is none to edit. */
+/** The shader of the selected node; null if there is none or several nodes are selected. */
 export function editableShader(editor: Editor): EditableShader | null {
   const node = soleNode(editor.selection.getState());
   return node === null ? null : shaderOf(editor.document.getState(), node);
@@ -38,8 +38,8 @@ export function shaderOf(state: OpenGraph, node: string): EditableShader | null 
 }
 
 /**
- * Takes over the text of a node's shader, with all that follows from its header. A shader of the library is copied into the
- * project in the same step. Typing is one step until `endGesture`.
+ * Sets the text of a node’s shader and updates its interface from the header. A shader of the library is copied into the project
+ * first. Successive edits form one undo step until `endGesture`.
  */
 export function editShader(editor: Editor, node: string, text: string): boolean {
   const state = editor.document.getState();
@@ -60,15 +60,15 @@ export function editShader(editor: Editor, node: string, text: string): boolean 
   );
 }
 
-/** The file that a fork has made; null where it was refused. */
+/** The file that a fork created; null if the fork was rejected. */
 function copyOf({ project }: Change, before: OpenGraph): string | null {
   const made = (name: string) => /\.(fs|glsl)$/.test(name) && !Object.hasOwn(before.project.sources, name);
   return Object.keys(project.sources).find(made) ?? null;
 }
 
 /**
- * Takes over the text of a file of the project that is no node's own: a chunk, `chunks/NAME.glsl`, which takes the place of the
- * library's, or the vertex shader beside an ISF file, `NAME.vs`. `step`: the file whose typing it is one step with.
+ * Sets the text of a project file that belongs to no single node: a chunk (`chunks/NAME.glsl`), which overrides that of the library,
+ * or the vertex shader of an ISF file (`NAME.vs`). @param step The file whose edit belongs to the same undo step.
  */
 export function editSource(editor: Editor, file: string, text: string, step = file): boolean {
   const { project, library } = editor.document.getState();
@@ -77,7 +77,7 @@ export function editSource(editor: Editor, file: string, text: string, step = fi
   return apply(editor, `Edit ${file}`, setSource(project, { base, readShader, file, text, known: library }), `source ${step}`);
 }
 
-/** Copies a chunk from the library into the project, as it stands. */
+/** Copies a chunk of the library into the project. */
 export function copyChunk(editor: Editor, file: string): boolean {
   const text = editor.document.getState().library.shader(file);
   const copied = text !== undefined && editSource(editor, file, text);
@@ -85,25 +85,25 @@ export function copyChunk(editor: Editor, file: string): boolean {
   return copied;
 }
 
-/** The vertex shader beside a node's ISF file, as the library calls it; null where there is none. */
+/** Name of the vertex shader of a node’s ISF file; null if there is none. */
 export function vertexOf(state: OpenGraph, node: string): string | null {
   const name = shaderOf(state, node)?.name;
   const vertex = name === undefined ? undefined : besideOf(state, name);
   return vertex?.file ?? null;
 }
 
-/** Corners as they are: the picture stays what it is until more is written. */
+/** A vertex shader that changes nothing. */
 const VERTEX = `void main() {
   isf_vertShaderInit();
 }
 `;
 
-/** Whether a vertex shader may stand beside a node's shader: beside an ISF file that has none. */
-export function takesVertex(state: OpenGraph, node: string): boolean {
+/** Whether a vertex shader can be added: the shader is an ISF file without one. */
+export function canAddVertex(state: OpenGraph, node: string): boolean {
   return shaderOf(state, node)?.name.endsWith('.fs') === true && vertexOf(state, node) === null;
 }
 
-/** Begins a vertex shader beside a node's ISF file; one of the library is copied into the project in the same step. */
+/** Adds a vertex shader to a node’s ISF file. An ISF file of the library is copied into the project in the same step. */
 export function addVertex(editor: Editor, node: string): boolean {
   finishTyping(editor);
   const state = editor.document.getState();
@@ -121,7 +121,7 @@ export function addVertex(editor: Editor, node: string): boolean {
   );
 }
 
-/** Takes the vertex shader beside a node's file out of the project. */
+/** Removes the vertex shader of a node’s ISF file from the project. */
 export function removeVertex(editor: Editor, node: string): boolean {
   finishTyping(editor);
   const state = editor.document.getState();
@@ -132,32 +132,32 @@ export function removeVertex(editor: Editor, node: string): boolean {
   return apply(editor, `Remove ${file}`, removeSource(state.project, { base, readShader, file }));
 }
 
-/** The vertex shader beside an ISF file, or the ISF file beside a vertex shader. */
+/** The vertex shader of an ISF file, or the ISF file of a vertex shader. */
 export function besideOf({ library }: OpenGraph, file: string): { readonly file: string; readonly source: string } | undefined {
   const beside = file.endsWith('.vs') ? file.replace(/\.vs$/, '.fs') : file.replace(/\.fs$/, '.vs');
   const source = beside === file ? undefined : library.shader(beside);
   return source === undefined ? undefined : { file: beside, source };
 }
 
-/** Name in the project of what the library calls `shaders/NAME`, or of a chunk. */
+/** Name in the project’s `sources` of a shader (`shaders/NAME` in the library) or chunk. */
 export function projectFileOf(name: string): string {
   return name.startsWith(OWN_SHADERS) ? name.slice(OWN_SHADERS.length) : name;
 }
 
-/** Copies a node's shader from the library into the project, as it stands. */
+/** Copies the shader of a node from the library into the project. */
 export function copyShader(editor: Editor, node: string): boolean {
   const { project, library, graph } = editor.document.getState();
   return apply(editor, 'Copy shader into the project', forkShader(project, { library, graph, node }));
 }
 
-/** A text of the library, as its shader has it. */
+/** A shader of the library that was copied. */
 export interface OriginalShader {
-  /** `filters/sepia.fs` */
+  /** Name in the library, such as `filters/sepia.fs`. */
   readonly name: string;
   readonly text: string;
 }
 
-/** What a shader of the project was copied from: the library's of the same name, without the number that copies have. */
+/** The shader that a project shader was copied from: that of the library with the same name, without the number of the copy. */
 export function originalOf(editor: Editor, state: OpenGraph, node: string): OriginalShader | null {
   const shader = shaderOf(state, node);
   const type = nodeOf(state, node)?.type;
@@ -172,7 +172,7 @@ export function originalOf(editor: Editor, state: OpenGraph, node: string): Orig
   return null;
 }
 
-/** Gives a copy the text of its original again, as a step of its own. */
+/** Restores the text of the original, as one undo step. */
 export function revertShader(editor: Editor, node: string): boolean {
   finishTyping(editor);
   const original = originalOf(editor, editor.document.getState(), node);
@@ -181,7 +181,7 @@ export function revertShader(editor: Editor, node: string): boolean {
   return reverted;
 }
 
-/** Takes over what is being typed, so that what follows builds on it and is a step of its own. */
+/** Applies pending text edits as an undo step of their own. */
 export function finishTyping(editor: Editor): void {
   for (const finish of editor.unfinished) finish();
 }

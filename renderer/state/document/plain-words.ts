@@ -5,14 +5,14 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { OpenGraph } from '../editor/document.ts';
 import { titleOfName } from '../editor/library.ts';
 
-/** `sepia-k7q2`, within subgraphs `look-a2b3/sepia-k7q2`, with or without `.port`. */
+/** Matches node ids such as `sepia-k7q2` or `look-a2b3/sepia-k7q2`, with or without `.port`. */
 const ADDRESS = /\b([a-z][a-z0-9]*(?:-[a-z0-9]+)+(?:\/[a-z][a-z0-9]*(?:-[a-z0-9]+)+)*)(?:\.([A-Za-z_][A-Za-z0-9_]*))?/g;
 
 const SUBGRAPH = /subgraph “([a-z0-9-]+)”/g;
 
 /**
- * A message with nodes and ports called as the canvas calls them: “Sepia” for `sepia-k7q2`, “Sepia (Amount)” for
- * `sepia-k7q2.amount`. The command line, which shows no canvas, keeps the ids. What is no node of the project stays as it is.
+ * Replaces ids in a message by the titles on the canvas: `sepia-k7q2` by “Sepia”, `sepia-k7q2.amount` by “Sepia (Amount)”. Unknown
+ * ids stay. The command line has no canvas and keeps the ids.
  */
 export function plainWords(state: OpenGraph, message: string): string {
   const named = message.replaceAll(SUBGRAPH, (_, name: string) => `subgraph “${titleOfName(name)}”`);
@@ -26,7 +26,7 @@ export function plainWords(state: OpenGraph, message: string): string {
   });
 }
 
-/** “Sepia (Amount)”; “Sepia” where it is the only port on its side, whose name says nothing. */
+/** Title of a port: “Sepia (Amount)”, or “Sepia” if it is the only port on its side. */
 export function portWords({ title, inputs, outputs, params }: NodeInterface, port: string): string {
   const sides = [outputs, inputs, params] as const;
   const side = sides.find((ports) => getOwn<unknown>(ports, port) !== undefined);
@@ -39,7 +39,7 @@ export function inPlainWords(state: OpenGraph, diagnostic: Diagnostic): Diagnost
   return { ...diagnostic, message: plainWords(state, message), ...(fix === undefined ? {} : { fix: plainWords(state, fix) }) };
 }
 
-/** Ids are unique over all graphs of a project; the open one is the likeliest. */
+/** Finds a node by id, first in the open graph. Ids are unique in a project. */
 function nodeAt({ project, graph }: OpenGraph, id: string): GraphNode | undefined {
   const graphs = [getOwn(project.graphs, graph), ...Object.values(project.graphs)];
   return graphs.flatMap((candidate) => (candidate && getOwn(candidate.nodes, id)) ?? [])[0];

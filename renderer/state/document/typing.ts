@@ -4,28 +4,30 @@ import type { Editor } from '../editor/editor.ts';
 import { endGesture } from './apply.ts';
 import { editShader, editSource, projectFileOf, shaderOf } from './edit-shader.ts';
 
-/** After this long without a key, typing rests: mistakes are marked. */
+/** Pause after which new problems are marked. */
 const REST_MS = 300;
 
-/** Where the last compile took less, each key compiles at once; else typing waits for a pause as long as that compile. */
+/**
+ * If the last compile was faster than this, each key press compiles at once. Else typing waits for a pause as long as that compile.
+ */
 const AT_ONCE_MS = 30;
 
-/** Typing without a pause is taken over after this long: a crash may cost five seconds of work, of which autosave uses four. */
+/** Longest wait during continuous typing. A crash loses at most five seconds of work, of which autosave takes four. */
 const TYPING_AT_MOST_MS = 900;
 
-/** Text on its way from the keyboard into the document. */
+/** Buffers typed shader text until it is applied to the document. */
 export interface Typing {
-  /** `shader`: the node whose shader it is, or the file of a chunk or of a vertex shader. */
+  /** Buffers a text. `shader`: the id of its node, or the file of a chunk or vertex shader. */
   type(shader: string, text: string): void;
-  /** Takes over at once what a slider in the text makes of it; with what follows it is one step until `end`. */
+  /** Applies an edit of a slider at once. Edits form one undo step until `end`. */
   tune(shader: string, text: string): void;
-  /** What is typed next is one step with this new text of the file beside it. */
-  along(beside: NeighborFile): void;
-  /** Whether text of the shader's has been typed that the document does not have yet. */
+  /** Adds the new text of the neighboring file to the undo step of the next edit. */
+  pairWith(beside: NeighborFile): void;
+  /** Whether buffered text of this shader is not in the document yet. */
   isAhead(shader: string): boolean;
-  /** Takes over at once what was typed for other shaders than this. */
+  /** Applies buffered text of other shaders at once. */
   flush(shader: string): void;
-  /** Takes over what was typed, as a step of its own. */
+  /** Applies buffered text and ends its undo step. */
   end(): void;
   dispose(): void;
 }
@@ -33,7 +35,7 @@ export interface Typing {
 export function createTyping(editor: Editor): Typing {
   let beside: NeighborFile | null = null;
   let waiting: { readonly shader: string; readonly text: string } | null = null;
-  const take = () => {
+  const applyText = () => {
     const typed = waiting;
     waiting = null;
     if (typed === null) return;
@@ -44,17 +46,17 @@ export function createTyping(editor: Editor): Typing {
     if (beside !== null && file) editSource(editor, projectFileOf(beside.file), beside.source, file);
     beside = null;
   };
-  const codePause = debounce(editor.clock, () => editor.compile.getState().tookMs, take, TYPING_AT_MOST_MS);
-  // Without a limit: each word of a header is a port or a parameter, and half a name would remove wires and values.
-  const headerPause = debounce(editor.clock, REST_MS, take);
+  const codePause = debounce(editor.clock, () => editor.compile.getState().tookMs, applyText, TYPING_AT_MOST_MS);
+  // Has no limit: an unfinished name in the header would remove ports, with their wires and params.
+  const headerPause = debounce(editor.clock, REST_MS, applyText);
   const flush = () => {
     codePause.flush();
     headerPause.flush();
   };
-  const takeNow = () => {
+  const applyNow = () => {
     codePause.cancel();
     headerPause.cancel();
-    take();
+    applyText();
   };
   const rest = debounce(editor.clock, REST_MS, () => editor.ui.setState({ typing: false }));
   let tuning = false;
@@ -63,7 +65,7 @@ export function createTyping(editor: Editor): Typing {
     flush();
     endGesture(editor);
   };
-  /** A slider that is held for long is one step, whatever is saved meanwhile. */
+  /** A drag of a slider stays one undo step, even if the project is saved during it. */
   const finish = () => {
     if (!tuning) end();
   };
@@ -77,16 +79,16 @@ export function createTyping(editor: Editor): Typing {
       if (changesHeader(editor, shader, text)) {
         codePause.cancel();
         headerPause.trigger();
-      } else if (compilesFast(editor)) takeNow();
+      } else if (compilesFast(editor)) applyNow();
       else codePause.trigger();
     },
     tune: (shader, text) => {
       if (waiting !== null && waiting.shader !== shader) end();
       tuning = true;
       waiting = { shader, text };
-      takeNow();
+      applyNow();
     },
-    along: (changed) => {
+    pairWith: (changed) => {
       beside = changed;
     },
     isAhead: (shader) => waiting?.shader === shader,

@@ -2,12 +2,12 @@ import { useRef } from 'react';
 import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { EditHandlers } from '../../ui/number-field.tsx';
 import { useEditor } from '../editor/editor-context.ts';
-import { endGesture, takeBack } from './apply.ts';
+import { endGesture, revertGesture } from './apply.ts';
 
-/** Makes one step of the history of one gesture on a control, and none of one that is given up. */
+/** Groups the edits of a gesture on a control into one undo step, and reverts them if the gesture is canceled. */
 export function useUndoGroup<T = ParamValue>(edit: (value: T) => void): Required<EditHandlers<T>> {
   const editor = useEditor();
-  /** The state of the history before it. */
+  /** State of the history before the gesture. */
   const began = useRef<number | null>(null);
   return {
     onEdit: (value) => {
@@ -22,7 +22,7 @@ export function useUndoGroup<T = ParamValue>(edit: (value: T) => void): Required
       endGesture(editor);
     },
     onCancel: () => {
-      if (began.current !== null) takeBack(editor, began.current);
+      if (began.current !== null) revertGesture(editor, began.current);
       began.current = null;
     },
   };

@@ -1,20 +1,20 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { WireType } from '../../../nodes/kit/wire-types.ts';
 
-/** What happens on the canvas and is no part of the document. */
+/** State of the canvas that is not part of the document. */
 export interface CanvasState {
-  /** Nodes that show every param that could be wired. */
+  /** Nodes that show all connectable params as ports. */
   readonly expanded: ReadonlySet<string>;
-  /** The node under a wire in hand, expanded for as long as it is. */
+  /** The node under a dragged wire. It is expanded until the wire leaves it. */
   readonly offered: string | null;
-  /** Where nodes are while they are dragged, canvas units. */
+  /** Positions of dragged nodes, in canvas units. */
   readonly dragged: Readonly<Record<string, Place>>;
-  readonly inHand: WireInHand | null;
-  /** The wire that a dragged node would go into, or that a layer in hand would be laid over. */
+  readonly draggedWire: DraggedWire | null;
+  /** The wire that a dropped node would be inserted into, or that a dropped layer would be composited over. */
   readonly wireUnder: string | null;
-  /** Middle of what is seen, canvas units; the page says. */
+  /** Returns the center of the visible canvas, in canvas units. Set by the page. */
   readonly middle: () => Place;
-  /** A frame or note while it is resized. */
+  /** A frame or note during a resize. */
   readonly resized: ResizedItem | null;
 }
 
@@ -29,17 +29,17 @@ export interface Place {
   readonly y: number;
 }
 
-/** A port that a wire in hand is looking for a partner for. */
+/** The free end of a dragged wire. */
 export interface OpenEnd {
   readonly type: WireType;
-  /** The side that the wire starts from. */
+  /** The side of the port at the other end. */
   readonly side: 'output' | 'input';
 }
 
-export interface WireInHand extends OpenEnd {
+export interface DraggedWire extends OpenEnd {
   readonly node: string;
   readonly port: string;
-  /** The reroutes that it is led through, where it was drawn from one. */
+  /** Reroutes of the wire, if it starts from a reroute. */
   readonly route?: readonly string[];
 }
 
@@ -52,7 +52,7 @@ export function createCanvasState(): CanvasStore {
     expanded: new Set(),
     offered: null,
     dragged: NOWHERE,
-    inHand: null,
+    draggedWire: null,
     wireUnder: null,
     resized: null,
     middle: () => ({ x: 0, y: 0 }),
@@ -67,12 +67,12 @@ export function toggleExpanded(store: CanvasStore, node: string): void {
   });
 }
 
-export function takeWire(store: CanvasStore, inHand: WireInHand): void {
-  store.setState({ inHand });
+export function startWire(store: CanvasStore, draggedWire: DraggedWire): void {
+  store.setState({ draggedWire });
 }
 
 export function dropWire(store: CanvasStore): void {
-  store.setState({ inHand: null, offered: null, wireUnder: null });
+  store.setState({ draggedWire: null, offered: null, wireUnder: null });
 }
 
 export function offerParams(store: CanvasStore, node: string | null): void {
@@ -91,7 +91,7 @@ export function dragTo(store: CanvasStore, places: Readonly<Record<string, Place
   store.setState(({ dragged }) => ({ dragged: { ...dragged, ...places } }));
 }
 
-/** Ends a drag: what was dragged, and nothing is any more. */
+/** Ends a drag. @returns The dragged positions. */
 export function endDrag(store: CanvasStore): CanvasState['dragged'] {
   const { dragged } = store.getState();
   store.setState({ dragged: NOWHERE, wireUnder: null });

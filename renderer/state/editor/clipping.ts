@@ -1,22 +1,22 @@
 import type { ProjectTexts } from '../../../export/graph/load.ts';
 import type { GraphLayout, GraphNode, NodeLayout, Wire } from '../../../export/graph/project.ts';
 
-/** The subgraphs, shaders and assets that copied nodes are made of, as the files of a project that has nothing else. */
+/** The subgraphs, shaders and assets that copied nodes need, as the files of a project. */
 export type CopiedDependencies = ProjectTexts;
 
-/** What copied nodes' assets have in their files, by asset id, as base64: clipboards carry text alone between programs. */
+/** File contents of the copied assets as base64, by asset id. Clipboards carry only text between programs. */
 export type CopiedFiles = Readonly<Record<string, string>>;
 
-/** Nodes and the wires among them, with the subgraphs and shaders that they are made of, as text that another window can take. */
+/** Copied nodes, the wires among them and their dependencies, as JSON text of the clipboard. */
 export interface Clipping {
   readonly format: 'scrim-nodes';
   readonly version: 1;
   readonly nodes: Readonly<Record<string, GraphNode & NodeLayout>>;
   readonly wires: readonly Wire[];
-  /** Of the wires; absent where all run straight. */
+  /** Reroutes of the wires; absent if there are none. */
   readonly ways?: Pick<GraphLayout, 'reroutes' | 'routes'>;
-  /** Absent where they use none. */
+  /** Dependencies of the nodes; absent if there are none. */
   readonly brought?: CopiedDependencies;
-  /** Of the assets that they use. */
+  /** Files of the assets. */
   readonly files?: CopiedFiles;
 }

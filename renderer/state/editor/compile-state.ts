@@ -3,23 +3,23 @@ import type { Program } from '../../../export/program/program.ts';
 import type { ParamValue } from '../../../nodes/kit/definition.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 
-/** A param of the program that was set after the program was compiled; `node` is `outer/inner` within subgraphs. */
+/** A param that changed after the program was compiled. `node` is the id in the program: `outer/inner` within subgraphs. */
 export interface LaterValue {
   readonly node: string;
   readonly param: string;
   readonly value: ParamValue;
 }
 
-/** What the compiler last said. */
+/** The latest result of the compiler. */
 export interface CompileState {
-  /** A newer answer is on its way. */
+  /** Whether a newer compile is running. */
   readonly busy: boolean;
-  /** Document revision that the diagnostics are about; null before the first. */
+  /** Document revision of the diagnostics; null before the first compile. */
   readonly revision: number | null;
-  /** The last good one; null before the first. */
+  /** The last program without errors; null before the first. */
   readonly program: Program | null;
   readonly programRevision: number | null;
-  /** To set in the program before it plays elsewhere: it was compiled with older values. */
+  /** Params to set when the program plays in another player, because it was compiled with older values. */
   readonly laterValues: readonly LaterValue[];
   readonly diagnostics: readonly Diagnostic[];
   readonly tookMs: number;

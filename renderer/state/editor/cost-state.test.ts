@@ -46,7 +46,7 @@ test('a headset draws each pass twice; what is over its budget is said', () => {
   if (!phone || !headset) throw new Error('There are two devices.');
   expect(headset.passes).toBe(2 * phone.passes);
   expect(overBudget(phone, 'phone')).toEqual([]);
-  expect(overBudget(headset, 'headset')).toEqual([expect.stringMatching(/passes: a headset has time for about 4/)]);
+  expect(overBudget(headset, 'headset')).toEqual([expect.stringMatching(/passes per frame exceed the budget of about 4 for a headset/)]);
 });
 
 test('what the preview measured counts for the node of the operation, and for the subgraph that it is in', () => {

@@ -3,7 +3,7 @@ import { type ReferenceSize, targetBytes, targetsOf } from '../../../export/comp
 import type { Program } from '../../../export/program/program.ts';
 import type { OperationCost } from '../../preview-protocol.ts';
 
-/** Whether costs are drawn on the graph, for which device, and what the preview measured. */
+/** State of the performance overlay: its target device and the measurements of the preview. */
 export interface CostState {
   readonly on: boolean;
   readonly device: Device;
@@ -16,18 +16,18 @@ export type Device = 'phone' | 'headset';
 
 interface Budget {
   readonly label: string;
-  /** Of one view, as browsers give it to a session. */
+  /** Size of one view, as browsers give it to a session. */
   readonly size: ReferenceSize;
-  /** Full-screen passes a frame, all views. */
+  /** Full-screen passes per frame, all views. */
   readonly passes: number;
   readonly bytes: number;
   readonly draws: number;
 }
 
 /**
- * Rules of thumb, on the careful side. A full-screen pass over a phone's 2.6 million pixels reads and writes 20 MB; a headset's two
- * views have 5.9 million, at 72 to 120 frames per second, and every target besides the session's own costs a resolve on tiled GPUs.
- * Draws: Meta's guidance for Quest asks for 120 to 300 a frame, by how much else there is to do.
+ * Conservative rules of thumb. A full-screen pass over the 2.6 million pixels of a phone reads and writes 20 MB. The two views of a
+ * headset have 5.9 million pixels at 72 to 120 Hz, and on tiled GPUs each render target besides that of the session costs a resolve.
+ * Draw calls: Meta’s guidance for Quest is 120 to 300 per frame, depending on the other work.
  */
 export const BUDGETS: Readonly<Record<Device, Budget>> = {
   phone: { label: 'Phone', size: { widthPx: 1080, heightPx: 2400 }, passes: 6, bytes: 128 * 2 ** 20, draws: 300 },
@@ -38,22 +38,22 @@ export function createCostState(): CostStore {
   return createStore<CostState>(() => ({ on: false, device: 'phone', measured: [] }));
 }
 
-/** What a node asks of the GPU in each frame. */
+/** Cost of a node per frame. */
 export interface Cost {
-  /** Full-screen passes, a frame. */
+  /** Full-screen passes. */
   readonly passes: number;
-  /** Pictures that it draws into, besides the screen. */
+  /** Render targets besides the output. */
   readonly targets: number;
-  /** Texture memory of these on the chosen device. */
+  /** Texture memory of the render targets on the target device. */
   readonly bytes: number;
   readonly draws: number;
-  /** On this computer, in the preview's size. */
+  /** GPU time on this computer at the size of the preview; null if not measured. */
   readonly gpuMs: number | null;
 }
 
 export const NO_COST: Cost = { passes: 0, targets: 0, bytes: 0, draws: 0, gpuMs: null };
 
-/** By node, as the program names it: `outer/inner`. Only those that cost something. */
+/** Costs by node id of the program (`outer/inner`). Nodes without a cost are absent. */
 export function costsOf(program: Program, measured: readonly OperationCost[], device: Device): ReadonlyMap<string, Cost> {
   const byId = new Map(measured.map((cost) => [cost.id, cost]));
   const targets = new Map(targetsOf(program).map((target) => [target.id, target]));
@@ -86,20 +86,20 @@ export function sumOf(a: Cost, b: Cost): Cost {
   };
 }
 
-/** Of all nodes together. */
+/** The sum of all costs. */
 export function totalOf(costs: Iterable<Cost>): Cost {
   let total = NO_COST;
   for (const cost of costs) total = sumOf(total, cost);
   return total;
 }
 
-/** Of a node of the open graph, with all that is in it where it stands for a subgraph; null where it costs nothing. */
+/** Cost of a node of the open graph; for a subgraph, the sum of its contents. Null if it has none. */
 export function costAt(costs: ReadonlyMap<string, Cost>, path: string): Cost | null {
   const inside = [...costs].filter(([node]) => node === path || node.startsWith(`${path}/`)).map(([, cost]) => cost);
   return inside.length === 0 ? null : totalOf(inside);
 }
 
-/** A line on a node. */
+/** Text of a cost on a node, such as `2 passes · 9.9 MB`. */
 export function costWords({ passes, targets, bytes, draws, gpuMs }: Cost): string {
   const parts = [
     passes > 0 ? counted(passes, 'pass', 'passes') : '',
@@ -110,14 +110,16 @@ export function costWords({ passes, targets, bytes, draws, gpuMs }: Cost): strin
   return parts.length === 0 ? 'free' : parts.join(' · ');
 }
 
-/** What is over the budget, in words; nothing where all is well. */
+/** Messages about the exceeded limits of the budget; empty if there are none. */
 export function overBudget(total: Cost, device: Device): readonly string[] {
   const budget = BUDGETS[device];
   const where = device === 'phone' ? 'a phone' : 'a headset';
   return [
-    total.passes > budget.passes ? `${total.passes} passes: ${where} has time for about ${budget.passes} in each frame.` : '',
-    total.bytes > budget.bytes ? `${megabytes(total.bytes)} of pictures: ${where} should need at most ${megabytes(budget.bytes)}.` : '',
-    total.draws > budget.draws ? `${total.draws} draws: ${where} has time for about ${budget.draws} in each frame.` : '',
+    total.passes > budget.passes ? `${total.passes} passes per frame exceed the budget of about ${budget.passes} for ${where}.` : '',
+    total.bytes > budget.bytes
+      ? `${megabytes(total.bytes)} of render targets exceed the budget of ${megabytes(budget.bytes)} for ${where}.`
+      : '',
+    total.draws > budget.draws ? `${total.draws} draw calls per frame exceed the budget of about ${budget.draws} for ${where}.` : '',
   ].filter(Boolean);
 }
 

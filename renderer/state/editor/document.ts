@@ -7,33 +7,33 @@ import { type Graph, type GraphLayout, type GraphNode, MAIN_GRAPH, type Project 
 import { getOwn } from '../../../export/graph/record.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 
-/** The project that is open, as its folder had it. */
+/** The open project, as the host describes it. */
 export type OpenInfo = Pick<OpenProject, 'handle' | 'displayPath' | 'revision' | 'assetBaseUrl' | 'assetFiles'>;
 
 export interface DocumentState {
-  /** Null before a project is open. */
+  /** Null if no project is open. */
   readonly open: OpenInfo | null;
   readonly project: Project;
-  /** Name of the graph on the canvas. */
+  /** Name of the open graph, which the canvas shows. */
   readonly graph: string;
-  /** The graphs that it was reached through, from the main one on; empty for the main one. */
+  /** Names of the graphs from the main graph to the parent of the open one; empty in the main graph. */
   readonly trail: readonly string[];
-  /** The node types and shaders there are for this project, its own included. */
+  /** Node types and shaders of Scrim and of the project. */
   readonly library: ProjectLibrary;
   readonly history: History;
-  /** State of the history that the folder has. */
+  /** State of the history at the last save. */
   readonly savedState: number;
-  /** Raised by every change, so that answers from workers can be told to be late. */
+  /** Incremented by each change, so that late answers of workers can be recognized. */
   readonly revision: number;
-  /** From loading: faults in the files that did not prevent opening them. */
+  /** Problems found while loading. */
   readonly loadDiagnostics: readonly Diagnostic[];
-  /** What the shell can do, from `app.info`. */
+  /** Capability of the host, from `app.info`. */
   readonly canPickFolders: boolean;
   readonly examples: HostOutput<'app.info'>['examples'];
   readonly templates: HostOutput<'app.info'>['templates'];
 }
 
-/** What is needed to look things up in the open graph. */
+/** The part of the document that lookups in the open graph need. */
 export type OpenGraph = Pick<DocumentState, 'project' | 'graph' | 'library'>;
 
 export type DocumentStore = StoreApi<DocumentState>;
@@ -72,7 +72,7 @@ export function nodeOf(state: Pick<OpenGraph, 'project' | 'graph'>, id: string):
   return getOwn(graphOf(state).nodes, id);
 }
 
-/** What people call the node: its type's title; its id where the type is unknown. */
+/** Title of the node’s type; the node id if the type is unknown. */
 export function titleOf(state: OpenGraph, id: string): string {
   const type = nodeOf(state, id)?.type;
   return (type === undefined ? undefined : state.library.definition(type)?.title) ?? id;

@@ -7,19 +7,19 @@ const EditorContext = createContext<Editor | null>(null);
 
 export const EditorProvider = EditorContext.Provider;
 
-/** The editor that this page shows. */
+/** The editor of this page. */
 export function useEditor(): Editor {
   const editor = useContext(EditorContext);
-  if (!editor) throw new Error('useEditor is only there below EditorProvider.');
+  if (!editor) throw new Error('useEditor must be called below EditorProvider.');
   return editor;
 }
 
-/** A part of the document; the component renders again only when that part changes. */
+/** Selects a part of the document. The component rerenders only if that part changes. */
 export function useDocument<T>(select: (state: DocumentState) => T): T {
   return useStore(useEditor().document, select);
 }
 
-/** The document as it was when `isSame` last found it another: for what takes long to work out of it. */
+/** The document at its last change according to `isSame`, for values that are expensive to compute from it. */
 export function useDocumentWhile(isSame: (a: DocumentState, b: DocumentState) => boolean): DocumentState {
   const kept = useRef<DocumentState | null>(null);
   return useDocument((state) => {

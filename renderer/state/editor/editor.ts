@@ -15,7 +15,7 @@ import { createSelection, type SelectionStore } from './selection.ts';
 import { createUi, type PanelSizes, type UiStore } from './ui.ts';
 import { createThumbnailWatchers, createViewerState, type ThumbnailWatchers, type ViewerStore } from './viewer.ts';
 
-/** Text, as other windows see it. Rejects where the browser forbids it. */
+/** Text clipboard of the system. Rejects if the browser denies access. */
 export interface Clipboard {
   read(): Promise<string>;
   write(text: string): Promise<void>;
@@ -26,7 +26,7 @@ export interface ImageSize {
   readonly heightPx: number;
 }
 
-/** A page that draws frames one by one: it answers each message before it takes the next. */
+/** A page that renders frames one by one. It answers each message before the next is sent. */
 export interface FrameRenderLink {
   ask(
     message: Extract<ToPreview, { kind: 'render-begin' | 'render-frame' | 'render-end' }>,
@@ -35,8 +35,8 @@ export interface FrameRenderLink {
 }
 
 /**
- * The editor without its page: stores that each hold one concern, and what the outside lends. What people do are functions over
- * it (`edit-graph.ts`, `edit-params.ts`, `files.ts`, …), so that it can be driven without React.
+ * The editor without its user interface: one store per concern, and the services of the host and the page. User actions are functions
+ * that take an editor (`edit-graph.ts`, `edit-params.ts`, `files.ts`, …), so that tests can drive it without React.
  */
 export interface Editor {
   readonly host: Host;
@@ -44,21 +44,21 @@ export interface Editor {
   readonly random: () => number;
   readonly mac: boolean;
   readonly clipboard: Clipboard;
-  /** What was copied last: what is still being read for an earlier clipping comes too late. */
+  /** The newest clipping. Files that are still being read for an older one are dropped. */
   readonly copied: { newest: Clipping | null };
-  /** Hands a file to the person. */
+  /** Saves a file to the downloads. */
   readonly keepFile: (file: Blob, name: string) => void;
   readonly libraries: Libraries;
-  /** Take over at once what is being typed; run before files are made of the document. */
+  /** Functions that apply pending text edits at once. They run before the document is saved. */
   readonly unfinished: Set<() => void>;
-  /** Opens, saves and closes the project, and brings files into it: each begins with what the one before has made of the document. */
+  /** Runs file operations one after another: opening, saving, closing and importing. */
   readonly fileWork: Queue;
-  /** Renders what the preview shows as a JPEG; resolves to null where it shows nothing. `take` is null while there is no preview. */
+  /** Renders a poster of the preview as JPEG; resolves to null if the preview shows nothing. `take` is null without a preview. */
   readonly posters: { take: ((size: ImageSize) => Promise<Uint8Array<ArrayBuffer> | null>) | null };
   readonly thumbnails: ThumbnailWatchers;
-  /** Moves the preview's time; goes nowhere while there is no preview. */
+  /** Sends playback messages to the preview; does nothing without a preview. */
   readonly transport: { post: (message: ToPreview) => void };
-  /** Opens a page to render frames in; null where there is none. */
+  /** Opens a page for a frame render; null if that is not possible. */
   readonly renderPage: { open: (() => FrameRenderLink) | null };
   readonly document: DocumentStore;
   readonly selection: SelectionStore;

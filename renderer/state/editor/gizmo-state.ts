@@ -2,37 +2,37 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { GizmoMode } from '../../preview-protocol.ts';
 import type { GizmoTarget } from './gizmo-target.ts';
 
-/** Whether and how a gizmo is shown in the preview. */
+/** Options and state of the gizmo in the preview. */
 export interface GizmoState {
-  /** Null: not at all, and clicks hit nothing. */
+  /** Null hides the gizmo and disables selection by click. */
   readonly mode: GizmoMode | null;
   readonly space: 'local' | 'world';
   readonly snap: boolean;
-  /** Nodes of the program that the object went through that was clicked last. */
-  readonly way: readonly string[];
+  /** Nodes of the program that the last clicked object passed through, from its creator to the node that drew it. */
+  readonly chain: readonly string[];
   readonly drag: GizmoDrag | null;
-  /** The `id` of the last drag that ended or was canceled; 0: none since the preview page loaded. */
+  /** `id` of the last drag that ended or was canceled; 0 if there was none since the preview page loaded. */
   readonly endedDrag: number;
 }
 
 /** The drag in progress. */
 export interface GizmoDrag {
-  /** Which drag of the preview page it is, from 1. */
+  /** Counter of drags in the preview page, from 1. */
   readonly id: number;
   readonly target: GizmoTarget;
-  /** Of the history, when it began. */
+  /** State of the history before the drag, which a cancel restores. */
   readonly state: number;
-  /** Where keyframes are set. */
+  /** Time of the keyframes that the drag sets. */
   readonly timeS: number;
 }
 
 export type GizmoStore = StoreApi<GizmoState>;
 
 export function createGizmoState(): GizmoStore {
-  return createStore<GizmoState>(() => ({ mode: 'move', space: 'world', snap: false, way: [], drag: null, endedDrag: 0 }));
+  return createStore<GizmoState>(() => ({ mode: 'move', space: 'world', snap: false, chain: [], drag: null, endedDrag: 0 }));
 }
 
-/** The mode that is on goes off. */
+/** Sets the mode; turns the gizmo off if it already has this mode. */
 export function toggleMode(store: GizmoStore, mode: GizmoMode): void {
   store.setState({ mode: store.getState().mode === mode ? null : mode });
 }

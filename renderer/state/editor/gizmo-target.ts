@@ -6,19 +6,19 @@ import type { GizmoMode } from '../../preview-protocol.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
 import { nodePath } from './layer-names.ts';
 
-/** What a gizmo changes: params of one node of the open graph. */
+/** The params of one node of the open graph that a gizmo changes. */
 export interface GizmoTarget {
   readonly node: string;
   readonly title: string;
-  /** What the program calls the node that the params are of in the end: of a subgraph the one inside. */
+  /** Id in the program of the node that owns the params. For a subgraph it is the node inside. */
   readonly program: string;
-  /** Params by their names in the program. */
+  /** Param names in the program, by handle. */
   readonly handles: Readonly<Partial<Record<Handle, string>>>;
-  /** Names in the open graph, by those in the program. */
+  /** Param names in the open graph, by name in the program. */
   readonly names: Readonly<Record<string, string>>;
 }
 
-/** `reason`: why there is no gizmo, as text for the user; null where nobody would expect one. */
+/** `reason`: why there is no gizmo, as text for the user; null if the selection has no objects to transform. */
 export type GizmoTargetResult = { readonly target: GizmoTarget } | { readonly target: null; readonly reason: string | null };
 
 const HANDLES: Readonly<Record<GizmoMode, readonly Handle[]>> = {
@@ -27,31 +27,31 @@ const HANDLES: Readonly<Record<GizmoMode, readonly Handle[]>> = {
   scale: ['scale'],
 };
 
-const CANNOT: Readonly<Record<GizmoMode, string>> = { move: 'be moved', rotate: 'be turned', scale: 'change its size' };
+const PARTICIPLES: Readonly<Record<GizmoMode, string>> = { move: 'moved', rotate: 'rotated', scale: 'scaled' };
 
 /**
- * What a gizmo changes of the selected node: its own params, or those of the nearest node behind it that its objects go through, as a
- * model is moved by its Transform. `way`: nodes of the program to go through, where wires part.
+ * The gizmo target of the selected node: the node itself, or the nearest node after it that transforms its objects, as a Transform
+ * does for a model. If the wires branch, `chain` selects the branch: nodes of the program that the clicked object passed through.
  */
-export function gizmoTargetOf(state: DocumentState, selected: string | null, way: readonly string[], mode: GizmoMode): GizmoTargetResult {
+export function gizmoTargetOf(state: DocumentState, selected: string | null, chain: readonly string[], mode: GizmoMode): GizmoTargetResult {
   if (selected === null) return { target: null, reason: null };
-  let placesSomething = false;
-  for (const id of nodesBehind(state, selected, way)) {
+  let hasTransform = false;
+  for (const id of nodesBehind(state, selected, chain)) {
     const node = nodeOf(state, id);
     const definition = node && state.library.definition(node.type);
     if (!node || !definition) break;
-    placesSomething ||= id === selected ? places(definition) : true;
+    hasTransform ||= id === selected ? isPlaced(definition) : true;
     if (!HANDLES[mode].some((handle) => paramOf(definition, handle) !== undefined) || node.muted) continue;
     const driven = HANDLES[mode].map((handle) => drivenBy(state, id, node, definition, handle)).find((reason) => reason !== null);
     return driven === undefined ? { target: makeTarget(state, id, node, definition, mode) } : { target: null, reason: driven };
   }
   const title = state.library.definition(nodeOf(state, selected)?.type ?? '')?.title;
-  if (!placesSomething || title === undefined) return { target: null, reason: null };
-  return { target: null, reason: `${title} cannot ${CANNOT[mode]} by itself. Wire its objects through a Transform.` };
+  if (!hasTransform || title === undefined) return { target: null, reason: null };
+  return { target: null, reason: `${title} cannot be ${PARTICIPLES[mode]}. Connect its objects to a Transform.` };
 }
 
-/** Whether a node has a place, or makes things that have one. */
-function places(definition: NodeDefinition): boolean {
+/** Whether a node has a transform or outputs objects. */
+function isPlaced(definition: NodeDefinition): boolean {
   return (
     Object.values(definition.params).some((param) => 'handle' in param && param.handle !== undefined) ||
     Object.values(definition.outputs).some(({ type }) => type === 'objects')
@@ -65,7 +65,7 @@ function paramOf({ params }: NodeDefinition, handle: Handle): string | undefined
   });
 }
 
-function* nodesBehind(state: DocumentState, from: string, way: readonly string[]): Generator<string> {
+function* nodesBehind(state: DocumentState, from: string, chain: readonly string[]): Generator<string> {
   const { wires } = graphOf(state);
   const passed = new Set<string>();
   let at: string | undefined = from;
@@ -73,13 +73,13 @@ function* nodesBehind(state: DocumentState, from: string, way: readonly string[]
     passed.add(at);
     yield at;
     const next: string[] = wires.flatMap(({ from: source, to }) => (source.node === at && carriesObjects(state, source) ? [to.node] : []));
-    const onWay = next.find((node) => way.some((id) => isOnWay(id, nodePath(state, node))));
-    at = onWay ?? next[0];
+    const inChain = next.find((node) => chain.some((id) => isWithin(id, nodePath(state, node))));
+    at = inChain ?? next[0];
   }
 }
 
-/** A subgraph is on the way where something inside it is. */
-export function isOnWay(id: string, path: string): boolean {
+/** Whether a node of the program is this node, or lies inside it if it is a subgraph. */
+export function isWithin(id: string, path: string): boolean {
   return id === path || id.startsWith(`${path}/`);
 }
 
@@ -88,22 +88,27 @@ function carriesObjects(state: DocumentState, { node, port }: { readonly node: s
   return getOwn(definition?.outputs ?? {}, port)?.type === 'objects';
 }
 
-/** Keyframes are no hindrance: as in the inspector, a change sets the key at the time that is shown. */
+/**
+ * Why the gizmo cannot set the param of a handle; null if it can. Keyframes are allowed: as in the inspector, an edit sets the
+ * keyframe at the current time.
+ */
 function drivenBy(state: DocumentState, id: string, node: GraphNode, definition: NodeDefinition, handle: Handle): string | null {
   const name = paramOf(definition, handle);
   const param = name === undefined ? undefined : definition.params[name];
   if (name === undefined || param === undefined) return null;
   const what = `“${param.label}” of ${definition.title}`;
-  if (graphOf(state).wires.some(({ to }) => to.node === id && to.port === name)) return `${what} comes by a wire.`;
+  if (graphOf(state).wires.some(({ to }) => to.node === id && to.port === name))
+    return `${what} is connected. Disconnect it to use the gizmo.`;
   const binding = getOwn(node.params, name);
-  return binding !== undefined && 'expression' in binding ? `${what} follows an expression.` : null;
+  return binding !== undefined && 'expression' in binding ? `${what} has an expression. Reset it to use the gizmo.` : null;
 }
 
 function makeTarget(state: DocumentState, node: string, { type }: GraphNode, definition: NodeDefinition, mode: GizmoMode): GizmoTarget {
   const handles: Partial<Record<Handle, string>> = {};
   const names: Record<string, string> = {};
   let program = nodePath(state, node);
-  // Those of the mode first: what is inside another node of a subgraph is of another frame.
+  // Handles of the mode come first. All handles must belong to the same node, because other nodes of a subgraph have other local
+  // spaces.
   const all = [...HANDLES[mode], ...Object.values(HANDLES).flat()];
   for (const handle of all) {
     const name = paramOf(definition, handle);
@@ -117,7 +122,7 @@ function makeTarget(state: DocumentState, node: string, { type }: GraphNode, def
   return { node, title: definition.title, program, handles, names };
 }
 
-/** Follows a param into the subgraphs that show it. */
+/** Follows an exposed param into the subgraphs to the node that owns it. */
 function innermost(project: Project, type: string, path: string, name: string): { readonly program: string; readonly param: string } {
   const subgraph = subgraphName(type);
   const graph = subgraph === null ? undefined : getOwn(project.graphs, subgraph);

@@ -4,8 +4,8 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { Place } from './canvas-state.ts';
 
 /**
- * Frames, notes and the reroutes of wires, which stand on the canvas beside the nodes. There they are called `frame:ID`, `note:ID` and
- * `reroute:ID`: no node's id has a colon.
+ * Canvas items besides nodes: node frames, notes and reroutes. Their canvas ids are `frame:ID`, `note:ID` and `reroute:ID`; node ids
+ * contain no colon.
  */
 export type ItemKind = LayoutKind;
 
@@ -23,7 +23,7 @@ export function itemIds(layout: GraphLayout): readonly string[] {
   return [...ids('frame'), ...ids('note'), ...ids('reroute')];
 }
 
-/** The ids in the layout of those of one kind. */
+/** Layout ids of the items of one kind. */
 export function idsOfKind(canvasIds: Iterable<string>, wanted: ItemKind): readonly string[] {
   return [...canvasIds].flatMap((canvasId) => {
     const item = itemOf(canvasId);
@@ -31,13 +31,13 @@ export function idsOfKind(canvasIds: Iterable<string>, wanted: ItemKind): readon
   });
 }
 
-/** The top left of a frame or note, the middle of a reroute. */
+/** The top left corner of a frame or note, or the center of a reroute. */
 export function placeOfItem(layout: GraphLayout, canvasId: string): Place | undefined {
   const item = itemOf(canvasId);
   return item === null ? undefined : getOwn<Place>(layout[`${item.kind}s`], item.id);
 }
 
-/** Places by what has them, for `moveNodes`. Those of frames and notes are left out. */
+/** Splits positions into those of nodes and of reroutes, as `moveNodes` takes them. Omits frames and notes. */
 export function nodesAndReroutes(places: Readonly<Record<string, Place>>) {
   const entries = Object.entries(places);
   const reroutes = entries.flatMap(([canvasId, place]) => idsOfKind([canvasId], 'reroute').map((id) => [id, place]));

@@ -5,27 +5,27 @@ import { sameAddress } from '../../../export/graph/wires.ts';
 import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { type DocumentState, graphOf, nodeOf } from './document.ts';
 
-/** The first layer that nodes of a type give. */
+/** The first output of type `layer`; null if there is none. */
 export function layerPortOf(definition: NodeDefinition | undefined): string | null {
   return Object.entries(definition?.outputs ?? {}).find(([, { type }]) => type === 'layer')?.[0] ?? null;
 }
 
-/** What the compiler calls a port of the open graph: of a subgraph that several nodes stand for, in the first of them. */
+/** Name of a layer of the open graph in the program: `outer/inner.port`. For a subgraph with several instances, that of the first. */
 export function layerName(state: Pick<DocumentState, 'project' | 'graph' | 'trail'>, node: string, port: string): string {
   return `${nodePath(state, node)}.${port}`;
 }
 
-/** What the compiler calls a node of the open graph. */
+/** Id of a node of the open graph in the program: `outer/inner`. */
 export function nodePath(state: Pick<DocumentState, 'project' | 'graph' | 'trail'>, node: string): string {
-  const way = [...state.trail, state.graph];
-  const path = way.slice(1).map((inner, depth) => {
-    const nodes = getOwn(state.project.graphs, way[depth] ?? '')?.nodes ?? {};
+  const names = [...state.trail, state.graph];
+  const path = names.slice(1).map((inner, depth) => {
+    const nodes = getOwn(state.project.graphs, names[depth] ?? '')?.nodes ?? {};
     return Object.keys(nodes).find((id) => nodes[id]?.type === subgraphType(inner)) ?? inner;
   });
   return [...path, node].join('/');
 }
 
-/** As people call a layer: by its node's title, and the port where the node gives several. */
+/** Label of a layer: the title of its node, and the port if the node outputs several layers. */
 export function layerTitle(state: DocumentState, layer: string | null): string {
   if (layer === null) return 'Output';
   const id = layer.slice(layer.lastIndexOf('/') + 1, layer.lastIndexOf('.'));
@@ -40,7 +40,7 @@ export function layerTitle(state: DocumentState, layer: string | null): string {
   return id;
 }
 
-/** The layer at a port: the one that an output gives, or that is wired to an input; null where there is none. */
+/** The layer at a port: that of an output, or that of the output connected to an input. Null if there is none. */
 export function layerAt(state: DocumentState, { node, port }: PortAddress, side: 'input' | 'output'): string | null {
   const from = side === 'output' ? { node, port } : graphOf(state).wires.find(({ to }) => sameAddress(to, { node, port }))?.from;
   const definition = from && state.library.definition(nodeOf(state, from.node)?.type ?? '');

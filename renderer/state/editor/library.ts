@@ -5,36 +5,36 @@ import { createShaderCache, type ProjectLibrary, projectLibrary, type ReadShader
 import { MAIN_GRAPH, type Project } from '../../../export/graph/project.ts';
 import { libraryOf, type NodeDefinition, type NodeLibrary } from '../../../nodes/kit/definition.ts';
 
-/** Node types and shader texts as `nodes/generated` has them. */
+/** Node types and shader texts of `nodes/generated`. */
 export interface LibraryData {
   readonly definitions: readonly NodeDefinition[];
   readonly shaders: Readonly<Record<string, string>>;
 }
 
-/** The node type that a shader file is, or what is wrong with its header. */
+/** Reads the node type of a shader file from its header. */
 export const readShader: ReadShader = (file, source) => {
   return readDefinition(source, file);
 };
 
-/** What the editor knows of node types, for one project after the other. */
+/** Creates the node library of each open project. */
 export interface Libraries {
-  /** Without any project's own shaders. */
+  /** The library without the shaders and subgraphs of a project. */
   readonly base: NodeLibrary;
-  /** Reads each text once. */
+  /** Reads shader headers, cached by text. */
   readonly readShader: ReadShader;
   /**
-   * With the project's own shaders and subgraphs. While a shader's header is broken, its node keeps the ports it had when the header could
-   * last be read: a comma forgotten while typing takes no wires away.
+   * The library with the shaders and subgraphs of a project. While the header of a shader is invalid, its node keeps the ports of the
+   * last valid header, so that an unfinished edit removes no wires.
    */
   readonly of: (project: Pick<Project, 'sources' | 'graphs'>) => ProjectLibrary;
-  /** The same without subgraphs, as the compiler takes it: it puts what is in them in their place. */
+  /** The library without subgraphs, for the compiler, which replaces instances by their contents. */
   readonly withoutSubgraphs: (project: Pick<Project, 'sources'>) => ProjectLibrary;
 }
 
 interface Whole {
   readonly graphs: Project['graphs'];
   readonly own: ProjectLibrary;
-  /** The subgraphs' definitions, as JSON. */
+  /** JSON of the subgraph definitions. */
   readonly text: string;
   readonly library: ProjectLibrary;
 }
@@ -66,7 +66,7 @@ export function createLibraries(data: LibraryData): Libraries {
       if (lastWhole?.graphs === graphs && lastWhole.own === own) return lastWhole.library;
       const definitions = subgraphDefinitions(graphs, own);
       const text = JSON.stringify(definitions);
-      // The same library for as long as no subgraph looks different from outside: the whole canvas hangs on it.
+      // Returns the same object while the interfaces of the subgraphs are unchanged, because the whole canvas depends on it.
       const library = lastWhole?.text === text && lastWhole.own === own ? lastWhole.library : withDefinitions(own, definitions);
       lastWhole = { graphs, own, text, library };
       return library;
@@ -74,21 +74,21 @@ export function createLibraries(data: LibraryData): Libraries {
   };
 }
 
-/** What people look for who want what they made themselves. */
+/** Search keywords of all subgraphs. */
 const KEYWORDS = ['library', 'project', 'own', 'group'];
 
-/** Subgraphs as node types. They lower to nothing of their own: the compiler puts what is in them in their place. */
+/** Subgraphs as node types. They have no lowering of their own, because the compiler replaces them by their contents. */
 function subgraphDefinitions(graphs: Project['graphs'], library: NodeLibrary): readonly NodeDefinition[] {
-  const faceOf = createInterfaceLookup({ graphs }, library);
+  const interfaceOf = createInterfaceLookup({ graphs }, library);
   return Object.keys(graphs)
     .filter((name) => name !== MAIN_GRAPH)
     .flatMap((name) => {
-      const face = faceOf(subgraphType(name));
+      const face = interfaceOf(subgraphType(name));
       return face ? [{ ...face, ...wordsOf(name, face), keywords: KEYWORDS, lowering: { kind: 'behavior' as const } }] : [];
     });
 }
 
-/** Ports whose labels are alike inside are told apart by their names outside. */
+/** Replaces the label of ports that share it by their exposed name. */
 function wordsOf(name: string, face: NodeInterface): Pick<NodeInterface, 'title' | 'doc' | 'inputs' | 'outputs' | 'params'> {
   const labels = [face.inputs, face.params].flatMap((ports) => Object.values(ports).map(({ label }) => label));
   const named = <T extends { readonly label: string }>(ports: Readonly<Record<string, T>>, among: readonly string[]) =>
@@ -110,7 +110,7 @@ function wordsOf(name: string, face: NodeInterface): Pick<NodeInterface, 'title'
   };
 }
 
-/** `soft-look` → `Soft look`, `inputImage2` → `Input image 2`. */
+/** Makes a title from a name: `soft-look` → `Soft look`, `inputImage2` → `Input image 2`. */
 export function titleOfName(name: string): string {
   const words = name
     .replaceAll(/([a-z])([A-Z0-9])/g, '$1 $2')

@@ -3,7 +3,7 @@ import { createStore, type StoreApi } from 'zustand/vanilla';
 export type Theme = 'system' | 'light' | 'dark';
 export type Motion = 'system' | 'reduced';
 
-/** How large text and controls are, 1 as they are made; from step to step. */
+/** Steps of the UI scale. */
 export const SCALES = [0.8, 0.9, 1, 1.1, 1.25, 1.5] as const;
 
 export interface RecentProject {
@@ -11,13 +11,13 @@ export interface RecentProject {
   readonly title: string;
 }
 
-/** What a person chose for all their projects; it outlives the window. */
+/** Preferences of the user, for all projects. */
 export interface Preferences {
   readonly theme: Theme;
   readonly motion: Motion;
-  /** Of `SCALES`. */
+  /** One of `SCALES`. */
   readonly scale: number;
-  /** Keys that differ from the table of commands, by command; none for a command without keys. */
+  /** Keybindings that differ from the defaults, by command. An empty list removes the default. */
   readonly keybindings: Readonly<Record<string, readonly string[]>>;
   /** Newest first. */
   readonly recent: readonly RecentProject[];
@@ -25,14 +25,14 @@ export interface Preferences {
 
 export type PreferencesStore = StoreApi<Preferences>;
 
-/** The editor, as far as it is needed here. */
+/** The part of the editor that these functions need. */
 type PreferencesHolder = { readonly preferences: PreferencesStore };
 
 export const DEFAULT_PREFERENCES: Preferences = { theme: 'system', motion: 'system', scale: 1, keybindings: {}, recent: [] };
 
 const KEY = 'scrim-preferences';
 
-/** As the browser's storage holds them: keybindings keep their first name there. */
+/** Stored format. `chords` is the stored name of `keybindings`. */
 type StoredPreferences = Omit<Preferences, 'keybindings'> & { readonly chords: Preferences['keybindings'] };
 const MAX_RECENT = 8;
 
@@ -40,13 +40,13 @@ export function createPreferences(preferences: Preferences): PreferencesStore {
   return createStore<Preferences>(() => preferences);
 }
 
-/** As they were kept; defaults for what is missing or senseless. */
+/** Reads the stored preferences. Missing or invalid values become defaults. */
 export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences {
   let saved: Partial<Record<keyof StoredPreferences, unknown>> = {};
   try {
     saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
   } catch {
-    // Someone else's text: defaults do.
+    // Invalid JSON: use the defaults.
   }
   return {
     theme: saved.theme === 'light' || saved.theme === 'dark' ? saved.theme : 'system',
@@ -57,7 +57,7 @@ export function loadPreferences(storage: Pick<Storage, 'getItem'>): Preferences 
   };
 }
 
-/** Writes every change at once: another window that opens next shall know it. */
+/** Stores each change at once, so that the next window reads it. */
 export function keepPreferences({ preferences }: PreferencesHolder, storage: Pick<Storage, 'setItem'>): () => void {
   return preferences.subscribe(({ keybindings: chords, ...rest }) => {
     const stored: StoredPreferences = { ...rest, chords };

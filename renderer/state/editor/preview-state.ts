@@ -4,69 +4,75 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import { type FrameTimes, timeOfFrame } from '../../../nodes/kit/frame-times.ts';
 import type { PreviewStatus, PreviewTier } from '../../preview-protocol.ts';
 
-/** Why a project's preview does not start by itself: it lost the GPU, its window ended abruptly, or the person asked for it. */
+/**
+ * Why the preview of a project does not start: the graphics device was lost, Scrim ended during playback, or the user held Shift
+ * while opening.
+ */
 export type StopReason = 'lost' | 'broken-off' | 'asked';
 
-/** What is known of the preview page. */
+/** State of the preview. */
 export interface PreviewState {
-  /** Why there is no preview until the person starts it; null where there is one. */
+  /** Why the preview waits for the user; null if it runs. */
   readonly stopped: StopReason | null;
   readonly ready: boolean;
   readonly status: PreviewStatus | null;
-  /** Of the newest `session` message that was sent. */
+  /** Counter of the newest `session` message. */
   readonly request: number;
   /** Document revision of the program on screen; null before the first. */
   readonly playing: number | null;
-  /** Document revision of the newest program that the driver refused; null before the first. */
+  /** Document revision of the newest program that the driver rejected; null before the first. */
   readonly refused: number | null;
-  /** Of the session and of what plays. */
+  /** Diagnostics of the session and of the running program. */
   readonly diagnostics: readonly Diagnostic[];
-  /** What the graphics driver said of the newest program's shaders, on their authors' lines. */
+  /** Errors of the graphics driver in the newest program, mapped to source lines. */
   readonly shaderDiagnostics: readonly Diagnostic[];
   readonly sources: readonly SessionSource[];
   readonly sourceId: string | null;
-  /** Of an emulated headset. */
+  /** Number of views of an emulated headset. */
   readonly views: 1 | 2;
   readonly frame: DeviceFrame;
-  /** What an emulated device gives. */
+  /** Tier of an emulated device. */
   readonly tier: PreviewTier;
-  /** Where the strongest light of emulated rooms is moved to; null: where the room has it. */
+  /** Direction of the main light of emulated rooms; null for that of the room. */
   readonly roomLight: LightPlace | null;
-  /** The picture that stands in for a camera. */
+  /** The image that replaces the camera. */
   readonly still: File | null;
   readonly recording: boolean;
-  /** Of the recording that plays; null where no moment can be gone to. */
+  /** Frame times of the recording; null if the source is not a recording. */
   readonly frames: FrameTimes | null;
-  /** What is played of it; null: all. */
+  /** The play range; null for the whole recording. */
   readonly range: FrameRange | null;
-  /** From the end of what is played back to its beginning. */
+  /** Whether the play range repeats. */
   readonly loop: boolean;
-  /** While held: the frame that was asked for last, which the preview may not have shown yet. */
+  /** While paused: the frame that was requested last and may not be shown yet. */
   readonly asked: number | null;
 }
 
-/** Frames of a recording, both included; those of later rounds are counted on. */
+/** A range of frames of a recording, both included. Frame numbers continue to count when the recording loops. */
 export interface FrameRange {
   readonly from: number;
   readonly to: number;
 }
 
-/** The shape of the preview: as large as there is room, or as a device has it. */
+/** Shape of the preview: that of the panel, or of a device. */
 export type DeviceFrame = 'fill' | 'phone' | 'phone-wide' | 'headset' | 'glasses';
 
-/** As of `light/directional`: azimuth 0 from the front (+z), a quarter turn from the right (+x); elevation above the horizon. */
+/**
+ * Direction of a light as in `light/directional`. Azimuth 0 is the front (+z), π/2 the right (+x); elevation is the angle above the
+ * horizon.
+ */
 export interface LightPlace {
   readonly azimuthRad: number;
   readonly elevationRad: number;
 }
 
-/** A unit vector towards a light. */
+/** Unit vector toward the light. */
 export function towardsLight({ azimuthRad, elevationRad }: LightPlace): [number, number, number] {
   const horizontal = Math.cos(elevationRad);
   return [horizontal * Math.sin(azimuthRad), Math.sin(elevationRad), horizontal * Math.cos(azimuthRad)];
 }
 
-/** Where a picture may come from: what the host lists, and what this computer has itself. */
+/** A preview source: one that the host lists, or one of this computer. */
 export type ChosenSource = SessionSource | { readonly id: LocalSource; readonly title: string; readonly kind: LocalSource };
 
 export type LocalSource = 'camera' | 'still' | 'orbit';
@@ -104,17 +110,17 @@ export function createPreviewState(): PreviewStore {
   }));
 }
 
-/** Of the session, seconds; 0 before it plays. */
+/** Time of the preview in seconds since the session began; 0 before it plays. */
 export function timeOf({ status, frames, asked }: Pick<PreviewState, 'status' | 'frames' | 'asked'>): number {
   return frames !== null && asked !== null ? timeOfFrame(frames, asked) : (status?.timeS ?? 0);
 }
 
-/** The frame that is shown, or about to be. */
+/** The frame that is shown or requested. */
 export function frameOf({ status, asked }: Pick<PreviewState, 'status' | 'asked'>): number {
   return asked ?? status?.frame ?? 0;
 }
 
-/** What was chosen last is still on its way: the picture is another's, or nobody's. */
+/** Whether the chosen source or program is not on screen yet. */
 export function isLoading({ status, request, playing }: PreviewState): boolean {
   return playing === null || status === null || status.state === 'loading' || status.request !== request;
 }

@@ -1,4 +1,4 @@
-/** Does what it is given when all that it was given before is over, however that ended. */
+/** Runs tasks one after another. A task starts when the previous one has ended, even if it failed. */
 export type Queue = <T>(work: () => Promise<T>) => Promise<T>;
 
 export function createQueue(): Queue {

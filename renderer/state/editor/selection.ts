@@ -1,10 +1,10 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 
-/** Node ids and wire ids (as `printWire` writes them) of the graph that is open. */
+/** The selection in the open graph: node ids, and wire ids as `printWire` writes them. */
 export interface Selection {
   readonly nodes: ReadonlySet<string>;
   readonly wires: ReadonlySet<string>;
-  /** Frames and notes, as the canvas calls them (`layout-items.ts`). */
+  /** Canvas ids of frames, notes and reroutes; see `item-ids.ts`. */
   readonly items: ReadonlySet<string>;
 }
 
@@ -40,7 +40,7 @@ export interface SelectionChange {
   readonly selected: boolean;
 }
 
-/** What the canvas reports: each change adds or takes one. */
+/** Applies changes of the canvas; each adds or removes one element. */
 export function changeSelection(store: SelectionStore, changes: readonly SelectionChange[]): void {
   if (changes.length === 0) return;
   const nodes = new Set(store.getState().nodes);
@@ -54,7 +54,7 @@ export function changeSelection(store: SelectionStore, changes: readonly Selecti
   selectOnly(store, nodes, wires, items);
 }
 
-/** Drops what is no longer there, after an undo for example. */
+/** Removes elements that no longer exist, such as after an undo. */
 export function keepInSelection(store: SelectionStore, exists: (kind: SelectionKind, id: string) => boolean): void {
   const { nodes, wires, items } = store.getState();
   selectOnly(
@@ -65,7 +65,7 @@ export function keepInSelection(store: SelectionStore, exists: (kind: SelectionK
   );
 }
 
-/** The one selected node, or null where none or several are. */
+/** The selected node if exactly one is selected; else null. */
 export function soleNode({ nodes }: Selection): string | null {
   const [first] = nodes;
   return nodes.size === 1 && first !== undefined ? first : null;

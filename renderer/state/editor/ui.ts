@@ -1,9 +1,9 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { ProjectFiles } from '../../../app/contract/contract.ts';
 import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
-import type { WireInHand } from './canvas-state.ts';
+import type { DraggedWire } from './canvas-state.ts';
 
-/** Sizes and choices that outlive the window. CSS pixels. */
+/** Stored sizes of the panels in CSS pixels. */
 export interface PanelSizes {
   readonly sideWidthPx: number;
   readonly previewHeightPx: number;
@@ -15,41 +15,41 @@ export const DEFAULT_SIZES: PanelSizes = { sideWidthPx: 380, previewHeightPx: 33
 
 export type BottomTab = 'code' | 'timeline' | 'problems';
 
-/** Someone asked for a new node: where it goes, and what wire waits for it. */
+/** A request to open the palette. */
 export interface PaletteRequest {
-  /** Client pixels. */
+  /** Position in client pixels. */
   readonly at: { readonly x: number; readonly y: number };
-  /** Canvas units; null: the middle of what is seen. */
+  /** Position of the new node in canvas units; null for the center of the visible canvas. */
   readonly place: { readonly x: number; readonly y: number } | null;
-  readonly end: WireInHand | null;
-  /** The wire that the new node goes into. */
+  readonly end: DraggedWire | null;
+  /** Id of the wire that the new node is inserted into. */
   readonly wire?: string;
-  /** The node that becomes another one. */
+  /** Id of the node whose type is changed. */
   readonly swap?: string;
 }
 
-/** Client pixels: where a palette that was asked for by keys lies in the middle of the canvas, within a few pixels. */
+/** Position in client pixels for a palette opened by a key, which roughly centers it. */
 export function middleOfWindow(): PaletteRequest['at'] {
   return { x: window.innerWidth / 2 - 480, y: window.innerHeight / 2 - 240 };
 }
 
 export type DialogRequest =
   | { readonly kind: 'open' }
-  /** `template`: what is chosen already. */
+  /** `template`: the preselected template. */
   | { readonly kind: 'new'; readonly template?: string }
   | { readonly kind: 'save-as' }
   | { readonly kind: 'export' }
   | { readonly kind: 'render' }
-  /** Something is about to drop unsaved work; `proceed` goes on with it. */
+  /** Unsaved changes would be lost; `proceed` continues the action. */
   | { readonly kind: 'unsaved'; readonly proceed: () => void }
   | { readonly kind: 'recovery'; readonly files: ProjectFiles }
   | { readonly kind: 'changed-outside' }
-  /** Another process holds the project's lock; `overwrite` as the save had it that met it. */
+  /** Another process holds the lock of the project. `overwrite` is that of the failed save. */
   | { readonly kind: 'locked'; readonly overwrite: boolean }
   | { readonly kind: 'shadertoy' }
-  /** A subgraph, to be called what it is found by; `rename` where it is in the library for long. */
+  /** Asks for the name of a subgraph in the library; `rename` if it is already in the library. */
   | { readonly kind: 'library'; readonly name: string; readonly rename?: true }
-  /** A subgraph, to be taken out of the library; it is used. */
+  /** Confirms the removal of a subgraph that is in use. */
   | { readonly kind: 'library-remove'; readonly name: string }
   | { readonly kind: 'commands' }
   | { readonly kind: 'shortcuts' }
@@ -62,12 +62,12 @@ export interface Toast {
   readonly detail?: string;
 }
 
-/** Where the canvas should look. */
+/** A request to scroll the canvas. */
 export interface Reveal {
   readonly serial: number;
-  /** None means all. */
+  /** Nodes to show; empty for all. */
   readonly nodes: readonly string[];
-  /** `show`: moves no more than is needed to see them. `fit`: fills the canvas with them. */
+  /** `show` moves the view as little as possible; `fit` fills the view with the nodes. */
   readonly how: 'show' | 'fit';
 }
 
@@ -75,41 +75,41 @@ export interface CodePosition {
   readonly serial: number;
   readonly line: number;
   readonly column: number;
-  /** Where it is not in the node's own text: a chunk, `chunks/NAME.glsl`, or its vertex shader, `shaders/NAME.vs`. */
+  /** The file, unless it is the shader of the node: a chunk (`chunks/NAME.glsl`) or its vertex shader (`shaders/NAME.vs`). */
   readonly file: string | null;
 }
 
 export interface Exporting {
-  /** Of the project. */
+  /** Handle of the project. */
   readonly handle: string;
-  /** What it is at. */
+  /** Progress text. */
   readonly text: string;
   readonly cancelled: boolean;
-  /** Of frames, which the editor draws itself; else the host exports a page. */
+  /** A frame render, which the editor draws itself. Absent for an export, which the host writes. */
   readonly frames?: true;
 }
 
 export interface UiState {
   readonly sizes: PanelSizes;
   readonly bottom: BottomTab | null;
-  /** What the selected node does is told beside the graph. */
+  /** Whether the help panel is open. */
   readonly help: boolean;
-  /** The header of the shader is shown as a form beside its text. */
+  /** Whether the header of a shader is shown as a form. */
   readonly headerForm: boolean;
-  /** Shaders of the project that another program wrote last: they are read only here until they are taken back. */
+  /** Shaders that another program saved last. They are read-only in the editor until the user edits them here again. */
   readonly outside: readonly string[];
   readonly palette: PaletteRequest | null;
   readonly dialog: DialogRequest | null;
-  /** Which step of the tour is shown, from 0. */
+  /** Index of the current tour step; null if the tour is closed. */
   readonly tour: number | null;
   readonly toasts: readonly Toast[];
   readonly reveal: Reveal | null;
   readonly codePosition: CodePosition | null;
-  /** A key was pressed in a text a moment ago: problems are shown once typing pauses. */
+  /** Whether a shader text is being typed. New problems are shown once typing pauses. */
   readonly typing: boolean;
-  /** The export under way. */
+  /** The export or frame render in progress. */
   readonly exporting: Exporting | null;
-  /** What the last export said. */
+  /** Diagnostics of the last export. */
   readonly exportDiagnostics: readonly Diagnostic[];
 }
 
@@ -139,7 +139,7 @@ const MAX_TOASTS = 4;
 export function addToast(store: UiStore, toast: Omit<Toast, 'id'>): number {
   const { toasts } = store.getState();
   const id = (toasts.at(-1)?.id ?? 0) + 1;
-  // The same refusal twice is one message.
+  // A repeated message replaces the earlier one.
   const others = toasts.filter((old) => old.text !== toast.text);
   store.setState({ toasts: [...others, { ...toast, id }].slice(-MAX_TOASTS) });
   return id;
@@ -157,7 +157,7 @@ export function revealNodes(store: UiStore, nodes: readonly string[], how: Revea
   store.setState(({ reveal }) => ({ reveal: { serial: (reveal?.serial ?? 0) + 1, nodes, how } }));
 }
 
-/** `file`: a chunk that the selected node's technique includes, or its vertex shader; null for its own text. */
+/** @param file A chunk that the technique of the selected node includes, or its vertex shader; null for the shader itself. */
 export function revealCode(store: UiStore, line: number, column: number, file: string | null = null): void {
   store.setState(({ codePosition }) => ({
     bottom: 'code',

@@ -1,29 +1,29 @@
 import { createStore, type StoreApi } from 'zustand/vanilla';
 import type { PreviewProbe } from '../../preview-protocol.ts';
 
-/** What is looked at besides the screen. Layers are named as the compiler names them: `outer/inner.port`. */
+/** State of the viewer. Layers have their names in the program: `outer/inner.port`. */
 export interface ViewerState {
-  /** Nodes that give layers show them. */
+  /** Whether nodes show thumbnails of their layers. */
   readonly thumbnails: boolean;
-  /** What the preview shows left of `split` instead of the screen; null: the screen. */
+  /** The layer that the preview shows to the left of `split`; null for the screen output. */
   readonly left: string | null;
   readonly right: string | null;
-  /** Part of the preview's width; null: the left one is everywhere. */
+  /** Position of the wipe as a fraction of the preview’s width; null shows the left layer everywhere. */
   readonly split: number | null;
-  /** The pointer over the preview asks what is under it. */
+  /** Whether the pixel probe is on. */
   readonly probing: boolean;
   readonly probed: PreviewProbe | null;
-  /** Somebody waits for a color of the picture. */
-  readonly picking: ColorWish | null;
+  /** The param that the eyedropper picks a color for; null if it is closed. */
+  readonly picking: ColorRequest | null;
 }
 
-/** The eyedropper is over the preview for it. */
-export interface ColorWish {
-  /** What the color is for. */
+/** A request for the eyedropper. */
+export interface ColorRequest {
+  /** Label of the param. */
   readonly label: string;
-  /** Display-referred sRGB, each in [0, 1]. */
+  /** Called with the color in display-referred sRGB, each component in [0, 1]. */
   readonly take: (color: readonly [number, number, number]) => void;
-  /** It has ended by itself, with a color or without. */
+  /** Called when the eyedropper closes, with or without a color. */
   readonly onEnd: () => void;
 }
 
@@ -40,9 +40,9 @@ export function resetViewer(store: ViewerStore): void {
   store.setState({ ...NOTHING, thumbnails, picking });
 }
 
-/** Who wants small pictures of which layers. They come here and not through a store: nothing else of the page is drawn for them. */
+/** Components that show thumbnails. Thumbnails bypass the stores, so that a new one rerenders nothing. */
 export interface ThumbnailWatchers {
-  /** Watches until the returned function is called. The watcher closes the pictures. */
+  /** Watches a layer until the returned function is called. The watcher must close the bitmaps. */
   watch(layer: string, onPicture: (picture: ImageBitmap) => void): () => void;
   wanted(): readonly string[];
   onChange: { run: (() => void) | null };

@@ -18,7 +18,10 @@ import { showRefusal } from './files.ts';
 import { addCube } from './import-cube.ts';
 import { isGltf, type ModelFile, wholeModel } from './whole-models.ts';
 
-/** Endings by which a dropped file is known, first come first served; `also` may be chosen where that kind is asked for: ordinary pictures as panoramas, and the files that a model refers to. */
+/**
+ * File name endings by asset kind; the first match counts. `also`: further endings that a file input of this kind accepts, such as
+ * images for panoramas, or the files that a model refers to.
+ */
 const KINDS: Readonly<Record<AssetKind, { readonly endings: readonly string[]; readonly also?: readonly string[] }>> = {
   model: { endings: ['.glb', '.gltf'], also: ['.bin', '.png', '.jpg', '.jpeg', '.webp', '.ktx2'] },
   image: { endings: ['.png', '.jpg', '.jpeg', '.webp'] },
@@ -28,7 +31,7 @@ const KINDS: Readonly<Record<AssetKind, { readonly endings: readonly string[]; r
 };
 const SHADERS = /\.(fs|isf|glsl)$/i;
 const TABLES = /\.cube$/i;
-/** What sources of shadertoy.com are kept in. */
+/** Endings of files that may contain Shadertoy source. */
 const SOURCES = /\.(fs|frag|glsl|json|txt)$/i;
 const VERTEX_SHADER = /\.vs$/i;
 const STEP_PX = 40;
@@ -40,21 +43,21 @@ export function kindOfFile(name: string): AssetKind | 'shader' | null {
   return kinds.find((kind) => KINDS[kind].endings.some((ending) => lower.endsWith(ending))) ?? null;
 }
 
-/** For file inputs. */
+/** Value of the `accept` attribute of a file input. */
 export function acceptedNames(kind: AssetKind): string {
   const { endings, also = [] } = KINDS[kind];
   return [...endings, ...also].join();
 }
 
-/** The part of `File` that is used. */
+/** The used part of `File`. */
 export interface DroppedFile {
   readonly name: string;
   arrayBuffer(): Promise<ArrayBuffer>;
 }
 
 /**
- * Each file becomes an asset or a shader of the project, and a node that brings it into the graph, from `place` down. A vertex shader
- * goes with the shader of its name, and so do pictures with the shader that imports them.
+ * Adds each file as an asset or shader with a node, starting at `place`. A vertex shader belongs to the shader of the same name, and
+ * images to the shader that imports them.
  */
 export function addFiles(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   return editor.fileWork(() => addEach(editor, files, place));
@@ -62,7 +65,7 @@ export function addFiles(editor: Editor, files: readonly DroppedFile[], place: P
 
 async function addEach(editor: Editor, files: readonly DroppedFile[], place: Place): Promise<void> {
   const added: string[] = [];
-  const { others, vertexOf, picturesOf } = await pairShaders(await packModels(editor, files));
+  const { others, vertexOf, imagesOf } = await pairShaders(await packModels(editor, files));
   for (const [index, file] of others.entries()) {
     const at = { x: place.x + index * STEP_PX, y: place.y + index * STEP_PX };
     const shadertoy = await readShadertoy(file);
@@ -78,26 +81,26 @@ async function addEach(editor: Editor, files: readonly DroppedFile[], place: Pla
     const kind = kindOfFile(file.name);
     if (kind === null) {
       const text = VERTEX_SHADER.test(file.name)
-        ? `${file.name} goes with a shader of its name: drop both together.`
-        : `${file.name} is neither a model (.glb, .gltf), a picture (.png, .jpg, .webp), a video (.mp4, .webm), a sound (.mp3, .m4a, .wav, .ogg, .flac), a panorama (.hdr, .exr), a color table (.cube) nor an ISF shader (.fs).`;
+        ? `${file.name} is a vertex shader without its ISF file. Drop both files together.`
+        : `${file.name} has an unsupported format. Supported are models (.glb, .gltf), images (.png, .jpg, .webp), videos (.mp4, .webm), sounds (.mp3, .m4a, .wav, .ogg, .flac), panoramas (.hdr, .exr), LUTs (.cube) and ISF shaders (.fs).`;
       addToast(editor.ui, { tone: 'error', text });
       continue;
     }
     const node =
       kind === 'shader'
-        ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), picturesOf.get(file)), at)
+        ? addShader(editor, await readShaderFile(editor, file, vertexOf.get(file), imagesOf.get(file)), at)
         : await addAssetNode(editor, file, kind, at);
     if (node !== null) added.push(node);
   }
   if (added.length > 0) selectOnly(editor.selection, added);
 }
 
-const MISSING_FIX = 'Bring in the model together with all its files, or as one .glb file.';
+const MISSING_FIX = 'Import the model together with all of its files, or as one .glb file.';
 
-/** Dropped files come without their folders, in which references may go up. */
+/** Dropped files have no folders, but references may contain `../`. */
 const SOMEWHERE = 'a/b/c/';
 
-/** The files with each `.gltf` and what it refers to as one; where something is missing, that is said and the model left out. */
+/** Packs each `.gltf` and the files that it refers to into one file. Shows a message for incomplete models and leaves them out. */
 async function packModels(editor: Editor, files: readonly DroppedFile[]): Promise<readonly DroppedFile[]> {
   const taken = new Set<DroppedFile>();
   const models: DroppedFile[] = [];
@@ -120,58 +123,58 @@ function fileOf({ name, bytes }: ModelFile): DroppedFile {
   return { name, arrayBuffer: async () => bytes.buffer };
 }
 
-/** Pictures that a shader imports, by the path in its header. */
-type Pictures = ReadonlyMap<string, DroppedFile>;
+/** Images that a shader imports, by the path in its header. */
+type ShaderImages = ReadonlyMap<string, DroppedFile>;
 
 interface PairedFiles {
-  /** All but the vertex shaders and pictures that a shader brings along. */
+  /** The files without the vertex shaders and images of shaders. */
   readonly others: readonly DroppedFile[];
   readonly vertexOf: ReadonlyMap<DroppedFile, DroppedFile>;
-  readonly picturesOf: ReadonlyMap<DroppedFile, Pictures>;
+  readonly imagesOf: ReadonlyMap<DroppedFile, ShaderImages>;
 }
 
 async function pairShaders(files: readonly DroppedFile[]): Promise<PairedFiles> {
   const vertexOf = new Map<DroppedFile, DroppedFile>();
-  const picturesOf = new Map<DroppedFile, Pictures>();
+  const imagesOf = new Map<DroppedFile, ShaderImages>();
   const paired = new Set<DroppedFile>();
   for (const file of files) {
     if (!SHADERS.test(file.name)) continue;
     const vertex = named(files, companionOf(file.name));
     if (vertex) vertexOf.set(file, vertex);
     const imported = readIsf(await textOf(file), file.name).output?.imported ?? [];
-    const pictures = new Map<string, DroppedFile>();
+    const images = new Map<string, DroppedFile>();
     for (const path of imported.flatMap(({ paths }) => paths)) {
-      const picture = named(files, path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1));
-      if (picture) pictures.set(path, picture);
+      const image = named(files, path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1));
+      if (image) images.set(path, image);
     }
-    picturesOf.set(file, pictures);
-    for (const used of [vertex, ...pictures.values()]) if (used) paired.add(used);
+    imagesOf.set(file, images);
+    for (const used of [vertex, ...images.values()]) if (used) paired.add(used);
   }
-  return { others: files.filter((file) => !paired.has(file)), vertexOf, picturesOf };
+  return { others: files.filter((file) => !paired.has(file)), vertexOf, imagesOf };
 }
 
-/** Dropped files come without their folders. */
+/** Finds a file by name. Dropped files have no folders. */
 function named(files: readonly DroppedFile[], wanted: string): DroppedFile | undefined {
   return files.find(({ name }) => name.toLowerCase() === wanted.toLowerCase());
 }
 
-/** Its pictures become files of the project, and its header says where they are now. */
+/** Reads a shader. Imports its images, and updates their paths in the header. */
 async function readShaderFile(
   editor: Editor,
   file: DroppedFile,
   vertex: DroppedFile | undefined,
-  pictures: Pictures = new Map(),
+  images: ShaderImages = new Map(),
 ): Promise<ForeignShader> {
   const moved = new Map<string, string>();
-  for (const [path, picture] of pictures) {
-    const imported = await importFile(editor, picture, 'image');
+  for (const [path, image] of images) {
+    const imported = await importFile(editor, image, 'image');
     if (imported !== null) moved.set(path, `../${imported.path}`);
   }
   const text = moveImported(await textOf(file), moved);
   return { name: file.name, text, ...(vertex && { vertex: await textOf(vertex) }) };
 }
 
-/** A file's text where it is a source of shadertoy.com, else null. */
+/** The text of a file if it is Shadertoy source; else null. */
 async function readShadertoy(file: DroppedFile): Promise<string | null> {
   if (!SOURCES.test(file.name)) return null;
   const text = await textOf(file);
@@ -182,7 +185,7 @@ async function textOf(file: DroppedFile): Promise<string> {
   return new TextDecoder().decode(await file.arrayBuffer());
 }
 
-/** Copies a file into the project, of a model all of its files, and makes an asset of it; its id, or null where that was refused. */
+/** Imports a file, or all files of a model, and adds an asset. Returns its id, or null if that failed. */
 export function importAsset(editor: Editor, files: readonly DroppedFile[], kind: AssetKind): Promise<string | null> {
   return editor.fileWork(async () => {
     const [first, ...others] = await packModels(editor, files);
@@ -209,7 +212,7 @@ async function importFile(editor: Editor, file: DroppedFile, kind: AssetKind): P
   }
 }
 
-/** One step: the asset, and the node of the library that brings such files. */
+/** Adds an asset and a node that outputs it, as one undo step. */
 async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, place: Place): Promise<string | null> {
   const source = sourceOf(editor.document.getState().library, kind);
   const asset = await importFile(editor, file, kind);
@@ -229,7 +232,7 @@ async function addAssetNode(editor: Editor, file: DroppedFile, kind: AssetKind, 
   return apply(editor, `Add ${file.name}`, change) ? id : null;
 }
 
-/** The first source whose asset param takes the kind. */
+/** The first source node with an asset param of this kind. */
 function sourceOf(library: NodeLibrary, kind: AssetKind): { readonly type: string; readonly param: string } | null {
   for (const type of library.types()) {
     const definition = library.definition(type);

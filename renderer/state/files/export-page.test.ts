@@ -3,7 +3,7 @@ import { newProject } from '../../../export/graph/new-project.ts';
 import { openTestEditor, type TestEditor } from '../../../tests/support/test-editor.ts';
 import type { Editor } from '../editor/editor.ts';
 import { createPosterRequests } from '../preview-sync/preview-posters.ts';
-import { followHost } from '../start.ts';
+import { handleHostEvents } from '../start.ts';
 import { cancelExport, exportPage } from './export-page.ts';
 import { openPath } from './files.ts';
 
@@ -58,7 +58,7 @@ describe('an export from the editor', () => {
       return { ok: false, out, diagnostics: [], bytes: 0 };
     });
     expect(await exportPage(editor, '/page')).toBe(false);
-    expect(texts(editor)).toEqual(['The export was cancelled.']);
+    expect(texts(editor)).toEqual(['Export canceled.']);
     expect(editor.ui.getState().bottom).toBeNull();
   });
 
@@ -73,7 +73,7 @@ describe('an export from the editor', () => {
       await cancelled;
       return { ok: false, out, diagnostics: [], bytes: 0 };
     });
-    const stop = followHost(editor);
+    const stop = handleHostEvents(editor);
     const exported = exportPage(editor, '/page');
     const handle = editor.document.getState().open?.handle ?? '';
     while (asked(opened) === undefined) await Promise.resolve();
@@ -86,10 +86,10 @@ describe('an export from the editor', () => {
     await cancelExport(editor);
     expect(host.calls.at(-1)).toEqual({ method: 'export.cancel', input: { handle } });
     host.emit({ kind: 'export-progress', handle, text: 'Writing file 2…' });
-    expect(text()).toBe('Cancelling…');
+    expect(text()).toBe('Canceling…');
     finish();
     expect(await exported).toBe(false);
-    expect(texts(editor)).toEqual(['The export was cancelled.']);
+    expect(texts(editor)).toEqual(['Export canceled.']);
     stop();
   });
 

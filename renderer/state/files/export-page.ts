@@ -4,7 +4,7 @@ import type { Editor } from '../editor/editor.ts';
 import { addToast } from '../editor/ui.ts';
 import { filesOf, pickFolder, showRefusal } from './files.ts';
 
-/** Writes the standalone page, of the project as it stands. True where it was written. */
+/** Exports the current project as a page. Returns true if it was written. */
 export async function exportPage(editor: Editor, chosen?: string): Promise<boolean> {
   const { open } = editor.document.getState();
   if (open === null || editor.ui.getState().exporting !== null) return false;
@@ -14,16 +14,16 @@ export async function exportPage(editor: Editor, chosen?: string): Promise<boole
   try {
     const files = filesOf(editor);
     const refused = editor.preview.getState().shaderDiagnostics;
-    if (hasErrors(refused)) return tellProblems(editor, refused);
+    if (hasErrors(refused)) return reportProblems(editor, refused);
     const poster = await drawPoster(editor);
-    if (isCancelled(editor)) return tellCancelled(editor);
+    if (isCancelled(editor)) return reportCanceled(editor);
     const result = await editor.host.call('export.run', { handle: open.handle, files, out, poster });
     const diagnostics = result.diagnostics as readonly Diagnostic[];
     editor.ui.setState({ exportDiagnostics: diagnostics });
-    if (hasErrors(diagnostics)) return tellProblems(editor, diagnostics);
-    // By the person, or by the end of the project that it was of.
-    if (!result.ok) return tellCancelled(editor);
-    addToast(editor.ui, { tone: 'success', text: `Exported to ${result.out}.`, detail: `${formatBytes(result.bytes)} in all.` });
+    if (hasErrors(diagnostics)) return reportProblems(editor, diagnostics);
+    // Canceled by the user, or because the project was closed.
+    if (!result.ok) return reportCanceled(editor);
+    addToast(editor.ui, { tone: 'success', text: `Exported to ${result.out}.`, detail: `${formatBytes(result.bytes)} in total.` });
     return true;
   } catch (error) {
     showRefusal(editor, error);
@@ -33,12 +33,12 @@ export async function exportPage(editor: Editor, chosen?: string): Promise<boole
   }
 }
 
-/** Nothing is written then, and an earlier export stays. */
+/** Cancels the export. An earlier export is not changed. */
 export async function cancelExport(editor: Editor): Promise<void> {
   const { exporting } = editor.ui.getState();
   if (exporting === null || exporting.cancelled) return;
-  editor.ui.setState({ exporting: { ...exporting, text: 'Cancelling…', cancelled: true } });
-  // The loop that draws the frames reads `cancelled` between two frames.
+  editor.ui.setState({ exporting: { ...exporting, text: 'Canceling…', cancelled: true } });
+  // A frame render checks `cancelled` between two frames.
   if (exporting.frames) return;
   try {
     await editor.host.call('export.cancel', { handle: exporting.handle });
@@ -47,15 +47,15 @@ export async function cancelExport(editor: Editor): Promise<void> {
   }
 }
 
-/** What the host says that it is at. */
+/** Shows the progress that the host reports. */
 export function showExportProgress({ ui }: Editor, handle: string, text: string): void {
   const { exporting } = ui.getState();
   if (exporting?.handle === handle && !exporting.cancelled) ui.setState({ exporting: { ...exporting, text } });
 }
 
-/** What the preview shows, which is what the person means the page to look like; null is no reason not to export. */
+/** Renders the poster from the current view of the preview. Without one, the page is exported anyway. */
 async function drawPoster({ posters, ui }: Editor): Promise<Uint8Array<ArrayBuffer> | null> {
-  ui.setState(({ exporting }) => ({ exporting: exporting && { ...exporting, text: 'Taking the poster’s picture…' } }));
+  ui.setState(({ exporting }) => ({ exporting: exporting && { ...exporting, text: 'Rendering the poster…' } }));
   return (await posters.take?.(POSTER_SIZE)) ?? null;
 }
 
@@ -63,17 +63,17 @@ function isCancelled({ ui }: Editor): boolean {
   return ui.getState().exporting?.cancelled === true;
 }
 
-function tellCancelled(editor: Editor): false {
-  addToast(editor.ui, { tone: 'info', text: 'The export was cancelled.', detail: 'Nothing was written.' });
+function reportCanceled(editor: Editor): false {
+  addToast(editor.ui, { tone: 'info', text: 'Export canceled.', detail: 'Nothing was written.' });
   return false;
 }
 
-function tellProblems(editor: Editor, diagnostics: readonly Diagnostic[]): false {
+function reportProblems(editor: Editor, diagnostics: readonly Diagnostic[]): false {
   const first = diagnostics.find((diagnostic) => diagnostic.severity === 'error');
   addToast(editor.ui, {
     tone: 'error',
     text: first?.message ?? 'The page could not be exported.',
-    detail: first?.fix ?? 'All reasons are under Problems.',
+    detail: first?.fix ?? 'The Problems panel lists the reasons.',
   });
   editor.ui.setState({ bottom: 'problems' });
   return false;

@@ -4,8 +4,8 @@ import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
 import { graphOf, isDirty } from '../editor/document.ts';
 import { addNodeFromPalette } from '../graph/edit-graph.ts';
-import { followHost } from '../start.ts';
-import { takeBack } from './external-changes.ts';
+import { handleHostEvents } from '../start.ts';
+import { editHere } from './external-changes.ts';
 import { save } from './files.ts';
 
 const SHADER = `/*{ "ISFVSN": "2", "INPUTS": [ { "NAME": "inputImage", "TYPE": "image" }, { "NAME": "much", "TYPE": "float" } ] }*/
@@ -15,7 +15,7 @@ void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) * much; }
 async function withShader() {
   const project = { ...newProject('Test'), sources: { 'edge.fs': SHADER } };
   const { editor, host } = await openTestEditor(project);
-  followHost(editor);
+  handleHostEvents(editor);
   const definition = editor.document.getState().library.definition('filter/edge');
   const node = definition && addNodeFromPalette(editor, { definition, port: null }, { x: 0, y: 0 }, null);
   if (!node || !(await save(editor))) throw new Error('The project was not made.');
@@ -43,7 +43,7 @@ test('a shader saved by another program is taken over, read only until it is tak
   write(`${SHADER}// outside, twice\n`);
   undo(editor);
   expect([text(), dirty()]).toEqual([SHADER, true]);
-  takeBack(editor, 'edge.fs');
+  editHere(editor, 'edge.fs');
   expect(editor.ui.getState().outside).toEqual([]);
 });
 

@@ -6,27 +6,27 @@ import { apply } from '../document/apply.ts';
 import { finishTyping } from '../document/edit-shader.ts';
 import { isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { askWhichVersion, followFolder } from './files.ts';
+import { loadExternalChanges, openConflictDialog } from './files.ts';
 
 type ShadersChanged = Extract<HostEvent, { kind: 'shaders-changed-outside' }>;
 
 /**
- * Takes over shaders that another program has saved, with all that follows from their headers, as a step of the history; until
- * they are taken back, they are to be read only here. Where one of them has unsaved changes, asks which version stays.
+ * Applies shaders that another program saved, as one undo step. They become read-only here until the user edits them again. If one
+ * has unsaved changes, asks which version to keep.
  */
-export function followShaders(editor: Editor, { handle, from, revision, shaders }: ShadersChanged): void {
+export function applyExternalShaders(editor: Editor, { handle, from, revision, shaders }: ShadersChanged): void {
   finishTyping(editor);
   const state = editor.document.getState();
   const { open, project, library } = state;
   if (open === null || open.handle !== handle) return;
   const gone = shaders.some(({ text }) => text === null);
   if (open.revision !== from || gone) {
-    void followFolder(editor);
+    void loadExternalChanges(editor);
     return;
   }
   const touched = shaders.some(({ file, before, text }) => ![before, text].includes(getOwn(project.sources, file) ?? null));
   if (touched) {
-    askWhichVersion(editor);
+    openConflictDialog(editor);
     return;
   }
   const wasClean = !isDirty(state);
@@ -41,8 +41,8 @@ export function followShaders(editor: Editor, { handle, from, revision, shaders 
   );
   const files = shaders.map(({ file }) => file);
   const key = `outside ${files.join(' ')}`;
-  if (!apply(editor, `Change ${files.join(', ')} outside`, change, key)) return;
-  // What a header has changed in the graph is not in the folder yet.
+  if (!apply(editor, `Update ${files.join(', ')} from disk`, change, key)) return;
+  // Changes of the graph that follow from a header are not saved yet.
   const isSaved = wasClean && change.project.graphs === project.graphs;
   editor.document.setState((now) => ({
     open: now.open && { ...now.open, revision },
@@ -51,7 +51,7 @@ export function followShaders(editor: Editor, { handle, from, revision, shaders 
   editor.ui.setState(({ outside }) => ({ outside: [...new Set([...outside, ...files])] }));
 }
 
-/** From now on the shader is typed here again; what the other program saves is still taken over. */
-export function takeBack(editor: Editor, file: string): void {
+/** Makes the shader editable here again. Saves of other programs are still applied. */
+export function editHere(editor: Editor, file: string): void {
   editor.ui.setState(({ outside }) => ({ outside: outside.filter((other) => other !== file) }));
 }

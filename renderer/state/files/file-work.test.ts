@@ -8,7 +8,7 @@ import { apply } from '../document/apply.ts';
 import { isDirty } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { addNodeFromPalette } from '../graph/edit-graph.ts';
-import { autosave, followHost } from '../start.ts';
+import { autosave, handleHostEvents } from '../start.ts';
 import { addFiles } from './add-files.ts';
 import { breakLockAndSave, openPath, openProject, save, saveAs } from './files.ts';
 
@@ -195,7 +195,7 @@ describe('work on files, one thing after the other', () => {
 
   test('the window closes, also where the disk keeps work that was given up', async () => {
     const { editor, host } = await openSlowly();
-    const stop = followHost(editor);
+    const stop = handleHostEvents(editor);
     host.writeOutside(saveProject(newProject('Test')));
     host.refuse('project.autosave', 'SCR060', 'The folder cannot be written.');
     host.emit({ kind: 'close-requested' });

@@ -6,7 +6,7 @@ import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { apply } from '../document/apply.ts';
 import { graphOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
-import { autosave, followHost } from '../start.ts';
+import { autosave, handleHostEvents } from '../start.ts';
 import { addFiles } from './add-files.ts';
 import { createProject, openPath, openProject, reload, save } from './files.ts';
 
@@ -86,7 +86,7 @@ describe('files', () => {
   test('a project that another window shows is opened with a word of warning', async () => {
     const { editor } = await openTestEditor(undefined, { openElsewhere: true });
     expect(editor.ui.getState().toasts.map(({ tone, text }) => [tone, text])).toEqual([
-      ['warning', 'This project is open in another window, too.'],
+      ['warning', 'This project is also open in another window.'],
     ]);
   });
 
@@ -115,7 +115,7 @@ describe('files', () => {
 
   test('the window closes at once when all is saved, and asks when not', async () => {
     const { editor, host } = await openTestEditor();
-    followHost(editor);
+    handleHostEvents(editor);
     retitle(editor, 'Mine');
     host.emit({ kind: 'close-requested' });
     expect(editor.ui.getState().dialog?.kind).toBe('unsaved');
@@ -129,7 +129,7 @@ describe('files', () => {
 
   test('a change on disk is taken over where nothing is unsaved', async () => {
     const { editor, host } = await openTestEditor();
-    followHost(editor);
+    handleHostEvents(editor);
     const { handle = '' } = editor.document.getState().open ?? {};
     host.writeOutside(saveProject(newProject('Theirs')));
     host.emit({ kind: 'project-changed-outside', handle, revision: 'r2' });
@@ -147,7 +147,7 @@ describe('files', () => {
   test('a change on disk asks where something is unsaved, typed or done while the files were read', async () => {
     for (const when of ['before', 'typed', 'meanwhile'] as const) {
       const { editor, host } = await openTestEditor();
-      followHost(editor);
+      handleHostEvents(editor);
       const { handle = '' } = editor.document.getState().open ?? {};
       host.writeOutside(saveProject(newProject('Theirs')));
       if (when === 'before') retitle(editor, 'Mine');
@@ -171,7 +171,7 @@ describe('files', () => {
 
   test('a change on disk that is no project leaves the canvas alone, and says what is wrong', async () => {
     const { editor, host } = await openTestEditor();
-    followHost(editor);
+    handleHostEvents(editor);
     const { handle = '' } = editor.document.getState().open ?? {};
     host.writeOutside({ project: '{ "half', layout: null, sources: {} });
     host.emit({ kind: 'project-changed-outside', handle, revision: 'r2' });
@@ -231,6 +231,8 @@ void main() { gl_FragColor = IMG_THIS_PIXEL(grain); }
     const { project } = editor.document.getState();
     expect(project.sources).toEqual({ 'glow-more.fs': isf, 'glow-more.vs': vertex });
     expect(Object.values(project.graphs.main?.nodes ?? {}).map(({ type }) => type)).toContain('filter/glow-more');
-    expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual([expect.stringContaining('alone.vs goes with a shader')]);
+    expect(editor.ui.getState().toasts.map(({ text }) => text)).toEqual([
+      expect.stringContaining('alone.vs is a vertex shader without its ISF file'),
+    ]);
   });
 });

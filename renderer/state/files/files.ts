@@ -16,59 +16,59 @@ import { rememberProject } from '../editor/preferences.ts';
 import { selectNothing } from '../editor/selection.ts';
 import { addToast, toastDiagnostic } from '../editor/ui.ts';
 
-/** The texts that the open project would be saved as, with what is being typed at the moment. */
+/** The files of the open project, with pending text edits. */
 export function filesOf(editor: Editor): ProjectFiles {
   finishTyping(editor);
   return saveProject(editor.document.getState().project);
 }
 
-/** Shows what the host refused; rethrows every other error, which is a fault of the program. */
+/** Shows a diagnostic of the host. Rethrows other errors, which are bugs. */
 export function showRefusal(editor: Editor, error: unknown): void {
   if (!(error instanceof HostError)) throw error;
   toastDiagnostic(editor.ui, error.diagnostic as Diagnostic);
 }
 
-/** Asks what to open, after asking about unsaved work. */
+/** Opens the start screen, after asking about unsaved changes. */
 export function openProject(editor: Editor): void {
-  withoutUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'open' } }));
+  confirmUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'open' } }));
 }
 
-/** Asks what to begin with, after asking about unsaved work. */
+/** Opens the dialog for a new project, after asking about unsaved changes. */
 export function newProject(editor: Editor): void {
-  withoutUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'new' } }));
+  confirmUnsaved(editor, () => editor.ui.setState({ dialog: { kind: 'new' } }));
 }
 
-/** Goes on at once, or after the person has decided what becomes of unsaved work. */
-export function withoutUnsaved(editor: Editor, proceed: () => void): void {
+/** Calls `proceed` at once, or after the user has decided about unsaved changes. */
+export function confirmUnsaved(editor: Editor, proceed: () => void): void {
   finishTyping(editor);
   if (isDirty(editor.document.getState())) editor.ui.setState({ dialog: { kind: 'unsaved', proceed } });
   else proceed();
 }
 
-/** Opens a folder in place of what is open. Where it cannot be read, what is open stays. */
+/** Opens a project in place of the current one, which stays open if that fails. */
 export function openPath(editor: Editor, path: string): Promise<boolean> {
-  return editor.fileWork(() => goOnWith(editor, () => editor.host.call('project.open', { path })));
+  return editor.fileWork(() => openWith(editor, () => editor.host.call('project.open', { path })));
 }
 
-/** Makes a project from a template, in a new or an empty folder, and opens it in place of what is open. */
+/** Creates a project from a template in a new or empty folder, and opens it in place of the current one. */
 export function createProject(editor: Editor, path: string, template: string): Promise<boolean> {
-  return editor.fileWork(() => goOnWith(editor, () => editor.host.call('project.create', { path, template })));
+  return editor.fileWork(() => openWith(editor, () => editor.host.call('project.create', { path, template })));
 }
 
-/** The caller has asked what becomes of unsaved work: what is unsaved now is discarded. */
-async function goOnWith(editor: Editor, ask: () => Promise<OpenProject>): Promise<boolean> {
+/** Opens a project and discards unsaved changes; callers ask the user first. */
+async function openWith(editor: Editor, ask: () => Promise<OpenProject>): Promise<boolean> {
   const { open: before } = editor.document.getState();
   try {
     const opened = await ask();
-    const givenUp = isDirty(editor.document.getState());
+    const discarded = isDirty(editor.document.getState());
     if (!showProject(editor, opened, opened.files)) {
       await editor.host.call('project.close', { handle: opened.handle });
       return false;
     }
-    if (before) await letGo(editor, before.handle, givenUp);
+    if (before) await closeProject(editor, before.handle, discarded);
     editor.ui.setState({ dialog: opened.recovery === null ? null : { kind: 'recovery', files: opened.recovery } });
     rememberProject(editor, { path: opened.displayPath, title: editor.document.getState().project.title });
-    if (opened.openElsewhere) tellOfOtherWindow(editor);
+    if (opened.openElsewhere) warnOfOtherWindow(editor);
     await listSessions(editor);
     return true;
   } catch (error) {
@@ -77,58 +77,58 @@ async function goOnWith(editor: Editor, ask: () => Promise<OpenProject>): Promis
   }
 }
 
-/** Of a project that another one has taken the place of. What cannot be tidied up is told, and no reason not to go on. */
-async function letGo(editor: Editor, handle: string, givenUp: boolean): Promise<void> {
+/** Closes a project that has been replaced. Failures are shown, but do not stop the caller. */
+async function closeProject(editor: Editor, handle: string, discarded: boolean): Promise<void> {
   try {
-    if (givenUp) await editor.host.call('project.autosave', { handle, files: null });
+    if (discarded) await editor.host.call('project.autosave', { handle, files: null });
     await editor.host.call('project.close', { handle });
   } catch (error) {
     showRefusal(editor, error);
   }
 }
 
-function tellOfOtherWindow(editor: Editor): void {
+function warnOfOtherWindow(editor: Editor): void {
   addToast(editor.ui, {
     tone: 'warning',
-    text: 'This project is open in another window, too.',
-    detail: 'What is saved there shows up here. If both change it, you are asked which version stays.',
+    text: 'This project is also open in another window.',
+    detail: 'Saves of the other window appear here. If both change the project, you choose which version to keep.',
   });
 }
 
 /**
- * Takes the folder's version after somebody else has written it, where nothing here would be lost by that; else asks. What is
- * done while the files are read counts, too.
+ * Loads the version on disk after another program changed the project. Asks first if there are unsaved changes, including those made
+ * while the files are read.
  */
-export function followFolder(editor: Editor): Promise<void> {
-  return editor.fileWork(() => takeFolder(editor));
+export function loadExternalChanges(editor: Editor): Promise<void> {
+  return editor.fileWork(() => reloadFromDisk(editor));
 }
 
-async function takeFolder(editor: Editor): Promise<void> {
+async function reloadFromDisk(editor: Editor): Promise<void> {
   finishTyping(editor);
   const { open } = editor.document.getState();
   if (open === null) return;
-  if (isDirty(editor.document.getState())) return askWhichVersion(editor);
+  if (isDirty(editor.document.getState())) return openConflictDialog(editor);
   try {
     const opened = await editor.host.call('project.open', { path: open.displayPath });
     finishTyping(editor);
     const changed = isDirty(editor.document.getState());
     const taken = !changed && showProject(editor, opened, opened.files);
-    await letGo(editor, (taken ? open : opened).handle, false);
+    await closeProject(editor, (taken ? open : opened).handle, false);
     if (taken) {
       await listSessions(editor);
-      addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was loaded again.' });
+      addToast(editor.ui, { tone: 'info', text: 'The project changed on disk and was reloaded.' });
       if (opened.recovery !== null) editor.ui.setState({ dialog: { kind: 'recovery', files: opened.recovery } });
-    } else if (changed) askWhichVersion(editor);
+    } else if (changed) openConflictDialog(editor);
   } catch (error) {
     showRefusal(editor, error);
   }
 }
 
-export function askWhichVersion(editor: Editor): void {
+export function openConflictDialog(editor: Editor): void {
   editor.ui.setState({ dialog: { kind: 'changed-outside' } });
 }
 
-/** Puts files on the canvas; false, with the reasons shown, where they are no project. */
+/** Shows a project in the editor. If the files are invalid, shows why and returns false. */
 export function showProject(editor: Editor, opened: OpenProject, files: ProjectFiles, asSaved = true): boolean {
   const loaded = loadProject(files);
   if (loaded.output === null) {
@@ -147,7 +147,7 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
     trail: [],
     library,
     history: emptyHistory(),
-    // Recovered work is unsaved by definition.
+    // Recovered changes are not saved yet.
     savedState: asSaved ? 0 : -1,
     revision: state.revision + 1,
     loadDiagnostics: [...loaded.diagnostics, ...diagnostics],
@@ -155,7 +155,7 @@ export function showProject(editor: Editor, opened: OpenProject, files: ProjectF
   return true;
 }
 
-/** A project that was written by hand, or merged, may not say of every node where it stands: it is told once, for good. */
+/** Adds missing positions of nodes, such as in projects that were written by hand or merged. */
 function withPlaces(project: Project): Project {
   const layout: Record<string, GraphLayout> = { ...project.layout };
   for (const [name, graph] of Object.entries(project.graphs)) {
@@ -176,18 +176,18 @@ async function write(editor: Editor, overwrite: boolean): Promise<boolean> {
   try {
     const { revision, kept } = await editor.host.call('project.save', { handle: open.handle, files, revision: open.revision, overwrite });
     editor.document.setState((state) => ({ open: state.open && { ...state.open, revision }, savedState: history.state }));
-    if (kept !== null) addToast(editor.ui, { tone: 'info', text: `What was there before is kept in ${kept}.` });
+    if (kept !== null) addToast(editor.ui, { tone: 'info', text: `The previous version was kept in ${kept}.` });
     return true;
   } catch (error) {
     const code = error instanceof HostError ? error.diagnostic.code : null;
-    if (code === 'SCR063') askWhichVersion(editor);
+    if (code === 'SCR063') openConflictDialog(editor);
     else if (code === 'SCR066') editor.ui.setState({ dialog: { kind: 'locked', overwrite } });
     else showRefusal(editor, error);
     return false;
   }
 }
 
-/** Takes the project's lock from its holder, and saves. */
+/** Breaks the lock of the project and saves. */
 export async function breakLockAndSave(editor: Editor, overwrite: boolean): Promise<boolean> {
   const { open } = editor.document.getState();
   if (open === null) return false;
@@ -200,7 +200,7 @@ export async function breakLockAndSave(editor: Editor, overwrite: boolean): Prom
   return save(editor, overwrite);
 }
 
-/** Saves a copy into another folder and goes on there. */
+/** Saves a copy in another folder and continues with the copy. */
 export async function saveAs(editor: Editor, chosen?: string): Promise<boolean> {
   if (editor.document.getState().open === null) return false;
   const path = chosen ?? (await pickFolder(editor, 'save-as'));
@@ -214,7 +214,7 @@ async function writeCopy(editor: Editor, path: string): Promise<boolean> {
   try {
     const opened = await editor.host.call('project.save-as', { handle: open.handle, path, files });
     const { handle, displayPath, revision, assetBaseUrl, assetFiles } = opened;
-    await letGo(editor, open.handle, true);
+    await closeProject(editor, open.handle, true);
     editor.document.setState({ open: { handle, displayPath, revision, assetBaseUrl, assetFiles }, savedState: history.state });
     editor.ui.setState({ dialog: null });
     addToast(editor.ui, { tone: 'success', text: `Saved to ${displayPath}.` });
@@ -226,14 +226,17 @@ async function writeCopy(editor: Editor, path: string): Promise<boolean> {
   }
 }
 
-/** The shell's own dialog; where it has none, ours, which comes back with a typed path. */
+/**
+ * Asks for a folder with the native dialog. On hosts without one, opens a dialog that continues with the typed path, and returns
+ * null.
+ */
 export async function pickFolder(editor: Editor, purpose: 'save-as' | 'export'): Promise<string | null> {
   if (editor.document.getState().canPickFolders) return askForFolder(editor, purpose);
   editor.ui.setState({ dialog: { kind: purpose } });
   return null;
 }
 
-/** By the shell's own dialog; null where the person chose none. */
+/** Asks for a folder with the native dialog; null if the user cancels. */
 export async function askForFolder(editor: Editor, purpose: HostInput<'folder.pick'>['purpose']): Promise<string | null> {
   try {
     return (await editor.host.call('folder.pick', { purpose })).path;
@@ -243,14 +246,14 @@ export async function askForFolder(editor: Editor, purpose: HostInput<'folder.pi
   }
 }
 
-/** Takes the folder's version in place of what is on the canvas. */
+/** Replaces the project in the editor by the version on disk. */
 export async function reload(editor: Editor): Promise<boolean> {
   const { open } = editor.document.getState();
   if (open === null) return false;
   return openPath(editor, open.displayPath);
 }
 
-/** What the preview can take its picture from, at the addresses that the open project has now. */
+/** Lists the preview sources of the open project. */
 async function listSessions(editor: Editor): Promise<void> {
   const { open } = editor.document.getState();
   if (open === null) return;

@@ -17,8 +17,8 @@ const TABLE = 'operator/color-lut';
 const BETWEEN_PX = 260;
 
 /**
- * One step: a color table (.cube) becomes a picture of the project, and two nodes: the picture, wired to the operator that grades by
- * it. Their ids, or none where something is wrong, which is shown.
+ * Imports a color table (.cube) as one undo step: an image asset, a node for it, and a LUT node connected to it. Returns the ids of
+ * both nodes; none after an error, which is shown.
  */
 export async function addCube(
   editor: Editor,
@@ -33,7 +33,7 @@ export async function addCube(
   const { open } = editor.document.getState();
   if (output === null || open === null) return [];
   const { widthPx, heightPx, size, columns, rgba } = lutPicture(output);
-  // Few need it, so few load it.
+  // Loaded on demand, because color tables are rare.
   const { encode } = await import('fast-png');
   let path: string;
   try {

@@ -43,9 +43,9 @@ describe('a model in several files', () => {
     const { editor, kept } = await editing();
     const files = await looseModel();
     await addFiles(editor, dropped(without(files, 'paint on wood.png')), PLACE);
-    expect(toasts(editor)).toEqual(['tile.gltf is not whole: it refers to “paint on wood.png”, which is missing.']);
+    expect(toasts(editor)).toEqual(['tile.gltf is incomplete. It refers to “paint on wood.png”, which is missing.']);
     await addFiles(editor, dropped(without(files, 'tile.bin', 'paint on wood.png')), PLACE);
-    expect(toasts(editor)[1]).toBe('tile.gltf is not whole: it refers to “tile.bin” and “paint on wood.png”, which are missing.');
+    expect(toasts(editor)[1]).toBe('tile.gltf is incomplete. It refers to “tile.bin” and “paint on wood.png”, which are missing.');
     expect(kept()).toEqual([]);
   });
 

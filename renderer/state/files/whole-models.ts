@@ -9,20 +9,20 @@ export interface ModelFile {
 }
 
 export interface WholeModel {
-  /** One file with everything in it; null where something is missing, which `diagnostic` names. */
+  /** The model as one file; null if files are missing, as `diagnostic` says. */
   readonly file: ModelFile | null;
   readonly diagnostic: Diagnostic | null;
-  /** The files that belong to the model, missing ones included. */
+  /** Paths of all files that the model refers to, including missing ones. */
   readonly beside: readonly string[];
 }
 
 /**
- * A `.gltf` and the files that it refers to as one `.glb`: names of files change on their way into a project, and references do not
- * know. Any other file stays as it is, and so does what cannot be read: those who draw it say why.
+ * Packs a `.gltf` and the files that it refers to into one `.glb`, because an import renames files and would break the references.
+ * Returns other files and invalid models unchanged; their problems are reported when they are drawn.
  *
- * @param path of the model; those of the files that it refers to are relative to the same folder
- * @param fix what to do about files that are missing
- * @param read null where there is no such file
+ * @param path Path of the model. The files that it refers to are relative to the same folder.
+ * @param fix Remedy for missing files.
+ * @param read Reads a file; null if it does not exist.
  */
 export async function wholeModel(
   path: string,
@@ -31,9 +31,9 @@ export async function wholeModel(
   read: (path: string) => Promise<Uint8Array | null>,
 ): Promise<WholeModel> {
   const name = path.slice(path.lastIndexOf('/') + 1);
-  const asItIs: WholeModel = { file: { name, bytes }, diagnostic: null, beside: [] };
+  const unchanged: WholeModel = { file: { name, bytes }, diagnostic: null, beside: [] };
   const gltf = isGltf(name) ? readOrNull(bytes, path) : null;
-  if (gltf === null) return asItIs;
+  if (gltf === null) return unchanged;
   const files = new Map<string, Uint8Array>();
   const missing: string[] = [];
   for (const [uri, file] of gltf.refersTo) {
@@ -43,7 +43,7 @@ export async function wholeModel(
   }
   const beside = [...gltf.refersTo.values()];
   if (missing.length > 0) {
-    const message = `${name} is not whole: it refers to ${listed(missing)}, which ${missing.length === 1 ? 'is' : 'are'} missing.`;
+    const message = `${name} is incomplete. It refers to ${listed(missing)}, which ${missing.length === 1 ? 'is' : 'are'} missing.`;
     return { file: null, diagnostic: { code: 'SCR030', severity: 'error', message, fix }, beside };
   }
   try {
@@ -55,7 +55,7 @@ export async function wholeModel(
   }
 }
 
-/** glTF 2.0, §4.4.2. */
+/** Whether the bytes begin with the magic number of a .glb file (glTF 2.0, §4.4.2). */
 export function isGlb(bytes: Uint8Array): boolean {
   return String.fromCharCode(...bytes.subarray(0, 4)) === 'glTF';
 }
@@ -69,7 +69,7 @@ function readOrNull(bytes: Uint8Array, path: string): (Gltf & { readonly refersT
     const gltf = readGltf(bytes);
     return { ...gltf, refersTo: externalFiles(gltf.document, path) };
   } catch {
-    // What is wrong with it is said where it is drawn.
+    // The problem is reported when the model is drawn.
     return null;
   }
 }

@@ -2,6 +2,7 @@ import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import type { ToPreview } from '../../preview-protocol.ts';
 import { undo } from '../document/apply.ts';
+import { cancelDrag, undoOrCancelDrag } from '../document/cancel-drag.ts';
 import { graphOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly, soleNode } from '../editor/selection.ts';
@@ -11,8 +12,7 @@ import { createSubgraph, openSubgraph, setPortExposed } from '../graph/subgraphs
 import { bindExpression } from '../params/bind-params.ts';
 import { editParam } from '../params/edit-params.ts';
 import { toggleKey } from '../params/keyframes.ts';
-import { createGizmos, currentGizmoTarget } from './apply-gizmo.ts';
-import { cancelDrag, undoOrCancelDrag } from './cancel-drag.ts';
+import { createGizmoSync, currentGizmoTarget } from './apply-gizmo.ts';
 
 function add(editor: Editor, type: string): string {
   const definition = editor.document.getState().library.definition(type);
@@ -32,15 +32,15 @@ async function boxes() {
     connect(editor, { node: transform, port: 'objects' }, { node: scene, port: 'objects' });
   }
   const posted: ToPreview[] = [];
-  const gizmos = createGizmos(editor, (message) => posted.push(message));
+  const gizmoSync = createGizmoSync(editor, (message) => posted.push(message));
   const shown = () => posted.filter((message) => message.kind === 'gizmo').at(-1)?.gizmo ?? null;
   let drags = 1;
   const drag = (values: Readonly<Record<string, number | readonly number[]>>, state: 'moved' | 'ended' = 'moved') => {
-    gizmos.take({ kind: 'gizmo', drag: drags, state, values });
+    gizmoSync.receive({ kind: 'gizmo', drag: drags, state, values });
     if (state === 'ended') drags++;
   };
   const nextDrag = () => drags++;
-  return { editor, box, left, right, scene, gizmos, shown, drag, nextDrag, posted };
+  return { editor, box, left, right, scene, gizmoSync, shown, drag, nextDrag, posted };
 }
 
 const position = (editor: Editor, node: string) => nodeOf(editor.document.getState(), node)?.params.positionM;
@@ -57,20 +57,20 @@ describe('what is taken hold of', () => {
     expect(shown()).toMatchObject({ node: box, handles: { scale: 'sizeM' } });
   });
 
-  test('by the way that the clicked object went', async () => {
-    const { editor, box, right, scene, gizmos, shown } = await boxes();
-    gizmos.take({ kind: 'picked', way: [box, right, scene], phantom: false });
+  test('by the chain of the clicked object', async () => {
+    const { editor, box, right, scene, gizmoSync, shown } = await boxes();
+    gizmoSync.receive({ kind: 'picked', chain: [box, right, scene], phantom: false });
     expect(soleNode(editor.selection.getState())).toBe(box);
-    expect(shown()).toMatchObject({ node: right, way: [box, right, scene] });
-    gizmos.take({ kind: 'picked', way: [box, right, scene], phantom: false });
+    expect(shown()).toMatchObject({ node: right, chain: [box, right, scene] });
+    gizmoSync.receive({ kind: 'picked', chain: [box, right, scene], phantom: false });
     expect(soleNode(editor.selection.getState())).toBe(right);
   });
 
   test('not the surfaces that a device finds', async () => {
-    const { editor, scene, gizmos } = await boxes();
+    const { editor, scene, gizmoSync } = await boxes();
     const planes = add(editor, 'world/planes');
     selectOnly(editor.selection, []);
-    gizmos.take({ kind: 'picked', way: [planes, scene], phantom: true });
+    gizmoSync.receive({ kind: 'picked', chain: [planes, scene], phantom: true });
     expect(soleNode(editor.selection.getState())).toBe(null);
   });
 
@@ -78,15 +78,21 @@ describe('what is taken hold of', () => {
     const { editor, left, right, box } = await boxes();
     selectOnly(editor.selection, [left]);
     bindExpression(editor, left, 'positionM', '[sin(time), 0, 0]');
-    expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: '“Position” of Transform follows an expression.' });
+    expect(currentGizmoTarget(editor, 'move')).toEqual({
+      target: null,
+      reason: '“Position” of Transform has an expression. Reset it to use the gizmo.',
+    });
     expect(currentGizmoTarget(editor, 'rotate').target?.node).toBe(left);
     const vector = add(editor, 'value/make-vector3');
     connect(editor, { node: vector, port: 'vector' }, { node: right, port: 'positionM' });
     selectOnly(editor.selection, [right]);
-    expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: '“Position” of Transform comes by a wire.' });
+    expect(currentGizmoTarget(editor, 'move')).toEqual({
+      target: null,
+      reason: '“Position” of Transform is connected. Disconnect it to use the gizmo.',
+    });
     toggleMuted(editor);
-    editor.gizmo.setState({ way: [box, right] });
-    expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: null, reason: expect.stringContaining('by itself') });
+    editor.gizmo.setState({ chain: [box, right] });
+    expect(currentGizmoTarget(editor, 'move')).toMatchObject({ target: null, reason: expect.stringContaining('cannot be moved') });
   });
 
   test('nothing where a node has no place, and of a model without a Transform what to do', async () => {
@@ -95,7 +101,7 @@ describe('what is taken hold of', () => {
     expect(currentGizmoTarget(editor, 'move')).toEqual({ target: null, reason: null });
     selectOnly(editor.selection, [add(editor, 'source/model')]);
     expect(currentGizmoTarget(editor, 'move')).toMatchObject({
-      reason: 'Model cannot be moved by itself. Wire its objects through a Transform.',
+      reason: 'Model cannot be moved. Connect its objects to a Transform.',
     });
   });
 
@@ -221,15 +227,15 @@ describe('a drag', () => {
 });
 
 test('keys pressed in the preview are for the editor, in the words of its shortcuts', async () => {
-  const { editor, left, gizmos, posted } = await boxes();
-  gizmos.tell();
+  const { editor, left, gizmoSync, posted } = await boxes();
+  gizmoSync.sendAll();
   expect(posted.find(({ kind }) => kind === 'keys')).toMatchObject({ keybindings: expect.arrayContaining(['Mod+Z', 'W', 'E', 'S', 'X']) });
   selectOnly(editor.selection, [left]);
-  gizmos.take({ kind: 'key', keybinding: 'E' });
+  gizmoSync.receive({ kind: 'key', keybinding: 'E' });
   expect(editor.gizmo.getState().mode).toBe('rotate');
-  gizmos.take({ kind: 'key', keybinding: 'E' });
+  gizmoSync.receive({ kind: 'key', keybinding: 'E' });
   expect(editor.gizmo.getState().mode).toBe(null);
   editor.ui.setState({ dialog: { kind: 'commands' } });
-  gizmos.take({ kind: 'key', keybinding: 'W' });
+  gizmoSync.receive({ kind: 'key', keybinding: 'W' });
   expect(editor.gizmo.getState().mode).toBe(null);
 });

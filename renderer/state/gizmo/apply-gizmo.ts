@@ -4,78 +4,78 @@ import type { FromPreview, GizmoMode, ToPreview } from '../../preview-protocol.t
 import { appCommand, appCommandIds, runCommand } from '../commands/app-commands.ts';
 import { commandOfKeybinding, keybindingsOf } from '../commands/keybindings.ts';
 import { endGesture } from '../document/apply.ts';
+import { cancelDrag } from '../document/cancel-drag.ts';
 import { nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import type { GizmoDrag } from '../editor/gizmo-state.ts';
-import { type GizmoTargetResult, gizmoTargetOf, isOnWay } from '../editor/gizmo-target.ts';
+import { type GizmoTargetResult, gizmoTargetOf, isWithin } from '../editor/gizmo-target.ts';
 import { nodePath } from '../editor/layer-names.ts';
 import { timeOf } from '../editor/preview-state.ts';
 import { selectOnly, soleNode } from '../editor/selection.ts';
 import { revealNodes } from '../editor/ui.ts';
 import { editParams } from '../params/edit-params.ts';
 import { editAt } from '../params/keyframes.ts';
-import { cancelDrag } from './cancel-drag.ts';
 
 export function currentGizmoTarget(
   { document, selection, gizmo }: Pick<Editor, 'document' | 'selection' | 'gizmo'>,
   mode: GizmoMode,
 ): GizmoTargetResult {
-  return gizmoTargetOf(document.getState(), soleNode(selection.getState()), gizmo.getState().way, mode);
+  return gizmoTargetOf(document.getState(), soleNode(selection.getState()), gizmo.getState().chain, mode);
 }
 
-const VERBS: Readonly<Record<GizmoMode, string>> = { move: 'Move', rotate: 'Turn', scale: 'Resize' };
+const VERBS: Readonly<Record<GizmoMode, string>> = { move: 'Move', rotate: 'Rotate', scale: 'Scale' };
 
-/** The end of the line to the preview's gizmo. */
-export interface Gizmos {
-  /** Sends everything to a preview page that has just loaded. */
-  tell(): void;
-  take(message: Extract<FromPreview, { kind: 'gizmo' | 'picked' | 'key' }>): void;
+/** The editor’s end of the gizmo in the preview. */
+export interface GizmoSync {
+  /** Sends the whole state to a preview page that has just loaded. */
+  sendAll(): void;
+  receive(message: Extract<FromPreview, { kind: 'gizmo' | 'picked' | 'key' }>): void;
   dispose(): void;
 }
 
-export function createGizmos(editor: Editor, post: (message: ToPreview) => void): Gizmos {
+export function createGizmoSync(editor: Editor, post: (message: ToPreview) => void): GizmoSync {
   const { document, selection, gizmo, preferences } = editor;
-  let told = '';
-  const follow = () => {
-    const { mode, space, snap, way, drag } = gizmo.getState();
+  let sent = '';
+  const sendGizmo = () => {
+    const { mode, space, snap, chain, drag } = gizmo.getState();
     const target = mode === null ? null : currentGizmoTarget(editor, mode).target;
     if (target === null && drag !== null) gizmo.setState({ drag: null, endedDrag: drag.id });
-    const wanted = mode && target && { node: target.program, mode, space, snap, handles: target.handles, way };
+    const wanted = mode && target && { node: target.program, mode, space, snap, handles: target.handles, chain };
     const text = JSON.stringify([wanted, mode !== null]);
-    if (text === told) return;
-    told = text;
+    if (text === sent) return;
+    sent = text;
     post({ kind: 'gizmo', gizmo: wanted });
     post({ kind: 'picking', on: mode !== null });
   };
-  const tellKeys = () => {
+  const sendKeys = () => {
     const keybindings = appCommandIds().flatMap((id) => (appCommand(id).byEvent === true ? [] : keybindingsOf(editor, id)));
     post({ kind: 'keys', keybindings: keybindings.filter((keybinding) => keybinding !== 'Tab'), mac: editor.mac });
   };
   const stops = [
     document.subscribe((state, before) => {
-      if (state.project !== before.project || state.graph !== before.graph) follow();
+      if (state.project !== before.project || state.graph !== before.graph) sendGizmo();
     }),
-    selection.subscribe(follow),
+    selection.subscribe(sendGizmo),
     gizmo.subscribe((state, before) => {
-      if (before.drag !== null && state.drag === null) told = '';
-      follow();
+      if (before.drag !== null && state.drag === null) sent = '';
+      sendGizmo();
     }),
     preferences.subscribe((state, before) => {
-      if (state.keybindings !== before.keybindings) tellKeys();
+      if (state.keybindings !== before.keybindings) sendKeys();
     }),
   ];
   return {
-    tell: () => {
-      told = '';
+    sendAll: () => {
+      sent = '';
       cancelDrag(editor);
       gizmo.setState({ endedDrag: 0 });
-      follow();
-      tellKeys();
+      sendGizmo();
+      sendKeys();
     },
-    take: (message) => {
-      if (message.kind === 'gizmo') takeDrag(editor, message);
-      if (message.kind === 'picked') takePick(editor, message);
-      if (message.kind === 'key') takeKey(editor, message.keybinding);
+    receive: (message) => {
+      if (message.kind === 'gizmo') receiveDrag(editor, message);
+      if (message.kind === 'picked') receivePick(editor, message);
+      if (message.kind === 'key') receiveKey(editor, message.keybinding);
     },
     dispose: () => {
       for (const stop of stops) stop();
@@ -83,7 +83,7 @@ export function createGizmos(editor: Editor, post: (message: ToPreview) => void)
   };
 }
 
-function takeDrag(editor: Editor, { drag: id, state, values }: Extract<FromPreview, { kind: 'gizmo' }>): void {
+function receiveDrag(editor: Editor, { drag: id, state, values }: Extract<FromPreview, { kind: 'gizmo' }>): void {
   const { gizmo, document, preview } = editor;
   const { mode, endedDrag } = gizmo.getState();
   let { drag } = gizmo.getState();
@@ -122,35 +122,35 @@ function setValues(editor: Editor, { target, timeS }: GizmoDrag, mode: GizmoMode
   if (edits.length > 0) editParams(editor, `${VERBS[mode]} ${target.title}`, target.node, edits, `gizmo ${target.node}`);
 }
 
-/** A tenth of a millimeter, and less than a hundred-thousandth of a degree. */
+/** Decimals of lengths and factors: 0.1 mm. Those of angles are below 0.00001°. */
 const DIGITS = 4;
 const DIGITS_RAD = 7;
 
-/** Within the param's range, and without the dust of floating-point numbers. */
+/** Clamps a value to the range of the param, and removes floating-point errors. */
 function inRange(param: ParamDefinition, value: ParamValue): ParamValue {
   const digits = 'unit' in param && param.unit === 'rad' ? DIGITS_RAD : DIGITS;
-  const bring = (part: number, min = Number.NEGATIVE_INFINITY, max = Number.POSITIVE_INFINITY) =>
+  const clean = (part: number, min = Number.NEGATIVE_INFINITY, max = Number.POSITIVE_INFINITY) =>
     Math.min(Math.max(Number(part.toFixed(digits)), min), max);
-  if (param.type === 'number') return bring(Number(value), param.min, param.max);
+  if (param.type === 'number') return clean(Number(value), param.min, param.max);
   if (param.type !== 'vector3' || !Array.isArray(value)) return value;
-  return (value as readonly number[]).map((part, i) => bring(part, param.min?.[i], param.max?.[i]));
+  return (value as readonly number[]).map((part, i) => clean(part, param.min?.[i], param.max?.[i]));
 }
 
-/** Selects the node that made the object; clicked again, the next on its way that has a place. */
-function takePick(editor: Editor, { way, phantom }: Extract<FromPreview, { kind: 'picked' }>): void {
+/** Selects the node that created the clicked object. Further clicks select the next node in its chain that has a transform. */
+function receivePick(editor: Editor, { chain, phantom }: Extract<FromPreview, { kind: 'picked' }>): void {
   const { document, selection, gizmo, ui } = editor;
   const state = document.getState();
   const inGraph = Object.keys(state.project.graphs[state.graph]?.nodes ?? {});
-  const ids = way.flatMap((id) => inGraph.find((node) => isOnWay(id, nodePath(state, node))) ?? []);
+  const ids = chain.flatMap((id) => inGraph.find((node) => isWithin(id, nodePath(state, node))) ?? []);
   const [source] = ids;
   if (source === undefined) return;
   const placing = ids.filter((id) => Object.values(definitionParams(editor, id)).some((param) => 'handle' in param));
-  // The floor and walls that a device finds are everywhere, and nobody can move them.
+  // Phantoms of detected surfaces cover the whole room, and have no transform.
   if (phantom && placing.length === 0) return;
   const choices = [...new Set([source, ...placing])];
   const selected = soleNode(selection.getState());
   const next = choices[(selected === null ? -1 : choices.indexOf(selected)) + 1] ?? source;
-  gizmo.setState({ way });
+  gizmo.setState({ chain });
   selectOnly(selection, [next]);
   revealNodes(ui, [next]);
 }
@@ -160,10 +160,10 @@ function definitionParams({ document }: Editor, id: string): Readonly<Record<str
   return state.library.definition(nodeOf(state, id)?.type ?? '')?.params ?? {};
 }
 
-function takeKey(editor: Editor, keybinding: string): void {
+function receiveKey(editor: Editor, keybinding: string): void {
   const { dialog, palette } = editor.ui.getState();
   if (dialog !== null || palette !== null) return;
-  // Of keys that mean something else over the timeline, those of the gizmo are the preview's.
+  // The preview has no timeline, so keys of the gizmo take precedence over those of the timeline.
   const plain = commandOfKeybinding(editor, keybinding, false);
   const id = plain?.startsWith('gizmo.') ? plain : commandOfKeybinding(editor, keybinding, false, 'time');
   if (id !== null) runCommand(editor, id);

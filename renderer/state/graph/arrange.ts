@@ -17,7 +17,7 @@ export interface ShapedBox extends NodeBox {
 
 export type Alignment = 'left' | 'center' | 'right' | 'top' | 'middle' | 'bottom';
 
-/** The selected nodes and the reroutes among them; all of the open graph where fewer than two are. */
+/** The selected nodes and the reroutes of the wires among them; if fewer than two nodes are selected, all of the open graph. */
 function boxesToArrange(editor: Editor): readonly NodeBox[] {
   const { nodes } = editor.selection.getState();
   const isAll = nodes.size < 2;
@@ -35,13 +35,13 @@ export function selectedBoxes(editor: Editor): readonly NodeBox[] {
   return [...boxesOf(editor, (id) => nodes.has(id)), ...reroutes];
 }
 
-/** Points without size, under their names on the canvas. */
+/** Reroutes as boxes without size, by canvas id. */
 function rerouteBoxes({ reroutes }: GraphLayout, isWanted: (id: string) => boolean): readonly NodeBox[] {
   const wanted = Object.entries(reroutes).filter(([id]) => isWanted(id));
   return wanted.map(([id, { x, y }]) => ({ id: itemId('reroute', id), x, y, width: 0, height: 0 }));
 }
 
-/** Where a wire ends at a node, canvas units. */
+/** Position of a port in canvas units. */
 export function portPlace(editor: Editor, { node, port }: PortAddress, side: 'input' | 'output'): Place | undefined {
   const [box] = boxesOf(editor, (id) => id === node);
   const seen = box?.shape.ports.find((candidate) => candidate.side === side && candidate.name === port);
@@ -72,7 +72,7 @@ export function boxesOf(editor: Editor, isWanted: (id: string) => boolean): read
     });
 }
 
-/** Brings edges or middles of the selected nodes onto one line. */
+/** Aligns edges or centers of the selected nodes. */
 export function align(editor: Editor, to: Alignment): boolean {
   const boxes = selectedBoxes(editor);
   const least = (of: (box: NodeBox) => number) => Math.min(...boxes.map(of));
@@ -100,7 +100,7 @@ export function align(editor: Editor, to: Alignment): boolean {
   return move(editor, 'Align', boxes, placed);
 }
 
-/** Makes the gaps between the selected nodes alike; the outermost stay. */
+/** Makes the gaps between the selected nodes equal. The outermost nodes stay. */
 export function distribute(editor: Editor, along: 'x' | 'y'): boolean {
   const size = along === 'x' ? 'width' : 'height';
   const boxes = [...selectedBoxes(editor)].sort((a, b) => a[along] - b[along]);
@@ -118,7 +118,7 @@ export function distribute(editor: Editor, along: 'x' | 'y'): boolean {
   return move(editor, 'Distribute', boxes, (box) => ({ x: box.x, y: box.y, [along]: places.get(box.id) ?? box[along] }));
 }
 
-/** Lays the selected nodes, or the whole graph, out from left to right along the wires. Loads what it takes when it is asked for. */
+/** Arranges the selected nodes, or the whole graph, from left to right along the wires. Loads the layout library on demand. */
 export async function tidy(editor: Editor): Promise<boolean> {
   const boxes = boxesToArrange(editor);
   const { graph } = editor.document.getState();
@@ -126,16 +126,16 @@ export async function tidy(editor: Editor): Promise<boolean> {
   const layout = layoutOf(editor.document.getState());
   const { layOut } = await import('./auto-layout.ts');
   const places = await layOut(boxes, [...stretchesOf({ wires }, layout).values()].map(endsOf));
-  // Laying out a large graph takes its time: the person may be in another by then.
+  // The layout takes time; another graph may be open by then.
   if (editor.document.getState().graph !== graph) return false;
   const moved = move(editor, 'Tidy up', boxes, (box) => places.get(box.id) ?? box);
-  // All of it has gone elsewhere: what was looked at may be out of sight.
+  // The whole graph has moved, so the view may show empty canvas.
   if (moved && boxes.filter(({ id }) => itemOf(id) === null).length === Object.keys(graphOf(editor.document.getState()).nodes).length)
     revealNodes(editor.ui, [], 'fit');
   return moved;
 }
 
-/** What a stretch of wire joins, as the canvas calls it. */
+/** Canvas ids of the two ends of a stretch. */
 function endsOf({ source, wires, before, to }: Stretch): readonly [from: string, to: string] {
   const last = before.at(-1);
   return [last === undefined ? source.node : itemId('reroute', last), to === null ? wires[0].to.node : itemId('reroute', to)];

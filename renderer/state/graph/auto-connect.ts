@@ -8,7 +8,7 @@ import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeLibrary } from '../../../nodes/kit/definition.ts';
 import type { WireType } from '../../../nodes/kit/wire-types.ts';
 
-/** What a graph mostly has one source of. Which layer or which objects are meant, only a person knows. */
+/** Wire types with one obvious source in most graphs. For layers and objects only the user can choose. */
 const SHARED: readonly WireType[] = ['depth', 'lights'];
 const LEFT_PX = 240;
 const BELOW_PX = 72;
@@ -20,8 +20,8 @@ interface AutoConnectContext {
 }
 
 /**
- * Wires what a new node cannot do without, where there is no choice: to the graph's only source of that kind, or, where it has
- * none and the library knows just one, to a new one beside it.
+ * Connects required inputs of a new node if the source is unambiguous: the only one in the graph. Without one, adds the only node
+ * type of the library that outputs this wire type.
  */
 export function autoConnect(node: string, { library, graph, random }: AutoConnectContext): (project: Project) => Change {
   return (project) => {

@@ -1,14 +1,14 @@
 import ELK from 'elkjs/lib/elk.bundled.js';
 import type { Place } from '../editor/canvas-state.ts';
 
-/** Where a node or a reroute stands, and how large it is drawn. Canvas units. */
+/** Position and size of a node or reroute, in canvas units. */
 export interface NodeBox extends Place {
   readonly id: string;
   readonly width: number;
   readonly height: number;
 }
 
-/** Layers from left to right, as wires run; gaps in canvas units, on the canvas's grid of 8. */
+/** Layers from left to right. Distances are multiples of the canvas grid of 8. */
 const OPTIONS = {
   'elk.algorithm': 'layered',
   'elk.direction': 'RIGHT',
@@ -19,7 +19,10 @@ const OPTIONS = {
 };
 const GRID = 8;
 
-/** New places of boxes that are joined as said, about where they stood. What is joined to others counts for nothing. */
+/**
+ * Computes new positions of boxes; their top left corner stays. @param joined Wires between boxes, as pairs of ids. Wires to other
+ * boxes are ignored.
+ */
 export async function layOut(
   boxes: readonly NodeBox[],
   joined: readonly (readonly [from: string, to: string])[],

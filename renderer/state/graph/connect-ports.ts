@@ -7,19 +7,22 @@ import { graphOf, layoutOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { itemOf } from '../editor/item-ids.ts';
 import { toastDiagnostic } from '../editor/ui.ts';
-import { connect, refusalOf, rewire, takeWireFrom, type WireEnd } from './edit-graph.ts';
+import { connect, refusalOf, rewire, startWireFrom, type WireEnd } from './edit-graph.ts';
 import { replaceSource } from './insert-on-wire.ts';
 import { type Branch, branchAt } from './reroutes.ts';
 
-/** What the canvas calls a port: of a node, or the one side of a reroute that wires come to or leave from. */
+/** A port on the canvas: of a node, or the input or output side of a reroute. */
 export type CanvasPort = PortAddress;
 
-/** Why a wire cannot run between two ends, from the output's on, or null where it can. */
+/**
+ * Why a wire cannot run between two ends; null if it can. A reroute stands for all wires through it. @param start The end at the
+ * output.
+ */
 export function refusalOfEnds(editor: Editor, start: CanvasPort, end: CanvasPort): Diagnostic | null {
   const { from, route } = branchOf(editor, start);
   for (const { wire, rest } of wiresAfter(editor, end)) {
     if (rest.some((reroute) => route.includes(reroute))) {
-      const message = 'The wire comes from there already.';
+      const message = 'The wire already runs through this reroute.';
       return { code: 'SCR014', severity: 'error', nodeId: wire.to.node, port: wire.to.port, message };
     }
     const refusal = refusalOf(editor, { ...from, side: 'output' }, { ...wire.to, side: 'input' });
@@ -28,27 +31,27 @@ export function refusalOfEnds(editor: Editor, start: CanvasPort, end: CanvasPort
   return isReroute(end) ? null : refusalOf(editor, { ...from, side: 'output' }, { ...end, side: 'input' });
 }
 
-/** As the canvas calls what is under the pointer. */
+/** A handle under the pointer, as React Flow describes it. */
 export interface CanvasHandle {
   readonly nodeId: string;
   readonly id?: string | null;
   readonly type: 'source' | 'target';
 }
 
-/** Why a wire in hand cannot be let go over a port or a reroute, or null where it can. */
+/** Why a dragged wire cannot be dropped on a port or reroute; null if it can. */
 export function refusalOver(editor: Editor, { node, port, side }: WireEnd, { nodeId, id, type }: CanvasHandle): Diagnostic | null {
   const over: WireEnd = { node: nodeId, port: id ?? '', side: type === 'source' ? 'output' : 'input' };
   if (itemOf(nodeId) === null) return refusalOf(editor, { node, port, side }, over);
   return side === 'output' ? refusalOfEnds(editor, { node, port }, over) : refusalOfEnds(editor, over, { node, port });
 }
 
-/** Says why a wire that was let go there was not drawn. */
-export function explainRefusal(editor: Editor, inHand: WireEnd, over: CanvasHandle): void {
-  const reason = refusalOver(editor, inHand, over);
+/** Shows why a dropped wire was not connected. */
+export function explainRefusal(editor: Editor, draggedWire: WireEnd, over: CanvasHandle): void {
+  const reason = refusalOver(editor, draggedWire, over);
   if (reason !== null) toastDiagnostic(editor.ui, reason);
 }
 
-/** Draws a wire. One that starts at a reroute comes from there; one that ends at a reroute brings all wires after it something else. */
+/** Connects two ends. A wire from a reroute branches off there. A wire to a reroute replaces the source of all wires through it. */
 export function connectPorts(editor: Editor, start: CanvasPort, end: CanvasPort): boolean {
   const { from, route } = branchOf(editor, start);
   if (!isReroute(end)) return connect(editor, from, end, route);
@@ -60,18 +63,18 @@ export function connectPorts(editor: Editor, start: CanvasPort, end: CanvasPort)
   return apply(editor, 'Connect', sequence(project, ...steps));
 }
 
-/** Moves one end of what is drawn under an id. */
+/** Moves one end of the stretch with this id. */
 export function reconnectPorts(editor: Editor, stretch: string, start: CanvasPort, end: CanvasPort): boolean {
   if (isReroute(end)) return connectPorts(editor, start, end);
   const { from, route } = branchOf(editor, start);
   return rewire(editor, stretch, from, end, route);
 }
 
-/** Begins to draw a wire from a port or a reroute. */
+/** Starts to drag a wire from a port or reroute. */
 export function startWireAt(editor: Editor, { node, port }: CanvasPort, side: 'input' | 'output'): void {
   const branch = branchAt(editor.document.getState(), node);
-  if (branch === null) takeWireFrom(editor, { node, port }, side);
-  else if (side === 'output') takeWireFrom(editor, branch.from, side, branch.route);
+  if (branch === null) startWireFrom(editor, { node, port }, side);
+  else if (side === 'output') startWireFrom(editor, branch.from, side, branch.route);
 }
 
 function branchOf(editor: Editor, address: CanvasPort): Branch {
@@ -82,7 +85,7 @@ function isReroute({ node }: CanvasPort): boolean {
   return itemOf(node)?.kind === 'reroute';
 }
 
-/** The wires that are led through a reroute, with their ways from it on; none for a port. */
+/** The wires through a reroute, each with its route from there on; empty for a port. */
 function wiresAfter(editor: Editor, { node }: CanvasPort) {
   const item = itemOf(node);
   if (item?.kind !== 'reroute') return [];

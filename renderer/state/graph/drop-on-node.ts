@@ -1,7 +1,7 @@
 import { createInterfaceLookup, type NodeInterface } from '../../../export/graph/library/node-interface.ts';
 import { paramWireType } from '../../../nodes/kit/definition.ts';
 import { conversion, WIRE_TYPES, type WireType } from '../../../nodes/kit/wire-types.ts';
-import type { WireInHand } from '../editor/canvas-state.ts';
+import type { DraggedWire } from '../editor/canvas-state.ts';
 import { type DocumentState, graphOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { addToast } from '../editor/ui.ts';
@@ -11,58 +11,58 @@ interface Candidate {
   readonly port: string;
   readonly label: string;
   readonly type: WireType;
-  /** A wire here would take another one's place. */
+  /** The port already has a wire, which would be replaced. */
   readonly taken?: boolean;
 }
 
 /**
- * Which port of a node takes a wire in hand that is let go over the node itself: the first that is not connected, as it is rather
- * than converted. Ports come before values, of which there must be just one: nobody can tell which of several is meant.
+ * The port that a wire dropped on a node connects to: unconnected ports first, then those of the same type. A param is chosen only if
+ * no input fits and no other param does.
  */
-export function portOver(editor: Editor, inHand: WireInHand, node: string): Candidate | null {
+export function portOver(editor: Editor, draggedWire: DraggedWire, node: string): Candidate | null {
   const state = editor.document.getState();
-  const face = faceOf(state, node);
-  if (!face || node === inHand.node) return null;
-  const ports = fitting(editor, inHand, node, inHand.side === 'output' ? inputsOf(state, node, face) : outputsOf(face));
-  const [best] = [...ports].sort((a, b) => costOf(inHand, a) - costOf(inHand, b));
+  const face = interfaceOf(state, node);
+  if (!face || node === draggedWire.node) return null;
+  const ports = fitting(editor, draggedWire, node, draggedWire.side === 'output' ? inputsOf(state, node, face) : outputsOf(face));
+  const [best] = [...ports].sort((a, b) => costOf(draggedWire, a) - costOf(draggedWire, b));
   if (best) return best;
-  const values = inHand.side === 'output' ? fitting(editor, inHand, node, valuesOf(face)) : [];
+  const values = draggedWire.side === 'output' ? fitting(editor, draggedWire, node, valuesOf(face)) : [];
   return values.length === 1 ? (values[0] ?? null) : null;
 }
 
-/** Draws a wire that was let go over a node to the port that takes it, or says why there is none. */
-export function dropOnNode(editor: Editor, inHand: WireInHand, node: string | null): void {
-  if (node === null || node === inHand.node) return;
-  const over = portOver(editor, inHand, node);
+/** Connects a wire that was dropped on a node, or shows why no port fits. */
+export function dropOnNode(editor: Editor, draggedWire: DraggedWire, node: string | null): void {
+  if (node === null || node === draggedWire.node) return;
+  const over = portOver(editor, draggedWire, node);
   if (over === null) {
-    addToast(editor.ui, { tone: 'info', ...whyNot(editor, inHand, node) });
+    addToast(editor.ui, { tone: 'info', ...explainMiss(editor, draggedWire, node) });
     return;
   }
-  const here = { node: inHand.node, port: inHand.port };
+  const here = { node: draggedWire.node, port: draggedWire.port };
   const there = { node, port: over.port };
-  if (inHand.side === 'output') connect(editor, here, there, inHand.route);
+  if (draggedWire.side === 'output') connect(editor, here, there, draggedWire.route);
   else connect(editor, there, here);
 }
 
-function whyNot(editor: Editor, inHand: WireInHand, node: string): { readonly text: string; readonly detail?: string } {
+function explainMiss(editor: Editor, draggedWire: DraggedWire, node: string): { readonly text: string; readonly detail?: string } {
   const state = editor.document.getState();
   const title = titleOf(state, node);
-  const what = WIRE_TYPES[inHand.type].label.toLowerCase();
-  if (inHand.side === 'input') return { text: `${title} gives no ${what}.` };
-  const face = faceOf(state, node);
-  const several = face !== undefined && fitting(editor, inHand, node, valuesOf(face)).length > 1;
+  const what = WIRE_TYPES[draggedWire.type].label.toLowerCase();
+  if (draggedWire.side === 'input') return { text: `${title} has no ${what} output.` };
+  const face = interfaceOf(state, node);
+  const several = face !== undefined && fitting(editor, draggedWire, node, valuesOf(face)).length > 1;
   return several
-    ? { text: `${title} has several values that take this.`, detail: 'Let the wire go over the one that you mean.' }
-    : { text: `${title} takes no ${what}.` };
+    ? { text: `${title} has several parameters of this type.`, detail: 'Drop the wire on the port of one of them.' }
+    : { text: `${title} has no ${what} input.` };
 }
 
-function faceOf(state: DocumentState, node: string): NodeInterface | undefined {
+function interfaceOf(state: DocumentState, node: string): NodeInterface | undefined {
   return createInterfaceLookup(state.project, state.library)(nodeOf(state, node)?.type ?? '');
 }
 
-function fitting(editor: Editor, inHand: WireInHand, node: string, candidates: readonly Candidate[]): readonly Candidate[] {
-  const side = inHand.side === 'output' ? 'input' : 'output';
-  return candidates.filter(({ port }) => refusalOf(editor, inHand, { node, port, side }) === null);
+function fitting(editor: Editor, draggedWire: DraggedWire, node: string, candidates: readonly Candidate[]): readonly Candidate[] {
+  const side = draggedWire.side === 'output' ? 'input' : 'output';
+  return candidates.filter(({ port }) => refusalOf(editor, draggedWire, { node, port, side }) === null);
 }
 
 function inputsOf(state: DocumentState, node: string, face: NodeInterface): Candidate[] {
@@ -87,8 +87,8 @@ function valuesOf(face: NodeInterface): Candidate[] {
   });
 }
 
-/** Less is better. */
-function costOf({ side, type }: WireInHand, { type: other, taken }: Candidate): number {
+/** Rank of a port; lower is better. */
+function costOf({ side, type }: DraggedWire, { type: other, taken }: Candidate): number {
   const kind = side === 'output' ? conversion(type, other) : conversion(other, type);
   return (taken === true ? 2 : 0) + (kind === 'same' ? 0 : 1);
 }

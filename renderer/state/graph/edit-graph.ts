@@ -15,7 +15,7 @@ import type { Diagnostic } from '../../../nodes/kit/diagnostics.ts';
 import type { WireType } from '../../../nodes/kit/wire-types.ts';
 import { apply } from '../document/apply.ts';
 import { inPlainWords } from '../document/plain-words.ts';
-import { type Place, takeWire, type WireInHand } from '../editor/canvas-state.ts';
+import { type DraggedWire, type Place, startWire } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { itemIds } from '../editor/item-ids.ts';
@@ -26,16 +26,16 @@ import { removeItems } from './layout-items.ts';
 import type { PaletteEntry } from './palette-search.ts';
 import { addRecipe, recipesOf } from './recipes.ts';
 
-/** One end of a wire, and which side of its node it is on where that is known. */
+/** One end of a wire and its side of the node. */
 export interface WireEnd extends PortAddress {
   readonly side: 'input' | 'output';
 }
 
-/** Why a wire cannot run between two ports, or null where it can. Replacing the wire of a port that takes one is no obstacle. */
+/** Why a wire cannot connect two ports; null if it can. An existing wire of the input would be replaced. */
 export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnostic | null {
   const { project, library, graph } = editor.document.getState();
   if (start.side === end.side) {
-    const message = `Both are ${start.side}s: a wire goes from an output to an input.`;
+    const message = `Both ports are ${start.side}s. Connect an output to an input.`;
     return { code: 'SCR012', severity: 'error', nodeId: end.node, port: end.port, message };
   }
   const [from, to] = start.side === 'output' ? [start, end] : [end, start];
@@ -43,7 +43,7 @@ export function refusalOf(editor: Editor, start: WireEnd, end: WireEnd): Diagnos
   return result.ok ? null : inPlainWords(editor.document.getState(), result.reason);
 }
 
-/** `route`: the reroutes that the wire is led through. */
+/** Connects two ports. @param route Reroutes of the wire. */
 export function connect(editor: Editor, from: PortAddress, to: PortAddress, route: readonly string[] = []): boolean {
   const { project, library, graph } = editor.document.getState();
   const change = sequence(
@@ -95,37 +95,37 @@ export function reorderWires(editor: Editor, to: PortAddress, from: readonly Por
 }
 
 /**
- * Adds the chosen type or combination at a place, wires what was in hand or leads a wire through it, gives it what it cannot do without,
- * and selects it; all one step.
+ * Adds a node type or recipe, connects it to the dragged wire or inserts it into a wire, adds required sources, and selects it. One
+ * undo step.
  */
 export function addNodeFromPalette(
   editor: Editor,
   { definition, port }: PaletteEntry,
   place: Place,
-  inHand: WireInHand | null,
+  draggedWire: DraggedWire | null,
   throughWire: string | null = null,
 ): string | null {
   const { project, library, graph } = editor.document.getState();
   const { random } = editor;
-  const combination = recipesOf(library).find((known) => known.definition.type === definition.type);
-  const combined = combination && addRecipe(combination, { library, graph, random, project, ...place });
-  const id = combined?.main ?? makeNodeId(project, definition.type, random);
+  const recipe = recipesOf(library).find((known) => known.definition.type === definition.type);
+  const added = recipe && addRecipe(recipe, { library, graph, random, project, ...place });
+  const id = added?.main ?? makeNodeId(project, definition.type, random);
   const change = sequence(
     project,
-    (before) => combined?.change(before) ?? addNode(before, { library, graph, id, type: definition.type, ...place }),
+    (before) => added?.change(before) ?? addNode(before, { library, graph, id, type: definition.type, ...place }),
     (before) => {
       if (throughWire !== null) return insertOnWire(editor, id, throughWire)(before);
-      if (inHand === null || port === null) return unchanged(before);
-      const here = combined ? (combined.portOf(port) ?? { node: id, port }) : { node: id, port };
-      const there = { node: inHand.node, port: inHand.port };
-      const ends = inHand.side === 'output' ? { from: there, to: here } : { from: here, to: there };
+      if (draggedWire === null || port === null) return unchanged(before);
+      const here = added ? (added.portOf(port) ?? { node: id, port }) : { node: id, port };
+      const there = { node: draggedWire.node, port: draggedWire.port };
+      const ends = draggedWire.side === 'output' ? { from: there, to: here } : { from: here, to: there };
       return sequence(
         before,
         (p) => connectCommand(p, { library, graph, ...ends }),
-        (p) => lead(p, { graph, ...ends, route: inHand.route ?? [] }),
+        (p) => lead(p, { graph, ...ends, route: draggedWire.route ?? [] }),
       );
     },
-    ...(combined?.ids ?? [id]).map((node) => autoConnect(node, { library, graph, random })),
+    ...(added?.ids ?? [id]).map((node) => autoConnect(node, { library, graph, random })),
   );
   if (!apply(editor, `Add ${definition.title}`, change)) return null;
   selectOnly(editor.selection, [id]);
@@ -149,7 +149,7 @@ export function deleteSelection(editor: Editor): boolean {
   );
 }
 
-/** Mutes the selected nodes, or unmutes them where all are muted. */
+/** Mutes the selected nodes, or unmutes them if all are muted. */
 export function toggleMuted(editor: Editor): boolean {
   const state = editor.document.getState();
   const ids = [...editor.selection.getState().nodes];
@@ -158,7 +158,7 @@ export function toggleMuted(editor: Editor): boolean {
   return apply(editor, muted ? 'Mute' : 'Unmute', setMuted(state.project, { graph: state.graph, nodes: ids, muted }));
 }
 
-/** Makes another kind of node of one; its wires stay where they fit. */
+/** Changes the type of a node. Wires that fit the new type stay. */
 export function swapType(editor: Editor, node: string, type: string): boolean {
   const state = editor.document.getState();
   const { project, library, graph } = state;
@@ -166,7 +166,7 @@ export function swapType(editor: Editor, node: string, type: string): boolean {
   return apply(editor, `Change ${titleOf(state, node)} to ${title}`, changeType(project, { library, graph, node, type }));
 }
 
-/** Shows the heads of the selected nodes alone, or all of them again where all are so. */
+/** Collapses the selected nodes to their headers, or expands them if all are collapsed. */
 export function toggleCollapsed(editor: Editor): boolean {
   const state = editor.document.getState();
   const nodes = [...editor.selection.getState().nodes];
@@ -182,10 +182,10 @@ export function selectAll(editor: Editor): void {
   selectOnly(editor.selection, Object.keys(nodes), wires.map(printWire), itemIds(layoutOf(state)));
 }
 
-/** Begins to draw a wire from a port, through reroutes. */
-export function takeWireFrom(editor: Editor, { node, port }: PortAddress, side: 'input' | 'output', route: readonly string[] = []): void {
+/** Starts to drag a wire from a port. @param route Reroutes that the wire already runs through. */
+export function startWireFrom(editor: Editor, { node, port }: PortAddress, side: 'input' | 'output', route: readonly string[] = []): void {
   const type = typeOfPort(editor, { node, port, side });
-  if (type !== null) takeWire(editor.canvas, { node, port, side, type, ...(route.length === 0 ? {} : { route }) });
+  if (type !== null) startWire(editor.canvas, { node, port, side, type, ...(route.length === 0 ? {} : { route }) });
 }
 
 function typeOfPort(editor: Editor, { node, port, side }: WireEnd): WireType | null {

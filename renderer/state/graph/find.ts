@@ -11,13 +11,13 @@ export interface Found {
   readonly graph: string;
   readonly node: string;
   readonly title: string;
-  /** The value that matched, or else the id: titles repeat. */
+  /** The matching param value; else the node id, because titles may repeat. */
   readonly detail: string;
 }
 
 const MOST = 200;
 
-/** Nodes of all graphs by title, id, or a value as the node shows it; the open graph's first. */
+/** Finds nodes of all graphs by title, id or param value. Nodes of the open graph come first. */
 export function findNodes({ project, library, graph }: DocumentState, query: string): readonly Found[] {
   const words = searchable(query).split(/\s+/).filter(Boolean);
   const names = [graph, ...Object.keys(project.graphs).filter((name) => name !== graph)];

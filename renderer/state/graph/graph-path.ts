@@ -5,14 +5,14 @@ import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
 import { revealNodes } from '../editor/ui.ts';
 
-/** A node, and the graphs that lead to its own from the main graph. */
+/** A node, with its graph and the graphs that lead there from the main graph. */
 export interface NodePlace {
   readonly graph: string;
   readonly trail: readonly string[];
   readonly node: string;
 }
 
-/** The shortest way from the main graph to another, without that; of one that no node stands for, just the main graph. */
+/** The shortest trail from the main graph to the parent of a graph. Just the main graph if the graph has no instance. */
 export function pathToGraph({ graphs }: Pick<Project, 'graphs'>, graph: string): readonly string[] {
   if (graph === MAIN_GRAPH) return [];
   const ways = new Map<string, readonly string[]>([[MAIN_GRAPH, []]]);
@@ -20,14 +20,14 @@ export function pathToGraph({ graphs }: Pick<Project, 'graphs'>, graph: string):
     if (name === graph) return way;
     for (const { type } of Object.values(getOwn(graphs, name)?.nodes ?? {})) {
       const inner = subgraphName(type);
-      // A map is gone through with what is added to it meanwhile, so the nearest come first.
+      // The loop also visits added entries, so it searches breadth-first.
       if (inner !== null && !ways.has(inner)) ways.set(inner, [...way, name]);
     }
   }
   return [MAIN_GRAPH];
 }
 
-/** Where the node is that the compiler calls `look-a2b3/sepia-k7q2`, or the last on the way to it that is there. */
+/** Finds a node by its id in the program (`look-a2b3/sepia-k7q2`). If it does not exist, the last existing node of the path. */
 export function placeOnPath({ graphs }: Pick<Project, 'graphs'>, path: string): NodePlace | null {
   let place: NodePlace | null = null;
   let graph: string | null = MAIN_GRAPH;
@@ -42,12 +42,12 @@ export function placeOnPath({ graphs }: Pick<Project, 'graphs'>, path: string): 
   return place;
 }
 
-/** Opens the graph that it is in, selects it and shows it. */
+/** Opens the graph of a node, selects the node and scrolls to it. */
 export function goToNode(editor: Editor, { graph, trail, node }: NodePlace): void {
   const { graph: open } = editor.document.getState();
   if (graph !== open) editor.document.setState({ graph, trail });
   selectOnly(editor.selection, [node]);
   if (graph === open) revealNodes(editor.ui, [node]);
-  // The nodes of another graph have to be on the canvas before they can be shown.
+  // The nodes of another graph must be mounted first.
   else editor.clock.nextFrame(() => revealNodes(editor.ui, [node], 'fit'));
 }

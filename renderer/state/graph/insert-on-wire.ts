@@ -13,7 +13,7 @@ import type { NodeDefinition } from '../../../nodes/kit/definition.ts';
 import { hasErrors } from '../../../nodes/kit/diagnostics.ts';
 import { conversion, type WireType } from '../../../nodes/kit/wire-types.ts';
 import { apply } from '../document/apply.ts';
-import type { Place, WireInHand } from '../editor/canvas-state.ts';
+import type { DraggedWire, Place } from '../editor/canvas-state.ts';
 import { graphOf, layoutOf, nodeOf, titleOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { selectOnly } from '../editor/selection.ts';
@@ -23,11 +23,11 @@ import { stretchCalled } from './reroutes.ts';
 
 export interface WireTypes {
   readonly from: WireType;
-  /** One for each wire. */
+  /** One per wire. */
   readonly to: readonly WireType[];
 }
 
-/** The types at the ends of what is drawn under an id, or null where one is unknown. */
+/** The wire types at the ends of a stretch; null if one is unknown. */
 export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
   const state = editor.document.getState();
   const at = stretchCalled(state, stretch);
@@ -40,7 +40,7 @@ export function wireTypes(editor: Editor, stretch: string): WireTypes | null {
   return from === undefined || to.length === 0 || to.length < (at?.wires.length ?? 0) ? null : { from, to };
 }
 
-/** The ports through which a wire can go, or null where it cannot go through such a node. */
+/** The input and output that connect a node type into a wire; null if none fit. */
 export function portsThrough(
   definition: NodeDefinition,
   { from, to }: WireTypes,
@@ -50,7 +50,7 @@ export function portsThrough(
   return input === null || output === undefined ? null : { input, output };
 }
 
-/** Whether a node that is let go over a wire goes into it: one that has no wires yet, and that the wire can go through. */
+/** Whether a node dropped on a wire is inserted into it: it has no wires yet, and its ports fit. */
 export function canInsert(editor: Editor, node: string, stretch: string): boolean {
   const state = editor.document.getState();
   const isFree = graphOf(state).wires.every(({ from, to }) => from.node !== node && to.node !== node);
@@ -59,7 +59,7 @@ export function canInsert(editor: Editor, node: string, stretch: string): boolea
   return isFree && definition !== undefined && types !== null && portsThrough(definition, types) !== null;
 }
 
-/** Leads what is drawn under an id through a node: its wires keep their places among those of their ports, and their ways. */
+/** Inserts a node into a stretch. The wires keep their order at their ports and their reroutes. */
 export function insertOnWire(editor: Editor, node: string, stretch: string): (project: Project) => Change {
   const { library, graph } = editor.document.getState();
   const at = stretchCalled(editor.document.getState(), stretch);
@@ -74,12 +74,12 @@ export function insertOnWire(editor: Editor, node: string, stretch: string): (pr
   };
 }
 
-/** A wire and its way. */
+/** A wire with its reroutes. */
 interface RoutedWire extends Wire {
   readonly route: readonly string[];
 }
 
-/** Draws a wire along a way. */
+/** Connects a wire and sets its reroutes. */
 function connectAlong(editor: Editor, { from, to, route }: RoutedWire): (project: Project) => Change {
   const { library, graph } = editor.document.getState();
   return (project) =>
@@ -90,13 +90,13 @@ function connectAlong(editor: Editor, { from, to, route }: RoutedWire): (project
     );
 }
 
-/** What the wires of a stretch brought from before it comes from elsewhere now. */
+/** Connects the wires of a stretch to another source from there on. */
 function replaceWires(editor: Editor, { wires, before: passed }: Stretch, from: PortAddress): ((project: Project) => Change)[] {
   const layout = layoutOf(editor.document.getState());
   return wires.map((wire) => replaceSource(editor, wire, { from, to: wire.to, route: routeOf(layout, wire).slice(passed.length) }));
 }
 
-/** Puts a wire in the place of one that ends at the same port. */
+/** Replaces a wire by one to the same port, at the same position in its order. */
 export function replaceSource(editor: Editor, wire: Wire, led: RoutedWire): (project: Project) => Change {
   const { graph } = editor.document.getState();
   return (project) => {
@@ -111,7 +111,7 @@ export function replaceSource(editor: Editor, wire: Wire, led: RoutedWire): (pro
   };
 }
 
-/** A node dragged onto a wire: its new place, the room that is made for it, and both wires are one step. */
+/** Drops a node on a wire: moves it, makes room, and inserts it. One undo step. */
 export function dropOnWire(editor: Editor, node: string, place: Place, stretch: string): boolean {
   const state = editor.document.getState();
   const { project, graph } = state;
@@ -124,17 +124,19 @@ export function dropOnWire(editor: Editor, node: string, place: Place, stretch: 
 
 const OVER = 'operator/over';
 
-/** Whether a wire in hand may be let go over another one: a layer over a layer. */
-export function canLayOver(editor: Editor, inHand: WireInHand, stretch: string): boolean {
+/** Whether dropping a dragged wire on another one composites the layers: both carry layers. */
+export function canCompositeOver(editor: Editor, draggedWire: DraggedWire, stretch: string): boolean {
   const state = editor.document.getState();
   const at = stretchCalled(state, stretch);
   const types = wireTypes(editor, stretch);
-  const isLayer = inHand.side === 'output' && [inHand.type, types?.from, ...(types?.to ?? [])].every((type) => type === 'layer');
-  return isLayer && at !== undefined && at.source.node !== inHand.node && state.library.definition(OVER) !== undefined;
+  const isLayer = draggedWire.side === 'output' && [draggedWire.type, types?.from, ...(types?.to ?? [])].every((type) => type === 'layer');
+  return isLayer && at !== undefined && at.source.node !== draggedWire.node && state.library.definition(OVER) !== undefined;
 }
 
-/** A layer let go over a layer's wire is laid over what runs there, by an Over that goes into the wire. The node, or null. */
-export function layOver(editor: Editor, { node, port, route = [] }: WireInHand, stretch: string, place: Place): string | null {
+/**
+ * Composites a layer over the layer of a wire: inserts an Alpha over node into the wire. Returns the node id, or null if that failed.
+ */
+export function compositeOver(editor: Editor, { node, port, route = [] }: DraggedWire, stretch: string, place: Place): string | null {
   const state = editor.document.getState();
   const { project, library, graph } = state;
   const at = stretchCalled(state, stretch);
@@ -147,7 +149,7 @@ export function layOver(editor: Editor, { node, port, route = [] }: WireInHand, 
     connectAlong(editor, { from: at.source, to: { node: id, port: 'bottom' }, route: at.before }),
     connectAlong(editor, { from: { node, port }, to: { node: id, port: 'top' }, route }),
   );
-  if (!apply(editor, `Lay ${titleOf(state, node)} over`, change)) return null;
+  if (!apply(editor, `Composite ${titleOf(state, node)}`, change)) return null;
   selectOnly(editor.selection, [id]);
   return id;
 }

@@ -6,14 +6,14 @@ import { type DocumentState, graphOf, layoutOf } from '../editor/document.ts';
 import { NODE_WIDTH } from './node-shape.ts';
 
 const GAP = 40;
-/** The grid that nodes snap to. */
+/** Grid of the canvas, in canvas units. */
 const GRID = 8;
-/** Nodes whose heads are further apart do not hide each other, or hardly. */
+/** Vertical distance above which nodes do not overlap, or only slightly. */
 const BESIDE = 100;
 
 /**
- * Where nodes go when one is let go over a wire, as in Blender: it stands clear of the node that the wire comes from, and what the wire
- * leads to goes to the right as far as it must, with all that comes after it there. Reroutes stay: they say where a wire is to run.
+ * New positions for a node that is inserted into a wire, as in Blender: to the right of the source, and the target and all nodes
+ * after it move right as far as needed. Reroutes stay.
  */
 export function placesAfterInsert(state: DocumentState, node: string, { x, y }: Place, at: Stretch): Readonly<Record<string, Place>> {
   const places = layoutOf(state).nodes;
@@ -34,10 +34,10 @@ export function placesAfterInsert(state: DocumentState, node: string, { x, y }: 
   return moved;
 }
 
-/** The nodes that wires lead to from one, this included. */
+/** A node and all nodes that its wires lead to. */
 function nodesAfter({ wires }: Graph, first: string): ReadonlySet<string> {
   const found = new Set([first]);
-  // The set grows while it is walked.
+  // The loop also visits nodes that are added during it.
   for (const node of found) for (const { from, to } of wires) if (from.node === node) found.add(to.node);
   return found;
 }

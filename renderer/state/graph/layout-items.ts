@@ -27,7 +27,7 @@ export function boxOfItem(layout: GraphLayout, canvasId: string): Box | undefine
   return item === null || item.kind === 'reroute' ? undefined : getOwn<Frame | Note>(layout[`${item.kind}s`], item.id);
 }
 
-/** Puts a frame around the selected nodes; at a place where none is. */
+/** Adds a frame around the selected nodes; if none are selected, an empty one at the place. */
 export function addFrame(editor: Editor, place: Place): boolean {
   const { project, graph } = editor.document.getState();
   const selected = editor.selection.getState().nodes;
@@ -47,18 +47,18 @@ export function addNote(editor: Editor, place: Place): boolean {
   return true;
 }
 
-/** Title of a frame, text of a note. Typing is one step until `endGesture`. */
+/** Sets the title of a frame or the text of a note. Successive edits form one undo step until `endGesture`. */
 export function editItemText(editor: Editor, canvasId: string, text: string): boolean {
   const { project, graph } = editor.document.getState();
-  return apply(editor, 'Write', put(editor, canvasId, { text })(project), `text ${graph} ${canvasId}`);
+  return apply(editor, 'Edit text', put(editor, canvasId, { text })(project), `text ${graph} ${canvasId}`);
 }
 
 export function resizeItem(editor: Editor, canvasId: string, box: Box): boolean {
   endGesture(editor);
-  return apply(editor, 'Resize', put(editor, canvasId, { box })(editor.document.getState().project));
+  return apply(editor, 'Resize frame or note', put(editor, canvasId, { box })(editor.document.getState().project));
 }
 
-/** What lies wholly in a frame, and goes where it goes. */
+/** The items that lie completely inside a frame and move with it. */
 export function contentOf(editor: Editor, canvasId: string): Readonly<Record<string, Place>> {
   const layout = layoutOf(editor.document.getState());
   const frame = itemOf(canvasId)?.kind === 'frame' ? boxOfItem(layout, canvasId) : undefined;
@@ -72,7 +72,7 @@ export function contentOf(editor: Editor, canvasId: string): Readonly<Record<str
   return Object.fromEntries(inside.map(({ id, x, y }) => [id, { x, y }]));
 }
 
-/** Moves nodes, frames, notes and reroutes, as one step. */
+/** Moves nodes, frames, notes and reroutes as one undo step. */
 export function moveAll(editor: Editor, places: Readonly<Record<string, Place>>): boolean {
   const { project, graph } = editor.document.getState();
   const boxes = Object.entries(places).filter(([id]) => boxOfItem(layoutOf(editor.document.getState()), id) !== undefined);

@@ -4,16 +4,16 @@ import type { WireType } from '../../../nodes/kit/wire-types.ts';
 import { layerPortOf } from '../editor/layer-names.ts';
 
 /**
- * How large a node is drawn and where its ports are, from data alone. React Flow is handed these numbers instead of measuring
- * the page: it can then leave out what is not on screen, and 3,000 nodes pan at 60 frames per second.
+ * Sizes of nodes and positions of ports, computed from data. React Flow then need not measure the page and can omit invisible nodes:
+ * 3,000 nodes pan at 60 frames per second.
  */
 export const NODE_WIDTH = 184;
 export const HEADER_HEIGHT = 30;
 export const ROW_HEIGHT = 22;
 export const BODY_PADDING = 6;
-/** What the pointer can hit of a port; the drawn shape is half of it. */
+/** Size of the hit area of a port. The drawn shape has half of it. */
 export const PORT_SIZE = 22;
-/** What a node's picture adds to its height. */
+/** Height of a thumbnail. */
 export const PICTURE_HEIGHT = 104;
 
 export interface PortView {
@@ -22,11 +22,11 @@ export interface PortView {
   readonly doc: string;
   readonly type: WireType;
   readonly side: 'input' | 'output';
-  /** Line in the body, from 0; an input and an output may share one. */
+  /** Row of the port, from 0. An input and an output may share a row. */
   readonly row: number;
   readonly multiple: boolean;
   readonly required: boolean;
-  /** For a param shown as a port: its definition. */
+  /** Definition of the param, if the port is a param. */
   readonly param: ParamDefinition | null;
 }
 
@@ -34,22 +34,22 @@ export interface NodeShape {
   readonly width: number;
   readonly height: number;
   readonly ports: readonly PortView[];
-  /** Params that could be wired and are not shown. */
+  /** Number of connectable params that are not shown. */
   readonly hiddenParams: number;
-  /** Nothing of it is shown but its head. */
+  /** Only the header is shown. */
   readonly collapsed?: true;
-  /** The layer whose picture stands below the ports. */
+  /** Output port of the layer in the thumbnail; null without one. */
   readonly picture: string | null;
 }
 
 export interface ShapeOptions {
-  /** Params with a wire, by name. */
+  /** Names of connected params. */
   readonly wired: ReadonlySet<string>;
-  /** Shows every param that can be wired. */
+  /** Whether all connectable params are shown. */
   readonly expanded: boolean;
-  /** Shows the head alone; all wires end at its sides. */
+  /** Whether only the header is shown. Wires then end at its sides. */
   readonly collapsed?: boolean;
-  /** Shows the first layer that it gives. */
+  /** Whether a thumbnail of the first layer is shown. */
   readonly pictured?: boolean;
 }
 
@@ -89,7 +89,7 @@ export function nodeShape(
     });
   });
 
-  // A node that only computes is read by its operands, so they are always there.
+  // The params of a value node are its operands, so they are always shown.
   const showAll = expanded || definition.lowering.kind === 'value';
   let row = Math.max(inputs.length, outputs.length);
   let hiddenParams = 0;
@@ -112,17 +112,17 @@ export function nodeShape(
   return { width: NODE_WIDTH, height, ports, hiddenParams, picture };
 }
 
-/** The type that the node is about: what it gives, or what it takes where it gives nothing. */
+/** The wire type that colors a node: that of its first output; without outputs, of its first input. */
 export function mainType({ inputs, outputs }: Pick<NodeDefinition, 'inputs' | 'outputs'>): WireType | undefined {
   return (Object.values(outputs)[0] ?? Object.values(inputs)[0])?.type;
 }
 
-/** For a node whose type is not in the library: as many ports as its wires name, so that nothing of it is lost from sight. */
+/** Shape of a node of unknown type, with a port for each of its wires. */
 export function unknownShape(wiredInputs: readonly string[], wiredOutputs: readonly string[]): NodeShape {
   const port = (name: string, side: 'input' | 'output', row: number): PortView => ({
     name,
     label: name,
-    doc: 'A port of a node type that this Scrim does not know.',
+    doc: 'A port of an unknown node type.',
     type: 'number',
     side,
     row,
@@ -138,7 +138,7 @@ export function unknownShape(wiredInputs: readonly string[], wiredOutputs: reado
   return { width: NODE_WIDTH, height: HEADER_HEIGHT + 2 * BODY_PADDING + rows * ROW_HEIGHT, ports, hiddenParams: 0, picture: null };
 }
 
-/** Center of a port, relative to the node's top left corner. */
+/** Center of a port relative to the top left corner of the node. */
 export function portCenter(shape: NodeShape, port: PortView): { readonly x: number; readonly y: number } {
   return {
     x: port.side === 'input' ? 0 : shape.width,

@@ -6,11 +6,11 @@ import type { OpenEnd } from '../editor/canvas-state.ts';
 
 export interface PaletteEntry {
   readonly definition: NodeDefinition;
-  /** The port that the wire in hand would go to; null when there is none in hand. */
+  /** The port that the dragged wire would connect to; null without one. */
   readonly port: string | null;
 }
 
-/** Worth of a match; the best one of a word counts, and every word of the query must match somewhere. */
+/** Scores of a match. The best match of each word counts, and every word must match. */
 const SCORES = {
   titleStart: 100,
   titleWord: 80,
@@ -26,8 +26,8 @@ const SCORES = {
 };
 
 /**
- * Node types for the palette, best first: all of them by category and title for an empty query. With a wire in hand, only those
- * that have a port for it.
+ * Searches node types for the palette, best match first. An empty query lists all by category and title. With a dragged wire, only
+ * types with a fitting port.
  */
 export function searchPalette(definitions: readonly NodeDefinition[], query: string, end: OpenEnd | null): PaletteEntry[] {
   const words = searchable(query).split(/\s+/).filter(Boolean);
@@ -47,7 +47,7 @@ export function searchPalette(definitions: readonly NodeDefinition[], query: str
     .map(({ entry }) => entry);
 }
 
-/** The first port that takes the wire as it is, else the first that takes it converted. */
+/** The first port of the same wire type, else the first that converts without loss. */
 export function fittingPort(definition: NodeDefinition, end: OpenEnd): string | null {
   const candidates = end.side === 'output' ? inputsOf(definition) : outputsOf(definition);
   const kinds = candidates.map(
@@ -56,7 +56,7 @@ export function fittingPort(definition: NodeDefinition, end: OpenEnd): string | 
   return (kinds.find(([, kind]) => kind === 'same') ?? kinds.find(([, kind]) => kind === 'lossless'))?.[0] ?? null;
 }
 
-/** The label of the category that a node type is listed under. */
+/** Label of the category of a node type. */
 export function categoryOf(definition: NodeDefinition): string {
   return categoryLabel(definition.type);
 }
@@ -89,7 +89,7 @@ function scoreOfWord(definition: NodeDefinition, word: string): number {
   const keywords = (definition.keywords ?? []).map(searchable);
   const match = matchOf(definition, title, keywords, word);
   if (match === 'none') return 0;
-  // Between titles that begin so, the shorter is the likelier; else the node with fewer values to set is the more general one.
+  // Among titles that begin with the word, shorter ones come first; else node types with fewer params.
   const size = match === 'titleStart' ? title.length : Object.keys(definition.params).length + title.length / 1000;
   return SCORES[match] + 1 / (1 + size);
 }
@@ -111,7 +111,7 @@ function hasWord(text: string, start: string): boolean {
   return text.split(/[^\p{L}\p{N}]+/u).some((word) => word.startsWith(start));
 }
 
-/** `gsb` finds "Gaussian blur": the first letter is that of the title. */
+/** Whether the text contains the letters in order: `gsb` finds “Gaussian blur”. The first letter must match. */
 function hasLettersInOrder(text: string, letters: string): boolean {
   let at = 0;
   for (const letter of letters) {

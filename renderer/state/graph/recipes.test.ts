@@ -1,30 +1,30 @@
 import { describe, expect, test } from '@jest/globals';
 import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import { undo } from '../document/apply.ts';
-import type { WireInHand } from '../editor/canvas-state.ts';
+import type { DraggedWire } from '../editor/canvas-state.ts';
 import { graphOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 import { soleNode } from '../editor/selection.ts';
 import { filesOf } from '../files/files.ts';
 import { addNodeFromPalette, connect } from './edit-graph.ts';
-import { canLayOver, layOver } from './insert-on-wire.ts';
+import { canCompositeOver, compositeOver } from './insert-on-wire.ts';
 import { searchPalette } from './palette-search.ts';
 import { recipesOf } from './recipes.ts';
 
 const AT = { x: 300, y: 200 };
 
 /** As the palette does: what is first for a query, with a wire in hand. */
-function choose(editor: Editor, query: string, inHand: WireInHand | null = null): string {
+function choose(editor: Editor, query: string, draggedWire: DraggedWire | null = null): string {
   const { library } = editor.document.getState();
   const all = [...library.types()].flatMap((type) => library.definition(type) ?? []);
   const combined = recipesOf(library).map(({ definition }) => definition);
-  const [first] = searchPalette([...all, ...combined], query, inHand);
-  const id = first ? addNodeFromPalette(editor, first, AT, inHand) : null;
+  const [first] = searchPalette([...all, ...combined], query, draggedWire);
+  const id = first ? addNodeFromPalette(editor, first, AT, draggedWire) : null;
   if (id === null) throw new Error(`“${query}” added nothing.`);
   return id;
 }
 
-const outOf = (node: string, type: WireInHand['type'], port: string = type): WireInHand => ({ node, port, type, side: 'output' });
+const outOf = (node: string, type: DraggedWire['type'], port: string = type): DraggedWire => ({ node, port, type, side: 'output' });
 const wiresOf = (editor: Editor) => {
   const typeOf = (id: string) => nodeOf(editor.document.getState(), id)?.type.split('/')[1];
   return graphOf(editor.document.getState())
@@ -102,20 +102,20 @@ describe('a layer let go over a layer’s wire', () => {
     const { editor, video, wire } = await videoOnScreen();
     const scene = outOf(choose(editor, 'scene'), 'layer');
     const before = filesOf(editor);
-    expect(canLayOver(editor, scene, wire)).toBe(true);
+    expect(canCompositeOver(editor, scene, wire)).toBe(true);
     expect(soleNode(editor.selection.getState())).not.toBeNull();
-    layOver(editor, scene, wire, AT);
+    compositeOver(editor, scene, wire, AT);
     expect(wiresOf(editor)).toEqual(['camera-video > over.bottom', 'over > screen.layer', 'scene > over.top']);
     undo(editor);
     expect(filesOf(editor)).toEqual(before);
     // Over itself there is nothing to lay it.
-    expect(canLayOver(editor, outOf(video, 'layer'), wire)).toBe(false);
+    expect(canCompositeOver(editor, outOf(video, 'layer'), wire)).toBe(false);
   });
 
   test('but nothing else is', async () => {
     const { editor, wire } = await videoOnScreen();
-    expect(canLayOver(editor, outOf(choose(editor, 'model'), 'objects'), wire)).toBe(false);
+    expect(canCompositeOver(editor, outOf(choose(editor, 'model'), 'objects'), wire)).toBe(false);
     const scene = choose(editor, 'scene');
-    expect(canLayOver(editor, { node: scene, port: 'objects', type: 'objects', side: 'input' }, wire)).toBe(false);
+    expect(canCompositeOver(editor, { node: scene, port: 'objects', type: 'objects', side: 'input' }, wire)).toBe(false);
   });
 });

@@ -14,14 +14,14 @@ import {
 } from '../../../nodes/kit/definition.ts';
 import type { Place } from '../editor/canvas-state.ts';
 
-/** Nodes that are nearly always wanted together, as one entry of the palette. Once added they are nodes like any others. */
+/** Several connected nodes that are added as one entry of the palette. After that they are ordinary nodes. */
 export interface Recipe {
-  /** As the palette shows it; `combination/NAME`. Its ports are those of `ports`. */
+  /** Palette entry. Its type is `combination/NAME`; its ports are the keys of `ports`. */
   readonly definition: NodeDefinition;
-  /** By a name within the combination; the first is the one that is selected and stands at the place. */
+  /** Nodes by a name inside the recipe. The first is placed at the chosen position and selected. */
   readonly nodes: Readonly<Record<string, RecipeNode>>;
   readonly wires: readonly (readonly [from: string, to: string])[];
-  /** The combination's port → `node.port` within. */
+  /** `node.port` inside the recipe, by port of the entry. */
   readonly ports: Readonly<Record<string, string>>;
 }
 
@@ -51,7 +51,7 @@ const RECIPES: readonly RecipeData[] = [
   {
     name: 'real-floor',
     title: 'Real floor',
-    doc: 'A phantom of five by five meters that lies where the real floor is, to catch shadows. Comes as a Primitive and a Phantom.',
+    doc: 'A phantom of 5 × 5 m on the real floor, which receives shadows. Adds a Primitive and a Phantom.',
     keywords: ['ground', 'plane', 'shadow catcher', 'phantom'],
     nodes: { floor: { ...FLOOR.floor, x: 0, y: 0 }, plane: { ...FLOOR.plane, x: -COLUMN_PX, y: 0 } },
     wires: [['plane.objects', 'floor.objects']],
@@ -61,11 +61,11 @@ const RECIPES: readonly RecipeData[] = [
   {
     name: 'shadow-on-floor',
     title: 'Shadow on the real floor',
-    doc: 'The shadow of objects on the floor of the room, hidden where real things stand before it, as a layer to lay over the video. Comes as a Shadow layer with a Phantom of the floor, and a Depth occlusion.',
+    doc: 'A layer with the shadow of objects on the real floor, to composite over the camera feed. Real objects in front of the shadow hide it. Adds a Shadow layer, a Phantom of the floor, and a Depth occlusion.',
     keywords: ['shadow catcher', 'ground', 'contact'],
     nodes: {
       shadow: { type: 'layer/shadow', x: 0, y: 0 },
-      // Depth sensors are off by a few centimeters, and the floor lies in the very plane that it is compared with.
+      // Depth sensors have an error of a few centimeters, and the shadow lies at the same depth as the real floor.
       clip: { type: 'layer/depth-occlusion', params: { biasM: 0.06, softnessM: 0.04 }, x: COLUMN_PX, y: 0 },
       floor: { ...FLOOR.floor, x: -COLUMN_PX, y: ROW_PX },
       plane: { ...FLOOR.plane, x: -2 * COLUMN_PX, y: ROW_PX },
@@ -80,7 +80,7 @@ const RECIPES: readonly RecipeData[] = [
   },
 ];
 
-/** All that a library has the nodes for, with one for each technique: the technique, applied to objects. */
+/** The recipes whose node types exist in the library, and one per technique that applies it to objects. */
 export function recipesOf(library: NodeLibrary): readonly Recipe[] {
   const techniques = [...library.types()].flatMap((type) => {
     const definition = library.definition(type);
@@ -93,7 +93,7 @@ function appliedTechnique({ type, title, doc, keywords = [] }: NodeDefinition): 
   return {
     name: `on-objects-${type.replaceAll('/', '-')}`,
     title: `${title} on objects`,
-    doc: `${doc} Comes with the Set material that draws the objects so.`,
+    doc: `${doc} Adds a Set material node, too, which applies it to objects.`,
     keywords,
     nodes: { apply: { type: 'objects/apply-technique', x: 0, y: 0 }, technique: { type, x: -COLUMN_PX, y: ROW_PX } },
     wires: [['technique.technique', 'apply.technique']],
@@ -135,25 +135,25 @@ function toRecipe(library: NodeLibrary, { name, title, doc, keywords, nodes, wir
 }
 
 export interface AddedRecipe {
-  /** The node that it is about. */
+  /** The first node of the recipe. */
   readonly main: string;
   readonly ids: readonly string[];
-  /** Where the combination's own ports ended up. */
+  /** The port of an added node, by port of the recipe. */
   readonly portOf: (port: string) => PortAddress | null;
   readonly change: (project: Project) => Change;
 }
 
 export function addRecipe(
-  combination: Recipe,
+  recipe: Recipe,
   { library, graph, random, project, x, y }: Place & { library: NodeLibrary; graph: string; random: () => number; project: Project },
 ): AddedRecipe {
-  const ids = new Map(Object.entries(combination.nodes).map(([name, { type }]) => [name, makeNodeId(project, type, random)]));
+  const ids = new Map(Object.entries(recipe.nodes).map(([name, { type }]) => [name, makeNodeId(project, type, random)]));
   const idOf = (name: string) => ids.get(name) ?? name;
   const place = (address: string): PortAddress => {
     const { node, port } = parse(address);
     return { node: idOf(node), port };
   };
-  const adds = Object.entries(combination.nodes).map(
+  const adds = Object.entries(recipe.nodes).map(
     ([name, node]) =>
       (before: Project): Change =>
         addNode(before, {
@@ -166,7 +166,7 @@ export function addRecipe(
           ...(node.params && { params: node.params }),
         }),
   );
-  const wires = combination.wires.map(
+  const wires = recipe.wires.map(
     ([from, to]) =>
       (before: Project): Change =>
         connect(before, { library, graph, from: place(from), to: place(to) }),
@@ -175,7 +175,7 @@ export function addRecipe(
     main: [...ids.values()][0] ?? '',
     ids: [...ids.values()],
     portOf: (port) => {
-      const address = getOwn(combination.ports, port);
+      const address = getOwn(recipe.ports, port);
       return address === undefined ? null : place(address);
     },
     change: (before) => sequence(before, ...adds, ...wires),

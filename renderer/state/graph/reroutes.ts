@@ -13,17 +13,17 @@ import { itemId, itemOf } from '../editor/item-ids.ts';
 import { type Selection, selectOnly } from '../editor/selection.ts';
 import { portPlace } from './arrange.ts';
 
-/** What is drawn under an id: the last stretch of a wire is called as the wire is. */
+/** The stretch of wire with this id on the canvas. The last stretch has the id of its wire. */
 export function stretchCalled(state: OpenGraph, id: string): Stretch | undefined {
   return stretchesOf(graphOf(state), layoutOf(state)).get(id);
 }
 
-/** The wires that are drawn under an id. */
+/** Ids of the wires that share a stretch. */
 export function wiresOfStretch(state: OpenGraph, id: string): readonly string[] {
   return stretchCalled(state, id)?.wires.map(printWire) ?? [];
 }
 
-/** Leads all wires that run there through a new point, and selects it. Returns its id, or null where no stretch has this id. */
+/** Adds a reroute to all wires of a stretch and selects it. Returns its id, or null if the stretch does not exist. */
 export function addReroute(editor: Editor, stretch: string, place: Place): string | null {
   const state = editor.document.getState();
   const { project, graph } = state;
@@ -42,13 +42,13 @@ export function addReroute(editor: Editor, stretch: string, place: Place): strin
   return id;
 }
 
-/** The one selected wire, and nothing else with it; null otherwise. */
+/** The selected wire if nothing else is selected; else null. */
 export function soleWire({ nodes, wires, items }: Selection): string | null {
   const [only] = nodes.size + items.size === 0 && wires.size === 1 ? wires : [];
   return only ?? null;
 }
 
-/** In the middle of the longest stretch of the selected wire. */
+/** Adds a reroute in the middle of the longest stretch of the selected wire. */
 export function addRerouteToSelected(editor: Editor): boolean {
   const state = editor.document.getState();
   const wire = soleWire(editor.selection.getState());
@@ -74,13 +74,13 @@ function endsOf(editor: Editor, { source, wires, before, to }: Stretch): readonl
 }
 
 export interface Branch {
-  /** The output that the reroute's wires come from. */
+  /** The output that the wires of the reroute come from. */
   readonly from: PortAddress;
-  /** The way from there, the reroute included. */
+  /** The route from there up to the reroute, included. */
   readonly route: readonly string[];
 }
 
-/** Where a wire that is drawn from a reroute comes from; null where the canvas calls none so. */
+/** Source and route of a wire that starts from a reroute; null if there is no such reroute. */
 export function branchAt(state: OpenGraph, canvasId: string): Branch | null {
   const item = itemOf(canvasId);
   if (item?.kind !== 'reroute') return null;
@@ -91,7 +91,7 @@ export function branchAt(state: OpenGraph, canvasId: string): Branch | null {
   return { from: wire.from, route: route.slice(0, route.indexOf(item.id) + 1) };
 }
 
-/** For those who cannot see it. */
+/** Accessible name of a reroute. */
 export function rerouteWords(state: OpenGraph, wires: readonly Wire[]): string {
   const [first, ...more] = wires;
   if (!first) return 'Reroute';

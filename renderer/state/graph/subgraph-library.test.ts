@@ -30,7 +30,7 @@ describe('the library of a project', () => {
   test('has the subgraphs under the names that they were given', async () => {
     const editor = await withGlow();
     expect(librarySubgraphs(project(editor))).toEqual(['glow']);
-    expect(editor.ui.getState().toasts.at(-1)?.text).toBe('“Glow” is in the library of this project.');
+    expect(editor.ui.getState().toasts.at(-1)?.text).toBe('Saved “Glow” to the library of this project.');
     expect(addFromLibrary(editor, 'graph/glow', PLACE)).not.toBeNull();
     expect(typesOf(editor)).toEqual(['graph/glow', 'graph/glow']);
   });
@@ -39,9 +39,9 @@ describe('the library of a project', () => {
     const editor = await withGlow();
     selectOnly(editor.selection, Object.keys(graphOf(editor.document.getState()).nodes));
     createSubgraph(editor);
-    expect(titleProblem(project(editor), 'subgraph', 'Glow')).toMatch(/one of that name/);
+    expect(titleProblem(project(editor), 'subgraph', 'Glow')).toMatch(/already has a subgraph of this name/);
     expect(titleProblem(project(editor), 'glow', 'Glow')).toBeNull();
-    expect(titleProblem(project(editor), 'glow', '7')).toMatch(/begins with a letter/);
+    expect(titleProblem(project(editor), 'glow', '7')).toMatch(/must begin with a letter/);
   });
 
   test('says what uses a subgraph, in which graph', async () => {

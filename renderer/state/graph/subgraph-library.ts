@@ -12,24 +12,24 @@ import { addNodeFromPalette } from './edit-graph.ts';
 import { titleOfGraph } from './find.ts';
 import { nameOfTitle, renameSubgraph } from './subgraphs.ts';
 
-/** What a node of the library is dragged onto the canvas as. */
+/** Data transfer type of a node that is dragged from the library. */
 export const NODE_TYPE_DRAG = 'application/x-scrim-node-type';
 
-/** The names of the project's subgraphs, which are its own nodes, by alphabet. */
+/** Names of the project’s subgraphs in alphabetical order. */
 export function librarySubgraphs({ graphs }: Pick<Project, 'graphs'>): readonly string[] {
   return Object.keys(graphs)
     .filter((name) => name !== MAIN_GRAPH)
     .sort();
 }
 
-/** How many nodes of which graph stand for the subgraph. */
+/** Number of instances of a subgraph, by graph. */
 export function usesOfSubgraph(project: Project, name: string): readonly { readonly graph: string; readonly nodes: number }[] {
   const counts = new Map<string, number>();
   for (const [graph] of usersOfGraph(project, name)) counts.set(graph, (counts.get(graph) ?? 0) + 1);
   return [...counts].map(([graph, nodes]) => ({ graph, nodes }));
 }
 
-/** `2 nodes in the main graph and 1 node in “Glow”`; null where nothing uses it. */
+/** Text such as `2 nodes in the main graph and 1 node in “Glow”`; null if the subgraph is not used. */
 export function usesInWords(project: Project, name: string): string | null {
   const parts = usesOfSubgraph(project, name).map(({ graph, nodes }) => {
     const where = graph === MAIN_GRAPH ? 'the main graph' : `“${titleOfGraph(graph)}”`;
@@ -38,31 +38,34 @@ export function usesInWords(project: Project, name: string): string | null {
   return parts.length === 0 ? null : [parts.slice(0, -1).join(', '), parts.at(-1)].filter(Boolean).join(' and ');
 }
 
-/** Why a subgraph cannot be called so, or null where it can; it may keep its name. */
+/** Why a subgraph cannot have a title; null if it can. */
 export function titleProblem({ graphs }: Pick<Project, 'graphs'>, name: string, title: string): string | null {
   const wanted = nameOfTitle(title);
-  if (wanted === '') return 'A name begins with a letter.';
-  return wanted !== name && getOwn(graphs, wanted) !== undefined ? 'The project has one of that name already.' : null;
+  if (wanted === '') return 'The name must begin with a letter.';
+  return wanted !== name && getOwn(graphs, wanted) !== undefined ? 'The project already has a subgraph of this name.' : null;
 }
 
-/** Gives a subgraph the name that it is found by in the search for nodes. */
+/** Renames a subgraph to the title under which the node search finds it. */
 export function saveToLibrary(editor: Editor, name: string, title: string): boolean {
   if (!renameSubgraph(editor, name, title)) return false;
   addToast(editor.ui, {
     tone: 'success',
-    text: `“${titleOfName(nameOfTitle(title))}” is in the library of this project.`,
-    detail: 'Tab finds it like any other node. What you change in it, all of its nodes follow.',
+    text: `Saved “${titleOfName(nameOfTitle(title))}” to the library of this project.`,
+    detail: 'The node search finds it. Edits apply to all of its instances.',
   });
   return true;
 }
 
-/** Puts one more node that stands for the subgraph into the open graph. */
+/** Adds an instance of a subgraph to the open graph. */
 export function addFromLibrary(editor: Editor, type: string, place: Place): string | null {
   const definition = editor.document.getState().library.definition(type);
   return definition === undefined ? null : addNodeFromPalette(editor, { definition, port: null }, place, null);
 }
 
-/** Takes a subgraph out of the library. Nodes that stand for it are unpacked, so that the picture stays; all one step. */
+/**
+ * Removes a subgraph from the library. Its instances are replaced by their contents, so that the output does not change. One undo
+ * step.
+ */
 export function removeFromLibrary(editor: Editor, name: string): boolean {
   const { project } = editor.document.getState();
   const unpack = usersOfGraph(project, name).map(

@@ -13,20 +13,20 @@ import type { Editor } from '../editor/editor.ts';
 import { selectNothing, selectOnly, soleNode } from '../editor/selection.ts';
 import { addToast, revealNodes } from '../editor/ui.ts';
 
-/** The subgraph that the one selected node stands for, or null. */
+/** Name of the subgraph if one instance is selected; else null. */
 export function selectedSubgraph(editor: Editor): string | null {
   const node = soleNode(editor.selection.getState());
   return node === null ? null : subgraphName(nodeOf(editor.document.getState(), node)?.type ?? '');
 }
 
-/** Shows what is in a subgraph of the open graph. */
+/** Opens a subgraph of the open graph. */
 export function openSubgraph(editor: Editor, name: string): void {
   const { graph, trail, project } = editor.document.getState();
   if (getOwn(project.graphs, name) === undefined) return;
   show(editor, name, [...trail, graph]);
 }
 
-/** Back along the way; `depth` 0 is the main graph. */
+/** Opens an ancestor of the open graph; `depth` 0 is the main graph. */
 export function openOnTrail(editor: Editor, depth: number): void {
   const { trail } = editor.document.getState();
   const graph = trail[depth];
@@ -36,19 +36,19 @@ export function openOnTrail(editor: Editor, depth: number): void {
 export function leaveSubgraph(editor: Editor): void {
   const { trail, graph } = editor.document.getState();
   openOnTrail(editor, trail.length - 1);
-  // Where one came from is where one looks.
-  const stood = Object.entries(graphOf(editor.document.getState()).nodes).find(([, { type }]) => type === subgraphType(graph));
-  if (stood) selectOnly(editor.selection, [stood[0]]);
+  // Selects the instance that was left.
+  const instance = Object.entries(graphOf(editor.document.getState()).nodes).find(([, { type }]) => type === subgraphType(graph));
+  if (instance) selectOnly(editor.selection, [instance[0]]);
 }
 
 function show(editor: Editor, graph: string, trail: readonly string[]): void {
   selectNothing(editor.selection);
   editor.document.setState({ graph, trail });
-  // Once its nodes are on the canvas.
+  // The nodes must be mounted first.
   editor.clock.nextFrame(() => revealNodes(editor.ui, [], 'fit'));
 }
 
-/** Puts the selected nodes into a new subgraph and selects the node in their place. */
+/** Moves the selected nodes into a new subgraph and selects its instance. */
 export function createSubgraph(editor: Editor): boolean {
   const state = editor.document.getState();
   const { project, library, graph } = state;
@@ -63,7 +63,7 @@ export function createSubgraph(editor: Editor): boolean {
   return true;
 }
 
-/** Puts what is in the selected subgraph in its place, and selects it. */
+/** Replaces the selected instance by the contents of its subgraph, and selects them. */
 export function ungroupSelected(editor: Editor): boolean {
   const { project, library, graph } = editor.document.getState();
   const node = soleNode(editor.selection.getState());
@@ -77,7 +77,7 @@ export function ungroupSelected(editor: Editor): boolean {
   return true;
 }
 
-/** Gives the selected node a subgraph of its own, like the one that it shares. */
+/** Gives the selected instance its own copy of the subgraph. */
 export function makeUnique(editor: Editor): boolean {
   const { project, graph } = editor.document.getState();
   const node = soleNode(editor.selection.getState());
@@ -92,7 +92,7 @@ export function makeUnique(editor: Editor): boolean {
   return apply(editor, 'Make subgraph unique', change);
 }
 
-/** A subgraph's name as a person would write it: “Söft look” is `soft-look`. Empty where no letter begins it. */
+/** Makes a name from a title: “Söft look” becomes `soft-look`. Empty if the title contains no letter. */
 export function nameOfTitle(title: string): string {
   const words =
     title
@@ -107,11 +107,11 @@ export function renameSubgraph(editor: Editor, from: string, title: string): boo
   const to = nameOfTitle(title);
   if (to === from) return true;
   if (to === '') {
-    addToast(editor.ui, { tone: 'error', text: 'A subgraph needs a name that begins with a letter.' });
+    addToast(editor.ui, { tone: 'error', text: 'The name must begin with a letter.' });
     return false;
   }
   const { project, graph, trail } = editor.document.getState();
-  if (!apply(editor, 'Rename the subgraph', renameGraph(project, { from, to }))) return false;
+  if (!apply(editor, 'Rename subgraph', renameGraph(project, { from, to }))) return false;
   const renamed = (name: string) => (name === from ? to : name);
   editor.document.setState({ graph: renamed(graph), trail: trail.map(renamed) });
   return true;
@@ -119,19 +119,19 @@ export function renameSubgraph(editor: Editor, from: string, title: string): boo
 
 export type PortSide = keyof ExposedPorts;
 
-/** The name under which a port of the open subgraph is exposed, or null. */
+/** The name under which a port of the open subgraph is exposed; null if it is not. */
 export function exposedName(exposed: ExposedPorts, side: PortSide, address: PortAddress): string | null {
   return exposed[side].find((port) => sameAddress(port, address))?.name ?? null;
 }
 
-/** Shows a port or a value of a node in the open subgraph outside, or hides it again. */
+/** Exposes a port or param of the open subgraph, or stops exposing it. */
 export function setPortExposed(editor: Editor, side: PortSide, { node, port }: PortAddress, shown: boolean): boolean {
   const state = editor.document.getState();
   const { project, library, graph } = state;
   const { exposed } = graphOf(state);
   if (graph === MAIN_GRAPH) return false;
   const known = exposedName(exposed, side, { node, port });
-  if (!shown) return known === null || apply(editor, 'Hide exposed port', hidePort(project, { library, graph, side, name: known }));
+  if (!shown) return known === null || apply(editor, 'Stop exposing port', hidePort(project, { library, graph, side, name: known }));
   const taken = new Set([...exposed.inputs, ...exposed.outputs].map(({ name }) => name));
   let name = port;
   for (let number = 2; taken.has(name); number++) name = `${port}${number}`;

@@ -8,30 +8,30 @@ import { addToast } from '../editor/ui.ts';
 import { bind, findParam } from './bound-param.ts';
 import { boundValue } from './value-text.ts';
 
-/** Lets a param follow an expression. One that cannot be read is refused, with the reason. */
+/** Binds a param to an expression. If the expression is invalid, shows why and returns false. */
 export function bindExpression(editor: Editor, node: string, param: string, expression: string): boolean {
   const found = findParam(editor, node, param);
   if (!found) return false;
   const { definition } = found;
   const read = parseBinding(definition, expression);
   if (read.ok) return bind(editor, `Bind ${definition.label}`, node, param, { expression });
-  addToast(editor.ui, { tone: 'error', text: `“${definition.label}” cannot follow that: ${read.message}.`, detail: expression });
+  addToast(editor.ui, { tone: 'error', text: `The expression of “${definition.label}” is invalid: ${read.message}.`, detail: expression });
   return false;
 }
 
-/** Begins an expression with the value that the param has now. */
+/** Binds a param to an expression with its current value. */
 export function startExpression(editor: Editor, node: string, param: string): boolean {
   const found = findParam(editor, node, param);
   return found !== null && bindExpression(editor, node, param, expressionOf(boundValue(found.definition, found.binding)));
 }
 
-/** From an expression or a track back to a value, which is the definition's: what was there before is not kept. */
+/** Replaces an expression or track by the default value. */
 export function unbind(editor: Editor, node: string, param: string): boolean {
   const found = findParam(editor, node, param);
   return found !== null && bind(editor, `Unbind ${found.definition.label}`, node, param, { value: found.definition.default });
 }
 
-/** A param as text for the clipboard: JSON, or an expression behind its `=`. */
+/** Clipboard text of a param: JSON, or `=` and an expression. */
 export function paramText(param: ParamDefinition, binding: Binding | undefined): string {
   if (binding !== undefined && 'expression' in binding) return `=${binding.expression}`;
   if (binding !== undefined && 'track' in binding) return JSON.stringify({ track: binding.track });
@@ -43,7 +43,7 @@ export async function copyParam(editor: Editor, node: string, param: string): Pr
   if (found) await editor.clipboard.write(paramText(found.definition, found.binding));
 }
 
-/** Takes over what `copyParam` wrote for this or another param, or a number from anywhere. */
+/** Pastes the text of `copyParam`, or a number. */
 export async function pasteParam(editor: Editor, node: string, param: string): Promise<boolean> {
   const text = await editor.clipboard.read().catch(() => '');
   const found = findParam(editor, node, param);
@@ -54,7 +54,7 @@ export async function pasteParam(editor: Editor, node: string, param: string): P
   if (readable && bindingMisfit(definition, binding) === null && !isOutOfRange(definition, binding)) {
     return bind(editor, `Paste ${definition.label}`, node, param, atPort(binding, found.binding));
   }
-  addToast(editor.ui, { tone: 'info', text: `What is on the clipboard does not fit “${definition.label}”.` });
+  addToast(editor.ui, { tone: 'info', text: `The value on the clipboard does not fit “${definition.label}”.` });
   return false;
 }
 
@@ -73,7 +73,7 @@ function isOutOfRange(definition: ParamDefinition, binding: Binding): boolean {
   return 'value' in binding && outOfRange(definition, binding.value) !== null;
 }
 
-/** A value pasted at a port stays the port's. */
+/** A value pasted to a param that is shown as a port keeps the port. */
 function atPort(next: Binding, before: Binding | undefined): Binding {
   return 'value' in next && before !== undefined && 'port' in before ? { port: next.value } : next;
 }

@@ -11,7 +11,7 @@ export interface BoundParam {
   readonly binding: Binding | undefined;
 }
 
-/** Null where the open graph has no such node, or its type no such param. */
+/** A param with its binding; null if the node or the param does not exist. */
 export function findParam(editor: Editor, node: string, param: string): BoundParam | null {
   const state = editor.document.getState();
   const found = nodeOf(state, node);
@@ -19,7 +19,7 @@ export function findParam(editor: Editor, node: string, param: string): BoundPar
   return definition ? { definition, binding: getOwn(found.params, param) } : null;
 }
 
-/** `key`: of a gesture whose changes are one step. */
+/** Sets the binding of a param. @param key Groups the changes of a gesture into one undo step. */
 export function bind(editor: Editor, label: string, node: string, param: string, binding: Binding, key?: string): boolean {
   const { project, library, graph } = editor.document.getState();
   return apply(editor, label, bindParam(project, { library, graph, node, param, binding }), key);

@@ -8,14 +8,14 @@ import { apply } from '../document/apply.ts';
 import { graphOf, nodeOf } from '../editor/document.ts';
 import type { Editor } from '../editor/editor.ts';
 
-/** Part of a gesture, which `endGesture` ends: all its values are one step. */
+/** Sets the value of a param. Successive edits form one undo step until `endGesture`. */
 export function editParam(editor: Editor, node: string, param: string, value: ParamValue): boolean {
   const { project, library, graph } = editor.document.getState();
   const label = library.definition(nodeOf(editor.document.getState(), node)?.type ?? '')?.params[param]?.label ?? param;
   return apply(editor, `Change ${label}`, setParam(project, { library, graph, node, param, value }), `param ${graph} ${node} ${param}`);
 }
 
-/** Several params of a node at once; else as `editParam`, under the label and key given. */
+/** Sets several params of a node. Edits with the same `key` form one undo step until `endGesture`. */
 export function editParams(
   editor: Editor,
   label: string,
@@ -28,7 +28,7 @@ export function editParams(
   return apply(editor, label, sequence(project, ...steps), key);
 }
 
-/** Back to the definition's value, without wire, track or expression. */
+/** Resets a param to its default value. Removes its wires, track or expression. */
 export function resetParam(editor: Editor, node: string, param: string): boolean {
   const state = editor.document.getState();
   const { project, library, graph } = state;
@@ -43,7 +43,7 @@ export function resetParam(editor: Editor, node: string, param: string): boolean
   return apply(editor, `Reset ${definition.label}`, change);
 }
 
-/** Shows a param as a port on the node's face, or hides it again. */
+/** Shows a param as a port of its node, or hides the port. */
 export function setExposed(editor: Editor, node: string, param: string, exposed: boolean): boolean {
   const state = editor.document.getState();
   const { project, library, graph } = state;

@@ -8,25 +8,25 @@ import type { Editor } from '../editor/editor.ts';
 import { type BoundParam, bind, findParam } from './bound-param.ts';
 import { boundValue } from './value-text.ts';
 
-/** Times are kept to the millisecond; two keys of a param are at least a frame apart. */
+/** Precision of keyframe times. Keyframes of a param are at least one frame apart. */
 const STEP_S = 0.001;
 export const FRAME_S = 1 / 60;
 
 export interface AnimatedParam {
   readonly node: string;
   readonly param: string;
-  /** Of the node and of the param, for people. */
+  /** Titles of the node and the param. */
   readonly label: string;
   readonly track: Track;
 }
 
-/** Whether a param can follow keyframes: numbers, vectors and colors that change while the picture runs. */
+/** Whether a param can have keyframes: numbers, vectors and colors that update at once. */
 export function isAnimatable(param: ParamDefinition): boolean {
   const type = paramWireType(param);
   return type !== undefined && type !== 'text' && type !== 'toggle' && param.type !== 'choice';
 }
 
-/** All tracks of the open graph, by node and param. */
+/** All tracks of the open graph. */
 export function animatedParams(state: DocumentState): readonly AnimatedParam[] {
   return Object.entries(graphOf(state).nodes).flatMap(([node, { type, params }]) =>
     Object.entries(params).flatMap(([param, binding]) => {
@@ -37,7 +37,7 @@ export function animatedParams(state: DocumentState): readonly AnimatedParam[] {
   );
 }
 
-/** As the page plays it (`nodes/binding/track`): within the param's limits, whatever the easing does. */
+/** Value of a track as in `nodes/binding/track`, clamped to the range of the param. */
 export function valueAt(param: ParamDefinition, track: Track, timeS: number): ParamValue {
   return clampToRange(param, valueBetweenKeys(track, timeS));
 }
@@ -57,12 +57,12 @@ function valueBetweenKeys({ keys, repeat }: Track, timeS: number): ParamValue {
   return from.value.map((part, i) => mix(part, end[i] ?? part));
 }
 
-/** The key at a time, to a frame; -1 where there is none. */
+/** Index of the keyframe at a time, within half a frame; -1 if there is none. */
 export function keyAt({ keys }: Track, timeS: number): number {
   return keys.findIndex((key) => Math.abs(key.timeS - timeS) < FRAME_S / 2);
 }
 
-/** Sets a key with the value that the param has then, or takes away the one that is there; with the last one goes the track. */
+/** Sets a keyframe with the current value, or deletes the one at this time. Without keyframes, the track is removed. */
 export function toggleKey(editor: Editor, node: string, param: string, timeS: number): boolean {
   const found = findAnimatable(editor, node, param);
   if (!found) return false;
@@ -74,7 +74,7 @@ export function toggleKey(editor: Editor, node: string, param: string, timeS: nu
   return bind(editor, `Set a keyframe of ${definition.label}`, node, param, { track: withKey(track, timeS, value) });
 }
 
-/** An edit of a param that has a track: of the key at that time, or a new one. Part of a gesture, which `endGesture` ends. */
+/** Sets the value of the keyframe at this time, or adds one. Edits form one undo step until `endGesture`. */
 export function editAt(editor: Editor, node: string, param: string, timeS: number, value: ParamValue): boolean {
   const found = findAnimatable(editor, node, param);
   const track = trackOf(found?.binding);
@@ -83,7 +83,7 @@ export function editAt(editor: Editor, node: string, param: string, timeS: numbe
   return bind(editor, `Change ${found.definition.label}`, node, param, binding, `key ${node} ${param} ${roundTime(timeS)}`);
 }
 
-/** As far as the keys beside it let it go. Part of a gesture. */
+/** Moves a keyframe, at most to its neighbors. Moves form one undo step until `endGesture`. */
 export function moveKey(editor: Editor, node: string, param: string, index: number, timeS: number): boolean {
   return changeKey(
     editor,
@@ -100,18 +100,18 @@ export function moveKey(editor: Editor, node: string, param: string, index: numb
   );
 }
 
-/** Part of a gesture. */
+/** Sets the interpolation of a keyframe. Edits form one undo step until `endGesture`. */
 export function setEasing(editor: Editor, node: string, param: string, index: number, easing: Easing): boolean {
   const gesture = `easing ${node} ${param} ${index}`;
-  return changeKey(editor, node, param, index, 'Change the easing', (key) => ({ ...key, easing }), gesture);
+  return changeKey(editor, node, param, index, 'Change interpolation', (key) => ({ ...key, easing }), gesture);
 }
 
 export function setRepeat(editor: Editor, node: string, param: string, repeat: Track['repeat']): boolean {
   const track = trackOf(findAnimatable(editor, node, param)?.binding);
-  return track !== null && bind(editor, 'Change how keyframes repeat', node, param, { track: { ...track, repeat } });
+  return track !== null && bind(editor, 'Change keyframe repeat', node, param, { track: { ...track, repeat } });
 }
 
-/** With the last key goes the track, and its value stays. */
+/** Deletes a keyframe. Without keyframes, the track is replaced by the last value. */
 export function removeKey(editor: Editor, node: string, param: string, index: number): boolean {
   const track = trackOf(findAnimatable(editor, node, param)?.binding);
   const key = track?.keys[index];

@@ -1,10 +1,10 @@
 import { getOwn } from '../../../export/graph/record.ts';
 import type { NumberParam, Unit } from '../../../nodes/kit/definition.ts';
 
-/** How a stored number is shown and typed: radians as degrees, all else as it is. */
+/** Conversion of a stored number for display: radians to degrees; other units stay. */
 export interface ShownUnit {
   readonly suffix: string;
-  /** Shown value = stored value × this. */
+  /** Factor from the stored to the displayed value. */
   readonly shownPerStored: number;
 }
 
@@ -25,18 +25,18 @@ export function shownUnit(unit: Unit | undefined): ShownUnit {
 }
 
 export interface NumberRange {
-  /** Stored units. */
+  /** In stored units. */
   readonly min: number | undefined;
   readonly max: number | undefined;
   readonly step: number;
 }
 
-/** A step fine enough for the range where the definition names none. */
+/** Range and step of a param. The default step depends on the range. */
 export function rangeOf(param: Pick<NumberParam, 'min' | 'max' | 'step' | 'unit'>): NumberRange {
   const { min, max } = param;
   if (param.step !== undefined) return { min, max, step: param.step };
   if (min === undefined || max === undefined || max <= min) return { min, max, step: 0.01 / shownUnit(param.unit).shownPerStored };
-  // A power of ten with 100 to 1,000 steps over the range.
+  // A power of ten that divides the range into 100 to 1,000 steps.
   return { min, max, step: 10 ** Math.floor(Math.log10((max - min) / 100)) };
 }
 
@@ -44,7 +44,7 @@ export function clampTo(value: number, { min, max }: Pick<NumberRange, 'min' | '
   return Math.min(Math.max(value, min ?? Number.NEGATIVE_INFINITY), max ?? Number.POSITIVE_INFINITY);
 }
 
-/** At most four decimals, without trailing zeros; very small and very large numbers in powers of ten. */
+/** Formats a number with at most four decimals, or in exponential notation if it is very small or large. */
 export function formatNumber(shown: number): string {
   const size = Math.abs(shown);
   if (size === 0) return '0';
@@ -53,7 +53,7 @@ export function formatNumber(shown: number): string {
   return text.includes('.') ? text.replace(/\.?0+$/, '') || '0' : text;
 }
 
-/** Units that people may type, each with how much of the stored one it is. */
+/** Units that can be typed, as a factor to the stored unit. */
 const TYPED: Readonly<Partial<Record<Unit, Readonly<Record<string, number>>>>> = {
   m: { mm: 0.001, cm: 0.01, dm: 0.1, m: 1, km: 1000, in: 0.0254, ft: 0.3048 },
   s: { ms: 0.001, s: 1, min: 60, h: 3600 },
@@ -63,13 +63,13 @@ const TYPED: Readonly<Partial<Record<Unit, Readonly<Record<string, number>>>>> =
   none: { '%': 0.01 },
 };
 
-/** How much of the stored unit a typed one is; undefined where it is a unit of something else, or none. */
+/** Factor from a typed unit to the stored unit; undefined for units of another quantity. */
 export function storedPerTyped(typed: string, unit: Unit | undefined): number | undefined {
   if (typed === '') return 1 / shownUnit(unit).shownPerStored;
   return getOwn(TYPED[unit ?? 'none'] ?? {}, typed) ?? (typed === shownUnit(unit).suffix ? 1 : undefined);
 }
 
-/** What was typed, in stored units; null where it is no number. Takes a decimal comma, and any unit of the same quantity. */
+/** Parses a typed number with an optional unit into stored units; null if invalid. Accepts a decimal comma. */
 export function parseNumber(text: string, unit: Unit | undefined): number | null {
   const [, number, typed = ''] = /^([-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[-+]?\d+)?)\s*(\S*)$/i.exec(text.trim()) ?? [];
   const factor = number === undefined ? undefined : storedPerTyped(typed, unit);

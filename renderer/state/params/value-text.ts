@@ -2,14 +2,14 @@ import type { Binding } from '../../../export/graph/project.ts';
 import type { ParamDefinition, ParamValue } from '../../../nodes/kit/definition.ts';
 import { formatNumber, shownUnit } from './units.ts';
 
-/** The value that a binding holds itself; a track or an expression holds none. */
+/** The constant value of a binding; for a track or an expression, the default value. */
 export function boundValue(param: ParamDefinition, binding: Binding | undefined): ParamValue {
   if (binding !== undefined && 'value' in binding) return binding.value;
   if (binding !== undefined && 'port' in binding) return binding.port;
   return param.default;
 }
 
-/** A few characters for the node's face: `4 px`, `#c08040`, `on`. */
+/** Short text of a value on a node: `4 px`, `#c08040`, `on`. */
 export function valueText(param: ParamDefinition, binding: Binding | undefined): string {
   if (binding !== undefined && 'track' in binding) return 'keys';
   if (binding !== undefined && 'expression' in binding) return binding.expression;

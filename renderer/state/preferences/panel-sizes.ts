@@ -7,13 +7,13 @@ const PAUSE_MS = 300;
 const NARROW_PX = 1200;
 const NARROW_SIZES = { sideWidthPx: 330, previewHeightPx: 270, bottomHeightPx: 250, helpWidthPx: 240 };
 
-/** As the person left them; defaults, narrower in a narrow window, for what is missing or senseless. */
+/** Reads the stored sizes. Missing or invalid values become defaults, which are smaller in a narrow window. */
 export function loadSizes(storage: Pick<Storage, 'getItem'>, windowWidthPx: number): PanelSizes {
   let saved: Partial<Record<keyof PanelSizes, unknown>> = {};
   try {
     saved = (JSON.parse(storage.getItem(KEY) ?? '{}') ?? {}) as typeof saved;
   } catch {
-    // Someone else's text: defaults do.
+    // Invalid JSON: use the defaults.
   }
   const defaults = windowWidthPx < NARROW_PX ? { ...DEFAULT_SIZES, ...NARROW_SIZES } : DEFAULT_SIZES;
   const size = (name: keyof PanelSizes) => {

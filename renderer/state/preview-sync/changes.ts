@@ -2,7 +2,7 @@ import type { Binding, Graph, GraphNode, Project } from '../../../export/graph/p
 import { getOwn } from '../../../export/graph/record.ts';
 import type { NodeLibrary, ParamValue } from '../../../nodes/kit/definition.ts';
 
-/** A value of the running program that another one took the place of. */
+/** A new value of a param in the running program. */
 export interface ParamEdit {
   readonly graph: string;
   readonly node: string;
@@ -10,16 +10,13 @@ export interface ParamEdit {
   readonly value: ParamValue;
 }
 
-/** What follows from a change of the project: nothing that plays, some values, or another program. */
+/** What a change of the project requires: nothing, new param values, or a recompile. */
 export type Consequence =
   | { readonly kind: 'nothing' }
   | { readonly kind: 'params'; readonly edits: readonly ParamEdit[] }
   | { readonly kind: 'program' };
 
-/**
- * Compares two states of a project, undo and redo included. Parts that are the same object are taken for unchanged, so this
- * costs as much as what changed.
- */
+/** Compares two states of a project. Identical objects count as unchanged, so the cost depends on the size of the change. */
 export function consequenceOf(before: Project, after: Project, library: NodeLibrary): Consequence {
   if (before.sources !== after.sources || before.assets !== after.assets || before.title !== after.title || before.page !== after.page) {
     return { kind: 'program' };
@@ -35,7 +32,7 @@ export function consequenceOf(before: Project, after: Project, library: NodeLibr
   return edits.length === 0 ? { kind: 'nothing' } : { kind: 'params', edits };
 }
 
-/** False where more than values changed. */
+/** Collects changed param values. Returns false if anything else changed. */
 function collectEdits(name: string, before: Graph, after: Graph, library: NodeLibrary, edits: ParamEdit[]): boolean {
   if (before.wires !== after.wires || before.exposed !== after.exposed || !sameKeys(before.nodes, after.nodes)) return false;
   for (const [id, node] of Object.entries(after.nodes)) {
@@ -63,7 +60,10 @@ function collectParams(graph: string, id: string, before: GraphNode, after: Grap
   return true;
 }
 
-/** Undefined for a track or an expression. A port that is wired holds a value too; setting it changes nothing on screen. */
+/**
+ * The constant value of a binding; undefined for a track or an expression. A connected port also has a value, which has no visible
+ * effect.
+ */
 function heldValue(binding: Binding | undefined, byDefault: ParamValue): ParamValue | undefined {
   if (binding === undefined) return byDefault;
   if ('value' in binding) return binding.value;

@@ -3,15 +3,15 @@ import { type Binding, type Graph, MAIN_GRAPH, type PortAddress, type Project } 
 import { getOwn, sortedEntries } from '../../../export/graph/record.ts';
 import type { ParamEdit } from './changes.ts';
 
-/** A param of the running program: `node` is the id that a node has there, `outer/inner` within subgraphs. */
+/** A param of the running program. `node` is its id there: `outer/inner` within subgraphs. */
 export type PlacedEdit = Pick<ParamEdit, 'node' | 'param' | 'value'>;
 
-/** To set more values than this takes longer than to make another program. */
+/** Above this number of values, a recompile is faster. */
 const MAX_USES = 2000;
 
-/** The main graph, or one use of a subgraph: in the place of `node`, within another use. */
+/** The main graph, or one instance of a subgraph: `node` of the graph of `within`. */
 interface Use {
-  /** Goes before the ids of its nodes: empty, or `outer/`. */
+  /** Prefix of its node ids in the program: empty, or `outer/`. */
   readonly prefix: string;
   readonly name: string;
   readonly graph: Graph;
@@ -19,9 +19,9 @@ interface Use {
 }
 
 /**
- * Where a value of a graph's node counts in the running program: once in the main graph, once for each use of a subgraph, and with
- * what is set from outside where something is. What is set at a subgraph's node is led to the param that it stands for. Null where
- * another program has to be made.
+ * Finds the params of the running program that an edit changes: one in the main graph, or one per instance of a subgraph. A value set
+ * on an instance replaces the value inside; an edit of an instance applies to the exposed param. Returns null if a recompile is
+ * needed.
  */
 export function placesOf(project: Project, edit: ParamEdit): readonly PlacedEdit[] | null {
   const uses = usesOf(project, edit.graph);
@@ -44,13 +44,13 @@ function heldValue(binding: Binding): ParamEdit['value'] | undefined {
   return 'port' in binding ? binding.port : undefined;
 }
 
-/** All uses of a graph that the main graph leads to; null where they are too many. */
+/** All instances of a graph that are reachable from the main graph; null if there are too many. */
 function usesOf({ graphs }: Project, name: string): readonly Use[] | null {
   const main = getOwn(graphs, MAIN_GRAPH);
   if (!main) return [];
   const leading = graphsLeadingTo(graphs, name);
   const list: Use[] = [{ prefix: '', name: MAIN_GRAPH, graph: main, place: null }];
-  // The list grows while it is walked.
+  // The loop also visits elements that are appended during it.
   for (const within of list) {
     for (const [node, { type, muted }] of sortedEntries(within.graph.nodes)) {
       const used = subgraphName(type);
@@ -62,7 +62,7 @@ function usesOf({ graphs }: Project, name: string): readonly Use[] | null {
   return list.filter((use) => use.name === name);
 }
 
-/** The graph, and those that use it, however far in. */
+/** The graph and all graphs that contain it, directly or not. */
 function graphsLeadingTo(graphs: Project['graphs'], name: string): ReadonlySet<string> {
   const users = new Map<string, string[]>();
   for (const [user, { nodes }] of Object.entries(graphs)) {
@@ -72,7 +72,7 @@ function graphsLeadingTo(graphs: Project['graphs'], name: string): ReadonlySet<s
     }
   }
   const leading = new Set([name]);
-  // The set grows while it is walked.
+  // The loop also visits elements that are added during it.
   for (const graph of leading) for (const user of users.get(graph) ?? []) leading.add(user);
   return leading;
 }
@@ -81,7 +81,7 @@ interface End extends PortAddress {
   readonly use: Use;
 }
 
-/** The node of the library behind a port of a subgraph's node, and the use that it is in; null where there is none. */
+/** Follows an exposed port into the subgraphs to the node that owns it; null if there is none. */
 function innermost({ graphs }: Project, start: Use, { node, port }: PortAddress): End | null {
   let at: End = { use: start, node, port };
   for (let depth = 0; depth <= MAX_USES; depth++) {
@@ -97,7 +97,7 @@ function innermost({ graphs }: Project, start: Use, { node, port }: PortAddress)
   return null;
 }
 
-/** What is set for the param at the subgraphs' nodes around it: the outermost counts, and of several names in one place the first. */
+/** The binding of the param on the surrounding instances. The outermost one applies; of several exposed names, the first. */
 function outermostBinding({ use, node, port }: End): Binding | undefined {
   let found: Binding | undefined;
   let addresses: readonly PortAddress[] = [{ node, port }];

@@ -1,10 +1,10 @@
 import type { ToPreview } from '../../preview-protocol.ts';
 import type { Editor, ImageSize } from '../editor/editor.ts';
 
-/** After this long, callers continue without the picture of a preview that has not drawn. A large picture may take a slow machine many seconds. */
+/** Callers continue without a poster after this time. A large poster takes seconds on a slow machine. */
 const PATIENCE_MS = 60_000;
 
-/** Asks the preview for pictures, and waits for them. */
+/** Requests posters from the preview. */
 export function createPosterRequests({ clock, preview }: Pick<Editor, 'clock' | 'preview'>, post: (message: ToPreview) => void) {
   let waiting: ((bytes: Uint8Array<ArrayBuffer> | null) => void) | null = null;
   let newest = 0;
@@ -13,11 +13,11 @@ export function createPosterRequests({ clock, preview }: Pick<Editor, 'clock' | 
     waiting = null;
   };
   return {
-    /** What the preview answered; of a picture that nobody waits for any more, nothing. */
+    /** Handles the answer of the preview. Ignores answers to older requests. */
     deliver: (request: number, bytes: Uint8Array<ArrayBuffer> | null) => {
       if (request === newest) answer(bytes);
     },
-    /** There is nothing to wait for any more. */
+    /** Ends a pending request without a poster. */
     stop: () => answer(null),
     take: ({ widthPx, heightPx }: ImageSize): Promise<Uint8Array<ArrayBuffer> | null> => {
       answer(null);

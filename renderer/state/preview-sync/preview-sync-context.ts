@@ -7,6 +7,6 @@ export const PreviewSyncProvider = PreviewSyncContext.Provider;
 
 export function usePreviewSync(): PreviewSync {
   const previewSync = useContext(PreviewSyncContext);
-  if (!previewSync) throw new Error('usePreviewSync is only there below PreviewSyncProvider.');
+  if (!previewSync) throw new Error('usePreviewSync must be called below PreviewSyncProvider.');
   return previewSync;
 }

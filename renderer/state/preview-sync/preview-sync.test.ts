@@ -12,7 +12,7 @@ import { editShader, shaderOf } from '../document/edit-shader.ts';
 import type { Editor } from '../editor/editor.ts';
 import { isLoading } from '../editor/preview-state.ts';
 import { selectOnly } from '../editor/selection.ts';
-import { followFolder, openPath, saveAs } from '../files/files.ts';
+import { loadExternalChanges, openPath, saveAs } from '../files/files.ts';
 import { addNodeFromPalette, connect } from '../graph/edit-graph.ts';
 import { createSubgraph, leaveSubgraph, openSubgraph, setPortExposed } from '../graph/subgraphs.ts';
 import { editParam } from '../params/edit-params.ts';
@@ -299,7 +299,7 @@ describe('the way from document to preview', () => {
     previewSync.receive({ kind: 'ready' });
     for (const sourceId of ['example/walk', 'orbit']) {
       editor.preview.setState({ sourceId });
-      for (const goOn of [() => openPath(editor, '/other'), () => saveAs(editor, '/copy'), () => followFolder(editor)]) {
+      for (const goOn of [() => openPath(editor, '/other'), () => saveAs(editor, '/copy'), () => loadExternalChanges(editor)]) {
         await goOn();
         const source = sent.flatMap((message) => (message.kind === 'session' ? message.source : [])).at(-1);
         expect(source).toMatchObject({

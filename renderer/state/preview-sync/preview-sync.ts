@@ -8,28 +8,28 @@ import type { CompileAnswer } from '../compile/messages.ts';
 import type { Editor } from '../editor/editor.ts';
 import { type PreviewState, towardsLight } from '../editor/preview-state.ts';
 import { resetViewer } from '../editor/viewer.ts';
-import { createGizmos } from '../gizmo/apply-gizmo.ts';
+import { createGizmoSync } from '../gizmo/apply-gizmo.ts';
 import { previewRange } from '../preview/playback.ts';
 import { previewSource } from '../preview/preview-source.ts';
 import { consequenceOf } from './changes.ts';
 import type { PlacedEdit } from './param-places.ts';
 import { placesOf } from './param-places.ts';
 import { createPosterRequests } from './preview-posters.ts';
-import { takeCapture } from './save-capture.ts';
+import { saveCapture } from './save-capture.ts';
 import { createShaderTrials } from './shader-trials.ts';
 import { createViewerSync } from './viewer-sync.ts';
 
-/** Keeps compiler and preview up with the document. */
+/** Keeps the preview at the newest program and params of the document. */
 export interface PreviewSync {
-  /** A preview page is there; what it has to know is sent once it is ready. The returned function lets it go. */
+  /** Connects a preview page. The returned function disconnects it. */
   attach(send: (message: ToPreview) => void): () => void;
-  /** What the preview page says. */
+  /** Handles a message of the preview page. */
   receive(message: FromPreview): void;
   send(message: ToPreview): void;
   dispose(): void;
 }
 
-/** What the source of the picture is chosen by. Sources are listed anew for every project: its files are at an address of its own. */
+/** State that the preview source depends on. `sources` changes with each project, because its files have other URLs. */
 const SOURCE_PARTS = ['sources', 'sourceId', 'views', 'frame', 'tier', 'still'] as const satisfies readonly (keyof PreviewState)[];
 
 interface PendingEdit extends PlacedEdit {
@@ -37,22 +37,21 @@ interface PendingEdit extends PlacedEdit {
 }
 
 /**
- * The way of every change: values that may be set while running go straight to the preview; all else goes through the compiler,
- * whose newest program the preview is given. Values set while a program was being compiled are sent after it, because it was
- * made before them.
+ * Routes each change of the document: uniform params go directly to the preview; other changes are compiled, and the new program is
+ * sent. Params that change during a compile are sent again after its program, which has older values.
  */
 export function createPreviewSync(editor: Editor, worker: CompilerWorker): PreviewSync {
   let send: ((message: ToPreview) => void) | null = null;
   let pending: PendingEdit[] = [];
-  /** Where the page was told to take its picture from; a picture of one's own stands in it by its key. */
+  /** Description of the source that the page plays. It contains the key of a still image instead of its bytes. */
   let asked = '';
-  /** Document revision with which the open project began: what is about an earlier one is another project's. */
+  /** First document revision of the open project. Answers about earlier ones belong to another project. */
   let since = 0;
   const post = (message: ToPreview) => send?.(message);
   const posters = createPosterRequests(editor, post);
-  const gizmos = createGizmos(editor, post);
+  const gizmoSync = createGizmoSync(editor, post);
   const trials = createShaderTrials(editor, post);
-  const looking = createViewerSync(editor, post, () => compile());
+  const viewerSync = createViewerSync(editor, post, () => compile());
   const postEdit = ({ node, param, value }: PlacedEdit) => post({ kind: 'param', node, param, value });
 
   const setPending = (edits: PendingEdit[]) => {
@@ -66,11 +65,11 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     post({ kind: 'program', revision, program });
     setPending(pending.filter((edit) => edit.revision > revision));
     for (const edit of pending) postEdit(edit);
-    if (pending.some((edit) => !follows(program, edit))) compile();
+    if (pending.some((edit) => !hasSlot(program, edit))) compile();
   };
   const postSource = () => {
     const source = previewSource(editor);
-    // Without a preview page nobody would answer; the one that comes is asked anew.
+    // Without a page there is no answer. A new page gets the source when it is ready.
     if (source === null || send === null) return;
     const description = JSON.stringify(source);
     if (description === asked) return;
@@ -85,8 +84,8 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
   };
   const compiler: CompilerLink = createCompilerLink(worker, (answer, more) => {
     if (answer.revision < since) return;
-    takeAnswer(editor, answer, more);
-    trials.takeAnswer(answer);
+    storeAnswer(editor, answer, more);
+    trials.storeAnswer(answer);
     if (answer.program !== null) postProgram();
   });
   const compile = () => {
@@ -94,7 +93,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     if (open === null) return;
     const { layout: _, ...logic } = project;
     editor.compile.setState({ busy: true });
-    compiler.request({ revision, project: logic, taps: looking.taps() });
+    compiler.request({ revision, project: logic, taps: viewerSync.taps() });
   };
 
   const stopDocument = editor.document.subscribe((state, before) => {
@@ -104,7 +103,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       since = state.revision;
       resetViewer(editor.viewer);
       setPending([]);
-      trials.forget();
+      trials.reset();
       editor.compile.setState({ program: null, programRevision: null, diagnostics: [] });
       editor.preview.setState({ diagnostics: [], shaderDiagnostics: [], playing: null });
     }
@@ -118,9 +117,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         setPending([...others, { ...edit, revision: state.revision }]);
         postEdit(edit);
       }
-      // Until there is a program, one is on its way already.
+      // Without a program, the first compile is already running.
       const { program } = editor.compile.getState();
-      if (program !== null && (places.includes(null) || edits.some((edit) => !follows(program, edit)))) compile();
+      if (program !== null && (places.includes(null) || edits.some((edit) => !hasSlot(program, edit)))) compile();
     }
   });
   const postRange = () => post({ kind: 'range', range: previewRange(editor.preview.getState()) });
@@ -138,9 +137,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         postSource();
         if (editor.preview.getState().roomLight) postLight();
         postProgram();
-        trials.tell();
-        looking.tell();
-        gizmos.tell();
+        trials.sendAll();
+        viewerSync.sendAll();
+        gizmoSync.sendAll();
         return;
       case 'playing':
         if (message.revision >= since) editor.preview.setState({ playing: message.revision });
@@ -149,13 +148,13 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         editor.preview.setState({ diagnostics: message.diagnostics });
         return;
       case 'shader-errors':
-        takeShaderErrors(editor, message);
+        storeShaderErrors(editor, message);
         return;
       case 'trial-errors':
-        trials.takeErrors(message);
+        trials.storeErrors(message);
         return;
       case 'status':
-        takeStatus(editor, message.status);
+        storeStatus(editor, message.status);
         return;
       case 'frames':
         editor.preview.setState({ frames: message.frames, asked: null });
@@ -167,7 +166,7 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
         editor.thumbnails.deliver(message.port, message.image);
         return;
       case 'captured':
-        takeCapture(editor, message);
+        saveCapture(editor, message);
         return;
       case 'costs':
         editor.costs.setState({ measured: message.costs });
@@ -178,9 +177,9 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
       case 'gizmo':
       case 'picked':
       case 'key':
-        gizmos.take(message);
+        gizmoSync.receive(message);
         return;
-      // Films are drawn by pages of their own.
+      // Only frame render pages send these.
       case 'frame-rendered':
       case 'render-finished':
       case 'render-failed':
@@ -207,40 +206,40 @@ export function createPreviewSync(editor: Editor, worker: CompilerWorker): Previ
     dispose: () => {
       stopDocument();
       stopSource();
-      looking.dispose();
-      gizmos.dispose();
+      viewerSync.dispose();
+      gizmoSync.dispose();
       compiler.dispose();
     },
   };
 }
 
 /**
- * Whether a program takes the value while it runs. Some values decide what is drawn rather than how: an `over` at full opacity
- * is plain blending, which any other opacity has to take back.
+ * Whether the program has a uniform slot for the param. A value may change the structure of the program: Alpha over at full opacity
+ * compiles to plain blending, without opacity.
  */
-function follows({ slots }: Program, { node, param }: PlacedEdit): boolean {
+function hasSlot({ slots }: Program, { node, param }: PlacedEdit): boolean {
   return Object.hasOwn(slots.params, `${node}.${param}`);
 }
 
-/** The last good program stays what the preview plays. */
-function takeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: CompileAnswer, busy: boolean): void {
+/** Stores an answer of the compiler. After an error the preview keeps the last program. */
+function storeAnswer(editor: Editor, { revision, program, diagnostics, tookMs }: CompileAnswer, busy: boolean): void {
   editor.compile.setState({ busy, revision, diagnostics, tookMs, ...(program === null ? {} : { program, programRevision: revision }) });
 }
 
-function takeStatus({ preview }: Editor, status: PreviewStatus): void {
-  // Once it has been shown, what was asked for is what is there.
+function storeStatus({ preview }: Editor, status: PreviewStatus): void {
+  // A requested frame is done once the preview shows it.
   preview.setState(({ asked }) => ({
     status,
     asked: status.state !== 'paused' || (asked === status.frame && !status.late) ? null : asked,
   }));
 }
 
-function takeShaderErrors(
+function storeShaderErrors(
   { preview, compile, document }: Editor,
   { revision, errors }: Extract<FromPreview, { kind: 'shader-errors' }>,
 ): void {
   const { program, programRevision } = compile.getState();
-  // An answer about an older program is of no use any more.
+  // Ignores results of older programs.
   if (program === null || revision !== programRevision) return;
   preview.setState({
     // A newer text may have no program: what is said of it stays.

@@ -5,18 +5,18 @@ import { addToast } from '../editor/ui.ts';
 
 type Captured = Extract<FromPreview, { kind: 'captured' }>;
 
-/** Gives a picture or a video of the preview to the person, as browsers give files. */
-export function takeCapture(editor: Editor, { what, file }: Captured): void {
+/** Saves a screenshot or video of the preview to the downloads. */
+export function saveCapture(editor: Editor, { what, file }: Captured): void {
   if (what === 'video') editor.preview.setState({ recording: false });
   if (file === null) {
-    const text = what === 'video' ? 'This browser recorded nothing.' : 'There is nothing in the preview to take a picture of.';
+    const text = what === 'video' ? 'The video is empty. This browser cannot record the preview.' : 'The preview shows nothing to capture.';
     addToast(editor.ui, { tone: 'error', text });
     return;
   }
   const { title } = editor.document.getState().project;
   const name = `${title.trim() === '' ? titleOfName(what) : title}.${endingOf(file.type)}`;
   editor.keepFile(file, name);
-  addToast(editor.ui, { tone: 'success', text: `${name} is with your downloads.` });
+  addToast(editor.ui, { tone: 'success', text: `Saved ${name} to your downloads.` });
 }
 
 function endingOf(type: string): string {

@@ -5,31 +5,31 @@ import type { FromPreview, ToPreview } from '../../preview-protocol.ts';
 import type { CompileAnswer } from '../compile/messages.ts';
 import type { Editor } from '../editor/editor.ts';
 
-/** Has the driver of the preview find the mistakes that stand above those for which there is no program. */
+/** Compiles the text above a syntax error in the preview, to report the errors of the driver in it although there is no program. */
 export interface ShaderTrials {
-  takeAnswer(answer: CompileAnswer): void;
-  takeErrors(message: Extract<FromPreview, { kind: 'trial-errors' }>): void;
-  /** A preview page is there, which has none. */
-  tell(): void;
-  /** Another project is open. */
-  forget(): void;
+  storeAnswer(answer: CompileAnswer): void;
+  storeErrors(message: Extract<FromPreview, { kind: 'trial-errors' }>): void;
+  /** Sends the shaders to a preview page that has just loaded. */
+  sendAll(): void;
+  /** Forgets the shaders when another project is opened. */
+  reset(): void;
 }
 
 export function createShaderTrials(editor: Editor, post: (message: ToPreview) => void): ShaderTrials {
   let revision = 0;
   let above: readonly ShaderAbove[] = [];
 
-  const tell = () => {
+  const sendAll = () => {
     if (above.length > 0) post({ kind: 'trials', revision, shaders: above.map(({ shader }) => shader) });
   };
   return {
-    takeAnswer: (answer) => {
+    storeAnswer: (answer) => {
       ({ revision, above } = answer);
-      // Without a program, what the driver said was about a text that is gone. Where it is asked again, its answer takes the place of that.
+      // Without a program, earlier errors refer to an older text. New trials replace them with their own.
       if (answer.program === null && above.length === 0) editor.preview.setState({ shaderDiagnostics: [] });
-      tell();
+      sendAll();
     },
-    takeErrors: (message) => {
+    storeErrors: (message) => {
       if (message.revision !== revision || above.length === 0) return;
       const { library } = editor.document.getState();
       const shaderDiagnostics = message.errors.flatMap(({ shaderId, log, stage }) => {
@@ -39,8 +39,8 @@ export function createShaderTrials(editor: Editor, post: (message: ToPreview) =>
       });
       editor.preview.setState({ shaderDiagnostics });
     },
-    tell,
-    forget: () => {
+    sendAll,
+    reset: () => {
       above = [];
     },
   };

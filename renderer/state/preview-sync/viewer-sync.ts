@@ -3,51 +3,51 @@ import type { ToPreview } from '../../preview-protocol.ts';
 import type { Editor } from '../editor/editor.ts';
 import { viewedLayers } from '../preview/viewed-layers.ts';
 
-/** Of thumbnails: as large as a node shows them on a screen of two pixels a point. */
+/** Height of thumbnails: that of a node’s thumbnail at a pixel ratio of 2. */
 const THUMBNAIL_HEIGHT_PX = 192;
-/** While the canvas is panned, nodes come and go; programs are made for those that stay. */
+/** While the canvas is panned, thumbnails appear and disappear. Waits for a pause before recompiling. */
 const PAUSE_MS = 200;
 
-/** Keeps the program and the preview up with what is looked at besides the screen. */
+/** Keeps program and preview in sync with the viewer, the thumbnails and the performance overlay. */
 export interface ViewerSync {
-  /** Layers that the next program has to keep. */
+  /** Layers that the next program must keep for viewing. */
   taps(): readonly string[];
-  /** A preview page came anew. */
-  tell(): void;
+  /** Sends the whole state to a preview page that has just loaded. */
+  sendAll(): void;
   dispose(): void;
 }
 
-/** A layer has a picture of its own to look at only while somebody does: that is another program, which `compile` asks for. */
+/** @param compile Recompiles the project. A program keeps only the viewed layers, so a change of these needs another program. */
 export function createViewerSync(editor: Editor, post: (message: ToPreview) => void, compile: () => void): ViewerSync {
-  let asked = '';
+  let compiled = '';
   const taps = () => {
     const layers = viewedLayers(editor);
-    asked = layers.join();
+    compiled = layers.join();
     return layers;
   };
-  const tell = () => {
+  const sendAll = () => {
     const { left, right, split } = editor.viewer.getState();
     post({ kind: 'thumbnails', ports: editor.thumbnails.wanted(), heightPx: THUMBNAIL_HEIGHT_PX });
     post({ kind: 'viewer', left, right, split: split ?? 1 });
     post({ kind: 'cost', on: editor.costs.getState().on });
   };
   const settle = debounce(editor.clock, PAUSE_MS, () => {
-    tell();
-    if (viewedLayers(editor).join() !== asked) compile();
+    sendAll();
+    if (viewedLayers(editor).join() !== compiled) compile();
   });
   editor.thumbnails.onChange.run = settle.trigger;
   const stopCosts = editor.costs.subscribe((state, before) => {
-    if (state.on !== before.on) tell();
+    if (state.on !== before.on) sendAll();
   });
   const stop = editor.viewer.subscribe((state, before) => {
     if (state.left === before.left && state.right === before.right && state.split === before.split && state.probing === before.probing)
       return;
-    tell();
-    if (viewedLayers(editor).join() !== asked) compile();
+    sendAll();
+    if (viewedLayers(editor).join() !== compiled) compile();
   });
   return {
     taps,
-    tell,
+    sendAll,
     dispose: () => {
       stop();
       stopCosts();

@@ -1,18 +1,18 @@
 import type { Editor } from '../editor/editor.ts';
 import { chosenSource, type FrameRange } from '../editor/preview-state.ts';
 
-/** What of a recording was played last, in one project. */
+/** The last play range of a recording in a project. */
 interface Kept {
   readonly range: FrameRange | null;
   readonly loop: boolean;
 }
 
 const KEY = 'scrim-ranges';
-/** Of projects and their recordings; those set last stay. */
+/** Maximum number of stored ranges; the oldest are dropped. */
 const MOST = 200;
 const NOTHING: Kept = { range: null, loop: false };
 
-/** Brings back in and out points with project and recording, and keeps them when they change. */
+/** Restores the play range of a project and source when they open, and stores its changes. */
 export function keepRanges(editor: Pick<Editor, 'document' | 'preview'>, storage: Pick<Storage, 'getItem' | 'setItem'>): () => void {
   const { document, preview } = editor;
   const kept = new Map(readAll(storage));
@@ -25,7 +25,7 @@ export function keepRanges(editor: Pick<Editor, 'document' | 'preview'>, storage
     for (const oldest of kept.keys()) if (kept.size > MOST) kept.delete(oldest);
     storage.setItem(KEY, JSON.stringify([...kept]));
   };
-  /** `sameWork`: a copy was saved, and goes on as it was. */
+  /** `sameWork`: the project was saved as a copy and keeps its state. */
   const follow = (sameWork: boolean) => {
     const path = document.getState().open?.displayPath;
     const source = chosenSource(preview.getState())?.id;
@@ -59,7 +59,7 @@ function readAll(storage: Pick<Storage, 'getItem'>): [string, Kept][] {
     const saved: unknown = JSON.parse(storage.getItem(KEY) ?? '[]');
     return Array.isArray(saved) ? saved.filter(isEntry) : [];
   } catch {
-    // Someone else's text: there is nothing to bring back.
+    // Invalid JSON: there is nothing to restore.
     return [];
   }
 }

@@ -3,7 +3,7 @@ import type { PreviewRange } from '../../preview-protocol.ts';
 import type { Editor } from '../editor/editor.ts';
 import { type FrameRange, frameOf, type PreviewState } from '../editor/preview-state.ts';
 
-/** Play, steps and ranges, as the timeline, the transport bar and the keys ask for them. */
+/** The part of the editor that playback needs. */
 type Playing = Pick<Editor, 'preview' | 'transport'>;
 
 export function isHeld({ status }: PreviewState): boolean {
@@ -22,7 +22,7 @@ export function goToStart({ preview, transport }: Playing): void {
   transport.post({ kind: 'transport', action: 'reset' });
 }
 
-/** Holds the preview at a frame of the recording. What remembers earlier frames begins anew there. */
+/** Pauses at a frame of the recording. Stateful nodes restart. */
 export function goToFrame({ preview, transport }: Playing, frame: number): void {
   const { frames } = preview.getState();
   if (frames === null) return;
@@ -32,14 +32,14 @@ export function goToFrame({ preview, transport }: Playing, frame: number): void 
   transport.post({ kind: 'seek', timeS: timeOfFrame(frames, to) });
 }
 
-/** Holds the preview at a moment between frames, such as that of a keyframe. */
+/** Pauses at a time between frames, such as that of a keyframe. */
 export function goToTime({ preview, transport }: Playing, timeS: number): void {
   preview.setState({ asked: null });
   transport.post({ kind: 'transport', action: 'pause' });
   transport.post({ kind: 'seek', timeS });
 }
 
-/** One frame on goes on from what is there; back, as everywhere, begins anew. */
+/** Steps by frames. A step to the next frame keeps the state of stateful nodes; other steps restart them. */
 export function stepFrames(editor: Playing, by: number): void {
   const state = editor.preview.getState();
   if (by !== 1) {
@@ -50,23 +50,23 @@ export function stepFrames(editor: Playing, by: number): void {
   editor.transport.post({ kind: 'transport', action: 'step' });
 }
 
-/** The frame that a time falls into, to the nearest border between frames. */
+/** The frame whose start is nearest to the time. */
 export function nearestFrame(frames: FrameTimes, timeS: number): number {
   const before = frameAtTime(frames, timeS);
   return timeOfFrame(frames, before + 1) - timeS < timeS - timeOfFrame(frames, before) ? before + 1 : before;
 }
 
-/** The last frame of the recording; without one, 0. */
+/** Index of the last frame of the recording; 0 without a recording. */
 export function lastFrame({ frames }: Pick<PreviewState, 'frames'>): number {
   return (frames?.timesS.length ?? 1) - 1;
 }
 
-/** What is played: the range, or the whole recording. */
+/** The play range; without one, the whole recording. */
 export function playedRange(state: Pick<PreviewState, 'frames' | 'range'>): FrameRange {
   return state.range ?? { from: 0, to: lastFrame(state) };
 }
 
-/** The range begins with this frame. One that ends before it ends there now. */
+/** Sets the in point. An out point before it moves to the same frame. */
 export function setIn({ preview }: Pick<Editor, 'preview'>, frame: number): void {
   preview.setState((state) => {
     const from = Math.max(0, frame);
@@ -89,7 +89,7 @@ export function toggleLoop({ preview }: Pick<Editor, 'preview'>): void {
   preview.setState(({ loop }) => ({ loop: !loop }));
 }
 
-/** What the preview is told: null where the recording plays as it would without a timeline. */
+/** The range to send to the preview; null to play the recording without a range. */
 export function previewRange(state: Pick<PreviewState, 'frames' | 'range' | 'loop'>): PreviewRange | null {
   const { frames, range, loop } = state;
   if (frames === null || (range === null && !loop)) return null;

@@ -2,7 +2,7 @@ import type { PreviewSource } from '../../preview-protocol.ts';
 import type { Editor } from '../editor/editor.ts';
 import { chosenSource } from '../editor/preview-state.ts';
 
-/** Where the preview is to take its picture from; null where nothing is open, or what was chosen is not there yet. */
+/** The source of the preview; null if no project is open or the chosen source is not available yet. */
 export function previewSource(editor: Pick<Editor, 'document' | 'preview'>): PreviewSource | null {
   const state = editor.preview.getState();
   const { open } = editor.document.getState();

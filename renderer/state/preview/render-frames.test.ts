@@ -5,7 +5,7 @@ import { openTestEditor } from '../../../tests/support/test-editor.ts';
 import type { FrameRenderRequest } from '../../preview-protocol.ts';
 import type { FrameRenderLink } from '../editor/editor.ts';
 import { openPath } from '../files/files.ts';
-import { type FramesWish, planFrames, planRoomFrames, rateOf, renderFrames } from './render-frames.ts';
+import { type FrameRenderOptions, planFrames, planRoomFrames, rateOf, renderFrames } from './render-frames.ts';
 
 /** Ten a second. */
 const FRAMES = { timesS: Array.from({ length: 36 }, (_, i) => i / 10), durationS: 3.6 };
@@ -55,7 +55,7 @@ describe('the frames to render', () => {
 });
 
 describe('rendering', () => {
-  const WISH: FramesWish = { what: 'pictures', range: RANGE, widthPx: 1, heightPx: 1, frameRateHz: null, out: '/frames' };
+  const WISH: FrameRenderOptions = { what: 'pictures', range: RANGE, widthPx: 1, heightPx: 1, frameRateHz: null, out: '/frames' };
 
   /** An editor over a recording, and a page that draws one white pixel after the other. */
   async function overRecording() {
@@ -90,7 +90,7 @@ describe('rendering', () => {
     expect(await renderFrames(editor, WISH)).toBe(true);
     expect(methods()).toEqual(['frames.begin', 'frames.add', 'frames.add', 'frames.add', 'frames.finish']);
     expect([link.asked[0], link.closed]).toEqual(['render-begin', true]);
-    expect(texts()).toEqual(['Rendered one picture to /frames.']);
+    expect(texts()).toEqual(['Rendered 1 frame to /frames.']);
   });
 
   test('draws values that were set after the program was compiled', async () => {
@@ -116,7 +116,7 @@ describe('rendering', () => {
       return {};
     });
     expect(await renderFrames(editor, WISH)).toBe(false);
-    expect(texts()).toEqual(['Rendering was cancelled.']);
+    expect(texts()).toEqual(['Rendering canceled.']);
     expect([methods().at(-1), link.closed, editor.ui.getState().exporting]).toEqual(['frames.cancel', true, null]);
   });
 
@@ -124,10 +124,10 @@ describe('rendering', () => {
     const { editor, link, texts } = await overRecording();
     editor.preview.setState({ sourceId: 'orbit' });
     expect(await renderFrames(editor, WISH)).toBe(false);
-    expect(texts()).toEqual(['Frames are rendered over recordings and emulated rooms: choose one below the preview.']);
+    expect(texts()).toEqual(['This preview source has no frames to render. Choose a recording or an emulated room below the preview.']);
     editor.preview.setState({ sourceId: null, shaderDiagnostics: [{ code: 'SCR042', severity: 'error', message: 'broken' }] });
     expect(await renderFrames(editor, WISH)).toBe(false);
-    expect(texts().at(-1)).toBe('The project has problems. Fix them first.');
+    expect(texts().at(-1)).toBe('The project has problems. Fix them, then render again.');
     expect(link.asked).toEqual([]);
   });
 });

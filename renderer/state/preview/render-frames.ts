@@ -8,32 +8,32 @@ import { addToast, toastDiagnostic } from '../editor/ui.ts';
 import { showRefusal } from '../files/files.ts';
 import { previewSource } from './preview-source.ts';
 
-/** What the person asked for. */
-export interface FramesWish {
+/** Options of a frame render. */
+export interface FrameRenderOptions {
   readonly what: 'pictures' | 'video';
   readonly range: FrameRange;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** Null: the recording's own frames; rooms have none. */
+  /** Null: the frames of the recording. Rooms need a frame rate. */
   readonly frameRateHz: number | null;
-  /** Folder for pictures; videos go where downloads do. */
+  /** Folder for images. Videos are saved to the downloads. */
   readonly out: string;
 }
 
 interface PlannedFrame {
   readonly timeS: number;
-  /** Names the picture. */
+  /** Number in the file name. */
   readonly number: number;
-  /** Those before the range are played for what depends on them. */
+  /** False for frames before the range, which are drawn only for stateful nodes. */
   readonly keep: boolean;
 }
 
-/** Of an emulated room, where nothing else is asked for. */
+/** Default frame rate in an emulated room. */
 export const ROOM_RATE_HZ = 30;
 
 const ROUNDING_S = 1e-6;
 
-/** The frames to play, in order. Of the recording's own, numbers are its own, too; at another rate they count from 0. */
+/** Plans the frames to draw, in order. Frames of the recording keep their numbers; at another rate, frames are numbered from 0. */
 export function planFrames(
   frames: FrameTimes,
   range: FrameRange,
@@ -58,56 +58,56 @@ export function planFrames(
   });
 }
 
-/** Of an emulated room, which has no time of its own: all that come before are played, from the first one on. */
+/** Plans the frames of an emulated room. A room has no seek, so all frames before the range are drawn. */
 export function planRoomFrames({ from, to }: FrameRange, frameRateHz: number): readonly PlannedFrame[] {
   return Array.from({ length: to + 1 }, (_, number) => ({ timeS: number / frameRateHz, number, keep: number >= from }));
 }
 
-/** Whether the preview shows an emulated room. */
+/** Whether the preview source is an emulated room. */
 function isInRoom({ preview }: Pick<Editor, 'preview'>): boolean {
   return chosenSource(preview.getState())?.kind === 'room';
 }
 
-/** Frames per second of a recording, as videos of its own frames have them. */
+/** Frame rate of a recording. */
 export function rateOf({ timesS, durationS }: FrameTimes): number {
   return Math.round((timesS.length / durationS) * 1000) / 1000;
 }
 
-/** Asks what to render; says so where there is nothing to go through frame by frame. */
-export function askForFrames(editor: Editor): void {
+/** Opens the dialog for frame renders, or explains why the source has no frames. */
+export function openRenderDialog(editor: Editor): void {
   if (editor.preview.getState().frames !== null || isInRoom(editor)) editor.ui.setState({ dialog: { kind: 'render' } });
-  else tellOfSources(editor);
+  else explainSources(editor);
 }
 
-function tellOfSources({ ui }: Editor): void {
+function explainSources({ ui }: Editor): void {
   addToast(ui, {
     tone: 'info',
-    text: 'Frames are rendered over recordings and emulated rooms: choose one below the preview.',
-    detail: 'What a camera sees comes once, and not frame by frame. The preview’s menu records it as a video.',
+    text: 'This preview source has no frames to render. Choose a recording or an emulated room below the preview.',
+    detail: 'To record a camera, choose “Record video” in the preview options.',
   });
 }
 
-/** Draws the frames of the project as it stands, beside the preview. True where they were written. */
-export async function renderFrames(editor: Editor, wish: FramesWish): Promise<boolean> {
+/** Renders frames of the current project in a separate page. Returns true if they were written. */
+export async function renderFrames(editor: Editor, options: FrameRenderOptions): Promise<boolean> {
   const { open } = editor.document.getState();
   const { frames, shaderDiagnostics } = editor.preview.getState();
   const { program, programRevision, laterValues, diagnostics } = editor.compile.getState();
   if (open === null || editor.ui.getState().exporting !== null) return false;
   const source = previewSource(editor);
-  const over = source && frameRenderSource(editor, source, wish.frameRateHz);
+  const over = source && frameRenderSource(editor, source, options.frameRateHz);
   if (!over || (frames === null && over.kind === 'recorded')) {
-    tellOfSources(editor);
+    explainSources(editor);
     return false;
   }
   if (programRevision !== editor.document.getState().revision && editor.compile.getState().busy) {
-    addToast(editor.ui, { tone: 'info', text: 'The project is still being compiled: try again in a moment.' });
+    addToast(editor.ui, { tone: 'info', text: 'The project is still compiling. Try again in a moment.' });
     return false;
   }
   if (program === null || hasErrors(diagnostics) || hasErrors(shaderDiagnostics)) {
     addToast(editor.ui, {
       tone: 'error',
-      text: 'The project has problems. Fix them first.',
-      detail: 'They are under Problems.',
+      text: 'The project has problems. Fix them, then render again.',
+      detail: 'The Problems panel lists them.',
     });
     editor.ui.setState({ bottom: 'problems' });
     return false;
@@ -115,40 +115,40 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
   const link = editor.renderPage.open?.();
   if (!link) return false;
   const { handle } = open;
-  const { what, widthPx, heightPx, frameRateHz, out } = wish;
+  const { what, widthPx, heightPx, frameRateHz, out } = options;
   const rateHz = over.kind === 'room' ? over.frameRateHz : (frameRateHz ?? (frames ? rateOf(frames) : 0));
   const video = what === 'video' ? { frameRateHz: rateHz } : null;
   const values = laterValues.map(({ node, param, value }) => ({ node, param, value }));
   const request: FrameRenderRequest = { program, values, source: over, assetBaseUrl: open.assetBaseUrl, widthPx, heightPx, video };
   const plan =
     over.kind === 'room' || frames === null
-      ? planRoomFrames(wish.range, rateHz)
-      : planFrames(frames, wish.range, frameRateHz, isHistoryDependent(program));
+      ? planRoomFrames(options.range, rateHz)
+      : planFrames(frames, options.range, frameRateHz, isHistoryDependent(program));
   editor.ui.setState({ exporting: { handle, text: 'Preparing…', cancelled: false, frames: true }, dialog: null });
   let begun = false;
   const stopped = cancellation(editor);
-  /** Null where the person has had enough. */
+  /** Sends a message to the page; resolves to null if the user cancels. */
   const ask = (message: FrameRenderQuestion) => Promise.race([link.ask(message), stopped.promise]);
   try {
     if (what === 'pictures') {
       await editor.host.call('frames.begin', { handle, out, widthPx, heightPx });
       begun = true;
     }
-    if (filmed(await ask({ kind: 'render-begin', request })) === null) return tellCancelled(editor);
+    if (unwrap(await ask({ kind: 'render-begin', request })) === null) return reportCanceled(editor);
     const kept = plan.filter(({ keep }) => keep).length;
     let done = 0;
     for (const { timeS, number, keep } of plan) {
-      if (keep) say(editor, `Frame ${++done} of ${kept}`);
-      else say(editor, 'Playing earlier frames…');
-      const answer = filmed(await ask({ kind: 'render-frame', timeS, keep }));
-      if (answer === null) return tellCancelled(editor);
+      if (keep) showProgress(editor, `Frame ${++done} of ${kept}`);
+      else showProgress(editor, 'Playing earlier frames…');
+      const answer = unwrap(await ask({ kind: 'render-frame', timeS, keep }));
+      if (answer === null) return reportCanceled(editor);
       if (answer.kind === 'frame-rendered' && answer.frame) await editor.host.call('frames.add', { handle, number, rgba: answer.frame });
     }
-    if (isCancelled(editor)) return tellCancelled(editor);
+    if (isCancelled(editor)) return reportCanceled(editor);
     if (what === 'video') {
-      const answer = filmed(await ask({ kind: 'render-end' }));
-      if (answer?.kind !== 'render-finished' || answer.file === null) return tellCancelled(editor);
-      giveVideo(editor, answer.file);
+      const answer = unwrap(await ask({ kind: 'render-end' }));
+      if (answer?.kind !== 'render-finished' || answer.file === null) return reportCanceled(editor);
+      saveVideo(editor, answer.file);
       return true;
     }
     begun = false;
@@ -158,7 +158,7 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
     return true;
   } catch (error) {
     // The host ends the work of a project that is closed.
-    if (editor.document.getState().open?.handle !== handle) return tellCancelled(editor);
+    if (editor.document.getState().open?.handle !== handle) return reportCanceled(editor);
     if (error instanceof FrameRenderError) toastDiagnostic(editor.ui, error.diagnostic);
     else showRefusal(editor, error);
     return false;
@@ -170,7 +170,7 @@ export async function renderFrames(editor: Editor, wish: FramesWish): Promise<bo
   }
 }
 
-/** What the preview shows, as a film is drawn over it; a room from where the walk stands, in the light that it has now. */
+/** The source of the frame render: that of the preview; for a room with its current camera pose and light. */
 function frameRenderSource({ preview }: Editor, source: PreviewSource, frameRateHz: number | null): FrameRenderSource | null {
   switch (source.kind) {
     case 'recorded':
@@ -193,7 +193,7 @@ function frameRenderSource({ preview }: Editor, source: PreviewSource, frameRate
   }
 }
 
-/** What stopped the page that draws. */
+/** A failure of the render page. */
 class FrameRenderError extends Error {
   readonly diagnostic: Diagnostic;
 
@@ -206,12 +206,12 @@ class FrameRenderError extends Error {
 type FrameRenderQuestion = Parameters<FrameRenderLink['ask']>[0];
 type FrameRenderAnswer = Awaited<ReturnType<FrameRenderLink['ask']>>;
 
-function filmed(answer: FrameRenderAnswer | null): Exclude<FrameRenderAnswer, { kind: 'render-failed' }> | null {
+function unwrap(answer: FrameRenderAnswer | null): Exclude<FrameRenderAnswer, { kind: 'render-failed' }> | null {
   if (answer?.kind === 'render-failed') throw new FrameRenderError(answer.diagnostic);
   return answer;
 }
 
-/** Resolves when the person cancels, also while a frame takes its time. */
+/** Resolves when the user cancels, also during a frame. */
 function cancellation({ ui }: Editor) {
   let dispose = () => {};
   const promise = new Promise<null>((resolve) => {
@@ -222,14 +222,14 @@ function cancellation({ ui }: Editor) {
   return { promise, dispose };
 }
 
-function giveVideo(editor: Editor, file: Blob): void {
+function saveVideo(editor: Editor, file: Blob): void {
   const { title } = editor.document.getState().project;
   const name = `${title.trim() === '' ? 'Video' : title}.${file.type === 'video/mp4' ? 'mp4' : 'webm'}`;
   editor.keepFile(file, name);
-  addToast(editor.ui, { tone: 'success', text: `${name} is with your downloads.` });
+  addToast(editor.ui, { tone: 'success', text: `Saved ${name} to your downloads.` });
 }
 
-function say({ ui }: Editor, text: string): void {
+function showProgress({ ui }: Editor, text: string): void {
   ui.setState(({ exporting }) => ({ exporting: exporting && !exporting.cancelled ? { ...exporting, text } : exporting }));
 }
 
@@ -237,11 +237,11 @@ function isCancelled({ ui }: Editor): boolean {
   return ui.getState().exporting?.cancelled === true;
 }
 
-function tellCancelled({ ui }: Editor): false {
-  addToast(ui, { tone: 'info', text: 'Rendering was cancelled.', detail: 'Nothing was written.' });
+function reportCanceled({ ui }: Editor): false {
+  addToast(ui, { tone: 'info', text: 'Rendering canceled.', detail: 'Nothing was written.' });
   return false;
 }
 
-function counted(pictures: number): string {
-  return pictures === 1 ? 'one picture' : `${pictures} pictures`;
+function counted(frames: number): string {
+  return frames === 1 ? '1 frame' : `${frames} frames`;
 }

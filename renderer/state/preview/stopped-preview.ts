@@ -1,22 +1,22 @@
 import type { Editor } from '../editor/editor.ts';
 
-/** What was kept of a project's preview: it runs, or it lost the graphics device. */
+/** Stored state of a project’s preview: it is running, or it lost the graphics device. */
 type Sign = 'running' | 'lost';
 
 export interface StoppedPreviewOptions {
   readonly storage: Pick<Storage, 'getItem' | 'setItem' | 'removeItem'>;
-  /** Whether the person asks, at this moment, for a project to open without its preview. */
+  /** Whether the user holds the key that opens a project without its preview. */
   readonly asks: () => boolean;
-  /** Whether another window shows the project: then its preview is the one that runs. */
+  /** Whether another window shows the project. Then the stored state is that of its preview. */
   readonly isOpenElsewhere: (path: string) => Promise<boolean>;
 }
 
 const KEY = 'scrim-preview ';
 
 /**
- * Keeps a sign while a project's preview runs. A project whose sign is still there when it is opened ended the graphics device, or
- * everything, the last time: its preview waits for the person, who can mend what did it first. `leave` ends what runs, as the page
- * does when it goes.
+ * Stores a mark while the preview of a project runs. If the mark still exists when the project is opened, Scrim ended during playback
+ * or the graphics device was lost. The preview then waits until the user starts it, so that the cause can be fixed first. `leave`
+ * removes the mark when the page closes.
  */
 export function guardPreview(
   editor: Pick<Editor, 'document' | 'compile' | 'preview'>,
@@ -33,7 +33,7 @@ export function guardPreview(
   const open = (next: string | null, sameWork: boolean) => {
     leave();
     path = next;
-    // A copy that was saved goes on as it was.
+    // A project that was saved as a copy keeps its state.
     if (sameWork) run();
     if (next === null || sameWork) return;
     const sign = storage.getItem(KEY + next);
@@ -47,7 +47,7 @@ export function guardPreview(
   const run = () => {
     const { stopped, status } = preview.getState();
     if (stopped !== null || compile.getState().program === null) return;
-    // Until it shows something, nothing is known that is newer.
+    // Without a status from the preview the stored state is still the newest.
     if (path !== null && status === null && storage.getItem(KEY + path) === 'lost') return;
     keep(status?.state === 'lost' ? 'lost' : 'running');
   };
@@ -71,7 +71,7 @@ export function guardPreview(
   };
 }
 
-/** Starts a preview that waits. */
+/** Starts a stopped preview. */
 export function startPreview({ preview }: Pick<Editor, 'preview'>): void {
   preview.setState({ stopped: null });
 }

@@ -6,21 +6,21 @@ import { soleNode } from '../editor/selection.ts';
 import { addToast } from '../editor/ui.ts';
 import { resetViewer, type ViewerStore } from '../editor/viewer.ts';
 
-/** The layer that the screen shows, in the main graph. */
+/** The layer that is connected to the Output node of the main graph. */
 function screenLayer({ project }: DocumentState): string | null {
   const main = graphOf({ project, graph: MAIN_GRAPH });
   const wire = main.wires.filter(({ to }) => main.nodes[to.node]?.type === 'output/screen').at(-1);
   return wire ? `${wire.from.node}.${wire.from.port}` : null;
 }
 
-/** All layers that a program has to keep for looking at them. */
+/** All layers that the program must keep for viewing. */
 export function viewedLayers(editor: Pick<Editor, 'viewer' | 'thumbnails' | 'document'>): readonly string[] {
   const { left, right, probing } = editor.viewer.getState();
   const besides = [left, right, probing ? probedLayer(editor) : null];
   return [...new Set([...editor.thumbnails.wanted(), ...besides.flatMap((layer) => layer ?? [])])].sort();
 }
 
-/** Where a probe finds depth. */
+/** The layer whose depth the pixel probe reads. */
 export function probedLayer({ viewer, document }: Pick<Editor, 'viewer' | 'document'>): string | null {
   return viewer.getState().left ?? screenLayer(document.getState());
 }
@@ -32,11 +32,11 @@ function selectedLayer({ document, selection }: Editor): string | null {
   return node === null || port === null ? null : layerName(state, node, port);
 }
 
-/** Shows the selected node's layer in the whole preview, or the screen again where it is shown already. */
+/** Shows the layer of the selected node in the preview, or the screen output if the layer is already shown. */
 export function pinSelected(editor: Editor): void {
   const layer = selectedLayer(editor);
   if (layer !== null) pinLayer(editor.viewer, layer);
-  else addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer: the preview can show it.' });
+  else addToast(editor.ui, { tone: 'info', text: 'Select one node that outputs a layer to show it in the preview.' });
 }
 
 export function pinLayer(viewer: ViewerStore, layer: string): void {
@@ -44,11 +44,11 @@ export function pinLayer(viewer: ViewerStore, layer: string): void {
   else viewer.setState({ left: layer, right: null, split: null });
 }
 
-/** Puts the selected node's layer beside what the preview shows, with a wipe between both. */
+/** Shows the layer of the selected node next to the current one, with a wipe between them. */
 export function compareSelected(editor: Editor): void {
   const layer = selectedLayer(editor);
   if (layer !== null) compareLayer(editor.viewer, layer);
-  else addToast(editor.ui, { tone: 'info', text: 'Select one node that gives a layer to compare it.' });
+  else addToast(editor.ui, { tone: 'info', text: 'Select one node that outputs a layer to compare it.' });
 }
 
 export function compareLayer(viewer: ViewerStore, layer: string): void {

@@ -9,13 +9,13 @@ import { goToNode, type NodePlace, pathToGraph, placeOnPath } from '../graph/gra
 
 export interface NodeProblem {
   readonly severity: Diagnostic['severity'];
-  /** All messages, one a line. */
+  /** All messages, one per line. */
   readonly text: string;
 }
 
 const RANK = { error: 0, warning: 1, info: 2 } as const;
 
-/** Several parties may say the same of the same place; it is said once. Worst first, those of a file by line, else in the order given. */
+/** Merges lists of diagnostics, drops duplicates, and sorts by severity; those of one file by line. */
 export function collectProblems(lists: readonly (readonly Diagnostic[])[]): readonly Diagnostic[] {
   const seen = new Map<string, Diagnostic>();
   for (const diagnostic of lists.flat()) {
@@ -25,7 +25,7 @@ export function collectProblems(lists: readonly (readonly Diagnostic[])[]): read
   return uniqueDiagnostics([...seen.values()]).sort((a, b) => RANK[a.severity] - RANK[b.severity]);
 }
 
-/** What may be shown while a text is being typed: what was there before. What has been mended goes at once. */
+/** The problems that existed before. While a text is being typed, new problems are hidden, but fixed ones disappear at once. */
 export function stillWrong(problems: readonly Diagnostic[], before: readonly Diagnostic[]): readonly Diagnostic[] {
   const known = new Set(before.map(problemKey));
   return problems.filter((problem) => known.has(problemKey(problem)));
@@ -35,7 +35,7 @@ export function problemKey({ code, nodeId, port, file, line, column, message }: 
   return JSON.stringify([code, nodeId, port, file, line, column, message]);
 }
 
-/** Whether a problem is a node's: it names the node, or only the file that the node's shader is in. */
+/** Whether a problem belongs to a node: it names the node, or only the file of its shader. */
 export function isAboutNode({ nodeId, file }: Diagnostic, state: OpenGraph, id: string): boolean {
   return nodeId === undefined ? isAboutFileOf(state, id, file) : nodeHere(state, nodeId) === id;
 }
@@ -53,7 +53,7 @@ export function problemsByNode(problems: readonly Diagnostic[], state: OpenGraph
         : [nodeHere(state, problem.nodeId) ?? problem.nodeId];
     for (const id of ids) {
       const known = byNode.get(id);
-      // The list is sorted, so the first is the worst.
+      // The list is sorted, so the first problem has the highest severity.
       const { severity, message } = problem;
       byNode.set(id, known ? { severity: known.severity, text: `${known.text}\n${message}` } : { severity, text: message });
     }
@@ -67,7 +67,7 @@ export function countProblems(problems: readonly Diagnostic[]): Readonly<Record<
   return count;
 }
 
-/** Selects the node that a problem is about and shows it, in whichever graph it is; opens its source at the line where the problem has one. */
+/** Selects and shows the node of a problem, in any graph. Opens its shader at the line, if there is one. */
 export function goToProblem(editor: Editor, problem: Diagnostic): void {
   const place = placeOfProblem(editor.document.getState(), problem);
   if (place === null) return;
@@ -76,12 +76,12 @@ export function goToProblem(editor: Editor, problem: Diagnostic): void {
     revealCode(editor.ui, problem.line, problem.column ?? 1, otherFileIn(problem));
 }
 
-/** The node of the open graph that `look-a2b3/sepia-k7q2` is, or is in. */
+/** The node of the open graph that a path in the program (`look-a2b3/sepia-k7q2`) refers to or lies in. */
 function nodeHere(state: OpenGraph, path: string): string | undefined {
   return path.split('/').find((id) => nodeOf(state, id) !== undefined);
 }
 
-/** The node it names; else the first that uses the file it names, of the open graph before others. */
+/** Finds the node of a problem: the one that it names; else the first that uses its file, in the open graph first. */
 function placeOfProblem(state: DocumentState, { nodeId, file }: Diagnostic): NodePlace | null {
   const { project, graph, trail } = state;
   const named = nodeId === undefined ? null : placeOnPath(project, nodeId);
@@ -94,7 +94,7 @@ function placeOfProblem(state: DocumentState, { nodeId, file }: Diagnostic): Nod
   return null;
 }
 
-/** The chunk or vertex shader that a problem is in, though it is reported for the node whose shader needs it. */
+/** The chunk or vertex shader of a problem, which is reported at a node that uses it; null for the shader of the node. */
 function otherFileIn({ file }: Diagnostic): string | null {
   return file !== undefined && (isChunkFile(file) || file.endsWith('.vs')) ? file : null;
 }

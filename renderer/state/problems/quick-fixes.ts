@@ -10,7 +10,7 @@ import { addNodeFromPalette } from '../graph/edit-graph.ts';
 import { resetParam } from '../params/edit-params.ts';
 import { goToProblem } from './problems.ts';
 
-/** What can be done about a problem with one press; undo takes it back. */
+/** A fix for a problem, as one undo step. */
 export interface QuickFix {
   readonly label: string;
   readonly run: (editor: Editor) => void;
@@ -18,7 +18,7 @@ export interface QuickFix {
 
 const SCREEN = 'output/screen';
 
-/** The fix for a problem of the open graph, or null where only the person knows what to do. */
+/** The fix for a problem of the open graph; null if there is no automatic one. */
 export function quickFixOf(editor: Editor, problem: Diagnostic): QuickFix | null {
   const { nodeId = '', port = '' } = problem;
   const state = editor.document.getState();
@@ -47,7 +47,7 @@ export function quickFixOf(editor: Editor, problem: Diagnostic): QuickFix | null
   }
 }
 
-/** The palette, as if a wire had been pulled out of the port that has none. */
+/** Opens the palette for the unconnected port, as if a wire had been dragged from it. */
 function openPaletteFor(editor: Editor, problem: Diagnostic): void {
   const { nodeId = '', port = '' } = problem;
   const state = editor.document.getState();

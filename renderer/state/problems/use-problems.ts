@@ -6,7 +6,7 @@ import { useDocument, useEditor } from '../editor/editor-context.ts';
 import type { NodeProblem } from './problems.ts';
 import { collectProblems, problemsByNode, stillWrong } from './problems.ts';
 
-/** Everything wrong, worst first; what a text being typed is only half of comes once the keys rest. */
+/** All problems, highest severity first. While a text is being typed, new problems are delayed. */
 export function useProblems(): readonly Diagnostic[] {
   const editor = useEditor();
   const load = useDocument((state) => state.loadDiagnostics);
@@ -27,7 +27,7 @@ export function useProblems(): readonly Diagnostic[] {
   return problems;
 }
 
-/** The same by node, as the canvas marks it. */
+/** The problems of each node. */
 export function useNodeProblems(): ReadonlyMap<string, NodeProblem> {
   const problems = useProblems();
   const graph = useDocument((state) => state.graph);

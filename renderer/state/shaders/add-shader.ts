@@ -9,21 +9,23 @@ import type { Place } from '../editor/canvas-state.ts';
 import type { Editor } from '../editor/editor.ts';
 import { addToast } from '../editor/ui.ts';
 
-/** A shader file from elsewhere. */
+/** An imported shader file. */
 export interface ForeignShader {
   readonly name: string;
   readonly text: string;
-  /** Of the vertex shader that came with it. */
+  /** Text of its vertex shader. */
   readonly vertex?: string;
 }
 
-/** One step: the shader as a file of the project, and a node of it; the node's id, or null where something is wrong, which is shown. */
+/**
+ * Adds a shader file to the project and a node for it, as one undo step. Returns the node id, or null after an error, which is shown.
+ */
 export function addShader(editor: Editor, file: ForeignShader, place: Place): string | null {
   const { text, vertex } = file;
   const { project, graph } = editor.document.getState();
   const name = freeShaderName(project, file.name);
   if (!isShaderFile(name)) {
-    addToast(editor.ui, { tone: 'error', text: `${file.name} is not a valid name for a shader: rename it and drop it again.` });
+    addToast(editor.ui, { tone: 'error', text: `${file.name} is not a valid name for a shader. Rename the file and drop it again.` });
     return null;
   }
   const { base, readShader } = editor.libraries;
@@ -32,7 +34,7 @@ export function addShader(editor: Editor, file: ForeignShader, place: Place): st
     const [first] = read.diagnostics;
     addToast(editor.ui, {
       tone: 'error',
-      text: `${file.name}: ${first?.message ?? 'its header cannot be read.'}`,
+      text: `${file.name}: ${first?.message ?? 'the header is invalid.'}`,
       detail: first?.fix ?? '',
     });
     return null;
@@ -51,7 +53,7 @@ export function addShader(editor: Editor, file: ForeignShader, place: Place): st
 function freeShaderName({ sources }: Project, wanted: string): string {
   const given = wanted.replace(/\.[^.]*$/, '');
   const ending = wanted.slice(given.length).toLowerCase();
-  // "Glow+More!.fs" is a good name anywhere but in a node's type.
+  // File names may contain characters that node types may not, such as “Glow+More!.fs”.
   const stem = isShaderFile(`${given}${ending}`) ? given : makeShaderFile(given).replace(/\.fs$/, '');
   let name = `${stem}${ending}`;
   for (let number = 2; Object.hasOwn(sources, name); number++) name = `${stem}-${number}${ending}`;

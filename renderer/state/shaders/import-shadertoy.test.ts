@@ -87,6 +87,6 @@ describe('a source of shadertoy.com', () => {
     const { editor } = await openTestEditor();
     await editor.clipboard.write('void main() {}');
     await pasteFromClipboard(editor);
-    expect(editor.ui.getState().toasts).toMatchObject([{ text: 'There are no nodes on the clipboard.' }]);
+    expect(editor.ui.getState().toasts).toMatchObject([{ text: 'The clipboard contains no nodes.' }]);
   });
 });

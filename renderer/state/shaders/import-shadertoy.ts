@@ -8,15 +8,18 @@ import { addToast, revealNodes, toastDiagnostic } from '../editor/ui.ts';
 import { addShader } from './add-shader.ts';
 
 export interface ShadertoySource {
-  /** Pasted tabs, or the site's JSON. */
+  /** Code of the tabs, or the JSON of the site. */
   readonly source: string;
-  /** How the shader is called where the source does not say. */
+  /** Default name, if the source contains none. */
   readonly name: string;
 }
 
 const GAP_PX = 260;
 
-/** One step: an ISF file of the source in the project, and a node of it, whose id comes back; null where that cannot be, which is shown. */
+/**
+ * Converts Shadertoy source to an ISF file of the project and adds a node for it, as one undo step. Returns the node id, or null
+ * after an error, which is shown.
+ */
 export function addShadertoy(editor: Editor, { source, name }: ShadertoySource, place: Place): string | null {
   const { output, diagnostics } = convertShadertoy(source, name);
   for (const diagnostic of diagnostics) toastDiagnostic(editor.ui, diagnostic);
@@ -26,7 +29,7 @@ export function addShadertoy(editor: Editor, { source, name }: ShadertoySource, 
   return node;
 }
 
-/** The same beside the graph, selected and brought into view. */
+/** Imports a shader to the right of the graph, selects its node and scrolls to it. */
 export function importShadertoy(editor: Editor, shader: ShadertoySource): boolean {
   const node = addShadertoy(editor, shader, placeBeside(editor));
   if (node === null) return false;
@@ -35,7 +38,7 @@ export function importShadertoy(editor: Editor, shader: ShadertoySource): boolea
   return true;
 }
 
-/** To the right of all that is there. */
+/** A position to the right of all nodes. */
 function placeBeside(editor: Editor): Place {
   const places = Object.values(layoutOf(editor.document.getState()).nodes);
   const last = places.reduce<Place | null>((right, place) => (right === null || place.x > right.x ? place : right), null);

@@ -6,20 +6,20 @@ import type { FromPreview, ToPreview } from '../preview-protocol.ts';
 
 type Trials = Extract<ToPreview, { kind: 'trials' }>;
 
-/** Compiles shaders that are not for drawing. */
-export interface ShaderTrials {
-  /** The newest is answered. */
-  take(trials: Trials): void;
+/** Compiles shaders only for the errors of the driver. */
+export interface TrialCompiler {
+  /** Answers only the newest request. */
+  compile(trials: Trials): void;
 }
 
 const POLL_S = 0.004;
 
-/** On a context of its own: there may be no player yet, and a player's context ends with it. */
-export function createShaderTrials(clock: FrameClock, send: (message: FromPreview) => void): ShaderTrials {
+/** Uses its own context, because there may be no player, and a player disposes its context. */
+export function createTrialCompiler(clock: FrameClock, send: (message: FromPreview) => void): TrialCompiler {
   let objects: GlObjects | null = null;
   let newest: Trials | null = null;
 
-  async function compile(trials: Trials): Promise<void> {
+  async function run(trials: Trials): Promise<void> {
     if (objects === null || objects.gl.isContextLost()) objects = createContext();
     if (objects === null) return;
     const programs = createProgramCache(objects);
@@ -34,14 +34,14 @@ export function createShaderTrials(clock: FrameClock, send: (message: FromPrevie
   }
 
   return {
-    take: (trials) => {
+    compile: (trials) => {
       newest = trials;
-      void compile(trials);
+      void run(trials);
     },
   };
 }
 
-/** Null where the browser has no WebGL 2, which the player reports. */
+/** Null if the browser does not support WebGL 2, which the player reports. */
 function createContext(): GlObjects | null {
   const canvas = document.createElement('canvas');
   canvas.width = 1;

@@ -1,18 +1,18 @@
-import { takeBack, undo } from '../document/apply.ts';
 import type { Editor } from '../editor/editor.ts';
+import { revertGesture, undo } from './apply.ts';
 
-/** Ends a drag of the gizmo and restores the values before it. Messages of it that the preview has sent already are ignored. */
+/** Cancels a drag of the gizmo and restores the values before it. Late messages of the drag are ignored. */
 export function cancelDrag(editor: Editor): void {
   const { gizmo } = editor;
   const { drag, mode } = gizmo.getState();
   if (drag === null) return;
-  takeBack(editor, drag.state);
-  // A preview without a gizmo ends its drag.
+  revertGesture(editor, drag.state);
+  // Removing the gizmo ends the drag in the preview.
   gizmo.setState({ drag: null, endedDrag: drag.id, mode: null });
   gizmo.setState({ mode });
 }
 
-/** Undoes one step. A drag of the gizmo, in progress or just released in the preview, is canceled instead. */
+/** Undoes one step. Cancels a drag of the gizmo instead if the editor has not received its end yet. */
 export function undoOrCancelDrag(editor: Editor): void {
   if (editor.gizmo.getState().drag === null) undo(editor);
   else cancelDrag(editor);
